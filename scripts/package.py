@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Make build/package/hull_tools-VERSION.zip, the add-on as Blender installs it.
+
+The zip has one folder, hull_tools, so that Blender 3.4 takes it as a legacy add-on and Blender 4.2
+and later as an extension. In the folder are the content of addon/, the licence, and the native
+package hull_native beside the inner package hull_tools: its users, two folders down, write
+`from ...hull_native import`.
+
+The same sources give the same bytes: names are sorted, dates fixed. With --name-only the path of
+the zip is printed, and nothing made.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+import tomllib
+
+ROOT = Path(__file__).resolve().parent.parent
+ADDON = ROOT / "addon"
+NATIVE = ROOT / "build" / "release" / "python" / "hull_native"
+OLDEST_DATE = (1980, 1, 1, 0, 0, 0)
+
+
+def package_file():
+    with open(ADDON / "blender_manifest.toml", "rb") as manifest:
+        version = tomllib.load(manifest)["version"]
+    return ROOT / "build" / "package" / f"hull_tools-{version}.zip"
+
+
+def files_below(folder):
+    """The files of a package, without what Python or an editor leaves there."""
+    for path in sorted(folder.rglob("*")):
+        hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
+        if path.is_file() and not hidden and "__pycache__" not in path.parts:
+            yield path
+
+
+def stripped(library):
+    """The bytes of a shared library without its symbols for debugging."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / library.name
+        subprocess.run(["strip", "--strip-unneeded", "-o", copy, library], check=True)
+        return copy.read_bytes()
+
+
+def contents():
+    """Names inside the zip and the bytes under each."""
+    yield "hull_tools/LICENSE", (ROOT / "LICENSE").read_bytes()
+    for path in files_below(ADDON):
+        yield f"hull_tools/{path.relative_to(ADDON)}", path.read_bytes()
+    for path in files_below(NATIVE):
+        data = stripped(path) if path.suffix == ".so" else path.read_bytes()
+        yield f"hull_tools/hull_native/{path.relative_to(NATIVE)}", data
+
+
+def write_package(target):
+    target.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = target.with_suffix(".part")
+    with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED) as package:
+        for name, data in sorted(contents()):
+            entry = zipfile.ZipInfo(name, OLDEST_DATE)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            package.writestr(entry, data)
+    os.replace(unfinished, target)
+
+
+def main():
+    if sys.argv[1:] == ["--name-only"]:
+        print(package_file())
+        return
+    if not any(NATIVE.glob("_core*.so")):
+        sys.exit(f"no native module in {NATIVE}: ./hull package builds it first")
+    write_package(package_file())
+
+
+main()
