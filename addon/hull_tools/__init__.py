@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on's Blender classes, registered in the order in which they need one another."""
+
+from . import handlers, operators, panels, properties
+
+_PARTS = (properties, operators, panels, handlers)
+
+
+def register():
+    for part in _PARTS:
+        part.register()
+
+
+def unregister():
+    for part in reversed(_PARTS):
+        part.unregister()

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls from mesh objects and from files."""
+
+import bpy
+import numpy as np
+
+from . import hull_objects, hull_state, lines, materials, mesh_arrays, shown_objects, units
+
+_PARTICULARS = ("length_pp", "beam", "draft", "depth")
+
+
+def make_hull(obj, scene, half):
+    """Turns a mesh object into a hull and shows its surface and lines; returns its HullState.
+
+    Particulars that are still zero are taken from the mesh. ValueError when the object is refused.
+    """
+    reason = hull_objects.refusal(obj)
+    if reason:
+        raise ValueError(reason)
+    obj.hull.is_hull = True
+    obj.hull.half = half
+    _fill_particulars(obj)
+    _fill_spacings(obj.hull)
+    obj.display_type = "WIRE"
+    obj.hide_render = True
+    shown_objects.ensure(obj)
+    return hull_state.refresh(obj, scene)
+
+
+def hull_object(hull, scene, collection):
+    """A new hull object from io's HullData, in a collection; returns it, up to date."""
+    scale = units.metres_per_unit(scene)
+    mesh = bpy.data.meshes.new(hull.name)
+    sizes = np.array([len(face) for face in hull.faces], dtype=np.int32)
+    corners = np.array([index for face in hull.faces for index in face], dtype=np.int32)
+    mesh_arrays.write_faces(mesh, np.asarray(hull.points) / scale, sizes, corners)
+    mesh_arrays.write_tags(mesh, hull.creases, hull.corners)
+    obj = bpy.data.objects.new(hull.name, mesh)
+    collection.objects.link(obj)
+    _add_layers(obj, hull)
+    _copy_particulars(obj.hull, hull, scale)
+    make_hull(obj, scene, hull.half)
+    return obj
+
+
+def _add_layers(obj, hull):
+    for layer in hull.layers:
+        material = materials.layer_material(layer.name, layer.colour)
+        obj.data.materials.append(material)
+        entry = obj.hull.layers.add()
+        entry.name = layer.name
+        entry.material = material
+        entry.in_hydrostatics = layer.in_hydrostatics
+    if hull.layers:
+        slots = np.array(hull.face_layers, dtype=np.int32)
+        obj.data.polygons.foreach_set("material_index", slots)
+
+
+def _copy_particulars(settings, hull, scale):
+    for name in _PARTICULARS:
+        value = getattr(hull.particulars, name)
+        if value:
+            setattr(settings, name, value / scale)
+    if hull.particulars.water_density:
+        settings.water_density = hull.particulars.water_density
+    settings.source = hull.source
+
+
+def _fill_particulars(obj):
+    """Particulars not given are the extent of the mesh; the draft is a guess at six tenths."""
+    settings = obj.hull
+    points = mesh_arrays.read_mesh(obj.data).points
+    if not len(points):
+        return
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = {
+        "length_pp": high[0] - low[0],
+        "beam": 2.0 * max(abs(low[1]), abs(high[1])),
+        "depth": max(high[2], 0.0),
+        "draft": 0.6 * max(high[2], 0.0),
+    }
+    for name, value in extent.items():
+        if getattr(settings, name) <= 0.0:
+            setattr(settings, name, value)
+
+
+def _fill_spacings(settings):
+    if settings.waterline_spacing <= 0.0:
+        settings.waterline_spacing = lines.handy_spacing(settings.depth, 10)
+    if settings.buttock_spacing <= 0.0:
+        settings.buttock_spacing = lines.handy_spacing(0.5 * settings.beam, 5)

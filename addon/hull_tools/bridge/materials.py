@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The materials that Hull Tools gives to what it shows, one for each purpose, shared by all hulls.
+
+A material is made when it is first needed and then left to the user, who may change it.
+"""
+
+import bpy
+
+from . import blender_versions
+
+SURFACE = "Hull surface"
+
+# In the order of the lines object's material slots; linear RGB.
+LINE_COLOURS = {
+    "station": (0.62, 0.05, 0.03),
+    "waterline": (0.02, 0.12, 0.55),
+    "buttock": (0.03, 0.32, 0.08),
+    "feature": (0.01, 0.01, 0.012),
+    "draft": (0.0, 0.42, 0.75),
+}
+
+
+def surface_material():
+    return _material(SURFACE, (0.42, 0.47, 0.52), roughness=0.35)
+
+
+def line_material(kind):
+    return _material(f"Hull {kind}", LINE_COLOURS[kind], roughness=0.6)
+
+
+def layer_material(name, colour):
+    """A material of its own for a layer of an imported hull; colour linear RGB or RGBA."""
+    material = bpy.data.materials.new(name)
+    _paint(material, colour[:3], roughness=0.4)
+    return material
+
+
+def _material(name, colour, roughness):
+    material = bpy.data.materials.get(name)
+    if material is None:
+        material = bpy.data.materials.new(name)
+        _paint(material, colour, roughness)
+    return material
+
+
+def _paint(material, colour, roughness):
+    material.diffuse_color = (*colour, 1.0)
+    material.roughness = roughness
+    material.use_nodes = True
+    shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    blender_versions.shader_input(shader, "Base Color").default_value = (*colour, 1.0)
+    blender_versions.shader_input(shader, "Roughness").default_value = roughness

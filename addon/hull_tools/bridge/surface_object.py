@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface as a Blender mesh: exact points, exact normals, both sides of a half hull."""
+
+import numpy as np
+
+from . import blender_versions, materials, mesh_arrays
+
+# Points nearer to the centre plane than this part of the hull's size are shared by both sides.
+_CENTRE_PLANE_TOLERANCE = 1e-9
+
+
+def surface_arrays(tessellation, half):
+    """(points (n, 3) in metres, quads (k, 4), corner normals (k, 4, 3)) of the whole hull."""
+    points, quads = tessellation.points, tessellation.quads
+    normals = tessellation.corner_normals
+    if not half:
+        return points, quads, normals
+    on_plane = np.abs(points[:, 1]) <= _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max()
+    mirror_of = np.arange(len(points))
+    mirror_of[~on_plane] = len(points) + np.arange(np.count_nonzero(~on_plane))
+    off_plane = ~on_plane[quads].all(axis=1)
+    turned = slice(None, None, -1)
+    flip = np.array([1.0, -1.0, 1.0])
+    return (
+        np.concatenate([points, points[~on_plane] * flip]),
+        np.concatenate([quads, mirror_of[quads[off_plane]][:, turned]]),
+        np.concatenate([normals, normals[off_plane][:, turned] * flip]),
+    )
+
+
+def write_surface(mesh, tessellation, half, metres_per_unit):
+    """Replaces the geometry of `mesh` by a hull_native.Tessellation."""
+    points, quads, normals = surface_arrays(tessellation, half)
+    sizes = np.full(len(quads), 4, dtype=np.int32)
+    mesh_arrays.write_faces(mesh, points / metres_per_unit, sizes, quads.reshape(-1))
+    mesh.polygons.foreach_set("use_smooth", np.ones(len(quads), dtype=bool))
+    blender_versions.set_corner_normals(mesh, normals.reshape(-1, 3))
+    if not mesh.materials:
+        mesh.materials.append(materials.surface_material())

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surface, lines and hydrostatics follow the control mesh and its settings."""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..bridge import hull_objects, hull_state
+
+forget_all = hull_state.forget_all
+
+# Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
+_is_following = False
+
+
+def _follow(hulls, scene):
+    global _is_following
+    if _is_following:
+        return
+    _is_following = True
+    try:
+        for hull in hulls:
+            hull_state.refresh(hull, scene)
+    finally:
+        _is_following = False
+
+
+@persistent
+def after_update(scene, depsgraph):
+    changed = {
+        update.id.original
+        for update in depsgraph.updates
+        if isinstance(update.id, bpy.types.Object)
+        and (update.is_updated_geometry or update.is_updated_transform)
+    }
+    _follow(hull_objects.hulls(changed), scene)
+
+
+@persistent
+def after_undo(scene, *unused):
+    """Undo restores shown objects from another moment than what was computed last."""
+    hull_state.forget_all()
+    _follow(hull_objects.hulls(scene.objects), scene)
+
+
+@persistent
+def after_load(*unused):
+    hull_state.forget_all()
+    for scene in bpy.data.scenes:
+        _follow(hull_objects.hulls(scene.objects), scene)

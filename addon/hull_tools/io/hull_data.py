@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A hull's control mesh and particulars as every importer delivers them.
+
+Lengths are metres and densities t/m3, whatever the file's own units were. Axes: x forward from
+the after perpendicular, y to port, z up from the baseline. A half hull lies at y >= 0 and is
+mirrored on y = 0. The *shell* is the faces whose layer counts in hydrostatics; only it goes to the
+surface, the hydrostatics and the exports.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass
+class Layer:
+    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1."""
+
+    name: str = ""
+    in_hydrostatics: bool = True
+    colour: tuple = (0.75, 0.75, 0.75)
+
+
+@dataclass
+class Particulars:
+    """Main dimensions in m and water density in t/m3. 0 means: the file does not say."""
+
+    length_pp: float = 0.0
+    beam: float = 0.0
+    draft: float = 0.0
+    depth: float = 0.0
+    water_density: float = 0.0
+
+
+@dataclass
+class HullData:
+    """One hull, as read.
+
+    points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
+    creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
+    one index into layers per face. units: the file's own unit of length, "m" or "ft". source: where
+    the hull comes from. notes: what the reader had to mend, one sentence each, for the user.
+    """
+
+    name: str
+    points: np.ndarray
+    faces: list
+    creases: list = field(default_factory=list)
+    corners: list = field(default_factory=list)
+    half: bool = False
+    layers: list = field(default_factory=lambda: [Layer()])
+    face_layers: list = field(default_factory=list)
+    particulars: Particulars = field(default_factory=Particulars)
+    units: str = "m"
+    source: str = ""
+    notes: list = field(default_factory=list)
+
+    def __post_init__(self):
+        self.points = np.asarray(self.points, dtype=np.float64).reshape(-1, 3)
+        if not self.face_layers:
+            self.face_layers = [0] * len(self.faces)
+
+
+@dataclass
+class ShellArrays:
+    """The shell as the arrays that `hull_native.ControlMesh` takes.
+
+    points float64 (n, 3); face_sizes int32 (f,); face_vertices int32 (sum of sizes,); creases
+    int32 (m, 2); corners int32 (k,). point_indices (n,) and face_indices (f,) lead back to the
+    HullData's points and faces.
+    """
+
+    points: np.ndarray
+    face_sizes: np.ndarray
+    face_vertices: np.ndarray
+    creases: np.ndarray
+    corners: np.ndarray
+    point_indices: np.ndarray
+    face_indices: np.ndarray
+
+
+def face_edges(face):
+    """The directed edges (a, b) of a face, in order; the last one closes it."""
+    return zip(face, face[1:] + face[:1])
+
+
+def edge_key(a, b):
+    """An edge's name, the same in both directions."""
+    return (a, b) if a < b else (b, a)
+
+
+def shell_face_indices(data):
+    """Indices of the faces whose layer counts in hydrostatics, in order."""
+    return [
+        index for index, layer in enumerate(data.face_layers) if data.layers[layer].in_hydrostatics
+    ]
+
+
+def shell_arrays(data):
+    """The shell's faces with the points, creases and corners that belong to them.
+
+    Points that no shell face uses are left out and the others keep their order; so are creases
+    that are no edge of a shell face and corners that are no point of one.
+    """
+    face_indices = shell_face_indices(data)
+    faces = [data.faces[index] for index in face_indices]
+    used = sorted({point for face in faces for point in face})
+    new_index = {old: new for new, old in enumerate(used)}
+    edges = {edge_key(a, b) for face in faces for a, b in face_edges(face)}
+    creases = [(new_index[a], new_index[b]) for a, b in data.creases if edge_key(a, b) in edges]
+    corners = [new_index[point] for point in data.corners if point in new_index]
+    vertices = [new_index[point] for face in faces for point in face]
+    return ShellArrays(
+        points=np.ascontiguousarray(data.points[used]),
+        face_sizes=np.array([len(face) for face in faces], dtype=np.int32),
+        face_vertices=np.array(vertices, dtype=np.int32),
+        creases=np.array(creases, dtype=np.int32).reshape(-1, 2),
+        corners=np.array(corners, dtype=np.int32),
+        point_indices=np.array(used, dtype=np.int32),
+        face_indices=np.array(face_indices, dtype=np.int32),
+    )

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the user can do, from panels, menus, the operator search and scripts."""
+
+import bpy
+
+from . import check_mesh, export_hull, import_hull, make_hull, tag_mesh
+
+_CLASSES = (
+    *make_hull.CLASSES,
+    *tag_mesh.CLASSES,
+    *check_mesh.CLASSES,
+    *import_hull.CLASSES,
+    *export_hull.CLASSES,
+)
+
+
+def register():
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.TOPBAR_MT_file_import.append(import_hull.draw_import_menu)
+    bpy.types.TOPBAR_MT_file_export.append(export_hull.draw_export_menu)
+
+
+def unregister():
+    bpy.types.TOPBAR_MT_file_export.remove(export_hull.draw_export_menu)
+    bpy.types.TOPBAR_MT_file_import.remove(import_hull.draw_import_menu)
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hull files and samples become hull objects."""
+
+import bpy
+from bpy.props import EnumProperty, StringProperty
+from bpy_extras.io_utils import ImportHelper
+
+from .. import io
+from ..bridge import hull_creation, samples
+from .shared import in_object_mode, native_is_there, reporting_errors
+
+
+def _import(operator, context, path):
+    """Reads a file completely before anything is made of it."""
+    hull = io.read_hull(path)
+    obj = hull_creation.hull_object(hull, context.scene, context.collection)
+    for selected in context.selected_objects:
+        selected.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
+    operator.report({"INFO"}, f"{obj.name}: {len(obj.data.polygons)} faces read")
+    return {"FINISHED"}
+
+
+class HULL_OT_import_hull(bpy.types.Operator, ImportHelper):
+    """Read a hull from a FREE!ship file (.fbm, .ftm) or a hull file (.hull.json)"""
+
+    bl_idname = "hull.import_hull"
+    bl_label = "Import Hull"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filter_glob: StringProperty(default="*.fbm;*.ftm;*.hull.json", options={"HIDDEN"})
+
+    @classmethod
+    def poll(cls, context):
+        return native_is_there(cls) and in_object_mode(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        return _import(self, context, self.filepath)
+
+
+# Blender keeps no reference to the texts of a dynamic enumeration; this does.
+_sample_items = []
+
+
+def _list_samples(self, context):
+    _sample_items[:] = [
+        (name, name.replace("_", " ").replace("-", " ").capitalize(), str(path))
+        for name, path in samples.sample_files().items()
+    ]
+    return _sample_items
+
+
+class HULL_OT_load_sample(bpy.types.Operator):
+    """Load one of the hulls that come with the add-on"""
+
+    bl_idname = "hull.load_sample"
+    bl_label = "Load Sample Hull"
+    bl_options = {"REGISTER", "UNDO"}
+
+    name: EnumProperty(name="Sample", items=_list_samples)
+
+    @classmethod
+    def poll(cls, context):
+        return native_is_there(cls) and in_object_mode(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        files = samples.sample_files()
+        if self.name not in files:
+            raise ValueError("There is no sample hull beside the add-on")
+        return _import(self, context, str(files[self.name]))
+
+
+def draw_import_menu(self, context):
+    self.layout.operator(HULL_OT_import_hull.bl_idname, text="Ship hull (.fbm, .ftm, .hull.json)")
+
+
+CLASSES = (HULL_OT_import_hull, HULL_OT_load_sample)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh becomes a hull; a hull's surface and lines are made anew."""
+
+import bpy
+from bpy.props import BoolProperty
+
+from ..bridge import hull_creation, hull_objects, hull_state, mesh_arrays, shown_objects
+from .shared import has_hull, native_is_there, reporting_errors
+
+
+class HULL_OT_make_hull(bpy.types.Operator):
+    """Make the active mesh the control mesh of a hull and show its surface and lines"""
+
+    bl_idname = "hull.make_hull"
+    bl_label = "Make This Mesh a Hull"
+    bl_options = {"REGISTER", "UNDO"}
+
+    half: BoolProperty(
+        name="Half hull",
+        description="The mesh is the port half (y ≥ 0) and is mirrored on the centre plane",
+        default=True,
+    )
+
+    @classmethod
+    def poll(cls, context):
+        reason = hull_objects.refusal(context.object)
+        if reason:
+            cls.poll_message_set(reason)
+            return False
+        return native_is_there(cls)
+
+    def invoke(self, context, event):
+        points = mesh_arrays.read_mesh(context.object.data).points
+        if len(points) and not self.properties.is_property_set("half"):
+            self.half = bool(points[:, 1].min() > -1e-3 * points[:, 1].max())
+        return self.execute(context)
+
+    @reporting_errors
+    def execute(self, context):
+        state = hull_creation.make_hull(context.object, context.scene, self.half)
+        if state.status:
+            self.report({"WARNING"}, state.status)
+        return {"FINISHED"}
+
+
+class HULL_OT_update(bpy.types.Operator):
+    """Make the hull's surface and lines anew, also when they were deleted"""
+
+    bl_idname = "hull.update"
+    bl_label = "Update Surface and Lines"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return native_is_there(cls) and has_hull(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        shown_objects.ensure(hull)
+        hull_state.forget(hull)
+        state = hull_state.refresh(hull, context.scene)
+        if state.status:
+            raise ValueError(state.status)
+        return {"FINISHED"}
+
+
+CLASSES = (HULL_OT_make_hull, HULL_OT_update)

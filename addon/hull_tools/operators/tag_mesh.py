@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Creases, corners and smooth again, for the selection in edit mode; any mesh, hull or not."""
+
+import bmesh
+import bpy
+
+from ..bridge import blender_versions
+from .shared import reporting_errors
+
+
+def _in_mesh_edit_mode(cls, context):
+    if context.mode != "EDIT_MESH":
+        cls.poll_message_set("Enter edit mode first (Tab)")
+        return False
+    return True
+
+
+def _tag_selection(context, edge_value, vertex_value, nothing_selected):
+    """Gives crease values to selected edges and vertices; None leaves their values.
+
+    ValueError with the text `nothing_selected` when no element is to be tagged.
+    """
+    tagged = 0
+    for obj in context.objects_in_mode_unique_data:
+        bm = bmesh.from_edit_mesh(obj.data)
+        edge_layer, vertex_layer = blender_versions.ensure_crease_layers(bm)
+        count = 0
+        if edge_value is not None:
+            count += _set_selected(bm.edges, edge_layer, edge_value)
+        if vertex_value is not None:
+            count += _set_selected(bm.verts, vertex_layer, vertex_value)
+        if count:
+            bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
+        tagged += count
+    if not tagged:
+        raise ValueError(nothing_selected)
+
+
+def _set_selected(elements, layer, value):
+    selected = [element for element in elements if element.select]
+    for element in selected:
+        element[layer] = value
+    return len(selected)
+
+
+class HULL_OT_tag_crease(bpy.types.Operator):
+    """Make the selected edges creases: knuckles of the surface"""
+
+    bl_idname = "hull.tag_crease"
+    bl_label = "Crease"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return _in_mesh_edit_mode(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        _tag_selection(context, 1.0, None, "Select the edges of the knuckle first")
+        return {"FINISHED"}
+
+
+class HULL_OT_tag_corner(bpy.types.Operator):
+    """Make the selected points corners: the surface passes through them with a kink"""
+
+    bl_idname = "hull.tag_corner"
+    bl_label = "Corner"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return _in_mesh_edit_mode(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        _tag_selection(context, None, 1.0, "Select the points that become corners first")
+        return {"FINISHED"}
+
+
+class HULL_OT_tag_smooth(bpy.types.Operator):
+    """Make the selected edges and points smooth: no crease, no corner"""
+
+    bl_idname = "hull.tag_smooth"
+    bl_label = "Smooth"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return _in_mesh_edit_mode(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        _tag_selection(context, 0.0, 0.0, "Select the edges or points to smooth first")
+        return {"FINISHED"}
+
+
+CLASSES = (HULL_OT_tag_crease, HULL_OT_tag_corner, HULL_OT_tag_smooth)

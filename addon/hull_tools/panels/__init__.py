@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Hull tab of the 3D view's sidebar."""
+
+import bpy
+
+from . import hull, results, shown
+
+_CLASSES = (*hull.CLASSES, *results.CLASSES, *shown.CLASSES)
+
+
+def register():
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister():
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

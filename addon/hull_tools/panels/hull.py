@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The hull itself: how to begin, its particulars, the tags of its mesh."""
+
+import bpy
+
+from ..bridge import hull_objects, hull_state, native
+from .shared import HullPanel, HullTab, label_value, label_wrapped
+
+
+class HULL_PT_hull(HullTab, bpy.types.Panel):
+    bl_label = "Hull"
+
+    def draw(self, context):
+        layout = self.layout
+        if native.hull_native is None:
+            label_wrapped(layout, native.missing_reason, icon="ERROR")
+        hull = hull_objects.hull_of(context.object)
+        if hull is None:
+            self._draw_beginnings(layout)
+        else:
+            self._draw_status(layout, hull)
+            self._draw_particulars(layout, hull.hull)
+
+    def _draw_beginnings(self, layout):
+        layout.operator("hull.make_hull", icon="MESH_DATA")
+        layout.operator("hull.import_hull", icon="IMPORT")
+        layout.operator_menu_enum("hull.load_sample", "name", icon="FILE_3D")
+
+    def _draw_status(self, layout, hull):
+        layout.label(text=hull.name, icon="MESH_DATA")
+        state = hull_state.state_of(hull)
+        if state is None:
+            layout.operator("hull.update", icon="FILE_REFRESH")
+            return
+        if state.status:
+            label_wrapped(layout, state.status, icon="ERROR")
+        for remark in state.remarks:
+            label_wrapped(layout, remark, icon="INFO")
+
+    def _draw_particulars(self, layout, settings):
+        column = layout.column(align=True)
+        for name in ("length_pp", "beam", "depth", "draft"):
+            column.prop(settings, name)
+        layout.prop(settings, "water_density")
+        layout.prop(settings, "half")
+
+
+class HULL_PT_tags(HullTab, bpy.types.Panel):
+    """Creases and corners, in edit mode of any mesh"""
+
+    bl_label = "Edges and Points"
+    bl_context = "mesh_edit"
+
+    def draw(self, context):
+        column = self.layout.column(align=True)
+        column.operator("hull.tag_crease", icon="MOD_EDGESPLIT")
+        column.operator("hull.tag_corner", icon="VERTEXSEL")
+        column.operator("hull.tag_smooth", icon="MESH_CIRCLE")
+
+
+class HULL_PT_check(HullPanel, bpy.types.Panel):
+    bl_label = "Mesh Check"
+
+    def draw(self, context):
+        layout = self.layout
+        state = hull_state.state_of(hull_objects.hull_of(context.object))
+        if state is None:
+            return
+        check = state.check
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+        label_value(column, "Points", str(check.vertex_count))
+        label_value(column, "Edges", str(check.edge_count))
+        label_value(column, "Faces", str(check.face_count))
+        label_value(column, "Irregular points", str(check.irregular_count))
+        if not check.problems:
+            layout.label(text="No problems", icon="CHECKMARK")
+        for index, problem in enumerate(check.problems):
+            icon = "ERROR" if problem.severity == "error" else "INFO"
+            box = layout.box()
+            label_wrapped(box, problem.message, icon)
+            if problem.elements:
+                box.operator("hull.select_problem").index = index
+        if check.problems:
+            layout.operator("hull.turn_outwards")
+
+
+CLASSES = (HULL_PT_hull, HULL_PT_tags, HULL_PT_check)

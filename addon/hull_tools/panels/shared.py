@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panels have in common: their place, and texts that fit a narrow sidebar."""
+
+import textwrap
+
+from ..bridge import hull_objects
+
+# Letters that fit one line of the sidebar at its default width, beside an icon.
+_LINE_LETTERS = 28
+
+
+class HullTab:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Hull"
+
+
+class HullPanel(HullTab):
+    """A panel that is there when the active object is a hull or shows one."""
+
+    @classmethod
+    def poll(cls, context):
+        return hull_objects.hull_of(context.object) is not None
+
+
+def label_wrapped(layout, text, icon="NONE"):
+    """A text as labels of one line each, the icon before the first."""
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for line in textwrap.wrap(text, _LINE_LETTERS):
+        column.label(text=line, icon=icon)
+        icon = "NONE" if icon == "NONE" else "BLANK1"
+
+
+def label_value(layout, name, value):
+    """A name to the left, and its value to the right."""
+    split = layout.split(factor=0.48)
+    split.label(text=name)
+    right = split.row()
+    right.alignment = "RIGHT"
+    right.label(text=value)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the hull is shown: surface, lines, layers; and its way out."""
+
+import bpy
+
+from ..bridge import hull_objects, shown_objects
+from .shared import HullPanel
+
+
+def _draw_shown(layout, shown):
+    """Visibility of an object that shows a hull, or the button that makes it anew."""
+    row = layout.row(align=True)
+    if shown is None:
+        row.operator("hull.update", icon="FILE_REFRESH")
+        return
+    row.prop(shown, "hide_viewport", text="Hide", toggle=True)
+    row.prop(shown, "hide_render", text="Not Rendered", toggle=True)
+
+
+class HULL_PT_surface(HullPanel, bpy.types.Panel):
+    bl_label = "Surface"
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        _draw_shown(layout, shown_objects.surface_of(hull))
+        layout.prop(hull.hull, "samples")
+        layout.prop(hull.hull, "scheme", text="")
+        if hull.hull.layers:
+            layout.label(text="Layers in the shell")
+        column = layout.column(align=True)
+        for layer in hull.hull.layers:
+            if layer.material is not None:
+                column.prop(layer, "in_hydrostatics", text=layer.material.name)
+
+
+class HULL_PT_lines(HullPanel, bpy.types.Panel):
+    bl_label = "Lines"
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        _draw_shown(layout, shown_objects.lines_of(hull))
+        column = layout.column(align=True)
+        for name in ("station_count", "waterline_spacing", "buttock_spacing"):
+            column.prop(hull.hull, name)
+
+
+class HULL_PT_export(HullPanel, bpy.types.Panel):
+    bl_label = "Export"
+
+    def draw(self, context):
+        column = self.layout.column(align=True)
+        column.operator("hull.export_step", icon="EXPORT")
+        column.operator("hull.export_lines", icon="EXPORT")
+
+
+CLASSES = (HULL_PT_surface, HULL_PT_lines, HULL_PT_export)
