@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "conversion/patch_set.h"
+
+namespace hull {
+
+// The patches of a half hull together with their mirror image on the centre plane y = 0, joined
+// along the seam. The patches given come first, then their images in the same order with the same
+// cell numbers; in an image u and v are exchanged, so that its normal points outwards as well.
+//
+// The seam is every edge with one patch whose control points lie within 1e-7 of the set's size from
+// the centre plane; they are put on it exactly. Patches or inner edges lying in the plane (a thin
+// skeg) get images of their own and are not joined: they are the two sides of something thin.
+//
+// The report is the half's. REQUIRES: half.check() does not throw.
+PatchSet with_mirror_image(const PatchSet& half);
+
+}  // namespace hull

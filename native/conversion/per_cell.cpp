@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/per_cell.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "conversion/uniform_fit.h"
+
+namespace hull {
+namespace {
+
+Eigen::Vector2d corner_uv(int k) { return {k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0}; }
+
+// Enough data for the fit to be a good average (the section leaves the number open).
+int data_intervals(int control_points) { return 2 * control_points + 2; }
+
+// The surface's vertices as positions, each from the first cell that has it.
+std::vector<Vector3d> vertex_points(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  std::vector<Vector3d> points(cells.vertex_count(), Vector3d::Zero());
+  std::vector<bool> known(points.size(), false);
+  for (int h = 0; h < cells.half_edge_count(); ++h) {
+    const int vertex = cells.origin(h);
+    if (known[vertex]) continue;
+    const Eigen::Vector2d uv = corner_uv(h % 4);
+    points[vertex] = surface.position(h / 4, uv.x(), uv.y());
+    known[vertex] = true;
+  }
+  return points;
+}
+
+// The control points of one edge in the direction of its half-edge h.
+std::vector<Vector3d> edge_curve(const LimitSurface& surface, const UniformFit& fit, int h,
+                                 const std::vector<Vector3d>& vertices) {
+  const Topology& cells = surface.cells();
+  const Eigen::Vector2d begin = corner_uv(h % 4), end = corner_uv((h + 1) % 4);
+  std::vector<Vector3d> data{vertices[cells.origin(h)]};
+  for (int i = 1; i < fit.intervals(); ++i) {
+    const Eigen::Vector2d uv = begin + (end - begin) * (static_cast<double>(i) / fit.intervals());
+    data.push_back(surface.position(h / 4, uv.x(), uv.y()));
+  }
+  data.push_back(vertices[cells.origin(cells.next(h))]);
+  return fit.curve(data);
+}
+
+std::vector<Vector3d> inner_data(const LimitSurface& surface, int cell, int intervals) {
+  const int rows = intervals + 1;
+  std::vector<Vector3d> data(rows * rows, Vector3d::Zero());
+  for (int i = 1; i < intervals; ++i) {
+    for (int j = 1; j < intervals; ++j) {
+      data[i * rows + j] = surface.position(cell, static_cast<double>(i) / intervals,
+                                            static_cast<double>(j) / intervals);
+    }
+  }
+  return data;
+}
+
+// Measures patches against the surface on a grid that is twice as fine as the fit's own and crowds
+// towards the borders and corners, where the surface is least like a polynomial.
+class Gauge {
+ public:
+  explicit Gauge(int control_points) {
+    const int intervals = 2 * data_intervals(control_points);
+    const std::vector<double> knots = open_uniform_knots(3, control_points);
+    basis_.setZero(intervals + 1, control_points);
+    for (int i = 0; i <= intervals; ++i) {
+      nodes_.push_back(0.5 - 0.5 * std::cos(std::numbers::pi * i / intervals));
+      const BasisValues values = basis_values(knots, 3, nodes_[i]);
+      basis_.block(i, values.first, 1, 4) = values.rows.row(0);
+    }
+  }
+
+  void measure(const LimitSurface& surface, const BSplinePatch& patch, FitReport& report) {
+    const int rows = static_cast<int>(nodes_.size()), n = patch.count_u;
+    Eigen::MatrixXd points[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      Eigen::MatrixXd grid(n, n);
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) grid(i, j) = patch.control_point(i, j)(axis);
+      }
+      points[axis] = basis_ * grid * basis_.transpose();
+    }
+    double largest = 0.0;
+    for (int i = 0; i < rows; ++i) {
+      for (int j = 0; j < rows; ++j) {
+        const Vector3d point(points[0](i, j), points[1](i, j), points[2](i, j));
+        const double distance = (point - surface.position(patch.cell, nodes_[i], nodes_[j])).norm();
+        sum_of_squares_ += distance * distance;
+        largest = std::max(largest, distance);
+        if (report.cell < 0 || distance > report.largest_distance) {
+          report.largest_distance = distance;
+          report.cell = patch.cell;
+          report.uv = {nodes_[i], nodes_[j]};
+        }
+      }
+    }
+    report.cell_largest.push_back(largest);
+    report.samples_per_cell = rows * rows;
+    report.rms_distance = std::sqrt(sum_of_squares_ / (report.cell_largest.size() * rows * rows));
+  }
+
+ private:
+  std::vector<double> nodes_;
+  Eigen::MatrixXd basis_;
+  double sum_of_squares_ = 0.0;
+};
+
+}  // namespace
+
+PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
+  if (control_points < kMinControlPoints || control_points > kMaxControlPoints) {
+    throw std::invalid_argument("control_points must be from " + std::to_string(kMinControlPoints) +
+                                " to " + std::to_string(kMaxControlPoints) + ", not " +
+                                std::to_string(control_points));
+  }
+  const int n = control_points;
+  const UniformFit fit(n, data_intervals(n));
+  const Topology& cells = surface.cells();
+  const std::vector<Vector3d> vertices = vertex_points(surface);
+
+  // Each edge's curve and the half-edge it was computed along.
+  std::vector<std::pair<int, std::vector<Vector3d>>> curves(cells.edge_count(), {-1, {}});
+
+  PatchSet set;
+  set.vertex_count = cells.vertex_count();
+  set.edge_count = cells.edge_count();
+  Gauge gauge(n);
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    BSplinePatch patch{3, 3, open_uniform_knots(3, n), open_uniform_knots(3, n), n, n, {}, cell};
+    patch.control_points.assign(n * n, Vector3d::Zero());
+    std::array<int, 4> corners{}, sides{};
+    for (int k = 0; k < 4; ++k) {
+      const int h = 4 * cell + k;
+      corners[k] = cells.origin(h);
+      sides[k] = cells.edge(h);
+      auto& [along, points] = curves[sides[k]];
+      if (along < 0) {
+        along = h;
+        points = edge_curve(surface, fit, h, vertices);
+      }
+      for (int i = 0; i < n; ++i) {
+        patch.control_points[patch.side_index(k, i)] = points[along == h ? i : n - 1 - i];
+      }
+    }
+    fit.interior(inner_data(surface, cell, fit.intervals()), patch.control_points);
+    gauge.measure(surface, patch, set.report);
+    set.patches.push_back(std::move(patch));
+    set.corners.push_back(corners);
+    set.sides.push_back(sides);
+  }
+  return set;
+}
+
+}  // namespace hull

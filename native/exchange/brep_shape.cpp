@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/brep_shape.h"
+
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace hull {
+namespace {
+
+constexpr double kCollapsed = 1e-9;  // of the size: shorter sides have no length
+constexpr double kTolerance = 1e-7;  // millimetres, Open CASCADE's smallest
+
+gp_Pnt in_millimetres(const Vector3d& point) {
+  const Vector3d p = point * kMillimetresPerMetre;
+  return {p.x(), p.y(), p.z()};
+}
+
+// Knots as Open CASCADE wants them: each once, with how often it is repeated.
+struct Knots {
+  explicit Knots(const std::vector<double>& repeated) {
+    for (double knot : repeated) {
+      if (values.empty() || knot != values.back()) {
+        values.push_back(knot);
+        counts.push_back(0);
+      }
+      ++counts.back();
+    }
+  }
+  TColStd_Array1OfReal array() const {
+    return {values.front(), 1, static_cast<int>(values.size())};
+  }
+  TColStd_Array1OfInteger multiplicities() const {
+    return {counts.front(), 1, static_cast<int>(counts.size())};
+  }
+  std::vector<double> values;
+  std::vector<int> counts;
+};
+
+Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch) {
+  TColgp_Array2OfPnt poles(1, patch.count_u, 1, patch.count_v);
+  for (int i = 0; i < patch.count_u; ++i) {
+    for (int j = 0; j < patch.count_v; ++j) {
+      poles(i + 1, j + 1) = in_millimetres(patch.control_point(i, j));
+    }
+  }
+  const Knots u(patch.knots_u), v(patch.knots_v);
+  return new Geom_BSplineSurface(poles, u.array(), v.array(), u.multiplicities(),
+                                 v.multiplicities(), patch.degree_u, patch.degree_v);
+}
+
+Handle(Geom_BSplineCurve) make_curve(const BSplinePatch& patch, int side) {
+  const std::vector<Vector3d> points = patch.side_points(side);
+  TColgp_Array1OfPnt poles(1, static_cast<int>(points.size()));
+  for (size_t i = 0; i < points.size(); ++i)
+    poles(static_cast<int>(i) + 1) = in_millimetres(points[i]);
+  const Knots knots(patch.side_knots(side));
+  return new Geom_BSplineCurve(poles, knots.array(), knots.multiplicities(),
+                               patch.side_degree(side));
+}
+
+// The line in (u, v) along a side, from its begin at parameter 0 to its end at 1; or from end to
+// begin.
+Handle(Geom2d_Line) side_line(int side, bool backwards) {
+  static const gp_Pnt2d kCorners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  gp_Pnt2d from = kCorners[side], to = kCorners[(side + 1) % 4];
+  if (backwards) std::swap(from, to);
+  return new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
+}
+
+double polygon_length(const std::vector<Vector3d>& points) {
+  double length = 0.0;
+  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+// Disjoint sets of 0 ... count - 1.
+class Groups {
+ public:
+  explicit Groups(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int a, int b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+class ShapeMaker {
+ public:
+  explicit ShapeMaker(const PatchSet& set)
+      : set_(set), vertex_groups_(set.vertex_count), parts_(static_cast<int>(set.patches.size())) {
+    measure();
+    for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) refuse_without_area(p);
+  }
+
+  BRepShape make() {
+    BRepShape result;
+    std::map<int, TopoDS_Shell> shells;  // by part
+    for (int p = 0; p < static_cast<int>(set_.patches.size()); ++p) {
+      TopoDS_Shell& shell = shells[parts_.find(p)];
+      if (shell.IsNull()) builder_.MakeShell(shell);
+      result.faces.push_back(make_face(p));
+      builder_.Add(shell, result.faces.back());
+    }
+    for (int e = 0; e < set_.edge_count; ++e) {
+      if (uses_[e] == 1 && !collapsed_[e]) ++result.free_edges;
+    }
+    if (shells.size() == 1) {
+      result.shape = finished(shells.begin()->second);
+    } else {
+      TopoDS_Compound compound;
+      builder_.MakeCompound(compound);
+      for (auto& [part, shell] : shells) builder_.Add(compound, finished(shell));
+      result.shape = compound;
+    }
+    return result;
+  }
+
+ private:
+  void measure() {
+    Eigen::AlignedBox3d box;
+    for (const BSplinePatch& patch : set_.patches) {
+      for (const Vector3d& point : patch.control_points) box.extend(point);
+    }
+    size_ = box.diagonal().norm();
+    collapsed_.assign(set_.edge_count, false);
+    uses_.assign(set_.edge_count, 0);
+    std::vector<int> first(set_.edge_count, -1);
+    for (int p = 0; p < static_cast<int>(set_.patches.size()); ++p) {
+      for (int k = 0; k < 4; ++k) {
+        const int edge = set_.sides[p][k];
+        ++uses_[edge];
+        if (polygon_length(set_.patches[p].side_points(k)) <= kCollapsed * size_) {
+          collapsed_[edge] = true;
+          vertex_groups_.join(set_.corners[p][k], set_.corners[p][(k + 1) % 4]);
+        } else if (first[edge] < 0) {
+          first[edge] = p;
+        } else {
+          parts_.join(first[edge], p);
+        }
+      }
+    }
+    vertices_.resize(set_.vertex_count);
+    edges_.resize(set_.edge_count);
+  }
+
+  // A patch folded flat has no normal, and no CAD system takes it.
+  void refuse_without_area(int p) const {
+    const BSplinePatch& patch = set_.patches[p];
+    double largest = 0.0;
+    for (double u : {0.2, 0.5, 0.8}) {
+      for (double v : {0.2, 0.5, 0.8}) {
+        const PatchDerivatives d = patch.derivatives(u, v);
+        largest = std::max(largest, d.du.cross(d.dv).norm());
+      }
+    }
+    if (largest > kCollapsed * kCollapsed * size_ * size_) return;
+    throw std::invalid_argument(
+        "cell " + std::to_string(patch.cell) +
+        " has no area: points of its face coincide or lie on one line; merge or move them");
+  }
+
+  TopoDS_Vertex vertex(int number, const Vector3d& position) {
+    TopoDS_Vertex& vertex = vertices_[vertex_groups_.find(number)];
+    if (vertex.IsNull()) {
+      // Ends of a collapsed side may lie apart by as much as such a side is long.
+      const double tolerance = kTolerance + kCollapsed * size_ * kMillimetresPerMetre;
+      builder_.MakeVertex(vertex, in_millimetres(position), tolerance);
+    }
+    return vertex;
+  }
+
+  TopoDS_Face make_face(int p) {
+    const BSplinePatch& patch = set_.patches[p];
+    TopoDS_Face face;
+    builder_.MakeFace(face, make_surface(patch), kTolerance);
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (int k = 0; k < 4; ++k) builder_.Add(wire, side_edge(p, k, face));
+    wire.Closed(true);
+    builder_.Add(face, wire);
+    return face;
+  }
+
+  // The edge along a side of a patch, turned so that it runs in the side's direction.
+  TopoDS_Edge side_edge(int p, int k, const TopoDS_Face& face) {
+    const BSplinePatch& patch = set_.patches[p];
+    const TopoDS_Vertex begin = vertex(set_.corners[p][k], patch.side_points(k).front());
+    const TopoDS_Vertex end = vertex(set_.corners[p][(k + 1) % 4], patch.side_points(k).back());
+    const int number = set_.sides[p][k];
+    if (collapsed_[number]) return degenerated_edge(k, begin, face);
+
+    const bool first = edges_[number].edge.IsNull();
+    if (first) {
+      edges_[number].side = side_line(k, false);
+      edges_[number].face = face;
+      TopoDS_Edge edge;
+      builder_.MakeEdge(edge, make_curve(patch, k), kTolerance);
+      add_ends(edge, begin, end);
+      builder_.Range(edge, 0.0, 1.0);
+      edges_[number].edge = edge;
+    }
+    const TopoDS_Edge& edge = edges_[number].edge;
+    if (!first && edges_[number].face.IsSame(face)) {
+      // Both sides of one patch: a seam has two lines on the same surface.
+      builder_.UpdateEdge(edge, edges_[number].side, side_line(k, true), face, kTolerance);
+    } else {
+      builder_.UpdateEdge(edge, side_line(k, !first), face, kTolerance);
+    }
+    return TopoDS::Edge(edge.Oriented(first ? TopAbs_FORWARD : TopAbs_REVERSED));
+  }
+
+  TopoDS_Edge degenerated_edge(int k, const TopoDS_Vertex& vertex, const TopoDS_Face& face) {
+    TopoDS_Edge edge;
+    builder_.MakeEdge(edge);
+    builder_.UpdateEdge(edge, side_line(k, false), face, kTolerance);
+    add_ends(edge, vertex, vertex);
+    builder_.Range(edge, face, 0.0, 1.0);
+    builder_.Degenerated(edge, true);
+    return edge;
+  }
+
+  void add_ends(TopoDS_Edge& edge, const TopoDS_Vertex& begin, const TopoDS_Vertex& end) {
+    builder_.Add(edge, begin.Oriented(TopAbs_FORWARD));
+    builder_.Add(edge, end.Oriented(TopAbs_REVERSED));
+  }
+
+  TopoDS_Shape finished(TopoDS_Shell& shell) {
+    shell.Closed(BRep_Tool::IsClosed(shell));
+    if (!shell.Closed()) return shell;
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shell, properties);
+    if (properties.Mass() <= 0.0) return shell;
+    TopoDS_Solid solid;
+    builder_.MakeSolid(solid);
+    builder_.Add(solid, shell);
+    return solid;
+  }
+
+  struct MadeEdge {
+    TopoDS_Edge edge;
+    TopoDS_Face face;          // the first face that has it
+    Handle(Geom2d_Line) side;  // and its line there
+  };
+
+  const PatchSet& set_;
+  BRep_Builder builder_;
+  double size_ = 0.0;
+  Groups vertex_groups_, parts_;
+  std::vector<bool> collapsed_;
+  std::vector<int> uses_;
+  std::vector<TopoDS_Vertex> vertices_;
+  std::vector<MadeEdge> edges_;
+};
+
+}  // namespace
+
+BRepShape make_brep_shape(const PatchSet& set) {
+  set.check();
+  if (set.patches.empty()) throw std::invalid_argument("there are no patches to write");
+  return ShapeMaker(set).make();
+}
+
+}  // namespace hull

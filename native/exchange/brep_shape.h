@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+#include "conversion/patch_set.h"
+
+namespace hull {
+
+constexpr double kMillimetresPerMetre = 1000.0;
+
+// A boundary representation of patches in millimetres, Open CASCADE's own unit.
+struct BRepShape {
+  // A solid where the patches enclose one and their normals point out of it, otherwise a shell; a
+  // compound of these if the patches fall into several parts that share no edge.
+  TopoDS_Shape shape;
+  std::vector<TopoDS_Face> faces;  // number p is that of patch p
+  int free_edges = 0;              // edges with one face, those of no length not counted
+};
+
+// Faces carry the patches as they are. Joined faces share one edge object, whose curve is the
+// border curve of both; so there is nothing to sew, and no tolerance beyond rounding. A side of no
+// length (all its control points within 1e-9 of the set's size) becomes a degenerated edge, its
+// ends one vertex.
+//
+// Throws std::invalid_argument naming the cell if a patch has no area, if set.check() throws, or if
+// there are no patches.
+BRepShape make_brep_shape(const PatchSet& set);
+
+}  // namespace hull

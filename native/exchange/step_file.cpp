@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/step_file.h"
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <IFSelect_ReturnStatus.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "conversion/mirror.h"
+#include "exchange/brep_shape.h"
+#include "exchange/occt_session.h"
+#include "exchange/step_text.h"
+#include "files/atomic_file.h"
+
+namespace hull {
+namespace {
+
+// Stands for the product's name until the text is there: Open CASCADE writes bytes above 127 as
+// they are, which the format forbids, and would double the backslashes of the directives for them.
+constexpr char kNameHolder[] = "HULL-PRODUCT-NAME";
+
+Handle(TCollection_HAsciiString) text_of(const char* value) {
+  return new TCollection_HAsciiString(value);
+}
+
+void set_names(const Handle(StepData_StepModel) & model) {
+  APIHeaderSection_MakeHeader header(model);
+  header.SetName(text_of(kNameHolder));
+  header.SetAuthorValue(1, text_of(""));
+  header.SetOrganizationValue(1, text_of(""));
+  header.SetOriginatingSystem(text_of("Hull Tools"));
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i));
+    if (product.IsNull()) continue;
+    product->SetId(text_of(kNameHolder));
+    product->SetName(text_of(kNameHolder));
+  }
+}
+
+std::string with_name(std::string text, const std::string& name) {
+  const std::string holder = kNameHolder, encoded = encode_step_string(name);
+  for (size_t at = text.find(holder); at != text.npos; at = text.find(holder, at)) {
+    text.replace(at, holder.size(), encoded);
+    at += encoded.size();
+  }
+  return text;
+}
+
+// The file's text. REQUIRES: an OcctSession lives.
+std::string step_text(const TopoDS_Shape& shape, const std::string& name) {
+  STEPControl_Writer writer;
+  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone) {
+    throw std::runtime_error("Open CASCADE could not translate the patches to STEP");
+  }
+  set_names(writer.Model());
+  StepData_StepWriter text(writer.Model());
+  // 17 digits: doubles come back as they were. Trailing zeros stay, because Open CASCADE's way of
+  // cutting them off loses the exponent.
+  text.FloatWriter().SetFormat("%.16E");
+  text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
+  std::ostringstream stream;
+  if (!text.Print(stream)) throw std::runtime_error("Open CASCADE could not print the STEP file");
+  return with_name(stream.str(), name);
+}
+
+void refuse_faults(const BRepShape& brep, const PatchSet& patches) {
+  if (BRepCheck_Analyzer(brep.shape).IsValid()) return;
+  for (size_t p = 0; p < brep.faces.size(); ++p) {
+    if (BRepCheck_Analyzer(brep.faces[p]).IsValid()) continue;
+    throw std::invalid_argument("the border of cell " + std::to_string(patches.patches[p].cell) +
+                                " crosses or touches itself: look for points of its face that"
+                                " coincide, or nearly, and merge or move them");
+  }
+  throw std::invalid_argument("the patches do not join into a valid shell");
+}
+
+void compare(const BRepShape& meant, const StepReport& found) {
+  const auto numbers = [](int have, int want) {
+    return std::to_string(have) + " of " + std::to_string(want);
+  };
+  std::string fault;
+  if (found.faces != static_cast<int>(meant.faces.size())) {
+    fault = numbers(found.faces, static_cast<int>(meant.faces.size())) + " faces";
+  } else if (found.free_edges != meant.free_edges) {
+    fault = numbers(found.free_edges, meant.free_edges) + " free edges";
+  } else if (!found.valid) {
+    fault = "an invalid shape";
+  }
+  if (!fault.empty()) {
+    throw std::runtime_error("The STEP file was not written: reading it back gave " + fault);
+  }
+}
+
+}  // namespace
+
+StepReport write_step(const PatchSet& patches, const std::string& path,
+                      const StepOptions& options) {
+  std::optional<PatchSet> whole;
+  if (options.mirrored) {
+    patches.check();
+    whole = with_mirror_image(patches);
+  }
+  const PatchSet& set = whole ? *whole : patches;
+  std::string text;
+  BRepShape brep;
+  try {
+    const OcctSession session;
+    brep = make_brep_shape(set);
+    refuse_faults(brep, set);
+    text = step_text(brep.shape, options.name);
+  } catch (const Standard_Failure& failure) {
+    throw std::runtime_error("Open CASCADE could not make the STEP file: " + describe(failure));
+  }
+  std::istringstream stream(text);
+  const StepReport report = read_step_report(stream, path);
+  compare(brep, report);
+  write_file_atomically(path, text);
+  return report;
+}
+
+}  // namespace hull

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace hull {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A new file that is removed again unless it is renamed to its final name.
+class NewFile {
+ public:
+  explicit NewFile(const fs::path& target) {
+    // Nobody else has this name: the process and a running number make it.
+    static std::atomic<unsigned> number{0};
+    do {
+      name_ = target.string() + "." + std::to_string(getpid()) + "." + std::to_string(number++) +
+              ".part";
+      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && errno == EEXIST);
+    if (descriptor_ < 0) fail();
+  }
+  ~NewFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!name_.empty()) unlink(name_.c_str());
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void write_all(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = write(descriptor_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      bytes.remove_prefix(static_cast<size_t>(count));
+    }
+  }
+
+  void rename_to(const fs::path& target) {
+    struct stat old {};
+    if (stat(target.c_str(), &old) == 0) fchmod(descriptor_, old.st_mode & 07777);
+    if (fsync(descriptor_) != 0 && errno != EINVAL) fail();  // EINVAL: a place that has no disk
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (close(descriptor) != 0) fail();
+    if (std::rename(name_.c_str(), target.c_str()) != 0) fail();
+    name_.clear();
+  }
+
+ private:
+  [[noreturn]] static void fail() { throw std::runtime_error(std::strerror(errno)); }
+
+  std::string name_;
+  int descriptor_ = -1;
+};
+
+}  // namespace
+
+void write_file_atomically(const std::string& path, std::string_view bytes) {
+  try {
+    fs::path target = path;
+    if (fs::is_symlink(target)) target = fs::weakly_canonical(target);
+    const fs::path folder = target.parent_path();
+    if (!folder.empty() && !fs::is_directory(folder)) {
+      throw std::runtime_error("there is no folder \"" + folder.string() + "\"; make it first");
+    }
+    if (!target.has_filename() || fs::is_directory(target)) {
+      throw std::runtime_error("it is a folder; give a file name");
+    }
+    NewFile file(target);
+    file.write_all(bytes);
+    file.rename_to(target);
+  } catch (const fs::filesystem_error& error) {
+    throw FileError("Cannot write \"" + path + "\": " + error.code().message());
+  } catch (const std::runtime_error& error) {
+    throw FileError("Cannot write \"" + path + "\": " + error.what());
+  }
+}
+
+}  // namespace hull

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hand-made patch sets for the tests of conversion and exchange.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "conversion/patch_set.h"
+
+namespace hull::test {
+
+// Patches whose sides agree point by point share the edge, whose corners agree the vertex. Sides of
+// no length are never shared.
+inline PatchSet joined(std::vector<BSplinePatch> patches) {
+  using Key = std::vector<std::tuple<double, double, double>>;
+  const auto key_of = [](const std::vector<Vector3d>& points) {
+    Key key;
+    for (const Vector3d& p : points) key.emplace_back(p.x(), p.y(), p.z());
+    return std::min(key, Key(key.rbegin(), key.rend()));
+  };
+  PatchSet set;
+  std::map<Key, int> vertices, edges;
+  for (const BSplinePatch& patch : patches) {
+    std::array<int, 4> corners{}, sides{};
+    for (int k = 0; k < 4; ++k) {
+      const auto points = patch.side_points(k);
+      const int next_vertex = static_cast<int>(vertices.size());
+      corners[k] = vertices.try_emplace(key_of({points.front()}), next_vertex).first->second;
+      const bool collapsed = std::ranges::all_of(points, [&](auto& p) { return p == points[0]; });
+      if (collapsed) {
+        sides[k] = set.edge_count++;
+        continue;
+      }
+      const auto [found, fresh] = edges.try_emplace(key_of(points), set.edge_count);
+      if (fresh) ++set.edge_count;
+      sides[k] = found->second;
+    }
+    set.corners.push_back(corners);
+    set.sides.push_back(sides);
+  }
+  set.vertex_count = static_cast<int>(vertices.size());
+  set.patches = std::move(patches);
+  return set;
+}
+
+// nu x nv patches of 5 x 5 control points taken from a function of (s, t) in [0, 1]^2.
+inline PatchSet sheet(int nu, int nv, const std::function<Vector3d(double, double)>& point) {
+  std::vector<BSplinePatch> patches;
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      BSplinePatch patch{3,  3,         open_uniform_knots(3, 5), open_uniform_knots(3, 5), 5, 5,
+                         {}, j * nu + i};
+      for (int a = 0; a < 5; ++a) {
+        for (int b = 0; b < 5; ++b) {
+          patch.control_points.push_back(point((4 * i + a) / (4.0 * nu), (4 * j + b) / (4.0 * nv)));
+        }
+      }
+      patches.push_back(std::move(patch));
+    }
+  }
+  return joined(std::move(patches));
+}
+
+// A flat rectangle of a x b metres in the plane z = 0, its normal up, of nu x nv patches. The
+// control points are spaced so that (u, v) is proportional to (x, y).
+inline PatchSet rectangle(double a, double b, int nu = 1, int nv = 1) {
+  constexpr double kGreville[5] = {0.0, 1.0 / 6, 0.5, 5.0 / 6, 1.0};
+  std::vector<BSplinePatch> patches;
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      BSplinePatch patch{3,  3,         open_uniform_knots(3, 5), open_uniform_knots(3, 5), 5, 5,
+                         {}, j * nu + i};
+      // Ends are computed the same way from both sides of a joint.
+      const auto at = [&](int number, int k, int count, double length) {
+        if (k == 4) return length * (number + 1) / count;
+        return length * number / count + length / count * kGreville[k];
+      };
+      for (int k = 0; k < 25; ++k) {
+        patch.control_points.emplace_back(at(i, k / 5, nu, a), at(j, k % 5, nv, b), 0.0);
+      }
+      patches.push_back(std::move(patch));
+    }
+  }
+  return joined(std::move(patches));
+}
+
+}  // namespace hull::test
