@@ -51,10 +51,10 @@ struct Knots {
     }
   }
   TColStd_Array1OfReal array() const {
-    return {values.front(), 1, static_cast<int>(values.size())};
+    return TColStd_Array1OfReal(values.front(), 1, static_cast<int>(values.size()));
   }
   TColStd_Array1OfInteger multiplicities() const {
-    return {counts.front(), 1, static_cast<int>(counts.size())};
+    return TColStd_Array1OfInteger(counts.front(), 1, static_cast<int>(counts.size()));
   }
   std::vector<double> values;
   std::vector<int> counts;
