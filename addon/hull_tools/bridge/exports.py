@@ -42,7 +42,7 @@ def export_lines_drawing(obj, scene, path):
         waterlines=where.waterlines,
         buttocks=where.buttocks,
         mirrored=obj.hull.half,
-        draft=obj.hull.draft * scale or None,
+        draft=units.as_typed(obj.hull.draft) * scale or None,
         title=obj.name,
     )
 
@@ -50,12 +50,13 @@ def export_lines_drawing(obj, scene, path):
 def export_hydrostatics(obj, scene, path):
     """Writes hydrostatics at ten equal steps of draft up to the hull's draft as CSV."""
     surface = _up_to_date(obj, scene)
-    draft = obj.hull.draft * units.metres_per_unit(scene)
+    draft = units.as_typed(obj.hull.draft) * units.metres_per_unit(scene)
+    water_density = units.as_typed(obj.hull.water_density)
     rows = []
     for step in range(1, _TABLE_ROWS + 1):
         at = draft * step / _TABLE_ROWS
         try:
-            rows.append(hydrostatics.upright(surface, at, obj.hull.half, obj.hull.water_density))
+            rows.append(hydrostatics.upright(surface, at, obj.hull.half, water_density))
         except ValueError:
             if step == _TABLE_ROWS:
                 raise

@@ -115,7 +115,7 @@ def _show_lines(obj, state, scale, geometry_key):
     settings = obj.hull
     points = state.surface.mesh.points
     where = lines.planes(settings, points, scale)
-    draft = settings.draft * scale
+    draft = units.as_typed(settings.draft) * scale
     key = (geometry_key, where, draft, shown.name_full)
     if state.keys.get("shown lines") != key:
         found = lines.hull_lines(state.surface, where, draft, settings.half)
@@ -126,13 +126,14 @@ def _show_lines(obj, state, scale, geometry_key):
 
 def _update_hydrostatics(obj, state, scale, geometry_key):
     settings = obj.hull
-    draft = settings.draft * scale
-    key = (geometry_key, draft, settings.water_density)
+    draft = units.as_typed(settings.draft) * scale
+    water_density = units.as_typed(settings.water_density)
+    key = (geometry_key, draft, water_density)
     if state.keys.get("hydrostatics") == key:
         return
     try:
         state.hydrostatics = hydrostatics.upright(
-            state.surface, draft, settings.half, settings.water_density
+            state.surface, draft, settings.half, water_density
         )
         state.hydrostatics_status = ""
     except ValueError as error:

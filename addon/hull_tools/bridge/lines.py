@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import native
+from .units import as_typed
 
 # A spacing that would give more planes than this is a slip of the keyboard.
 _MOST_PLANES = 400
@@ -42,13 +43,15 @@ def planes(settings, points, metres_per_unit):
     Stations stand at Lpp / count from the after perpendicular, and go on beyond both ends.
     """
     low, high = points.min(axis=0), points.max(axis=0)
-    length = settings.length_pp * metres_per_unit
+    length = as_typed(settings.length_pp) * metres_per_unit
     station_spacing = length / settings.station_count if settings.station_count else 0.0
+    waterline_spacing = as_typed(settings.waterline_spacing) * metres_per_unit
+    buttock_spacing = as_typed(settings.buttock_spacing) * metres_per_unit
     half_beam = max(abs(low[1]), abs(high[1]))
     return Planes(
         _multiples(station_spacing, low[0], high[0], "stations"),
-        _multiples(settings.waterline_spacing * metres_per_unit, low[2], high[2], "waterlines"),
-        _multiples(settings.buttock_spacing * metres_per_unit, 0.0, half_beam, "buttocks"),
+        _multiples(waterline_spacing, low[2], high[2], "waterlines"),
+        _multiples(buttock_spacing, 0.0, half_beam, "buttocks"),
     )
 
 

@@ -5,6 +5,7 @@ A material is made when it is first needed and then left to the user, who may ch
 """
 
 import bpy
+from mathutils import Color
 
 from . import blender_versions
 
@@ -29,9 +30,9 @@ def line_material(kind):
 
 
 def layer_material(name, colour):
-    """A material of its own for a layer of an imported hull; colour linear RGB or RGBA."""
-    material = bpy.data.materials.new(name)
-    _paint(material, colour[:3], roughness=0.4)
+    """A material of its own for a layer of an imported hull; colour sRGB, each part 0 to 1."""
+    material = bpy.data.materials.new(name or "Shell")
+    _paint(material, Color(colour).from_srgb_to_scene_linear(), roughness=0.4)
     return material
 
 

@@ -17,6 +17,11 @@ def metres_per_unit(scene):
     return 1.0 if settings.system == "NONE" else settings.scale_length
 
 
+def as_typed(value):
+    """The decimal number a user typed into one of Blender's single-precision properties."""
+    return float(f"{value:.7g}")
+
+
 def format_length(scene, metres, power=1):
     """A length (power 1), area (2) or volume (3) given in m, m², m³, as text with its unit."""
     if scene.unit_settings.system == "IMPERIAL":

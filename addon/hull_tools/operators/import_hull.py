@@ -18,6 +18,8 @@ def _import(operator, context, path):
         selected.select_set(False)
     obj.select_set(True)
     context.view_layer.objects.active = obj
+    for note in hull.notes:
+        operator.report({"WARNING"}, note)
     operator.report({"INFO"}, f"{obj.name}: {len(obj.data.polygons)} faces read")
     return {"FINISHED"}
 
