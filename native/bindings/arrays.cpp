@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings/arrays.h"
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace hull::bindings {
+namespace {
+
+std::string shape_of(const py::array& array) {
+  std::string text = "(";
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+  }
+  return text + (array.ndim() == 1 ? ",)" : ")");
+}
+
+// `columns` 0: a one-dimensional array. An empty one may have any shape.
+void check_shape(const py::array& array, int columns, const char* name) {
+  const bool fits = columns == 0 ? array.ndim() == 1
+                                 : array.ndim() == 2 && array.shape(1) == columns;
+  if (fits || array.size() == 0) return;
+  const std::string wanted = columns == 0 ? "(n,)" : "(n, " + std::to_string(columns) + ")";
+  throw std::invalid_argument(std::string(name) + " must have shape " + wanted + ", not " +
+                              shape_of(array) + ".");
+}
+
+std::vector<int> whole_numbers(const py::array& array, const char* name) {
+  if (array.size() == 0) return {};
+  const char kind = array.dtype().kind();
+  if (kind != 'i' && kind != 'u' && kind != 'b') {
+    throw std::invalid_argument(std::string(name) + " must be an array of whole numbers.");
+  }
+  const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
+  std::vector<int> values(static_cast<std::size_t>(wide.size()));
+  const std::int64_t* data = wide.data();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (data[i] < std::numeric_limits<int>::min() || data[i] > std::numeric_limits<int>::max()) {
+      throw std::invalid_argument(std::string(name) + " holds " + std::to_string(data[i]) +
+                                  ", which is out of range.");
+    }
+    values[i] = static_cast<int>(data[i]);
+  }
+  return values;
+}
+
+template <class Item, class Scalar, int kColumns>
+py::array_t<Scalar> rows_to_array(const std::vector<Item>& rows) {
+  static_assert(sizeof(Item) == kColumns * sizeof(Scalar));
+  py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{kColumns}});
+  if (!rows.empty()) std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(Item));
+  return array;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name) {
+  check_shape(array, 3, name);
+  std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(array.size() / 3));
+  const double* data = array.data();
+  for (auto& item : points) {
+    for (double& number : item) number = *data++;
+  }
+  return points;
+}
+
+std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const char* name) {
+  check_shape(array, 2, name);
+  std::vector<Eigen::Vector2d> pairs(static_cast<std::size_t>(array.size() / 2));
+  const double* data = array.data();
+  for (auto& item : pairs) {
+    for (double& number : item) number = *data++;
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    // Written so that NaN fails too.
+    if (pairs[i].minCoeff() >= 0.0 && pairs[i].maxCoeff() <= 1.0) continue;
+    throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) +
+                                "] is outside of [0, 1].");
+  }
+  return pairs;
+}
+
+std::vector<int> integers_from(const py::array& array, const char* name) {
+  check_shape(array, 0, name);
+  return whole_numbers(array, name);
+}
+
+std::vector<std::array<int, 2>> pairs_from(const py::array& array, const char* name) {
+  check_shape(array, 2, name);
+  const std::vector<int> flat = whole_numbers(array, name);
+  std::vector<std::array<int, 2>> pairs(flat.size() / 2);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {flat[2 * i], flat[2 * i + 1]};
+  return pairs;
+}
+
+py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points) {
+  return rows_to_array<Eigen::Vector3d, double, 3>(points);
+}
+
+py::array_t<double> to_array(const std::vector<Eigen::Vector2d>& pairs) {
+  return rows_to_array<Eigen::Vector2d, double, 2>(pairs);
+}
+
+py::array_t<int> to_array(const std::vector<int>& values) {
+  return py::array_t<int>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::array_t<int> to_array(const std::vector<std::array<int, 2>>& pairs) {
+  return rows_to_array<std::array<int, 2>, int, 2>(pairs);
+}
+
+}  // namespace hull::bindings

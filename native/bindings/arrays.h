@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+// NumPy arrays in and out: shapes and ranges are checked here, so that nothing behind them can be
+// reached by a malformed call. What does not fit raises ValueError naming the argument and the
+// shape wanted.
+namespace hull::bindings {
+
+namespace py = pybind11;
+
+using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// (n, 3) -> n points.
+std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name);
+// (n, 2) -> n pairs; each number in [0, 1].
+std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const char* name);
+// (n,) of whole numbers; no wrapping of numbers that int32 can't hold, no fractions.
+std::vector<int> integers_from(const py::array& array, const char* name);
+// (n, 2) of whole numbers.
+std::vector<std::array<int, 2>> pairs_from(const py::array& array, const char* name);
+
+py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points);
+py::array_t<double> to_array(const std::vector<Eigen::Vector2d>& pairs);
+py::array_t<int> to_array(const std::vector<int>& values);
+py::array_t<int> to_array(const std::vector<std::array<int, 2>>& pairs);
+
+}  // namespace hull::bindings

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+// One function per class or group of functions, each in a file of its own.
+namespace hull::bindings {
+
+void bind_control_mesh(pybind11::module_& module);
+void bind_limit_surface(pybind11::module_& module);
+void bind_tessellation(pybind11::module_& module);
+void bind_feature_curves(pybind11::module_& module);
+
+}  // namespace hull::bindings

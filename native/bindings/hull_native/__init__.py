@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exact hull surfaces from crease-tagged control meshes, their analysis and exchange.
+
+Lengths are in metres, angles in radians; x points forward, y to port, z up. Arrays of points have
+shape (n, 3). What a caller can get wrong raises ValueError saying what and where.
+"""
+
+import importlib
+
+from ._core import *  # noqa: F401,F403
+
+# These need large libraries, which modelling should not have to load.
+_LATER = {
+    "write_step": "._exchange",
+    "read_step_report": "._exchange",
+    "write_lines_drawing": "._drawing",
+}
+
+
+def __getattr__(name):
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(_LATER[name], __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return sorted({*globals(), *_LATER})

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings/classes.h"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace hull::bindings;
+  module.doc() = "Exact hull surfaces and their analysis: the core of hull_native.";
+  bind_control_mesh(module);
+  bind_limit_surface(module);
+  bind_tessellation(module);
+  bind_feature_curves(module);
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/control_mesh.h"
+
+#include <Eigen/Geometry>
+#include <stdexcept>
+#include <string>
+
+namespace hull {
+
+ControlMesh::ControlMesh(MeshArrays arrays) {
+  std::vector<MeshProblem> problems = check_mesh(arrays);
+  if (!problems.empty() && problems.front().severity == Severity::kError) {
+    throw std::invalid_argument(problems.front().message);
+  }
+  tags_ = std::make_shared<const Tags>(
+      Tags{Topology(static_cast<int>(arrays.points.size()), arrays.face_sizes, arrays.face_vertices,
+                    arrays.creases, arrays.corners, arrays.round_border_corners),
+           std::move(problems)});
+  points_ = std::move(arrays.points);
+}
+
+ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const {
+  if (points.size() != points_.size()) {
+    throw std::invalid_argument("The mesh has " + std::to_string(points_.size()) + " points, but " +
+                                std::to_string(points.size()) + " positions were given.");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > kMaxCoordinate) {
+      throw std::invalid_argument("The position given for point " + std::to_string(i) +
+                                  " is not finite or too far away.");
+    }
+  }
+  ControlMesh moved = *this;
+  moved.points_ = std::move(points);
+  return moved;
+}
+
+std::vector<int> ControlMesh::irregular_vertices() const {
+  const Topology& t = topology();
+  std::vector<int> vertices;
+  std::vector<char> irregular(t.vertex_count(), 0);
+  for (int h = 0; h < t.half_edge_count(); ++h) {
+    const int faces = t.sector_faces(h);
+    switch (t.kind_at(h)) {
+      case VertexKind::kSmooth:
+        irregular[t.origin(h)] |= faces != 4;
+        break;
+      case VertexKind::kCrease:
+        irregular[t.origin(h)] |= faces != 2;
+        break;
+      case VertexKind::kCorner:
+        irregular[t.origin(h)] |= faces != 1;
+        break;
+      default:
+        irregular[t.origin(h)] = 1;
+    }
+  }
+  for (int v = 0; v < t.vertex_count(); ++v) {
+    if (irregular[v]) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+double ControlMesh::size() const {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points_) box.extend(p);
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+}  // namespace hull

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace hull {
+
+// A control mesh as it comes from outside: nothing about it is known to be right.
+struct MeshArrays {
+  std::vector<Eigen::Vector3d> points;      // m
+  std::vector<int> face_sizes;              // corners of each face
+  std::vector<int> face_vertices;           // of all faces, one after the other, counter-clockwise
+  std::vector<std::array<int, 2>> creases;  // pairs of vertices; borders need not be listed
+  std::vector<int> corners;                 // vertices
+  bool round_border_corners = false;        // border vertices of a single face are no corners
+};
+
+enum class Severity { kError, kWarning };
+enum class ElementKind { kMesh, kVertex, kEdge, kFace };
+
+// One thing wrong with a mesh, said to its designer.
+struct MeshProblem {
+  Severity severity;
+  ElementKind kind;
+  std::vector<int> elements;  // vertices or faces; for edges two vertices each
+  std::string message;        // what is wrong, where, and the remedy
+};
+
+// Limits that keep local matrices and indices within reason.
+inline constexpr int kMaxValence = 512;      // faces around a vertex, corners of a face
+inline constexpr int kMaxHalfEdges = 1 << 26;  // corners of all faces
+inline constexpr double kMaxCoordinate = 1e9;  // m
+
+// Everything wrong with the mesh, errors first. A mesh without errors is one manifold surface, or
+// several, consistently oriented, possibly with border. Warnings: isolated points (they have no
+// influence), faces without area, creases that no face has (ignored), corner tags that make a cone
+// tip, smooth inner points between two faces. Elements of the same kind of problem are listed in
+// one MeshProblem, which names the first few. After errors in sizes or indices nothing further is
+// looked at.
+std::vector<MeshProblem> check_mesh(const MeshArrays& mesh);
+
+}  // namespace hull

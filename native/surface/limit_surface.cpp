@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/limit_surface.h"
+
+#include <Eigen/Geometry>
+#include <cassert>
+#include <cmath>
+
+namespace hull {
+namespace {
+
+// (u, v) seen from corner `turn` of the unit square (equation 4.3 without the scaling).
+Eigen::Vector2d turned(int turn, double u, double v) {
+  switch (turn) {
+    case 0:
+      return {u, v};
+    case 1:
+      return {v, 1.0 - u};
+    case 2:
+      return {1.0 - u, 1.0 - v};
+    default:
+      return {1.0 - v, u};
+  }
+}
+
+// Derivatives with respect to the square's own parameters from those seen from corner `turn`.
+SurfaceJet turned_back(int turn, SurfaceJet jet) {
+  if (turn == 1 || turn == 3) {
+    std::swap(jet.du, jet.dv);
+    std::swap(jet.duu, jet.dvv);
+    jet.duv = -jet.duv;
+  }
+  if (turn == 1 || turn == 2) jet.du = -jet.du;
+  if (turn == 2 || turn == 3) jet.dv = -jet.dv;
+  return jet;
+}
+
+// A place in the tree of squares of a cell.
+struct Place {
+  SurfaceNode node;
+  double u, v;   // in the node's square
+  double scale;  // d(u, v) of the node per d(u, v) of the cell
+};
+
+Place find_place(const SurfaceLayout& layout, int cell, double u, double v) {
+  Place place{layout.root(cell), u, v, 1.0};
+  while (place.node.kind == SurfaceNode::Kind::kSplit) {
+    const int i = place.u >= 0.5, j = place.v >= 0.5;
+    place = {layout.split(place.node.index)[2 * j + i], 2.0 * place.u - i, 2.0 * place.v - j,
+             2.0 * place.scale};
+  }
+  return place;
+}
+
+// Cross products shorter than this times the lengths of their factors have no direction.
+constexpr double kParallel = 1e-12;
+
+Vector3d unit_or_zero(const Vector3d& a, const Vector3d& b) {
+  const Vector3d normal = a.cross(b);
+  const double length = normal.norm();
+  return length > kParallel * a.norm() * b.norm() ? Vector3d(normal / length) : Vector3d::Zero();
+}
+
+}  // namespace
+
+LimitSurface::LimitSurface(ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
+    : mesh_(std::move(mesh)),
+      layout_(std::make_shared<const SurfaceLayout>(mesh_.topology(), scheme, *cache)) {
+  const std::vector<Vector3d> refined = layout_->refine(mesh_.topology(), mesh_.points());
+  leaves_.reserve(layout_->leaf_count());
+  for (int i = 0; i < layout_->leaf_count(); ++i) {
+    leaves_.push_back(layout_->leaf_points(i, refined));
+  }
+  corners_.reserve(layout_->corner_count());
+  for (int i = 0; i < layout_->corner_count(); ++i) {
+    corners_.push_back(layout_->corner_points(i, refined));
+  }
+}
+
+SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const {
+  assert(cell >= 0 && cell < cell_count());
+  assert(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0);
+  const Place place = find_place(*layout_, cell, u, v);
+  SurfaceJet jet;
+  if (place.node.kind == SurfaceNode::Kind::kLeaf) {
+    jet = evaluate_bicubic(leaves_[place.node.index], place.u, place.v, order);
+  } else {
+    const int turn = place.node.turn;
+    const Eigen::Vector2d uv = turned(turn, place.u, place.v);
+    const CornerBasis& basis = layout_->basis(place.node.index);
+    jet = turned_back(turn,
+                      basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order));
+  }
+  jet.du *= place.scale;
+  jet.dv *= place.scale;
+  const double square = place.scale * place.scale;
+  jet.duu *= square;
+  jet.duv *= square;
+  jet.dvv *= square;
+  return jet;
+}
+
+Vector3d LimitSurface::position(int cell, double u, double v) const {
+  return evaluate(cell, u, v, 0).point;
+}
+
+Vector3d LimitSurface::normal(int cell, double u, double v) const {
+  const Place place = find_place(*layout_, cell, u, v);
+  if (place.node.kind == SurfaceNode::Kind::kCorner &&
+      turned(place.node.turn, place.u, place.v).isZero(0.0)) {
+    const Vector3d direction =
+        layout_->basis(place.node.index).corner_normal(corners_[place.node.index]);
+    const double length = direction.norm();
+    return length > 0.0 ? Vector3d(direction / length) : Vector3d::Zero();
+  }
+  const SurfaceJet jet = evaluate(cell, u, v, 1);
+  return unit_or_zero(jet.du, jet.dv);
+}
+
+}  // namespace hull

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mesh/control_mesh.h"
+#include "surface/basis_cache.h"
+#include "surface/bicubic.h"
+#include "surface/scheme.h"
+#include "surface/surface_layout.h"
+
+namespace hull {
+
+// The exact limit surface of a control mesh under crease-tagged Catmull–Clark subdivision
+// (Greshake 2021, chapters 4 and 5): a function of a cell and (u, v) in [0, 1]^2.
+//
+// Cells are the faces of the once-subdivided mesh, in the order (face of the control mesh, corner
+// of that face): (0, 0) is at the corner's limit point, (1, 0) halfway along the edge to the next
+// corner, (1, 1) at the face's centre. Normals point to the side from which faces run
+// counter-clockwise; a hull's faces are turned so that this is the water.
+//
+// Errors: positions to about 1e-14 of the mesh's size. Immutable; all queries are thread-safe.
+class LimitSurface {
+ public:
+  explicit LimitSurface(ControlMesh mesh, Scheme scheme = Scheme::kBiermann,
+                        std::shared_ptr<BasisCache> cache = std::make_shared<BasisCache>());
+
+  const ControlMesh& mesh() const { return mesh_; }
+  Scheme scheme() const { return layout_->scheme(); }
+  // Topology of the once-subdivided mesh: face c is cell c, its half-edges 4c … 4c+3 are the sides
+  // v = 0, u = 1, v = 1, u = 0.
+  const Topology& cells() const { return layout_->cells(); }
+  int cell_count() const { return cells().face_count(); }
+
+  // REQUIRES of all: 0 <= cell < cell_count(), u and v in [0, 1].
+  Vector3d position(int cell, double u, double v) const;
+  // Position and derivatives up to `order` (0, 1, 2) with respect to the cell's (u, v). Derivatives
+  // do not exist at irregular corners; there they are zero.
+  SurfaceJet evaluate(int cell, double u, double v, int order) const;
+  // Unit normal; the zero vector where there is no tangent plane (cone tips, cusps).
+  Vector3d normal(int cell, double u, double v) const;
+
+  const SurfaceLayout& layout() const { return *layout_; }
+  const BicubicPoints& leaf(int index) const { return leaves_[index]; }
+  const CornerPoints& corner(int index) const { return corners_[index]; }
+
+ private:
+  ControlMesh mesh_;
+  std::shared_ptr<const SurfaceLayout> layout_;
+  std::vector<BicubicPoints> leaves_;
+  std::vector<CornerPoints> corners_;
+};
+
+}  // namespace hull

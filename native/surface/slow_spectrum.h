@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace hull {
+
+// A group of eigenvalues that are equal or nearly so, with the matrix's action on its subspace:
+// `eigenvalue` times the identity where the matrix is diagonalisable there, else `action`.
+struct SlowBlock {
+  double eigenvalue;
+  int begin, size;  // columns of SlowSpectrum::right and left
+  bool defective;
+  Eigen::MatrixXd action;  // size x size
+};
+
+// The part of a subdivision matrix S that decays slowly under S, S^2, …:
+//   S right = right diag(blocks),  left^T S = diag(blocks) left^T,  left^T right = I.
+// What is left of a vector, x - right (left^T x), is multiplied by at most `rest` (asymptotically)
+// in each step.
+struct SlowSpectrum {
+  Eigen::MatrixXd left, right;    // N x m
+  std::vector<SlowBlock> blocks;  // by falling modulus; the first is the eigenvalue 1
+  double rest;                    // largest modulus of the other eigenvalues
+};
+
+// Splits off all eigenvalues above a threshold chosen in the widest gap between `floor` and 1/4.
+// Subspaces come from inverse iteration with groups of close eigenvalues kept together, so that a
+// Jordan block (design: trap 1) costs no accuracy. REQUIRES: S is a local subdivision matrix: its
+// rows sum to one, eigenvalue 1 is simple, eigenvalues above 1/4 in modulus are real.
+SlowSpectrum slow_spectrum(const Eigen::MatrixXd& S, double floor);
+
+}  // namespace hull
