@@ -26,11 +26,15 @@ def face_area_vectors(points, faces):
     """Area times unit normal, and centroid of the points, of each face: two (f, 3) arrays."""
     vectors = np.zeros((len(faces), 3))
     centres = np.zeros((len(faces), 3))
+    by_size = {}
     for index, face in enumerate(faces):
-        corners = points[face]
-        centres[index] = corners.mean(axis=0)
-        spokes = corners - centres[index]
-        vectors[index] = 0.5 * np.cross(spokes, np.roll(spokes, -1, axis=0)).sum(axis=0)
+        by_size.setdefault(len(face), []).append(index)
+    for indices in by_size.values():
+        corners = points[np.array([faces[index] for index in indices])]
+        centre = corners.mean(axis=1, keepdims=True)
+        spokes = corners - centre
+        centres[indices] = centre[:, 0]
+        vectors[indices] = 0.5 * np.cross(spokes, np.roll(spokes, -1, axis=1)).sum(axis=1)
     return vectors, centres
 
 

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Making the other side of faces, mirrored on the centre plane y = 0."""
+
+import numpy as np
+
+from .hull_data import edge_key, face_edges
+
+# Points nearer to the centre plane than this part of the hull's extent are shared by both sides.
+ON_CENTRE_PLANE = 1e-6
+
+
+def mirror_faces(data, face_indices):
+    """Add the mirror image of some faces of a HullData, in place; the rest stays as it is.
+
+    Points on the centre plane are shared (and put at y = 0 exactly); tags are mirrored too. Edges
+    of these faces that lie in the centre plane become creases: they were borders of a half, which
+    are creases, and the surface must not change.
+    """
+    faces = [data.faces[index] for index in face_indices]
+    used = sorted({point for face in faces for point in face})
+    extent = float(np.ptp(data.points, axis=0).max())
+    image = {}
+    new_points = []
+    for point in used:
+        x, y, z = data.points[point]
+        if abs(y) <= ON_CENTRE_PLANE * extent:
+            data.points[point, 1] = 0.0
+            image[point] = point
+        else:
+            image[point] = len(data.points) + len(new_points)
+            new_points.append((x, -y, z))
+    creases = set(data.creases)
+    for face in faces:
+        for a, b in face_edges(face):
+            if image[a] == a and image[b] == b:
+                creases.add(edge_key(a, b))
+            elif edge_key(a, b) in creases:
+                creases.add(edge_key(image[a], image[b]))
+    known = {frozenset(face) for face in data.faces}
+    for index, face in zip(face_indices, faces):
+        other_side = [image[point] for point in face][::-1]
+        if frozenset(other_side) not in known:
+            data.faces.append(other_side)
+            data.face_layers.append(data.face_layers[index])
+    data.corners = sorted({*data.corners, *(image[p] for p in data.corners if p in image)})
+    data.creases = sorted(creases)
+    data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])

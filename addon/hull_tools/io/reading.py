@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opening a hull file of any known format."""
+
+from pathlib import Path
+
+from .bytes_on_disk import read_bytes
+from .errors import HullFileError
+from .freeship import is_freeship, read_freeship, read_stored_sections
+from .hull_file import MAX_HULL_FILE_BYTES, parse_hull_file
+
+MAX_FILE_BYTES = 64 * 2**20
+
+
+def read_hull(path):
+    """The HullData of a FREE!ship (.fbm, .ftm) or hull (.hull.json) file.
+
+    The content decides which reader is used; where it begins like none of them, the extension
+    decides which one explains what is missing. Raises HullFileError.
+    """
+    path = Path(path)
+    data = read_bytes(path, MAX_FILE_BYTES)
+    begins_json = data[:1024].lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+    if is_freeship(data) or path.suffix.lower() in (".fbm", ".ftm") and not begins_json:
+        hull = read_freeship(data, path.name)
+        hull.name = hull.name or path.stem
+        return hull
+    if begins_json or path.suffix.lower() == ".json":
+        if len(data) > MAX_HULL_FILE_BYTES:
+            data = read_bytes(path, MAX_HULL_FILE_BYTES)
+        return parse_hull_file(data, path.name)
+    raise HullFileError(
+        f"{path.name}: it is neither a FREE!ship file nor a hull file; choose a file ending in "
+        ".fbm, .ftm or .hull.json."
+    )
+
+
+def stored_sections(path):
+    """The sections that FREE!ship stored in an .fbm or .ftm file: a list of StoredSection."""
+    path = Path(path)
+    return read_stored_sections(read_bytes(path, MAX_FILE_BYTES), path.name)
