@@ -2,7 +2,7 @@
 """Make build/package/hull_tools-VERSION.zip, the add-on as Blender installs it.
 
 The zip has one folder, hull_tools, so that Blender 3.4 takes it as a legacy add-on and Blender 4.2
-and later as an extension. In the folder are the content of addon/, the licence, and the native
+and later as an extension. In the folder are the content of addon/, the licence, the samples, and the native
 package hull_native beside the inner package hull_tools: its users, two folders down, write
 `from ...hull_native import`.
 
@@ -52,6 +52,8 @@ def contents():
     yield "hull_tools/LICENSE", (ROOT / "LICENSE").read_bytes()
     for path in files_below(ADDON):
         yield f"hull_tools/{path.relative_to(ADDON)}", path.read_bytes()
+    for path in (ROOT / "samples").glob("*.hull.json"):
+        yield f"hull_tools/samples/{path.name}", path.read_bytes()
     for path in files_below(NATIVE):
         data = stripped(path) if path.suffix == ".so" else path.read_bytes()
         yield f"hull_tools/hull_native/{path.relative_to(NATIVE)}", data
