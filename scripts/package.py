@@ -2,9 +2,9 @@
 """Make build/package/hull_tools-VERSION.zip, the add-on as Blender installs it.
 
 The zip has one folder, hull_tools, so that Blender 3.4 takes it as a legacy add-on and Blender 4.2
-and later as an extension. In the folder are the content of addon/, the licence, the samples, and the native
-package hull_native beside the inner package hull_tools: its users, two folders down, write
-`from ...hull_native import`.
+and later as an extension. In the folder are the content of addon/, the samples, the licence, and
+the native package hull_native beside the inner package hull_tools: its users, two folders down,
+write `from ... import hull_native`.
 
 The same sources give the same bytes: names are sorted, dates fixed. With --name-only the path of
 the zip is printed, and nothing made.
@@ -14,10 +14,9 @@ import os
 import subprocess
 import sys
 import tempfile
+import tomllib
 import zipfile
 from pathlib import Path
-
-import tomllib
 
 ROOT = Path(__file__).resolve().parent.parent
 ADDON = ROOT / "addon"
