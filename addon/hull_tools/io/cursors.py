@@ -10,10 +10,10 @@ appears in every error. Errors are HullFileError.
 import struct
 
 from .errors import HullFileError
+from .limits import MAX_COUNT
 
 CODE_PAGE = "cp1251"
 REMEDY = "save it again from FREE!ship or use another copy"
-MAX_COUNT = 250_000
 
 
 class Cursor:
@@ -23,6 +23,7 @@ class Cursor:
         self.data = data
         self.file_name = file_name
         self.offset = 0
+        self.start = 0
         self.element = "the header"
 
     def error(self, problem, remedy=REMEDY):
@@ -45,16 +46,12 @@ class Cursor:
             )
         return number
 
-    def point(self):
-        """Three coordinates as the encoding lays them out."""
-        return self.record("fff")
-
 
 class BinaryCursor(Cursor):
     """`.fbm`: packed little-endian values; 32-bit integers and reals, one-byte booleans."""
 
     def place(self):
-        return f"byte {self.offset}"
+        return f"byte {self.start}"
 
     def most_records(self, layout):
         return (len(self.data) - self.offset) // struct.calcsize("<" + layout)
@@ -62,6 +59,7 @@ class BinaryCursor(Cursor):
     def record(self, layout):
         """The values of one record, as a tuple."""
         layout = "<" + layout
+        self.start = self.offset
         end = self.offset + struct.calcsize(layout)
         if end > len(self.data):
             raise self.error("the file ends here, cut short")
@@ -75,8 +73,8 @@ class BinaryCursor(Cursor):
                 f"a {what} of {length} bytes is announced, but {len(self.data) - self.offset} "
                 "bytes are left"
             )
-        start, self.offset = self.offset, self.offset + length
-        return self.data[start : self.offset]
+        self.offset += length
+        return self.data[self.offset - length : self.offset]
 
     def text(self):
         """A string: its length, then bytes of the legacy code page; any byte is accepted."""

@@ -14,6 +14,7 @@ import numpy as np
 from .cursors import BinaryCursor, TextCursor
 from .errors import HullFileError
 from .freeship_meaning import hull_from_model
+from .limits import FURTHEST_POINT, MAX_FACE_CORNERS
 
 SIGNATURE = b"FREE!ship"
 BINARY_START = len(SIGNATURE).to_bytes(4, "little") + SIGNATURE
@@ -22,8 +23,6 @@ VERSIONS = (
     *(230, 240, 250, 260, 270, 280, 290, 295, 296, 297, 298, 300, 302, 303, 305, 309, 310, 313),
     *(314, 317, 327, 332, 335, 421, 430, 462, 500),
 )
-MAX_FACE_CORNERS = 1_500_000
-FURTHEST_POINT = 1e6
 NEW_COPY = "open it in FREE!ship, mend this, and save it again"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a FREE!ship model means as a hull: metres, shell, halves, tags, and faces turned outwards."""
+"""What a FREE!ship model means as a hull: metres, shell, halves, tags, faces turned outwards."""
 
 import math
 
@@ -7,6 +7,7 @@ import numpy as np
 
 from .cleanup import clean_faces, creases_of_faces, listed
 from .hull_data import HullData, Layer, Particulars
+from .limits import LONGEST_DIMENSION
 from .mirror import mirror_faces
 from .orientation import turn_outwards
 
@@ -79,7 +80,7 @@ def _particulars(model, scale, notes):
         ("beam", model.beam),
         ("draft", model.draft),
     ):
-        sane = math.isfinite(value) and 0.0 <= value * scale <= 1e4
+        sane = math.isfinite(value) and 0.0 <= value * scale <= LONGEST_DIMENSION
         lengths[name] = _as_typed(value) * scale if sane else 0.0
         if not sane:
             notes.append(f"The file's {name} of {value:g} was taken as not given.")
@@ -107,7 +108,7 @@ def _settle_symmetry(data, symmetric):
             data, [index for index, layer in enumerate(data.face_layers) if symmetric[layer]]
         )
         data.notes.append(
-            f"Layer {listed(lone)} is not symmetric, so both sides of the others were made faces."
+            f"Not symmetric in the file: layer {listed(lone)}; of the others both sides were made."
         )
 
 

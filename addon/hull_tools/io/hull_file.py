@@ -23,15 +23,13 @@ from .bytes_on_disk import read_bytes, write_bytes
 from .cleanup import creases_of_faces
 from .errors import HullFileError
 from .hull_data import HullData, Layer, Particulars, edge_key, face_edges
+from .limits import FURTHEST_POINT, LONGEST_DIMENSION, LONGEST_TEXT, MAX_COUNT, MAX_HULL_FILE_BYTES
 
-MAX_HULL_FILE_BYTES = 16 * 2**20
-FURTHEST_POINT = 1e6
-LONGEST_TEXT = 10_000
 KEYS = {
     *("format", "version", "name", "source", "units", "half", "particulars", "points", "faces"),
     *("creases", "corners", "layers", "face_layers"),
 }
-PARTICULARS = ("length_pp", "beam", "draft", "depth", "water_density")
+PARTICULARS = tuple(vars(Particulars()))
 
 
 def read_hull_file(path):
@@ -142,6 +140,12 @@ class _Parser:
             )
         return value
 
+    def _check_length(self, value, key):
+        if not 0 < len(value) <= MAX_COUNT:
+            raise self.error(
+                key, f"it has {len(value)} entries", f"a hull has 1 to {MAX_COUNT} {key}"
+            )
+
     def _object(self, value, where, keys):
         if not isinstance(value, dict):
             raise self.error(where, f"{self._shown(value)} is no object", "write an object { }")
@@ -181,14 +185,15 @@ class _Parser:
     def _text(self, value, where):
         if not isinstance(value, str) or len(value) > LONGEST_TEXT:
             raise self.error(
-                where, "it is no text of fewer than 10000 characters", 'write a short text " "'
+                where,
+                f"it is no text of at most {LONGEST_TEXT} characters",
+                'write a short text " "',
             )
         return value
 
     def _points(self, value):
         points = self._list(value, "points")
-        if not points:
-            raise self.error("points", "the list is empty", "a hull needs points")
+        self._check_length(points, "points")
         for index, point in enumerate(points):
             for axis, number in zip("xyz", self._list(point, f"points[{index}]", 3)):
                 where = f"points[{index}].{axis}"
@@ -197,8 +202,7 @@ class _Parser:
 
     def _faces(self, value, point_count):
         faces = self._list(value, "faces")
-        if not faces:
-            raise self.error("faces", "the list is empty", "a hull needs faces")
+        self._check_length(faces, "faces")
         seen = {}
         for index, face in enumerate(faces):
             where = f"faces[{index}]"
@@ -269,7 +273,7 @@ class _Parser:
         entries = self._object(value, "particulars", PARTICULARS)
         return Particulars(
             **{
-                key: self._number(number, f"particulars.{key}", 0.0, 1e4)
+                key: self._number(number, f"particulars.{key}", 0.0, LONGEST_DIMENSION)
                 for key, number in entries.items()
             }
         )
@@ -289,17 +293,21 @@ def write_hull_file(data, path):
         f'"source": {json.dumps(data.source)}',
         '"units": "m"',
         f'"half": {json.dumps(bool(data.half))}',
-        f'"particulars": {json.dumps({key: getattr(data.particulars, key) for key in PARTICULARS})}',
+        f'"particulars": {json.dumps(_particulars_entry(data.particulars))}',
         _rows("points", data.points.tolist()),
-        _rows("faces", data.faces),
-        _rows("creases", [list(crease) for crease in data.creases]),
-        f'"corners": {json.dumps(list(data.corners))}',
+        _rows("faces", [[int(point) for point in face] for face in data.faces]),
+        _rows("creases", [[int(a), int(b)] for a, b in data.creases]),
+        f'"corners": {json.dumps([int(point) for point in data.corners])}',
         _rows("layers", [_layer_entry(layer) for layer in data.layers]),
-        f'"face_layers": {json.dumps(list(data.face_layers))}',
+        f'"face_layers": {json.dumps([int(layer) for layer in data.face_layers])}',
     ]
     content = ("{\n" + ",\n".join(lines) + "\n}\n").encode("utf-8")
     parse_hull_file(content, path.name)
     write_bytes(path, content)
+
+
+def _particulars_entry(particulars):
+    return {key: float(getattr(particulars, key)) for key in PARTICULARS}
 
 
 def _layer_entry(layer):

@@ -6,9 +6,8 @@ from pathlib import Path
 from .bytes_on_disk import read_bytes
 from .errors import HullFileError
 from .freeship import is_freeship, read_freeship, read_stored_sections
-from .hull_file import MAX_HULL_FILE_BYTES, parse_hull_file
-
-MAX_FILE_BYTES = 64 * 2**20
+from .hull_file import parse_hull_file
+from .limits import MAX_FILE_BYTES, MAX_HULL_FILE_BYTES
 
 
 def read_hull(path):

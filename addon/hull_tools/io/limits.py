@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What no honest hull file exceeds: held against every file before memory is spent on it."""
+
+MAX_FILE_BYTES = 64 * 2**20
+# A JSON text takes up to 40 times its size in memory.
+MAX_HULL_FILE_BYTES = 8 * 2**20
+# Points, faces, edges, layers and so on: a control mesh has some hundreds.
+MAX_COUNT = 250_000
+# All corners of all faces together.
+MAX_FACE_CORNERS = 1_500_000
+# In the file's unit of length, along any axis.
+FURTHEST_POINT = 1e6
+# Length, beam, draft and depth in metres.
+LONGEST_DIMENSION = 1e4
+LONGEST_TEXT = 10_000
