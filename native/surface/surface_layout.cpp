@@ -34,6 +34,11 @@ bool is_corner_cell(const T& t, Scheme scheme, int h) {
   for (int i : {right, opposite, left}) {
     if (!is_regular_corner(t, i)) return false;
   }
+  // Creases may run along the two rays only.
+  if (t.is_crease(right) || t.is_crease(opposite)) return false;
+  if (t.kind_at(opposite) != VertexKind::kSmooth) return false;
+  if (t.kind_at(right) != VertexKind::kSmooth && !t.is_crease(h)) return false;
+  if (t.kind_at(left) != VertexKind::kSmooth && !t.is_crease(left)) return false;
   return touches_only_ray(t, scheme, right, h) && touches_only_ray(t, scheme, left, left) &&
          !touches_modified_edge(t, scheme, opposite);
 }
