@@ -5,7 +5,6 @@ Both encodings hold the same values in the same order, so there is one reader ov
 follows the faces is not needed for a hull and not read, except by `stored_sections`.
 """
 
-import math
 import re
 from dataclasses import dataclass
 
@@ -209,18 +208,19 @@ def _layers(cursor, version):
 
 
 def _points(cursor, version):
-    layout = "fffi?" + ("?" if version >= 198 else "")
-    count = cursor.count("points", layout)
+    tags = "i?" + ("?" if version >= 198 else "")
+    count = cursor.count("points", "fff" + tags)
     if count == 0:
         raise cursor.error("the model has no points", NEW_COPY)
     points = np.empty((count, 3))
     corners = []
     for index in range(count):
         cursor.element = f"point {index}"
-        x, y, z, kind, *_ = cursor.record(layout)
+        x, y, z = cursor.record("fff")
         if not all(abs(value) <= FURTHEST_POINT for value in (x, y, z)):
             raise cursor.error(f"its position ({x:g}, {y:g}, {z:g}) can't be a ship's", NEW_COPY)
         points[index] = x, y, z
+        kind, *_ = cursor.record(tags)
         if kind == 3:
             corners.append(index)
     return points, corners
@@ -291,9 +291,10 @@ def _spline(cursor, fixed_axis, d, scale):
     """One stored curve; `fixed_axis` is the axis whose coordinate is left out, being -d."""
     layout = "fff?" if fixed_axis is None else "ff?"
     rows = [cursor.record(layout) for _ in range(cursor.count("points of a curve", layout))]
-    points = np.array([row[:-1] for row in rows], dtype=np.float64).reshape(len(rows), -1)
-    if not all(math.isfinite(value) for value in points.flat):
+    points = np.array([row[:-1] for row in rows], dtype=np.float64)
+    points = points.reshape(len(rows), len(layout) - 1)
+    if not np.isfinite(points).all():
         raise cursor.error("a point of a curve is not a finite number")
     if fixed_axis is not None:
-        points = np.insert(points.reshape(len(rows), 2), fixed_axis, -d, axis=1)
-    return points.reshape(-1, 3) * scale, np.array([row[-1] for row in rows], dtype=bool)
+        points = np.insert(points, fixed_axis, -d, axis=1)
+    return points * scale, np.array([row[-1] for row in rows], dtype=bool)
