@@ -62,7 +62,7 @@ def test_mesh_gives_back_its_arrays():
     assert {tuple(sorted(pair)) for pair in mesh.creases} == {(0, 1)}
     assert mesh.border_edges.shape == (0, 2)
     np.testing.assert_array_equal(mesh.vertex_valences, np.full(8, 3))
-    assert mesh.vertex_kinds[7] == 3
+    assert mesh.vertex_kinds[7] == 4
 
 
 def test_surface_arrays_have_the_documented_shapes():
