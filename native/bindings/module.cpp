@@ -8,4 +8,5 @@ PYBIND11_MODULE(_core, module) {
   bind_limit_surface(module);
   bind_tessellation(module);
   bind_feature_curves(module);
+  bind_hydrostatics(module);
 }

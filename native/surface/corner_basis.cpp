@@ -175,17 +175,6 @@ Vector3d CornerBasis::corner_normal(const CornerPoints& points) const {
   return tangent_.sign * a.cross(b);
 }
 
-BicubicPoints CornerBasis::segment_points(const CornerPoints& points, int level,
-                                          int segment) const {
-  Rows slow = slow_at_level(points, level);
-  slow.row(0).setZero();
-  const Rows values =
-      segments_[segment].slow * slow + segments_[segment].rows * rest_at_level(points, level);
-  BicubicPoints result;
-  for (int i = 0; i < 16; ++i) result[i] = points.limit + values.row(i).transpose();
-  return result;
-}
-
 void CornerBasis::find_tangent_rule() {
   const auto& blocks = spectrum_.blocks;
   const Eigen::Index m = right_.cols();
@@ -224,6 +213,35 @@ void CornerBasis::find_tangent_rule() {
   }
   tangent_.sign = orientation < 0.0 ? -1.0 : 1.0;
   tangent_.defined = true;
+}
+
+CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)
+    : basis_(basis), origin_(points), slow_(points.slow), rest_(points.rest) {
+  slow_.row(0).setZero();
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> CornerRing::points() const {
+  return (basis_.right_ * slow_ + rest_).rowwise() + origin_.limit.transpose();
+}
+
+BicubicPoints CornerRing::segment_points(int segment) const {
+  const RingSegment& s = basis_.segments_[segment];
+  const Eigen::Matrix<double, 16, 3> values = s.slow * slow_ + s.rows * rest_;
+  BicubicPoints result;
+  for (int i = 0; i < 16; ++i) result[i] = origin_.limit + values.row(i).transpose();
+  return result;
+}
+
+void CornerRing::advance() {
+  for (const SlowBlock& block : basis_.spectrum_.blocks) {
+    auto rows = slow_.middleRows(block.begin, block.size);
+    if (block.defective) {
+      rows = (block.action * rows).eval();
+    } else {
+      rows *= block.eigenvalue;
+    }
+  }
+  rest_ = (basis_.A_ * rest_).eval();
 }
 
 }  // namespace hull

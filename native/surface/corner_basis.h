@@ -74,11 +74,8 @@ class CornerBasis {
   // Direction (not of unit length) of the normal at (0, 0); zero where there is no tangent plane.
   Vector3d corner_normal(const CornerPoints& points) const;
 
-  // Control points of segment `segment` of ring `level` (1, 2, …), which covers the segment's
-  // square divided by 2^(level - 1).
-  BicubicPoints segment_points(const CornerPoints& points, int level, int segment) const;
-
  private:
+  friend class CornerRing;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
   void find_tangent_rule();
   Rows slow_at_level(const CornerPoints& points, int level) const;
@@ -91,6 +88,25 @@ class CornerBasis {
   std::array<std::array<int, 4>, 4> segment_at_;  // by quarter of v, of u; -1 in the corner's square
   int rest_levels_;                               // beyond these the rest is below rounding
   TangentRule tangent_;
+};
+
+// Walks through the rings of pieces around an irregular corner, from the largest inwards.
+class CornerRing {
+ public:
+  // `basis` and `points` must outlive the walk.
+  CornerRing(const CornerBasis& basis, const CornerPoints& points);
+
+  // The N control points of the square [0, 2^-k]^2 after k steps.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> points() const;
+  // Control points of segment `segment` (an index of CornerBasis::segments()) of the ring, which
+  // covers the segment's square divided by 2^k.
+  BicubicPoints segment_points(int segment) const;
+  void advance();
+
+ private:
+  const CornerBasis& basis_;
+  const CornerPoints& origin_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> slow_, rest_;  // slow_ without the constant part
 };
 
 }  // namespace hull

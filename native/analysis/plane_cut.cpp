@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/plane_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hull {
+namespace {
+
+// Slopes along v that vary by more than this factor make the crossing a badly behaved function of
+// u, which quadrature and sampling would have to resolve; two smaller squares do it better.
+constexpr double kSteadySlope = 0.1;
+
+// How steadily the height rises or falls in v: 0 if not monotonic, 1 if linear.
+double steadiness(const std::array<double, 2>& bounds) {
+  if (bounds[0] > 0.0) return bounds[0] / bounds[1];
+  if (bounds[1] < 0.0) return bounds[1] / bounds[0];
+  return 0.0;
+}
+
+void divide(const BezierBicubic& height, double u, double v, double size, int depth,
+            const std::function<void(const CutSquare&)>& visit) {
+  using Side = CutSquare::Side;
+  // Zero counts as above, so that a surface lying in the plane has no crossing.
+  if (height.lowest() >= 0.0) return visit({Side::kAbove, u, v, size, false, height});
+  if (height.highest() < 0.0) return visit({Side::kBelow, u, v, size, false, height});
+  const double along_v = steadiness(height.slope_bounds_v());
+  const double along_u = steadiness(height.slope_bounds_u());
+  if (std::max(along_u, along_v) >= kSteadySlope || depth == kDeepestCut) {
+    const bool swapped = along_u > along_v;
+    return visit({Side::kCut, u, v, size, swapped, swapped ? height.transposed() : height});
+  }
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) {
+      divide(height.quarter(i, j), u + 0.5 * size * i, v + 0.5 * size * j, 0.5 * size, depth + 1,
+             visit);
+    }
+  }
+}
+
+}  // namespace
+
+BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double tolerance) {
+  std::array<double, 16> values;
+  for (int i = 0; i < 16; ++i) {
+    const double height = plane.height(points[i]);
+    values[i] = std::abs(height) < tolerance ? 0.0 : height;
+  }
+  return BezierBicubic::from_bspline(values);
+}
+
+void cut_piece(const BezierBicubic& height, const std::function<void(const CutSquare&)>& visit) {
+  divide(height, 0.0, 0.0, 1.0, 0, visit);
+}
+
+double crossing(const BezierBicubic& height, double u) {
+  const std::vector<double> roots = sign_changes(height.along_v(u));
+  return roots.empty() ? 1.0 : roots.front();
+}
+
+std::vector<double> crossing_breaks(const BezierBicubic& height) {
+  std::vector<double> breaks{0.0, 1.0};
+  for (double v : {0.0, 1.0}) {
+    for (double root : sign_changes(height.along_u(v))) breaks.push_back(root);
+  }
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+}  // namespace hull

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "analysis/bezier.h"
+#include "surface/pieces.h"
+
+namespace hull {
+
+// The plane n·x = offset; n of unit length. A point is below where n·x < offset.
+struct Plane {
+  Vector3d normal;
+  double offset;
+  double height(const Vector3d& p) const { return normal.dot(p) - offset; }
+};
+
+// Height above the plane over a piece, heights below `tolerance` in absolute value taken for zero.
+BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double tolerance);
+
+// A square of a piece on one side of the plane, or cut so simply that for each u (or, if `swapped`,
+// for each v) the surface meets the plane at most once, and not at a grazing angle.
+struct CutSquare {
+  enum class Side { kBelow, kAbove, kCut } side;
+  double u, v, size;      // in the piece's square [0, 1]^2
+  bool swapped;           // roles of u and v exchanged in `height`
+  BezierBicubic height;   // over the square; what follows holds after the exchange
+};
+
+// Divides a piece into such squares. Squares of 2^-kDeepestCut of the piece that are still not
+// simple are given as cut all the same, `swapped` for the better of the two directions: there the
+// surface touches the plane or has a saddle on it.
+inline constexpr int kDeepestCut = 12;
+void cut_piece(const BezierBicubic& height, const std::function<void(const CutSquare&)>& visit);
+
+// Where, along the parameter v of the square, the surface meets the plane at u; the square's
+// `height` is monotonic in v. Only called where there is a sign change.
+double crossing(const BezierBicubic& height, double u);
+
+// The values of u at which the crossing enters or leaves the square, with 0 and 1 as first and
+// last: between two of them the square either has a crossing for every u or for none.
+std::vector<double> crossing_breaks(const BezierBicubic& height);
+
+}  // namespace hull
