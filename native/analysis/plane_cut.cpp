@@ -54,8 +54,11 @@ void cut_piece(const BezierBicubic& height, const std::function<void(const CutSq
 }
 
 double crossing(const BezierBicubic& height, double u) {
-  const std::vector<double> roots = sign_changes(height.along_v(u));
-  return roots.empty() ? 1.0 : roots.front();
+  const BezierCubic column = height.along_v(u);
+  const std::vector<double> roots = sign_changes(column);
+  if (!roots.empty()) return roots.front();
+  // At the ends of a crossing rounding may hide the change of sign on the square's side.
+  return std::abs(column[0]) < std::abs(column[3]) ? 0.0 : 1.0;
 }
 
 std::vector<double> crossing_breaks(const BezierBicubic& height) {

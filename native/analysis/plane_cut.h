@@ -34,7 +34,7 @@ inline constexpr int kDeepestCut = 12;
 void cut_piece(const BezierBicubic& height, const std::function<void(const CutSquare&)>& visit);
 
 // Where, along the parameter v of the square, the surface meets the plane at u; the square's
-// `height` is monotonic in v. Only called where there is a sign change.
+// `height` is monotonic in v. Without a change of sign: the end nearer to the plane.
 double crossing(const BezierBicubic& height, double u);
 
 // The values of u at which the crossing enters or leaves the square, with 0 and 1 as first and

@@ -9,4 +9,5 @@ PYBIND11_MODULE(_core, module) {
   bind_tessellation(module);
   bind_feature_curves(module);
   bind_hydrostatics(module);
+  bind_sections(module);
 }
