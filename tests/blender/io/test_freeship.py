@@ -254,8 +254,6 @@ REFUSED = {
 @pytest.mark.parametrize("case", REFUSED)
 def test_what_is_wrong_is_named(read, encoding, case):
     model, element, problem = REFUSED[case]
-    if encoding[0] == ".ftm" and case in ("not a number", "infinite"):
-        pytest.skip("covered by the test of words in text files")
     with pytest.raises(hull_io.HullFileError) as caught:
         read(model, 335, encoding)
     message = str(caught.value)

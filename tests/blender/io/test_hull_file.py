@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The project's own hull file: what is written is read, and a mistake is named."""
+
+import json
+import os
+import random
+import stat
+
+import hull_io
+import numpy as np
+import pytest
+from hull_io import bytes_on_disk
+
+
+def content(**changes):
+    """A valid file's content with some keys changed, or taken out where the value is None."""
+    value = {
+        "format": "hull",
+        "version": 1,
+        "name": "Box",
+        "source": "a test",
+        "units": "m",
+        "half": True,
+        "particulars": {"length_pp": 10.0, "beam": 4, "draft": 1.5, "water_density": 1.025},
+        "points": [[0, 0, 0], [10, 0, 0], [10, 2, 0], [0, 2, 0], [0, 2, 3], [10, 2, 3]],
+        "faces": [[0, 3, 2, 1], [3, 4, 5, 2]],
+        "creases": [[3, 2]],
+        "corners": [3],
+        "layers": [{"name": "Bottom"}, {"name": "Side", "in_hydrostatics": False}],
+        "face_layers": [0, 1],
+    }
+    value.update(changes)
+    return {key: part for key, part in value.items() if part is not None}
+
+
+@pytest.fixture
+def read(tmp_path):
+    def read_content(value):
+        path = tmp_path / "box.hull.json"
+        path.write_bytes(value if isinstance(value, bytes) else json.dumps(value).encode())
+        return hull_io.read_hull(path)
+
+    return read_content
+
+
+def assert_same(first, second):
+    np.testing.assert_array_equal(first.points, second.points)
+    for key in ("name", "faces", "creases", "corners", "half", "face_layers"):
+        assert getattr(first, key) == getattr(second, key), key
+    assert first.layers == second.layers
+    assert first.particulars == second.particulars
+    assert first.source == second.source
+
+
+def test_a_file_is_read(read):
+    hull = read(content())
+    assert hull.name == "Box"
+    assert hull.half and hull.units == "m" and hull.source == "a test"
+    assert hull.points.dtype == np.float64
+    assert hull.points[5].tolist() == [10, 2, 3]
+    assert hull.faces == [[0, 3, 2, 1], [3, 4, 5, 2]]
+    assert hull.creases == [(2, 3)]
+    assert hull.corners == [3]
+    assert hull.particulars == hull_io.Particulars(10.0, 4.0, 1.5, 0.0, 1.025)
+    assert [layer.in_hydrostatics for layer in hull.layers] == [True, False]
+    assert hull_io.shell_face_indices(hull) == [0]
+
+
+def test_what_may_be_left_out(read):
+    optional = ("name", "source", "particulars", "creases", "corners", "layers", "face_layers")
+    hull = read(content(**dict.fromkeys(optional)))
+    assert hull.name == "box"
+    assert hull.particulars == hull_io.Particulars()
+    assert hull.creases == [] and hull.corners == []
+    assert hull_io.shell_face_indices(hull) == [0, 1]
+
+
+def test_reference_hulls_come_back_bit_for_bit(freeship_files, tmp_path):
+    for source in freeship_files:
+        hull = hull_io.read_hull(source)
+        path = tmp_path / f"{source.stem}.hull.json"
+        hull_io.write_hull_file(hull, path)
+        assert_same(hull, hull_io.read_hull(path))
+
+
+def test_any_name_and_any_number_come_back(read, tmp_path):
+    hull = read(content())
+    hull.name = 'Ящик "№ 1" \\ \u2028'
+    noise = np.random.default_rng(11)
+    hull.points = hull.points + noise.normal(size=hull.points.shape) * 1e-7
+    hull_io.write_hull_file(hull, tmp_path / "again.hull.json")
+    assert_same(hull, hull_io.read_hull(tmp_path / "again.hull.json"))
+
+
+def test_numpy_indices_are_written_as_numbers(read, tmp_path):
+    hull = read(content())
+    plain = read(content())
+    hull.faces = [np.array(face, dtype=np.int32) for face in hull.faces]
+    hull.creases = np.array(hull.creases)
+    hull.corners = np.array(hull.corners)
+    hull_io.write_hull_file(hull, tmp_path / "again.hull.json")
+    assert_same(plain, hull_io.read_hull(tmp_path / "again.hull.json"))
+
+
+MISTAKES = {
+    "other format": (content(format="ship"), 'format: it is not "hull"'),
+    "other version": (content(version=2), "version: 2 is unknown; only version 1 can be read"),
+    "true is no version": (content(version=True), "version: true is unknown"),
+    "unknown key": (content(point=[]), 'the file: the key "point" is unknown'),
+    "no half": (content(half=None), "half: it is missing"),
+    "half of text": (content(half="yes"), 'half: "yes" is not true or false'),
+    "feet": (content(units="ft"), 'units: "ft" is not "m"; write all lengths in metres'),
+    "no points": (content(points=[]), "points: it has 0 entries"),
+    "points no list": (content(points={}), "points: dict is no list"),
+    "point no list": (content(points=[[0, 0, 0], 7]), "points[1]: 7 is no list"),
+    "point of two": (content(points=[[0, 0]]), "points[0]: it has 2 entries, not 3"),
+    "coordinate text": (content(points=[[0, "1", 0]]), 'points[0].y: "1" is not a number'),
+    "coordinate null": (content(points=[[0, 0, None]]), "points[0].z: NoneType is not a number"),
+    "coordinate true": (content(points=[[True, 0, 0]]), "points[0].x: true is not a number"),
+    "coordinate far": (content(points=[[0, 0, -2e6]]), "points[0].z: -2000000.0 is not a number"),
+    "coordinate long": (content(points=[[10**400, 0, 0]]), "points[0].x: 1000000"),
+    "no faces": (content(faces=[]), "faces: it has 0 entries"),
+    "face of two": (content(faces=[[0, 1]]), "faces[0]: 2 points, 2 of them different"),
+    "face repeats": (content(faces=[[0, 1, 2, 1]]), "faces[0]: 4 points, 3 of them different"),
+    "face twice": (
+        content(faces=[[0, 1, 2, 3], [2, 1, 0, 3]]),
+        "faces[1]: it has the points of faces[0]",
+    ),
+    "face index": (
+        content(faces=[[0, 1, 6]]),
+        "faces[0][2]: 6 is no index of a point; points are 0 to 5",
+    ),
+    "face negative": (content(faces=[[0, 1, -1]]), "faces[0][2]: -1 is no index"),
+    "face real": (content(faces=[[0, 1.0, 2]]), "faces[0][1]: 1.0 is no index"),
+    "face true": (content(faces=[[0, True, 2]]), "faces[0][1]: true is no index"),
+    "crease no edge": (content(creases=[[0, 2]]), "creases[0]: [0, 2] is no edge of a face"),
+    "crease index": (content(creases=[[0, 9]]), "creases[0][1]: 9 is no index"),
+    "crease of three": (content(creases=[[0, 1, 2]]), "creases[0]: it has 3 entries, not 2"),
+    "corner": (content(corners=[0, 6]), "corners[1]: 6 is no index of a point"),
+    "no layers": (content(layers=[]), "layers: it has 0 entries"),
+    "layer key": (content(layers=[{"color": 1}]), 'layers[0]: the key "color" is unknown'),
+    "layer flag": (
+        content(layers=[{}, {"in_hydrostatics": 1}]),
+        "layers[1].in_hydrostatics: 1 is not true or false",
+    ),
+    "layer colour": (
+        content(layers=[{"colour": [0, 0, 255]}, {}]),
+        "layers[0].colour: 255 is not a number from 0 to 1",
+    ),
+    "face layers short": (content(face_layers=[0]), "face_layers: it has 1 entries, not 2"),
+    "face layer": (content(face_layers=[0, 2]), "face_layers[1]: 2 is no index of a layer"),
+    "particular": (
+        content(particulars={"draft": -1}),
+        "particulars.draft: -1 is not a number from 0 to 10000",
+    ),
+    "particular key": (content(particulars={"T": 1}), 'particulars: the key "T" is unknown'),
+    "name": (content(name=5), "name: it is no text"),
+    "long name": (content(name="x" * 10001), "name: it is no text of at most 10000"),
+    "not JSON": (b'{"format": "hull",\n "half" true}', "line 2, column 9: it is not JSON"),
+    "cut short": (json.dumps(content()).encode()[:-50], "it is not JSON"),
+    "not UTF-8": (b'{"name": "\xff"}', "byte 10: it is not UTF-8"),
+    "NaN": (json.dumps(content()).replace("1.5", "NaN").encode(), "NaN is not a number"),
+    "overflow": (json.dumps(content()).replace("1.5", "1e999").encode(), "particulars.draft: Inf"),
+    "deep": (b'{"points":' + b"[" * 200_000, "lists are nested too deep"),
+    "digits": (b'{"points": ' + b"9" * 5000 + b"}", "a number has too many digits"),
+    "a list": (b" [1]", "neither a FREE!ship file nor a hull file"),
+    "many": (
+        content(points=[[0, 0, 0]] * 250_001),
+        "points: it has 250001 entries; a hull has 1 to 250000 points",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", MISTAKES)
+def test_a_mistake_is_named(tmp_path, case):
+    value, problem = MISTAKES[case]
+    path = tmp_path / "box.hull"
+    path.write_bytes(value if isinstance(value, bytes) else json.dumps(value).encode())
+    with pytest.raises(hull_io.HullFileError) as caught:
+        hull_io.read_hull(path)
+    message = str(caught.value)
+    assert message.startswith("box.hull: ")
+    assert problem in message
+    assert "; " in message and message.endswith(".") and "\n" not in message
+
+
+def test_writing_replaces_a_file_whole_or_not_at_all(read, tmp_path, monkeypatch):
+    path = tmp_path / "kept.hull.json"
+    hull = read(content())
+    hull_io.write_hull_file(hull, path)
+    before = path.read_bytes()
+    os.chmod(path, 0o640)
+
+    hull.points = hull.points + np.nan
+    with pytest.raises(hull_io.HullFileError, match="NaN is not a number"):
+        hull_io.write_hull_file(hull, path)
+    assert path.read_bytes() == before
+
+    hull.points = np.zeros((6, 3))
+
+    def full_disk(_):
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(bytes_on_disk.os, "fsync", full_disk)
+        with pytest.raises(hull_io.HullFileError, match="No space left on device"):
+            hull_io.write_hull_file(hull, path)
+    assert path.read_bytes() == before
+
+    hull_io.write_hull_file(hull, path)
+    assert not hull_io.read_hull(path).points.any()
+    assert stat.S_IMODE(os.stat(path).st_mode) == 0o640
+    assert sorted(os.listdir(tmp_path)) == ["box.hull.json", "kept.hull.json"]
+
+
+def test_writing_into_no_folder_is_refused(read, tmp_path):
+    with pytest.raises(hull_io.HullFileError, match="x.hull.json: it can't be written"):
+        hull_io.write_hull_file(read(content()), tmp_path / "no" / "x.hull.json")
+
+
+def test_damaged_copies_are_refused_or_read(tmp_path):
+    """Cut short, bits turned, or a piece replaced by something hostile."""
+    seed = 12
+    choice = random.Random(seed)
+    data = json.dumps(content()).encode()
+    hostile = [b"1e999", b"-1", b"null", b"[]", b"{}", b'""', b"true", b"99999999999", b"NaN"]
+    path = tmp_path / "box.hull.json"
+    read = 0
+    for copy in range(1000):
+        damaged = bytearray(data)
+        start = choice.randrange(len(data))
+        if copy % 3 == 0:
+            del damaged[start:]
+        elif copy % 3 == 1:
+            damaged[start] ^= 1 << choice.randrange(8)
+        else:
+            damaged[start : start + choice.randrange(4)] = choice.choice(hostile)
+        path.write_bytes(damaged)
+        try:
+            hull = hull_io.read_hull(path)
+        except hull_io.HullFileError as error:
+            assert str(error).startswith("box.hull.json: "), f"seed {seed}, copy {copy}"
+            continue
+        read += 1
+        hull_io.shell_arrays(hull)
+    assert 0 < read < 500
