@@ -13,7 +13,7 @@ import numpy as np
 from .cursors import BinaryCursor, TextCursor
 from .errors import HullFileError
 from .freeship_meaning import hull_from_model
-from .limits import FURTHEST_POINT, MAX_FACE_CORNERS
+from .limits import FURTHEST_POINT, MAX_CURVE_POINTS, MAX_FACE_CORNERS
 
 SIGNATURE = b"FREE!ship"
 BINARY_START = len(SIGNATURE).to_bytes(4, "little") + SIGNATURE
@@ -244,8 +244,11 @@ def _check_points(cursor, indices, point_count):
 
 
 def _skip_control_curves(cursor):
+    points_left = MAX_CURVE_POINTS
     for index in range(cursor.count("control curves", "i?")):
-        cursor.record("i" * cursor.count(f"points of control curve {index}", "i") + "?")
+        size = cursor.count(f"points of control curve {index}", "i", points_left)
+        points_left -= size
+        cursor.record("i" * size + "?")
 
 
 def _faces(cursor, point_count, layer_count):

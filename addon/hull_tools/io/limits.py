@@ -8,6 +8,8 @@ MAX_HULL_FILE_BYTES = 8 * 2**20
 MAX_COUNT = 250_000
 # All corners of all faces together.
 MAX_FACE_CORNERS = 1_500_000
+# All points of all control curves together.
+MAX_CURVE_POINTS = 1_000_000
 # In the file's unit of length, along any axis.
 FURTHEST_POINT = 1e6
 # Length, beam, draft and depth in metres.

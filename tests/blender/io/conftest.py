@@ -1,35 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads the add-on's io package under the name `hull_io`, with Blender or without.
-
-The package can't be imported as `io` (a standard module) nor, without Blender, as part of the
-add-on. In Blender the installed add-on's own package is taken where it is loaded.
-"""
-
-import importlib.util
-import sys
-from pathlib import Path
+"""Makes `import hull_io` work in the tests of this folder, and finds the reference files."""
 
 import pytest
-
-ROOT = Path(__file__).resolve().parents[3]
-FREESHIP = ROOT.parent / "shared" / "hulls" / "freeship"
-
-
-def load_hull_io():
-    if "hull_io" in sys.modules:
-        return sys.modules["hull_io"]
-    installed = [name for name in sys.modules if name.endswith("hull_tools.io")]
-    folder = ROOT / "addon" / "hull_tools" / "io"
-    if installed:
-        folder = Path(sys.modules[installed[0]].__file__).parent
-    spec = importlib.util.spec_from_file_location(
-        "hull_io", folder / "__init__.py", submodule_search_locations=[str(folder)]
-    )
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["hull_io"] = module
-    spec.loader.exec_module(module)
-    return module
-
+from hull_io_loader import SHARED, load_hull_io
 
 load_hull_io()
 
@@ -37,7 +10,8 @@ load_hull_io()
 @pytest.fixture(scope="session")
 def freeship_files():
     """The FREE!ship files of the reference data, sorted by name."""
-    files = sorted(FREESHIP.glob("*.f[bt]m"))
+    folder = SHARED / "hulls" / "freeship"
+    files = sorted(folder.glob("*.f[bt]m"))
     if not files:
-        pytest.skip(f"reference data missing: {FREESHIP}")
+        pytest.skip(f"reference data missing: {folder}")
     return files

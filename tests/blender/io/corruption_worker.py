@@ -17,7 +17,7 @@ import time
 import traceback
 from pathlib import Path
 
-from conftest import load_hull_io
+from hull_io_loader import load_hull_io
 
 hull_io = load_hull_io()
 

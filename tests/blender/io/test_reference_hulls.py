@@ -7,8 +7,8 @@ from collections import Counter
 import hull_io
 import numpy as np
 import pytest
-from conftest import ROOT
 from hull_io.orientation import consistent_components
+from hull_io_loader import SHARED
 
 # Counted by a separate reader: version, points, faces by size, crease edges, corner points.
 KNOWN = {
@@ -120,7 +120,7 @@ def test_a_closed_pontoon_has_the_volume_of_its_box(freeship_files):
 
 def test_control_meshes_enclose_about_the_displaced_volume(freeship_files):
     """A control mesh lies outside its surface, by a few per cent of the volume at most."""
-    known = ROOT.parent / "shared" / "reference" / "hydrostatics.json"
+    known = SHARED / "reference" / "hydrostatics.json"
     if not known.exists():
         pytest.skip(f"reference data missing: {known}")
     cases = json.loads(known.read_text())
