@@ -72,7 +72,7 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
         label_value(column, "Points", str(check.vertex_count))
         label_value(column, "Edges", str(check.edge_count))
         label_value(column, "Faces", str(check.face_count))
-        label_value(column, "Irregular points", str(check.irregular_count))
+        label_value(column, "Irregular", str(check.irregular_count))
         if not check.problems:
             layout.label(text="No problems", icon="CHECKMARK")
         for index, problem in enumerate(check.problems):

@@ -24,8 +24,8 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.scale_y = 0.8
         label_value(column, "Draft", format_length(scene, found.draft))
-        label_value(column, "Displaced", format_length(scene, found.displaced_volume, 3))
-        label_value(column, "Mass", format_mass(scene, found.displacement_t))
+        label_value(column, "Volume", format_length(scene, found.displaced_volume, 3))
+        label_value(column, "Displacement", format_mass(scene, found.displacement_t))
         label_value(column, "LCB", format_length(scene, found.lcb))
         label_value(column, "KB", format_length(scene, found.kb))
         label_value(column, "KMt", format_length(scene, found.kmt))

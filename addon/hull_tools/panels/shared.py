@@ -34,7 +34,7 @@ def label_wrapped(layout, text, icon="NONE"):
 
 def label_value(layout, name, value):
     """A name to the left, and its value to the right."""
-    split = layout.split(factor=0.48)
+    split = layout.split(factor=0.5)
     split.label(text=name)
     right = split.row()
     right.alignment = "RIGHT"

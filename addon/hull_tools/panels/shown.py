@@ -13,8 +13,9 @@ def _draw_shown(layout, shown):
     if shown is None:
         row.operator("hull.update", icon="FILE_REFRESH")
         return
-    row.prop(shown, "hide_viewport", text="Hide", toggle=True)
-    row.prop(shown, "hide_render", text="Not Rendered", toggle=True)
+    row.label(text="Visible")
+    row.prop(shown, "hide_viewport", text="")
+    row.prop(shown, "hide_render", text="")
 
 
 class HULL_PT_surface(HullPanel, bpy.types.Panel):
