@@ -12,5 +12,6 @@ void bind_tessellation(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
 void bind_hydrostatics(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
+void bind_patch_set(pybind11::module_& module);
 
 }  // namespace hull::bindings

@@ -10,4 +10,5 @@ PYBIND11_MODULE(_core, module) {
   bind_feature_curves(module);
   bind_hydrostatics(module);
   bind_sections(module);
+  bind_patch_set(module);
 }

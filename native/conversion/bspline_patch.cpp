@@ -115,16 +115,12 @@ void BSplinePatch::check() const {
   }
 }
 
-Vector3d BSplinePatch::evaluate(double u, double v) const { return derivatives(u, v).position; }
+Vector3d BSplinePatch::position(double u, double v) const { return evaluate(u, v).point; }
 
-PatchDerivatives BSplinePatch::derivatives(double u, double v) const {
+SurfaceJet BSplinePatch::evaluate(double u, double v) const {
   const BasisValues along_u = basis_values(knots_u, degree_u, u);
   const BasisValues along_v = basis_values(knots_v, degree_v, v);
-  PatchDerivatives result;
-  for (Vector3d* value :
-       {&result.position, &result.du, &result.dv, &result.duu, &result.duv, &result.dvv}) {
-    value->setZero();
-  }
+  SurfaceJet result;
   for (int i = 0; i <= degree_u; ++i) {
     Eigen::Matrix3d row = Eigen::Matrix3d::Zero();  // column d: d-th derivative along v
     for (int j = 0; j <= degree_v; ++j) {
@@ -132,7 +128,7 @@ PatchDerivatives BSplinePatch::derivatives(double u, double v) const {
       row += point * along_v.rows.col(j).transpose();
     }
     const auto weight = along_u.rows.col(i);
-    result.position += weight(0) * row.col(0);
+    result.point += weight(0) * row.col(0);
     result.du += weight(1) * row.col(0);
     result.dv += weight(0) * row.col(1);
     result.duu += weight(2) * row.col(0);
@@ -169,6 +165,13 @@ std::vector<double> BSplinePatch::side_knots(int side) const {
     for (double& knot : knots) knot = 1.0 - knot;
   }
   return knots;
+}
+
+double BSplinePatch::side_length(int side) const {
+  const std::vector<Vector3d> points = side_points(side);
+  double length = 0.0;
+  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
 }
 
 BSplinePatch BSplinePatch::transposed() const {

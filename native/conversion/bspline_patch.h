@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "surface/bicubic.h"
+
 namespace hull {
 
 using Eigen::Vector3d;
@@ -11,11 +13,6 @@ using Eigen::Vector3d;
 // Knots of an open-uniform (clamped) B-spline over [0, 1]: both ends repeated degree + 1 times, the
 // count - degree - 1 interior knots equally spaced and simple. REQUIRES: count > degree >= 1.
 std::vector<double> open_uniform_knots(int degree, int count);
-
-// A point of a patch with its derivatives by the patch's own parameters (metres per unit).
-struct PatchDerivatives {
-  Vector3d position, du, dv, duu, duv, dvv;
-};
 
 // A tensor-product B-spline surface (Greshake 2021, equation 7.1), clamped over [0, 1] x [0, 1].
 //
@@ -35,10 +32,11 @@ struct BSplinePatch {
   void check() const;
 
   // Parameters outside [0, 1] are taken to the nearest end.
-  Vector3d evaluate(double u, double v) const;
+  Vector3d position(double u, double v) const;
 
-  // At an interior knot the derivative from above where the two sides differ (at 1, from below).
-  PatchDerivatives derivatives(double u, double v) const;
+  // With first and second derivatives; at an interior knot those from above where the two sides
+  // differ (at 1, from below).
+  SurfaceJet evaluate(double u, double v) const;
 
   const Vector3d& control_point(int i, int j) const { return control_points[i * count_v + j]; }
 
@@ -46,6 +44,7 @@ struct BSplinePatch {
   // control_points, its knots.
   std::vector<Vector3d> side_points(int side) const;
   std::vector<double> side_knots(int side) const;
+  double side_length(int side) const;  // m, of the control polygon: an upper bound of the curve's
   int side_index(int side, int i) const;
   int side_count(int side) const { return side % 2 == 0 ? count_u : count_v; }
   int side_degree(int side) const { return side % 2 == 0 ? degree_u : degree_v; }

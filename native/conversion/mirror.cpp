@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/mirror.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,20 +10,12 @@ namespace {
 
 constexpr double kSeamTolerance = 1e-7;  // of the size
 
-double size_of(const PatchSet& set) {
-  Eigen::AlignedBox3d box;
-  for (const BSplinePatch& patch : set.patches) {
-    for (const Vector3d& point : patch.control_points) box.extend(point);
-  }
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
 struct Seam {
   std::vector<bool> edges, vertices;
 };
 
 Seam find_seam(const PatchSet& set) {
-  const double tolerance = kSeamTolerance * size_of(set);
+  const double tolerance = kSeamTolerance * set.size();
   std::vector<int> uses(set.edge_count, 0);
   for (const auto& sides : set.sides) {
     for (int edge : sides) ++uses[edge];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/patch_set.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -66,6 +67,14 @@ void check_joint(const PatchSet& set, const Use& first, const Use& second) {
 }
 
 }  // namespace
+
+double PatchSet::size() const {
+  Eigen::AlignedBox3d box;
+  for (const BSplinePatch& patch : patches) {
+    for (const Vector3d& point : patch.control_points) box.extend(point);
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
 
 void PatchSet::check() const {
   for (const BSplinePatch& patch : patches) patch.check();

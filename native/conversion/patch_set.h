@@ -9,11 +9,13 @@
 
 namespace hull {
 
-// How far patches are from the surface they stand for.
+// How far patches are from the surface they stand for, over samples that are not those the patches
+// were fitted to and lie closer together.
 //
-// Measured between points of the same (cell, u, v): never less than the distance from the patch's
-// point to the closest point of the surface, so an upper bound of it at the points sampled. The
-// samples are not those the patches were fitted to, and lie closer together.
+// The distance of a sample is that between a point of the patch and the closest point found in the
+// same cell of the surface, starting from the same (u, v): never more than the distance at equal
+// (u, v), never less than that to the closest point of the whole surface, of which it is therefore
+// an upper bound.
 struct FitReport {
   double largest_distance = 0.0;  // metres, over all samples
   double rms_distance = 0.0;      // metres, root of the mean square over all samples
@@ -32,6 +34,9 @@ struct PatchSet {
   int vertex_count = 0;
   int edge_count = 0;
   FitReport report;
+
+  // Diagonal of the box around all control points, m; 0 without any. What tolerances refer to.
+  double size() const;
 
   // Throws std::invalid_argument naming the cell if a patch is malformed, a number is out of range,
   // an edge has more than two patches or two that run the same way along it, the two sides of an

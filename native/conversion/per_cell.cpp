@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/per_cell.h"
 
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "conversion/patch_gauge.h"
 #include "conversion/uniform_fit.h"
 
 namespace hull {
@@ -58,56 +57,6 @@ std::vector<Vector3d> inner_data(const LimitSurface& surface, int cell, int inte
   return data;
 }
 
-// Measures patches against the surface on a grid that is twice as fine as the fit's own and crowds
-// towards the borders and corners, where the surface is least like a polynomial.
-class Gauge {
- public:
-  explicit Gauge(int control_points) {
-    const int intervals = 2 * data_intervals(control_points);
-    const std::vector<double> knots = open_uniform_knots(3, control_points);
-    basis_.setZero(intervals + 1, control_points);
-    for (int i = 0; i <= intervals; ++i) {
-      nodes_.push_back(0.5 - 0.5 * std::cos(std::numbers::pi * i / intervals));
-      const BasisValues values = basis_values(knots, 3, nodes_[i]);
-      basis_.block(i, values.first, 1, 4) = values.rows.row(0);
-    }
-  }
-
-  void measure(const LimitSurface& surface, const BSplinePatch& patch, FitReport& report) {
-    const int rows = static_cast<int>(nodes_.size()), n = patch.count_u;
-    Eigen::MatrixXd points[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      Eigen::MatrixXd grid(n, n);
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) grid(i, j) = patch.control_point(i, j)(axis);
-      }
-      points[axis] = basis_ * grid * basis_.transpose();
-    }
-    double largest = 0.0;
-    for (int i = 0; i < rows; ++i) {
-      for (int j = 0; j < rows; ++j) {
-        const Vector3d point(points[0](i, j), points[1](i, j), points[2](i, j));
-        const double distance = (point - surface.position(patch.cell, nodes_[i], nodes_[j])).norm();
-        sum_of_squares_ += distance * distance;
-        largest = std::max(largest, distance);
-        if (report.cell < 0 || distance > report.largest_distance) {
-          report.largest_distance = distance;
-          report.cell = patch.cell;
-          report.uv = {nodes_[i], nodes_[j]};
-        }
-      }
-    }
-    report.cell_largest.push_back(largest);
-    report.samples_per_cell = rows * rows;
-    report.rms_distance = std::sqrt(sum_of_squares_ / (report.cell_largest.size() * rows * rows));
-  }
-
- private:
-  std::vector<double> nodes_;
-  Eigen::MatrixXd basis_;
-  double sum_of_squares_ = 0.0;
-};
-
 }  // namespace
 
 PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
@@ -127,7 +76,7 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
   PatchSet set;
   set.vertex_count = cells.vertex_count();
   set.edge_count = cells.edge_count();
-  Gauge gauge(n);
+  PatchGauge gauge(surface, open_uniform_knots(3, n), 2 * fit.intervals());
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     BSplinePatch patch{3, 3, open_uniform_knots(3, n), open_uniform_knots(3, n), n, n, {}, cell};
     patch.control_points.assign(n * n, Vector3d::Zero());
@@ -146,7 +95,7 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
       }
     }
     fit.interior(inner_data(surface, cell, fit.intervals()), patch.control_points);
-    gauge.measure(surface, patch, set.report);
+    gauge.measure(patch, set.report);
     set.patches.push_back(std::move(patch));
     set.corners.push_back(corners);
     set.sides.push_back(sides);

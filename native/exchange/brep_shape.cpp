@@ -4,7 +4,6 @@
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Eigen/Geometry>
 #include <GProp_GProps.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -21,12 +20,11 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
-#include <algorithm>
+#include <cassert>
 #include <map>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "conversion/groups.h"
 
 namespace hull {
 namespace {
@@ -91,32 +89,14 @@ Handle(Geom2d_Line) side_line(int side, bool backwards) {
   return new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
 }
 
-double polygon_length(const std::vector<Vector3d>& points) {
-  double length = 0.0;
-  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
-}
-
-// Disjoint sets of 0 ... count - 1.
-class Groups {
- public:
-  explicit Groups(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<int> parent_;
-};
-
 class ShapeMaker {
  public:
   explicit ShapeMaker(const PatchSet& set)
-      : set_(set), vertex_groups_(set.vertex_count), parts_(static_cast<int>(set.patches.size())) {
-    measure();
-    for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) refuse_without_area(p);
+      : set_(set),
+        size_(set.size()),
+        vertex_groups_(set.vertex_count),
+        parts_(static_cast<int>(set.patches.size())) {
+    find_collapsed_sides_and_parts();
   }
 
   BRepShape make() {
@@ -143,12 +123,7 @@ class ShapeMaker {
   }
 
  private:
-  void measure() {
-    Eigen::AlignedBox3d box;
-    for (const BSplinePatch& patch : set_.patches) {
-      for (const Vector3d& point : patch.control_points) box.extend(point);
-    }
-    size_ = box.diagonal().norm();
+  void find_collapsed_sides_and_parts() {
     collapsed_.assign(set_.edge_count, false);
     uses_.assign(set_.edge_count, 0);
     std::vector<int> first(set_.edge_count, -1);
@@ -156,7 +131,7 @@ class ShapeMaker {
       for (int k = 0; k < 4; ++k) {
         const int edge = set_.sides[p][k];
         ++uses_[edge];
-        if (polygon_length(set_.patches[p].side_points(k)) <= kCollapsed * size_) {
+        if (set_.patches[p].side_length(k) <= kCollapsed * size_) {
           collapsed_[edge] = true;
           vertex_groups_.join(set_.corners[p][k], set_.corners[p][(k + 1) % 4]);
         } else if (first[edge] < 0) {
@@ -168,22 +143,6 @@ class ShapeMaker {
     }
     vertices_.resize(set_.vertex_count);
     edges_.resize(set_.edge_count);
-  }
-
-  // A patch folded flat has no normal, and no CAD system takes it.
-  void refuse_without_area(int p) const {
-    const BSplinePatch& patch = set_.patches[p];
-    double largest = 0.0;
-    for (double u : {0.2, 0.5, 0.8}) {
-      for (double v : {0.2, 0.5, 0.8}) {
-        const PatchDerivatives d = patch.derivatives(u, v);
-        largest = std::max(largest, d.du.cross(d.dv).norm());
-      }
-    }
-    if (largest > kCollapsed * kCollapsed * size_ * size_) return;
-    throw std::invalid_argument(
-        "cell " + std::to_string(patch.cell) +
-        " has no area: points of its face coincide or lie on one line; merge or move them");
   }
 
   TopoDS_Vertex vertex(int number, const Vector3d& position) {
@@ -271,7 +230,7 @@ class ShapeMaker {
 
   const PatchSet& set_;
   BRep_Builder builder_;
-  double size_ = 0.0;
+  double size_;
   Groups vertex_groups_, parts_;
   std::vector<bool> collapsed_;
   std::vector<int> uses_;
@@ -283,7 +242,7 @@ class ShapeMaker {
 
 BRepShape make_brep_shape(const PatchSet& set) {
   set.check();
-  if (set.patches.empty()) throw std::invalid_argument("there are no patches to write");
+  assert(!set.patches.empty());
   return ShapeMaker(set).make();
 }
 

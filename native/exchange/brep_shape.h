@@ -25,8 +25,8 @@ struct BRepShape {
 // length (all its control points within 1e-9 of the set's size) becomes a degenerated edge, its
 // ends one vertex.
 //
-// Throws std::invalid_argument naming the cell if a patch has no area, if set.check() throws, or if
-// there are no patches.
+// Throws std::invalid_argument if set.check() does. REQUIRES: at least one patch, none without area
+// (see without_flat_patches).
 BRepShape make_brep_shape(const PatchSet& set);
 
 }  // namespace hull

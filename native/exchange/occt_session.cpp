@@ -17,15 +17,15 @@ std::mutex& occt_mutex() {
 }  // namespace
 
 OcctSession::OcctSession() : lock_(occt_mutex()) {
-  auto& active = Message::DefaultMessenger()->ChangePrinters();
-  printers_ = active;
-  active.Clear();
   STEPControl_Controller::Init();  // declares the settings below
   const bool set = Interface_Static::SetCVal("xstep.cascade.unit", "MM") &&
                    Interface_Static::SetCVal("write.step.unit", "M") &&
                    Interface_Static::SetCVal("write.step.schema", "AP214IS") &&
-                   Interface_Static::SetIVal("write.surfacecurve.mode", getenv("PC") ? 1 : 0);
+                   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
   if (!set) throw std::runtime_error("this Open CASCADE refuses the settings of STEP files");
+  auto& active = Message::DefaultMessenger()->ChangePrinters();
+  printers_ = active;
+  active.Clear();
 }
 
 OcctSession::~OcctSession() { Message::DefaultMessenger()->ChangePrinters() = printers_; }

@@ -11,10 +11,11 @@
 #include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+#include "conversion/flat_patches.h"
 #include "conversion/mirror.h"
 #include "exchange/brep_shape.h"
 #include "exchange/occt_session.h"
@@ -59,7 +60,7 @@ std::string with_name(std::string text, const std::string& name) {
 std::string step_text(const TopoDS_Shape& shape, const std::string& name) {
   STEPControl_Writer writer;
   if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone) {
-    throw std::runtime_error("Open CASCADE could not translate the patches to STEP");
+    throw FileError("Open CASCADE could not translate the patches to STEP");
   }
   set_names(writer.Model());
   StepData_StepWriter text(writer.Model());
@@ -68,62 +69,51 @@ std::string step_text(const TopoDS_Shape& shape, const std::string& name) {
   text.FloatWriter().SetFormat("%.16E");
   text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   std::ostringstream stream;
-  if (!text.Print(stream)) throw std::runtime_error("Open CASCADE could not print the STEP file");
+  if (!text.Print(stream)) throw FileError("Open CASCADE could not print the STEP file");
   return with_name(stream.str(), name);
 }
 
-void refuse_faults(const BRepShape& brep, const PatchSet& patches) {
-  if (BRepCheck_Analyzer(brep.shape).IsValid()) return;
-  for (size_t p = 0; p < brep.faces.size(); ++p) {
-    if (BRepCheck_Analyzer(brep.faces[p]).IsValid()) continue;
-    throw std::invalid_argument("the border of cell " + std::to_string(patches.patches[p].cell) +
-                                " crosses or touches itself: look for points of its face that"
-                                " coincide, or nearly, and merge or move them");
-  }
-  throw std::invalid_argument("the patches do not join into a valid shell");
-}
-
-void compare(const BRepShape& meant, const StepReport& found) {
+// What was read back and not meant; empty if all is well.
+std::string difference(const BRepShape& meant, const StepReport& found) {
   const auto numbers = [](int have, int want) {
     return std::to_string(have) + " of " + std::to_string(want);
   };
-  std::string fault;
-  if (found.faces != static_cast<int>(meant.faces.size())) {
-    fault = numbers(found.faces, static_cast<int>(meant.faces.size())) + " faces";
-  } else if (found.free_edges != meant.free_edges) {
-    fault = numbers(found.free_edges, meant.free_edges) + " free edges";
-  } else if (!found.valid) {
-    fault = "an invalid shape";
+  const int faces = static_cast<int>(meant.faces.size());
+  if (found.faces != faces) return numbers(found.faces, faces) + " faces";
+  if (found.free_edges != meant.free_edges) {
+    return numbers(found.free_edges, meant.free_edges) + " free edges";
   }
-  if (!fault.empty()) {
-    throw std::runtime_error("The STEP file was not written: reading it back gave " + fault);
-  }
+  return found.valid ? "" : "a shape that is not valid";
 }
 
 }  // namespace
 
 StepReport write_step(const PatchSet& patches, const std::string& path,
                       const StepOptions& options) {
-  std::optional<PatchSet> whole;
-  if (options.mirrored) {
-    patches.check();
-    whole = with_mirror_image(patches);
-  }
-  const PatchSet& set = whole ? *whole : patches;
+  patches.check();
+  WithoutFlatPatches flat = without_flat_patches(patches);
+  if (flat.patches.patches.empty())
+    throw std::invalid_argument("no patch has an area: nothing to write");
+  const PatchSet set = options.mirrored ? with_mirror_image(flat.patches) : std::move(flat.patches);
   std::string text;
   BRepShape brep;
   try {
     const OcctSession session;
     brep = make_brep_shape(set);
-    refuse_faults(brep, set);
     text = step_text(brep.shape, options.name);
   } catch (const Standard_Failure& failure) {
-    throw std::runtime_error("Open CASCADE could not make the STEP file: " + describe(failure));
+    throw FileError("Open CASCADE could not make the STEP file: " + describe(failure));
   }
   std::istringstream stream(text);
-  const StepReport report = read_step_report(stream, path);
-  compare(brep, report);
+  StepReport report = read_step_report(stream, path);
+  if (const std::string wrong = difference(brep, report); !wrong.empty()) {
+    throw std::invalid_argument("the STEP file was not written, because reading it back gave " +
+                                wrong +
+                                "; look for faces that are tiny or folded over, and for "
+                                "points that almost coincide");
+  }
   write_file_atomically(path, text);
+  report.cells_left_out = std::move(flat.left_out);
   return report;
 }
 

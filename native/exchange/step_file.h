@@ -21,9 +21,9 @@ struct StepOptions {
 // free edges where the patches have borders and nowhere else. That report is returned. The file is
 // then complete or not there at all; one that was there is replaced only by a complete one.
 //
-// Throws std::invalid_argument if the patches can't be written (see make_brep_shape), naming the
-// cell; FileError if the file can't be; std::runtime_error if what was read back is not what was
-// meant. Open CASCADE serves one caller at a time: calls from several threads wait for one another.
+// Throws std::invalid_argument if the patches do not fit together, all lack area, or what is read
+// back is not what was meant; FileError if the file can't be written. Open CASCADE serves one
+// caller at a time: calls from several threads wait for one another.
 StepReport write_step(const PatchSet& patches, const std::string& path,
                       const StepOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hull {
 
@@ -24,7 +25,8 @@ struct StepReport {
   // Smallest box found from points on edges and faces: never larger than the true one, and smaller
   // by less than the bulge of a quarter of a face over its chord.
   Eigen::Vector3d box_min = Eigen::Vector3d::Zero(), box_max = Eigen::Vector3d::Zero();
-  std::string product;  // name of the first product
+  std::string product;              // name of the first product
+  std::vector<int> cells_left_out;  // write_step only: cells without area, which make no face
 };
 
 // Throws FileError if the file can't be read or holds no shape Open CASCADE can translate.

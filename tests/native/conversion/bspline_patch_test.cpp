@@ -75,8 +75,8 @@ TEST(BSplinePatch, ReproducesLinearFunctions) {
   ASSERT_NO_THROW(patch.check());
   for (double u : {0.0, 0.3, 0.5, 2.0 / 3, 1.0}) {
     for (double v : {0.0, 0.2, 1.0 / 3, 0.9, 1.0}) {
-      const PatchDerivatives d = patch.derivatives(u, v);
-      EXPECT_LT((d.position - Vector3d(u, v, 1)).norm(), 1e-15);
+      const SurfaceJet d = patch.evaluate(u, v);
+      EXPECT_LT((d.point - Vector3d(u, v, 1)).norm(), 1e-15);
       EXPECT_LT((d.du - Vector3d(1, 0, 0)).norm(), 1e-13);
       EXPECT_LT((d.dv - Vector3d(0, 1, 0)).norm(), 1e-13);
       EXPECT_LT(d.duu.norm() + d.duv.norm() + d.dvv.norm(), 1e-12);
@@ -97,7 +97,7 @@ TEST(BSplinePatch, OfFourPointsIsTheBezierPatch) {
       for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j) sum += bu[i] * bv[j] * patch.control_point(i, j);
       }
-      EXPECT_LT((patch.evaluate(u, v) - sum).norm(), 1e-15);
+      EXPECT_LT((patch.position(u, v) - sum).norm(), 1e-15);
     }
   }
 }
@@ -110,8 +110,8 @@ TEST(BSplinePatch, DerivativesAgreeWithFiniteDifferences) {
   const double h = 1e-4;
   for (double u : {0.1, 0.4, 0.8}) {
     for (double v : {0.15, 0.45, 0.9}) {
-      const PatchDerivatives d = patch.derivatives(u, v);
-      const auto at = [&](double i, double j) { return patch.evaluate(u + i * h, v + j * h); };
+      const SurfaceJet d = patch.evaluate(u, v);
+      const auto at = [&](double i, double j) { return patch.position(u + i * h, v + j * h); };
       EXPECT_LT((d.du - (at(1, 0) - at(-1, 0)) / (2 * h)).norm(), 1e-5);
       EXPECT_LT((d.dv - (at(0, 1) - at(0, -1)) / (2 * h)).norm(), 1e-5);
       EXPECT_LT((d.duu - (at(1, 0) - 2 * at(0, 0) + at(-1, 0)) / (h * h)).norm(), 1e-5);
@@ -130,15 +130,15 @@ TEST(BSplinePatch, SidesRunAroundItAndLieOnIt) {
     const auto points = patch.side_points(side);
     const auto knots = patch.side_knots(side);
     const Eigen::Vector2d from = corners[side], to = corners[(side + 1) % 4];
-    EXPECT_EQ(points.front(), patch.evaluate(from.x(), from.y()));
-    EXPECT_EQ(points.back(), patch.evaluate(to.x(), to.y()));
+    EXPECT_EQ(points.front(), patch.position(from.x(), from.y()));
+    EXPECT_EQ(points.back(), patch.position(to.x(), to.y()));
     for (double t : {0.2, 0.6}) {
       const BasisValues values = basis_values(knots, patch.side_degree(side), t);
       Vector3d sum = Vector3d::Zero();
       for (int i = 0; i < values.rows.cols(); ++i)
         sum += values.rows(0, i) * points[values.first + i];
       const Eigen::Vector2d uv = from + t * (to - from);
-      EXPECT_LT((patch.evaluate(uv.x(), uv.y()) - sum).norm(), 1e-15) << "side " << side;
+      EXPECT_LT((patch.position(uv.x(), uv.y()) - sum).norm(), 1e-15) << "side " << side;
     }
   }
 }
@@ -149,15 +149,15 @@ TEST(BSplinePatch, TransposedIsTheSameSurfaceTurnedOver) {
   const BSplinePatch turned = patch.transposed();
   ASSERT_NO_THROW(turned.check());
   EXPECT_EQ(turned.cell, patch.cell);
-  const PatchDerivatives a = patch.derivatives(0.3, 0.7), b = turned.derivatives(0.7, 0.3);
-  EXPECT_LT((a.position - b.position).norm(), 1e-15);
+  const SurfaceJet a = patch.evaluate(0.3, 0.7), b = turned.evaluate(0.7, 0.3);
+  EXPECT_LT((a.point - b.point).norm(), 1e-15);
   EXPECT_LT((a.du.cross(a.dv) + b.du.cross(b.dv)).norm(), 1e-12);
 }
 
 TEST(BSplinePatch, ParametersOutsideAreTakenToTheEnds) {
   auto random = generator();
   const BSplinePatch patch = random_patch(random, 3, 3, 5, 5);
-  EXPECT_EQ(patch.evaluate(-0.5, 2.0), patch.evaluate(0.0, 1.0));
+  EXPECT_EQ(patch.position(-0.5, 2.0), patch.position(0.0, 1.0));
 }
 
 TEST(BSplinePatch, CheckNamesTheCellAndTheFault) {

@@ -14,7 +14,7 @@ namespace {
 
 // Half a keel-shaped trough over x in [0, 10]: t = 0 on the centre line.
 PatchSet half_trough(double y_of_keel = 0.0) {
-  return test::sheet(3, 2, [&](double s, double t) {
+  return testing::sheet(3, 2, [&](double s, double t) {
     return Vector3d(10 * s, y_of_keel + 3 * t, 2 * t * t + 0.3 * std::sin(4 * s) * t);
   });
 }
@@ -44,9 +44,9 @@ TEST(WithMirrorImage, MirrorsPointsAndNormals) {
     EXPECT_EQ(there.cell, here.cell);
     for (double u : {0.0, 0.3, 1.0}) {
       for (double v : {0.0, 0.6, 1.0}) {
-        const PatchDerivatives a = here.derivatives(u, v), b = there.derivatives(v, u);
+        const SurfaceJet a = here.evaluate(u, v), b = there.evaluate(v, u);
         const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
-        EXPECT_LT((mirror * a.position - b.position).norm(), 1e-14);
+        EXPECT_LT((mirror * a.point - b.point).norm(), 1e-14);
         EXPECT_LT((mirror * a.du.cross(a.dv) - b.du.cross(b.dv)).norm(), 1e-12);
       }
     }
@@ -69,7 +69,7 @@ TEST(WithMirrorImage, LeavesAGapThatIsReal) {
 
 // A plate in the centre plane becomes a thin thing with two sides, joined around its edge.
 TEST(WithMirrorImage, GivesAPlateInThePlaneTwoSides) {
-  const PatchSet half = test::sheet(2, 2, [](double s, double t) { return Vector3d(s, 0, t); });
+  const PatchSet half = testing::sheet(2, 2, [](double s, double t) { return Vector3d(s, 0, t); });
   const PatchSet whole = with_mirror_image(half);
   ASSERT_NO_THROW(whole.check());
   EXPECT_EQ(whole.patches.size(), 8u);

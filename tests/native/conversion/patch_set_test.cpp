@@ -25,14 +25,14 @@ std::string message(const PatchSet& set) {
 }
 
 TEST(PatchSet, OfASheetIsConsistent) {
-  const PatchSet set = test::rectangle(6.0, 4.0, 3, 2);
+  const PatchSet set = testing::rectangle(6.0, 4.0, 3, 2);
   EXPECT_EQ(message(set), "");
   EXPECT_EQ(set.vertex_count, 12);
   EXPECT_EQ(set.edge_count, 17);
 }
 
 TEST(PatchSet, CheckNamesWhatDoesNotFit) {
-  const PatchSet good = test::rectangle(6.0, 4.0, 3, 2);
+  const PatchSet good = testing::rectangle(6.0, 4.0, 3, 2);
   PatchSet bad = good;
   bad.sides.pop_back();
   EXPECT_TRUE(contains(message(bad), "6 patches, but corners of 6 and sides of 5"));
@@ -48,7 +48,7 @@ TEST(PatchSet, CheckNamesWhatDoesNotFit) {
 }
 
 TEST(PatchSet, SharedCurvesMustAgreeBitForBit) {
-  PatchSet bad = test::rectangle(6.0, 4.0, 2, 1);
+  PatchSet bad = testing::rectangle(6.0, 4.0, 2, 1);
   double& z = bad.patches[1].control_points[bad.patches[1].side_index(3, 2)].z();
   z = 1e-16;
   EXPECT_TRUE(contains(message(bad), "cell 1"));
@@ -56,25 +56,25 @@ TEST(PatchSet, SharedCurvesMustAgreeBitForBit) {
 }
 
 TEST(PatchSet, SharedKnotsMustAgree) {
-  PatchSet bad = test::rectangle(6.0, 4.0, 2, 1);
+  PatchSet bad = testing::rectangle(6.0, 4.0, 2, 1);
   bad.patches[1].knots_v[4] = 0.4;
   EXPECT_TRUE(contains(message(bad), "has not the same knots"));
 }
 
 TEST(PatchSet, VerticesMustAgree) {
-  PatchSet bad = test::rectangle(6.0, 4.0, 2, 1);
+  PatchSet bad = testing::rectangle(6.0, 4.0, 2, 1);
   bad.corners[1][1] = bad.corners[0][0];
   EXPECT_TRUE(contains(message(bad), "is not where cell 0 has it"));
 }
 
 TEST(PatchSet, EdgesHaveTwoPatchesThatRunOppositeWays) {
-  PatchSet bad = test::rectangle(6.0, 4.0, 2, 1);
+  PatchSet bad = testing::rectangle(6.0, 4.0, 2, 1);
   PatchSet third = bad;
   third.patches.push_back(bad.patches[0]);
   third.corners.push_back(bad.corners[0]);
   third.sides.push_back(bad.sides[0]);
   EXPECT_NE(message(third), "");
-  PatchSet twice = test::rectangle(6.0, 4.0);
+  PatchSet twice = testing::rectangle(6.0, 4.0);
   twice.patches.push_back(twice.patches[0]);
   twice.corners.push_back(twice.corners[0]);
   twice.sides.push_back(twice.sides[0]);

@@ -11,7 +11,7 @@
 
 #include "conversion/patch_set.h"
 
-namespace hull::test {
+namespace hull::testing {
 
 // Patches whose sides agree point by point share the edge, whose corners agree the vertex. Sides of
 // no length are never shared.
@@ -88,4 +88,4 @@ inline PatchSet rectangle(double a, double b, int nu = 1, int nv = 1) {
   return joined(std::move(patches));
 }
 
-}  // namespace hull::test
+}  // namespace hull::testing

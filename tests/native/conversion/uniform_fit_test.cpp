@@ -46,7 +46,7 @@ double largest_distance(const BSplinePatch& patch, Vector3d (*surface)(double, d
   double largest = 0.0;
   for (double u = 0.0; u <= 1.0; u += 1.0 / 32) {
     for (double v = 0.0; v <= 1.0; v += 1.0 / 32) {
-      largest = std::max(largest, (patch.evaluate(u, v) - surface(u, v)).norm());
+      largest = std::max(largest, (patch.position(u, v) - surface(u, v)).norm());
     }
   }
   return largest;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/patch_set.h"
+
+#include <string>
+
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+#include "conversion/per_cell.h"
+
+namespace hull::bindings {
+namespace {
+
+py::array_t<int> fours(const std::vector<std::array<int, 4>>& rows) {
+  py::array_t<int> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{4}});
+  for (size_t i = 0; i < rows.size(); ++i) {
+    for (int k = 0; k < 4; ++k) array.mutable_at(i, k) = rows[i][k];
+  }
+  return array;
+}
+
+// The patch with a number from Python, which may count from the end.
+const BSplinePatch& patch_at(const PatchSet& set, py::ssize_t index) {
+  const auto count = static_cast<py::ssize_t>(set.patches.size());
+  if (index < -count || index >= count) {
+    throw py::index_error("there is no patch " + std::to_string(index) + "; there are " +
+                          std::to_string(count));
+  }
+  return set.patches[index < 0 ? index + count : index];
+}
+
+py::array_t<double> control_points(const PatchSet& set, py::ssize_t index) {
+  const BSplinePatch& patch = patch_at(set, index);
+  py::array_t<double> array = to_array(patch.control_points);
+  return array.reshape({py::ssize_t{patch.count_u}, py::ssize_t{patch.count_v}, py::ssize_t{3}});
+}
+
+py::tuple knots(const PatchSet& set, py::ssize_t index) {
+  const BSplinePatch& patch = patch_at(set, index);
+  const auto array = [](const std::vector<double>& values) {
+    return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  return py::make_tuple(array(patch.knots_u), array(patch.knots_v));
+}
+
+py::array_t<double> positions(const PatchSet& set, const py::array& patches,
+                              const DoubleArray& uv) {
+  const std::vector<int> indices = integers_from(patches, "patches");
+  const std::vector<Eigen::Vector2d> parameters = parameters_from(uv, "uv");
+  if (indices.size() != parameters.size()) {
+    throw std::invalid_argument("patches and uv must have the same length, not " +
+                                std::to_string(indices.size()) + " and " +
+                                std::to_string(parameters.size()) + ".");
+  }
+  std::vector<Vector3d> points;
+  for (size_t i = 0; i < indices.size(); ++i) {
+    points.push_back(patch_at(set, indices[i]).position(parameters[i].x(), parameters[i].y()));
+  }
+  return to_array(points);
+}
+
+}  // namespace
+
+void bind_patch_set(py::module_& module) {
+  py::class_<PatchSet>(
+      module, "PatchSet",
+      "Bicubic B-spline patches over [0, 1]^2 that stand for the cells of a surface "
+      "and share their border curves, with the distance from it.")
+      .def_property_readonly(
+          "patch_count", [](const PatchSet& s) { return s.patches.size(); }, "Number of patches.")
+      .def_readonly("vertex_count", &PatchSet::vertex_count)
+      .def_readonly("edge_count", &PatchSet::edge_count)
+      .def_property_readonly(
+          "corners", [](const PatchSet& s) { return fours(s.corners); },
+          "(p, 4) vertex numbers of (0, 0), (1, 0), (1, 1), (0, 1).")
+      .def_property_readonly(
+          "sides", [](const PatchSet& s) { return fours(s.sides); },
+          "(p, 4) edge numbers of the sides that begin at these corners.")
+      .def_property_readonly(
+          "largest_distance", [](const PatchSet& s) { return s.report.largest_distance; },
+          "m: no sampled point of a patch is further from the surface.")
+      .def_property_readonly(
+          "rms_distance", [](const PatchSet& s) { return s.report.rms_distance; },
+          "m: root of the mean square of the samples' distances.")
+      .def_property_readonly(
+          "largest_distance_at",
+          [](const PatchSet& s) {
+            return py::make_tuple(s.report.cell, s.report.uv.x(), s.report.uv.y());
+          },
+          "(cell, u, v) of the patch point that is furthest off.")
+      .def_property_readonly(
+          "patch_distances",
+          [](const PatchSet& s) {
+            const auto& values = s.report.cell_largest;
+            return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+          },
+          "(p,), m: the largest distance of each patch.")
+      .def("control_points", &control_points, py::arg("index"),
+           "(nu, nv, 3), m: the control points of one patch, the first index along u.")
+      .def("knots", &knots, py::arg("index"), "The knots of one patch along u and along v.")
+      .def("positions", &positions, py::arg("patches"), py::arg("uv"),
+           "Points (k, 3) of the patches (k,) at uv (k, 2).");
+
+  module.def(
+      "fit_per_cell",
+      [](const LimitSurface& surface, int number) {
+        const py::gil_scoped_release release;
+        return fit_per_cell(surface, number);
+      },
+      py::arg("surface"), py::arg("control_points") = 5,
+      "One bicubic B-spline patch of control_points x control_points per cell: corners on the "
+      "surface, borders and interiors by least squares, borders shared exactly. Returns a "
+      "PatchSet.");
+}
+
+}  // namespace hull::bindings
