@@ -22,6 +22,7 @@ def make_hull(obj, scene, half):
     _fill_particulars(obj)
     _fill_spacings(obj.hull)
     obj.display_type = "WIRE"
+    obj.show_in_front = True
     obj.hide_render = True
     shown_objects.ensure(obj)
     return hull_state.refresh(obj, scene)

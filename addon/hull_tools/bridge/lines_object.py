@@ -6,7 +6,7 @@ import numpy as np
 from . import materials
 
 # The tubes' radius as a part of the hull's length: a pencil line seen from a ship's length away.
-_LINE_RADIUS = 3e-4
+_LINE_RADIUS = 6e-4
 
 
 def write_lines(curve, lines, length, metres_per_unit):

@@ -13,12 +13,12 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         if native.hull_native is None:
-            label_wrapped(layout, native.missing_reason, icon="ERROR")
+            label_wrapped(layout, context, native.missing_reason, icon="ERROR")
         hull = hull_objects.hull_of(context.object)
         if hull is None:
             self._draw_beginnings(layout)
         else:
-            self._draw_status(layout, hull)
+            self._draw_status(context, hull)
             self._draw_particulars(layout, hull.hull)
 
     def _draw_beginnings(self, layout):
@@ -26,16 +26,17 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         layout.operator("hull.import_hull", icon="IMPORT")
         layout.operator_menu_enum("hull.load_sample", "name", icon="FILE_3D")
 
-    def _draw_status(self, layout, hull):
+    def _draw_status(self, context, hull):
+        layout = self.layout
         layout.label(text=hull.name, icon="MESH_DATA")
         state = hull_state.state_of(hull)
         if state is None:
             layout.operator("hull.update", icon="FILE_REFRESH")
             return
         if state.status:
-            label_wrapped(layout, state.status, icon="ERROR")
+            label_wrapped(layout, context, state.status, icon="ERROR")
         for remark in state.remarks:
-            label_wrapped(layout, remark, icon="INFO")
+            label_wrapped(layout, context, remark, icon="INFO")
 
     def _draw_particulars(self, layout, settings):
         column = layout.column(align=True)
@@ -78,7 +79,7 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
         for index, problem in enumerate(check.problems):
             icon = "ERROR" if problem.severity == "error" else "INFO"
             box = layout.box()
-            label_wrapped(box, problem.message, icon)
+            label_wrapped(box, context, problem.message, icon)
             if problem.elements:
                 box.operator("hull.select_problem").index = index
         if check.problems:

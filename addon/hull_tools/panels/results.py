@@ -18,7 +18,9 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
             return
         found = state.hydrostatics
         if found is None:
-            label_wrapped(layout, state.hydrostatics_status or "No surface yet", icon="INFO")
+            label_wrapped(
+                layout, context, state.hydrostatics_status or "No surface yet", icon="INFO"
+            )
             return
         scene = context.scene
         column = layout.column(align=True)

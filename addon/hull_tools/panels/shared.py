@@ -5,8 +5,10 @@ import textwrap
 
 from ..bridge import hull_objects
 
-# Letters that fit one line of the sidebar at its default width, beside an icon.
-_LINE_LETTERS = 28
+# What the tabs, the margins of panel and box and an icon leave of the sidebar's width, in points,
+# and the width of a letter of the interface's font on average.
+_MARGINS = 75
+_LETTER = 6.4
 
 
 class HullTab:
@@ -23,11 +25,12 @@ class HullPanel(HullTab):
         return hull_objects.hull_of(context.object) is not None
 
 
-def label_wrapped(layout, text, icon="NONE"):
+def label_wrapped(layout, context, text, icon="NONE"):
     """A text as labels of one line each, the icon before the first."""
+    width = context.region.width / context.preferences.system.ui_scale
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for line in textwrap.wrap(text, _LINE_LETTERS):
+    for line in textwrap.wrap(text, max(8, int((width - _MARGINS) / _LETTER))):
         column.label(text=line, icon=icon)
         icon = "NONE" if icon == "NONE" else "BLANK1"
 

@@ -30,7 +30,7 @@ def _length(name, description, default=0.0, minimum=0.0):
         min=minimum,
         unit="LENGTH",
         subtype="DISTANCE",
-        precision=3,
+        precision=5,
         update=_changed,
     )
 
