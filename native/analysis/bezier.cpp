@@ -84,8 +84,7 @@ std::vector<double> sign_changes(const BezierCubic& cubic) {
 BezierBicubic BezierBicubic::from_bspline(const std::array<double, 16>& p) {
   std::array<double, 16> rows, result;
   for (int j = 0; j < 4; ++j) {
-    const BezierCubic row =
-        bezier_from_bspline(p[4 * j], p[4 * j + 1], p[4 * j + 2], p[4 * j + 3]);
+    const BezierCubic row = bezier_from_bspline(p[4 * j], p[4 * j + 1], p[4 * j + 2], p[4 * j + 3]);
     for (int i = 0; i < 4; ++i) rows[4 * j + i] = row[i];
   }
   for (int i = 0; i < 4; ++i) {
@@ -142,7 +141,8 @@ BezierBicubic BezierBicubic::quarter(int i, int j) const {
     for (int a = 0; a < 4; ++a) half.c_[4 * k + a] = row[a];
   }
   for (int a = 0; a < 4; ++a) {
-    const BezierCubic column = halves({half.c_[a], half.c_[4 + a], half.c_[8 + a], half.c_[12 + a]})[j];
+    const BezierCubic column =
+        halves({half.c_[a], half.c_[4 + a], half.c_[8 + a], half.c_[12 + a]})[j];
     for (int k = 0; k < 4; ++k) result.c_[4 * k + a] = column[k];
   }
   return result;

@@ -58,7 +58,7 @@ void append_edge(const LimitSurface& surface, const Step& step, int samples,
   const Topology& t = surface.mesh().topology();
   const int h = step.half_edge;
   for (int i = 0; i < samples; ++i) {
-    const double s = 2.0 * i / samples;          // along the step
+    const double s = 2.0 * i / samples;               // along the step
     const double along = step.forward ? s : 2.0 - s;  // along the half-edge
     // The first half of the edge is the side v = 0 of cell h, the second the side u = 0 of the
     // cell of the face's next corner.

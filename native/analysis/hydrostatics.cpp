@@ -19,8 +19,7 @@ ImmersedIntegrals doubled(ImmersedIntegrals half) {
 
 }  // namespace
 
-UprightHydrostatics upright_hydrostatics(const LimitSurface& surface, double draft,
-                                         bool mirrored) {
+UprightHydrostatics upright_hydrostatics(const LimitSurface& surface, double draft, bool mirrored) {
   if (!std::isfinite(draft)) throw std::invalid_argument("The draft must be a finite number.");
   ImmersedIntegrals integrals = immersed_integrals(surface, {Vector3d::UnitZ(), draft});
   if (mirrored) integrals = doubled(integrals);

@@ -8,12 +8,12 @@ namespace hull {
 // Particulars of a hull floating upright, of both sides where half a hull was mirrored. Lengths in
 // m from the after perpendicular (x = 0), the centre plane (y = 0) and the base line (z = 0).
 struct UprightHydrostatics {
-  double draft = 0.0;             // of the water above the base line
-  double displaced_volume = 0.0;  // m³, moulded
-  double lcb = 0.0, tcb = 0.0, kb = 0.0;  // centre of buoyancy: x, y, z
-  double wetted_surface = 0.0;            // m²
-  double waterplane_area = 0.0;           // m²
-  double lcf = 0.0, tcf = 0.0;            // centre of flotation: x, y
+  double draft = 0.0;                            // of the water above the base line
+  double displaced_volume = 0.0;                 // m³, moulded
+  double lcb = 0.0, tcb = 0.0, kb = 0.0;         // centre of buoyancy: x, y, z
+  double wetted_surface = 0.0;                   // m²
+  double waterplane_area = 0.0;                  // m²
+  double lcf = 0.0, tcf = 0.0;                   // centre of flotation: x, y
   double waterplane_inertia_transverse = 0.0;    // m⁴, about the fore-and-aft axis through it
   double waterplane_inertia_longitudinal = 0.0;  // m⁴, about the transverse axis through it
   double bm_transverse = 0.0, bm_longitudinal = 0.0;  // metacentric radii, m

@@ -59,8 +59,8 @@ class Integrator {
     double total = 0.0;
     for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
       for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-        const SurfaceJet jet = evaluate_bicubic(points, u + size * rule.nodes[i],
-                                                v + size * rule.nodes[j], 1);
+        const SurfaceJet jet =
+            evaluate_bicubic(points, u + size * rule.nodes[i], v + size * rule.nodes[j], 1);
         total += rule.weights[i] * rule.weights[j] * jet.du.cross(jet.dv).norm();
       }
     }
@@ -80,8 +80,8 @@ class Integrator {
     for (int j = 0; j < 2; ++j) {
       for (int i = 0; i < 2; ++i) {
         const double half = 0.5 * size, a = u + half * i, b = v + half * j;
-        total += steady_area(points, a, b, half, area(points, a, b, half, exact_), depth + 1,
-                             error);
+        total +=
+            steady_area(points, a, b, half, area(points, a, b, half, exact_), depth + 1, error);
       }
     }
     return total;
@@ -160,7 +160,8 @@ ImmersedIntegrals immersed_integrals(const LimitSurface& surface, const Plane& w
   const double size = surface.mesh().size();
   Integrator integrator(water, size);
   const auto descend = [&](const CornerSquare& square) {
-    const Vector3d extent = (square.points.colwise().maxCoeff() - square.points.colwise().minCoeff());
+    const Vector3d extent =
+        (square.points.colwise().maxCoeff() - square.points.colwise().minCoeff());
     if (extent.norm() < kSmallestCorner * size) return false;
     return ((square.points * water.normal).array() < water.offset).any();
   };

@@ -8,14 +8,14 @@ namespace hull {
 // Integrals over the part of a surface below a plane, n the outward normal, h the height above the
 // plane along its normal e, p the position:
 struct ImmersedIntegrals {
-  double wetted_area = 0.0;                      // ∫ dS, m²
-  double flux = 0.0;                             // ∫ h e·n dS, m³: the displaced volume
-  Vector3d flux_moment = Vector3d::Zero();       // ∫ (p - h/2 e) h e·n dS, m⁴: its first moments
-  double projected_area = 0.0;                   // -∫ e·n dS, m²: the waterplane area
+  double wetted_area = 0.0;                 // ∫ dS, m²
+  double flux = 0.0;                        // ∫ h e·n dS, m³: the displaced volume
+  Vector3d flux_moment = Vector3d::Zero();  // ∫ (p - h/2 e) h e·n dS, m⁴: its first moments
+  double projected_area = 0.0;              // -∫ e·n dS, m²: the waterplane area
   Vector3d projected_moment = Vector3d::Zero();  // -∫ q e·n dS, m³, q: p projected on the plane
   Eigen::Matrix3d projected_second = Eigen::Matrix3d::Zero();  // -∫ q qᵀ e·n dS, m⁴
-  Vector3d flux_forms = Vector3d::Zero();        // ∫ x n_x dS, ∫ y n_y dS, ∫ z n_z dS, m³
-  double wetted_area_error = 0.0;                // estimates of the quadrature's error
+  Vector3d flux_forms = Vector3d::Zero();  // ∫ x n_x dS, ∫ y n_y dS, ∫ z n_z dS, m³
+  double wetted_area_error = 0.0;          // estimates of the quadrature's error
   double flux_error = 0.0;
 
   ImmersedIntegrals& operator+=(const ImmersedIntegrals& other);

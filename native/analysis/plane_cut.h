@@ -22,9 +22,9 @@ BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double to
 // for each v) the surface meets the plane at most once, and not at a grazing angle.
 struct CutSquare {
   enum class Side { kBelow, kAbove, kCut } side;
-  double u, v, size;      // in the piece's square [0, 1]^2
-  bool swapped;           // roles of u and v exchanged in `height`
-  BezierBicubic height;   // over the square; what follows holds after the exchange
+  double u, v, size;     // in the piece's square [0, 1]^2
+  bool swapped;          // roles of u and v exchanged in `height`
+  BezierBicubic height;  // over the square; what follows holds after the exchange
 };
 
 // Divides a piece into such squares. Squares of 2^-kDeepestCut of the piece that are still not

@@ -89,9 +89,8 @@ std::vector<int> match_ends(const std::vector<SectionArc>& arcs, double toleranc
   }
   // Along a direction that no usual plane is square to, few ends share a coordinate.
   const Vector3d along = Vector3d(0.61, 0.53, 0.59).normalized();
-  std::sort(ends.begin(), ends.end(), [&](const End& x, const End& y) {
-    return along.dot(x.point) < along.dot(y.point);
-  });
+  std::sort(ends.begin(), ends.end(),
+            [&](const End& x, const End& y) { return along.dot(x.point) < along.dot(y.point); });
   std::vector<Meeting> meetings;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {

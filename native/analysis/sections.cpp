@@ -71,8 +71,7 @@ std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plan
 
 std::vector<SectionCurve> section(const LimitSurface& surface, Axis axis, double position,
                                   double chord_tolerance) {
-  return section(surface, Plane{Vector3d::Unit(static_cast<int>(axis)), position},
-                 chord_tolerance);
+  return section(surface, Plane{Vector3d::Unit(static_cast<int>(axis)), position}, chord_tolerance);
 }
 
 }  // namespace hull

@@ -11,11 +11,11 @@ enum class Axis { kX, kY, kZ };
 
 // One branch of the intersection of a surface with a plane.
 struct SectionCurve {
-  std::vector<Vector3d> points;  // in order; on surface and plane to 1e-10 of the mesh's size
-  std::vector<int> cells;        // per point …
+  std::vector<Vector3d> points;     // in order; on surface and plane to 1e-10 of the mesh's size
+  std::vector<int> cells;           // per point …
   std::vector<Eigen::Vector2d> uv;  // … and where in that cell
-  std::vector<int> knuckles;     // indices of points on creases
-  bool closed = false;           // the first point is then repeated at the end
+  std::vector<int> knuckles;        // indices of points on creases
+  bool closed = false;              // the first point is then repeated at the end
 };
 
 // The intersection with the plane across `axis` at `position` (m), branch by branch. Points follow

@@ -20,12 +20,18 @@ std::string shape_of(const py::array& array) {
 
 // `columns` 0: a one-dimensional array. An empty one may have any shape.
 void check_shape(const py::array& array, int columns, const char* name) {
-  const bool fits = columns == 0 ? array.ndim() == 1
-                                 : array.ndim() == 2 && array.shape(1) == columns;
+  const bool fits =
+      columns == 0 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns;
   if (fits || array.size() == 0) return;
   const std::string wanted = columns == 0 ? "(n,)" : "(n, " + std::to_string(columns) + ")";
   throw std::invalid_argument(std::string(name) + " must have shape " + wanted + ", not " +
                               shape_of(array) + ".");
+}
+
+py::array array_from(const py::object& object, const char* name) {
+  const py::array array = py::array::ensure(object);
+  if (!array) throw std::invalid_argument(std::string(name) + " must be an array of numbers.");
+  return array;
 }
 
 std::vector<int> whole_numbers(const py::array& array, const char* name) {
@@ -83,12 +89,14 @@ std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const cha
   return pairs;
 }
 
-std::vector<int> integers_from(const py::array& array, const char* name) {
+std::vector<int> integers_from(const py::object& object, const char* name) {
+  const py::array array = array_from(object, name);
   check_shape(array, 0, name);
   return whole_numbers(array, name);
 }
 
-std::vector<std::array<int, 2>> pairs_from(const py::array& array, const char* name) {
+std::vector<std::array<int, 2>> pairs_from(const py::object& object, const char* name) {
+  const py::array array = array_from(object, name);
   check_shape(array, 2, name);
   const std::vector<int> flat = whole_numbers(array, name);
   std::vector<std::array<int, 2>> pairs(flat.size() / 2);

@@ -21,10 +21,11 @@ using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecas
 std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name);
 // (n, 2) -> n pairs; each number in [0, 1].
 std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const char* name);
-// (n,) of whole numbers; no wrapping of numbers that int32 can't hold, no fractions.
-std::vector<int> integers_from(const py::array& array, const char* name);
+// Arrays or nested lists. (n,) of whole numbers; no wrapping of numbers that int32 can't hold, no
+// fractions.
+std::vector<int> integers_from(const py::object& array, const char* name);
 // (n, 2) of whole numbers.
-std::vector<std::array<int, 2>> pairs_from(const py::array& array, const char* name);
+std::vector<std::array<int, 2>> pairs_from(const py::object& array, const char* name);
 
 py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points);
 py::array_t<double> to_array(const std::vector<Eigen::Vector2d>& pairs);

@@ -9,9 +9,9 @@
 namespace hull::bindings {
 namespace {
 
-MeshArrays arrays_from(const DoubleArray& points, const py::array& face_sizes,
-                       const py::array& face_vertices, const std::optional<py::array>& creases,
-                       const std::optional<py::array>& corners, bool round_border_corners) {
+MeshArrays arrays_from(const DoubleArray& points, const py::object& face_sizes,
+                       const py::object& face_vertices, const std::optional<py::object>& creases,
+                       const std::optional<py::object>& corners, bool round_border_corners) {
   MeshArrays arrays;
   arrays.points = points_from(points, "points");
   arrays.face_sizes = integers_from(face_sizes, "face_sizes");
@@ -83,9 +83,7 @@ void bind_control_mesh(py::module_& module) {
   py::class_<MeshProblem>(module, "MeshProblem", "One thing wrong with a mesh.")
       .def_property_readonly(
           "severity",
-          [](const MeshProblem& p) {
-            return p.severity == Severity::kError ? "error" : "warning";
-          },
+          [](const MeshProblem& p) { return p.severity == Severity::kError ? "error" : "warning"; },
           "\"error\": the mesh has no surface; \"warning\": it has, but look at it.")
       .def_property_readonly(
           "kind", [](const MeshProblem& p) { return name_of(p.kind); },
@@ -97,8 +95,8 @@ void bind_control_mesh(py::module_& module) {
 
   module.def(
       "check_mesh",
-      [](const DoubleArray& points, const py::array& sizes, const py::array& vertices,
-         const std::optional<py::array>& creases, const std::optional<py::array>& corners,
+      [](const DoubleArray& points, const py::object& sizes, const py::object& vertices,
+         const std::optional<py::object>& creases, const std::optional<py::object>& corners,
          bool round_border_corners) {
         return check_mesh(
             arrays_from(points, sizes, vertices, creases, corners, round_border_corners));
@@ -111,9 +109,9 @@ void bind_control_mesh(py::module_& module) {
 
   py::class_<ControlMesh>(module, "ControlMesh",
                           "A valid control mesh with its creases and corners. Immutable.")
-      .def(py::init([](const DoubleArray& points, const py::array& sizes,
-                       const py::array& vertices, const std::optional<py::array>& creases,
-                       const std::optional<py::array>& corners, bool round_border_corners) {
+      .def(py::init([](const DoubleArray& points, const py::object& sizes,
+                       const py::object& vertices, const std::optional<py::object>& creases,
+                       const std::optional<py::object>& corners, bool round_border_corners) {
              return ControlMesh(
                  arrays_from(points, sizes, vertices, creases, corners, round_border_corners));
            }),
@@ -152,8 +150,7 @@ void bind_control_mesh(py::module_& module) {
           "(m, 2) crease edges, borders included.")
       .def_property_readonly(
           "border_edges",
-          [](const ControlMesh& m) { return to_array(edges_where(m.topology(), true)); },
-          "(b, 2).")
+          [](const ControlMesh& m) { return to_array(edges_where(m.topology(), true)); }, "(b, 2).")
       .def_property_readonly(
           "vertex_valences",
           [](const ControlMesh& m) { return to_array(face_counts(m.topology())); },
@@ -165,8 +162,8 @@ void bind_control_mesh(py::module_& module) {
           "irregular_vertices",
           [](const ControlMesh& m) { return to_array(m.irregular_vertices()); },
           "(k,) points where the surface is not everywhere a bicubic B-spline.")
-      .def_property_readonly(
-          "size", &ControlMesh::size, "Diagonal of the bounding box of the points, m.")
+      .def_property_readonly("size", &ControlMesh::size,
+                             "Diagonal of the bounding box of the points, m.")
       .def_property_readonly(
           "warnings", [](const ControlMesh& m) { return m.warnings(); }, "List of MeshProblem.");
 }

@@ -27,7 +27,7 @@ struct Places {
   std::vector<Eigen::Vector2d> uv;
 };
 
-Places places_from(const LimitSurface& surface, const py::array& cells, const DoubleArray& uv) {
+Places places_from(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
   Places places{integers_from(cells, "cells"), parameters_from(uv, "uv")};
   if (places.cells.size() != places.uv.size()) {
     throw std::invalid_argument("cells and uv must be of equal length, not " +
@@ -44,7 +44,7 @@ Places places_from(const LimitSurface& surface, const py::array& cells, const Do
 }
 
 template <class Function>
-py::array_t<double> at_places(const LimitSurface& surface, const py::array& cells,
+py::array_t<double> at_places(const LimitSurface& surface, const py::object& cells,
                               const DoubleArray& uv, const Function& function) {
   const Places places = places_from(surface, cells, uv);
   std::vector<Vector3d> values(places.cells.size());
@@ -83,7 +83,7 @@ void bind_limit_surface(py::module_& module) {
       .def_property_readonly("cell_count", &LimitSurface::cell_count)
       .def(
           "positions",
-          [](const LimitSurface& surface, const py::array& cells, const DoubleArray& uv) {
+          [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
             return at_places(surface, cells, uv, [&](int cell, double u, double v) {
               return surface.position(cell, u, v);
             });
@@ -91,7 +91,7 @@ void bind_limit_surface(py::module_& module) {
           py::arg("cells"), py::arg("uv"), "cells: (k,), uv: (k, 2). Returns (k, 3), m.")
       .def(
           "normals",
-          [](const LimitSurface& surface, const py::array& cells, const DoubleArray& uv) {
+          [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
             return at_places(surface, cells, uv, [&](int cell, double u, double v) {
               return surface.normal(cell, u, v);
             });

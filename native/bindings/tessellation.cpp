@@ -23,7 +23,8 @@ void bind_tessellation(py::module_& module) {
           [](const Tessellation& t) {
             py::array_t<int> quads({static_cast<py::ssize_t>(t.quads.size()), py::ssize_t{4}});
             if (!t.quads.empty()) {
-              std::memcpy(quads.mutable_data(), t.quads.data(), t.quads.size() * sizeof(t.quads[0]));
+              std::memcpy(quads.mutable_data(), t.quads.data(),
+                          t.quads.size() * sizeof(t.quads[0]));
             }
             return quads;
           },
@@ -31,9 +32,8 @@ void bind_tessellation(py::module_& module) {
       .def_property_readonly(
           "corner_normals",
           [](const Tessellation& t) {
-            py::array_t<double> normals(
-                {static_cast<py::ssize_t>(t.corner_normals.size()), py::ssize_t{4},
-                 py::ssize_t{3}});
+            py::array_t<double> normals({static_cast<py::ssize_t>(t.corner_normals.size()),
+                                         py::ssize_t{4}, py::ssize_t{3}});
             if (!t.corner_normals.empty()) {
               std::memcpy(normals.mutable_data(), t.corner_normals.data(),
                           t.corner_normals.size() * sizeof(t.corner_normals[0]));
@@ -43,12 +43,11 @@ void bind_tessellation(py::module_& module) {
           "(k, 4, 3) exact unit normals of each quadrilateral's corners, differing across creases; "
           "zero where there is no tangent plane.");
 
-  module.attr("LimitSurface")
-      .attr("tessellate") = py::cpp_function(
-      [](const LimitSurface& surface, int n) { return tessellate(surface, n); },
-      py::name("tessellate"), py::is_method(module.attr("LimitSurface")), py::arg("n"),
-      py::call_guard<py::gil_scoped_release>(),
-      "n x n quadrilaterals per cell (1 to 256), as a Tessellation.");
+  module.attr("LimitSurface").attr("tessellate") =
+      py::cpp_function([](const LimitSurface& surface, int n) { return tessellate(surface, n); },
+                       py::name("tessellate"), py::is_method(module.attr("LimitSurface")),
+                       py::arg("n"), py::call_guard<py::gil_scoped_release>(),
+                       "n x n quadrilaterals per cell (1 to 256), as a Tessellation.");
 }
 
 }  // namespace hull::bindings

@@ -21,17 +21,18 @@ struct Finding {
 
 std::string element_name(const Finding& finding, std::size_t i) {
   if (finding.kind != ElementKind::kEdge) return std::to_string(finding.elements[i]);
-  return std::to_string(finding.elements[2 * i]) + "–" + std::to_string(finding.elements[2 * i + 1]);
+  return std::to_string(finding.elements[2 * i]) + "–" +
+         std::to_string(finding.elements[2 * i + 1]);
 }
 
 void report(const Finding& finding, std::vector<MeshProblem>& problems) {
   if (finding.elements.empty()) return;
   const bool edges = finding.kind == ElementKind::kEdge;
   const std::size_t count = finding.elements.size() / (edges ? 2 : 1);
-  const std::string noun = edges                                 ? "edge"
-                           : finding.kind == ElementKind::kFace  ? "face"
+  const std::string noun = edges                                  ? "edge"
+                           : finding.kind == ElementKind::kFace   ? "face"
                            : finding.kind == ElementKind::kVertex ? "point"
-                                                                 : "mesh";
+                                                                  : "mesh";
   std::string message = (count == 1 ? noun : std::to_string(count) + " " + noun + "s") + " ";
   message[0] = static_cast<char>(std::toupper(message[0]));
   constexpr std::size_t kNamed = 5;
@@ -41,8 +42,8 @@ void report(const Finding& finding, std::vector<MeshProblem>& problems) {
   }
   if (count > kNamed) message += ", …";
   if (count > 1) message += ")";
-  message += std::string(" ") + (count == 1 ? finding.singular : finding.plural) + ". " +
-             finding.remedy;
+  message +=
+      std::string(" ") + (count == 1 ? finding.singular : finding.plural) + ". " + finding.remedy;
   problems.push_back({finding.severity, finding.kind, finding.elements, message});
 }
 
@@ -156,10 +157,10 @@ class Connectivity {
   int twin(int h) const { return twin_[h]; }
   bool has_edge(int a, int b) const {
     const Side wanted{std::min(a, b), std::max(a, b), 0, true};
-    return std::binary_search(
-        sides_.begin(), sides_.end(), wanted, [](const Side& x, const Side& y) {
-          return std::tie(x.low, x.high) < std::tie(y.low, y.high);
-        });
+    return std::binary_search(sides_.begin(), sides_.end(), wanted,
+                              [](const Side& x, const Side& y) {
+                                return std::tie(x.low, x.high) < std::tie(y.low, y.high);
+                              });
   }
 
   // Pairs half-edges; reports edges that can't be paired.
@@ -236,8 +237,8 @@ bool check_repeats(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
 
 void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
                 std::vector<MeshProblem>& problems) {
-  Finding pinched{Severity::kError, ElementKind::kVertex,
-                  "joins faces that share no edge there", "join faces that share no edge there",
+  Finding pinched{Severity::kError, ElementKind::kVertex, "joins faces that share no edge there",
+                  "join faces that share no edge there",
                   "Split the point, one for each part of the surface."};
   Finding crowded{Severity::kError, ElementKind::kVertex, "has more than 512 faces around it",
                   "have more than 512 faces around them", "Model the place with fewer faces."};

@@ -30,7 +30,7 @@ struct MeshProblem {
 };
 
 // Limits that keep local matrices and indices within reason.
-inline constexpr int kMaxValence = 512;      // faces around a vertex, corners of a face
+inline constexpr int kMaxValence = 512;        // faces around a vertex, corners of a face
 inline constexpr int kMaxHalfEdges = 1 << 26;  // corners of all faces
 inline constexpr double kMaxCoordinate = 1e9;  // m
 

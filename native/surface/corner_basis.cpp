@@ -55,11 +55,17 @@ CornerBasis::CornerBasis(const CornerKey& key) {
   const int n = point_count(), ring = local.ring_size, outer = n - ring;
   spectrum_ = slow_spectrum(A_.topLeftCorner(ring, ring), kSlowFloor);
 
+  if (key.kind == VertexKind::kCorner || key.kind == VertexKind::kCone) {
+    // The limit of an interpolated point is the point itself, without a rounding error.
+    spectrum_.left.col(0) = Eigen::VectorXd::Unit(ring, 0);
+  }
+
   // A = [S 0; C D]. The eigenspaces of S extend to A by D X - X L = -C R, block by block.
   const Eigen::Index m = spectrum_.right.cols();
   right_.resize(n, m);
   right_.topRows(ring) = spectrum_.right;
-  const Eigen::MatrixXd C = A_.bottomLeftCorner(outer, ring), D = A_.bottomRightCorner(outer, outer);
+  const Eigen::MatrixXd C = A_.bottomLeftCorner(outer, ring),
+                        D = A_.bottomRightCorner(outer, outer);
   for (const SlowBlock& block : spectrum_.blocks) {
     const int size = block.size;
     // (I ⊗ D - L^T ⊗ I) vec X = -vec C R, a small dense system.
@@ -68,7 +74,7 @@ CornerBasis::CornerBasis(const CornerKey& key) {
     for (int j = 0; j < size; ++j) {
       system.block(outer * j, outer * j, outer, outer) += D;
       for (int i = 0; i < size; ++i) {
-        const double l = block.defective ? block.action(i, j) : (i == j ? block.eigenvalue : 0.0);
+        const double l = block.coupled ? block.action(i, j) : (i == j ? block.eigenvalue : 0.0);
         system.block(outer * j, outer * i, outer, outer).diagonal().array() -= l;
       }
       wanted.segment(outer * j, outer) = -C * spectrum_.right.col(block.begin + j);
@@ -116,7 +122,7 @@ CornerBasis::Rows CornerBasis::slow_at_level(const CornerPoints& points, int lev
   if (level == 1) return slow;
   for (const SlowBlock& block : spectrum_.blocks) {
     auto rows = slow.middleRows(block.begin, block.size);
-    if (block.defective) {
+    if (block.coupled) {
       for (int k = 1; k < level; ++k) rows = (block.action * rows).eval();
     } else {
       rows *= std::pow(block.eigenvalue, level - 1);
@@ -182,11 +188,11 @@ void CornerBasis::find_tangent_rule() {
   const SlowBlock& first = blocks[1];
   Eigen::VectorXd pattern_a = Eigen::VectorXd::Unit(m, first.begin), pattern_b;
   tangent_.a = pattern_a;
-  if (first.size == 2 && !first.defective) {
+  if (first.size == 2 && !first.coupled) {
     tangent_.b = pattern_b = Eigen::VectorXd::Unit(m, first.begin + 1);
   } else if (first.size == 1 && blocks.size() > 2 && blocks[2].size == 1) {
     tangent_.b = pattern_b = Eigen::VectorXd::Unit(m, blocks[2].begin);
-  } else if (first.size == 1 && blocks.size() > 2 && blocks[2].defective) {
+  } else if (first.size == 1 && blocks.size() > 2 && blocks[2].coupled) {
     // A Jordan block: after k steps its nilpotent part leads by a factor k. Of rank one, it maps
     // everything on one eigenvector (design: trap 5, the osculating plane of a crease).
     const SlowBlock& second = blocks[2];
@@ -235,7 +241,7 @@ BicubicPoints CornerRing::segment_points(int segment) const {
 void CornerRing::advance() {
   for (const SlowBlock& block : basis_.spectrum_.blocks) {
     auto rows = slow_.middleRows(block.begin, block.size);
-    if (block.defective) {
+    if (block.coupled) {
       rows = (block.action * rows).eval();
     } else {
       rows *= block.eigenvalue;

@@ -24,9 +24,9 @@ CornerKey corner_key(Scheme scheme, const CornerFan& fan);
 
 // A regular square of the ring that one subdivision adds around the corner.
 struct RingSegment {
-  double u, v, size;                                // [u, u + size] x [v, v + size] of the cell
-  Eigen::Matrix<double, 16, Eigen::Dynamic> rows;   // its bicubic control points from the cell's
-  Eigen::Matrix<double, 16, Eigen::Dynamic> slow;   // rows * right: from the slow coordinates
+  double u, v, size;                               // [u, u + size] x [v, v + size] of the cell
+  Eigen::Matrix<double, 16, Eigen::Dynamic> rows;  // its bicubic control points from the cell's
+  Eigen::Matrix<double, 16, Eigen::Dynamic> slow;  // rows * right: from the slow coordinates
 };
 
 // How the tangent plane at the corner follows from the slow coordinates: it is spanned by
@@ -39,10 +39,10 @@ struct TangentRule {
 
 // Control points of one irregular cell, split by CornerBasis::prepare.
 struct CornerPoints {
-  Vector3d origin;                                     // subtracted from all, for accuracy
-  Eigen::Matrix<double, Eigen::Dynamic, 3> slow;       // left^T q: m x 3
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rest;       // q - right slow: N x 3
-  Vector3d limit;                                      // the surface point at (0, 0)
+  Vector3d origin;                                // subtracted from all, for accuracy
+  Eigen::Matrix<double, Eigen::Dynamic, 3> slow;  // left^T q: m x 3
+  Eigen::Matrix<double, Eigen::Dynamic, 3> rest;  // q - right slow: N x 3
+  Vector3d limit;                                 // the surface point at (0, 0)
 };
 
 // Evaluation of cells with one irregular corner: Stam's eigenbasis (Stam 1998; Greshake 2021,
@@ -85,8 +85,9 @@ class CornerBasis {
   Eigen::MatrixXd right_;  // slow eigenvectors of A: those of the ring, extended to outer points
   SlowSpectrum spectrum_;  // of the ring's own matrix
   std::vector<RingSegment> segments_;
-  std::array<std::array<int, 4>, 4> segment_at_;  // by quarter of v, of u; -1 in the corner's square
-  int rest_levels_;                               // beyond these the rest is below rounding
+  std::array<std::array<int, 4>, 4>
+      segment_at_;   // by quarter of v, of u; -1 in the corner's square
+  int rest_levels_;  // beyond these the rest is below rounding
   TangentRule tangent_;
 };
 

@@ -87,8 +87,7 @@ SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const
     const int turn = place.node.turn;
     const Eigen::Vector2d uv = turned(turn, place.u, place.v);
     const CornerBasis& basis = layout_->basis(place.node.index);
-    jet = turned_back(turn,
-                      basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order));
+    jet = turned_back(turn, basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order));
   }
   jet.du *= place.scale;
   jet.dv *= place.scale;

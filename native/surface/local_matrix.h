@@ -10,8 +10,8 @@ namespace hull {
 
 // What running the subdivision rules on a model neighbourhood gives.
 struct LocalMatrices {
-  int ring_size;       // how many of the N points are ring_points()
-  Eigen::MatrixXd A;   // N x N: the cell's control points to those of its child at the corner
+  int ring_size;      // how many of the N points are ring_points()
+  Eigen::MatrixXd A;  // N x N: the cell's control points to those of its child at the corner
   std::vector<RingSegment> segments;  // `slow` still empty
 };
 

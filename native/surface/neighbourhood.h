@@ -20,11 +20,11 @@ inline constexpr int kNoPoint = -1;
 
 // The corner's fan: the faces of its sector, or all of them where at most one crease edge meets it.
 struct CornerFan {
-  int first;           // the clockwise-most face's half-edge at the corner; the cell's own if closed
-  int faces;           // how many
-  int cell;            // position of the cell in it, counter-clockwise from first
-  bool closed;         // first and last face share a smooth edge
-  VertexKind kind;     // of the corner
+  int first;        // the clockwise-most face's half-edge at the corner; the cell's own if closed
+  int faces;        // how many
+  int cell;         // position of the cell in it, counter-clockwise from first
+  bool closed;      // first and last face share a smooth edge
+  VertexKind kind;  // of the corner
 };
 
 template <class T>
@@ -84,8 +84,8 @@ bool is_regular_cell(const T& t, Scheme scheme, int h) {
 }
 
 // Points around the corner: itself, then for each face of the fan the end of its first edge and its
-// opposite corner, and the end of the last edge unless that is the first again. The limit near the corner depends
-// on these alone, and so do their successors after a subdivision.
+// opposite corner, and the end of the last edge unless that is the first again. The limit near the
+// corner depends on these alone, and so do their successors after a subdivision.
 template <class T>
 std::vector<int> ring_points(const T& t, const CornerFan& fan) {
   std::vector<int> points;
@@ -109,7 +109,7 @@ template <class T>
 std::vector<int> outer_points(const T& t, int h) {
   std::vector<int> points;
   points.reserve(7);
-  const int right = t.twin(t.next(h));      // (1,1) -> (1,0), in the cell to the right
+  const int right = t.twin(t.next(h));          // (1,1) -> (1,0), in the cell to the right
   const int far_right = t.next(t.next(right));  // (2,0) -> (2,1)
   if (!t.is_crease(h)) points.push_back(t.prev(t.twin(t.next(right))));
   points.push_back(far_right);
@@ -144,7 +144,7 @@ std::array<int, 16> grid_points(const T& t, int h) {
   for (int k = 0; k < 4; ++k, corner = t.next(corner)) {
     grid[at(k, 0, 0)] = corner;
     if (t.is_crease(corner)) continue;
-    const int below = t.twin(corner);  // (1,0) -> (0,0), in the cell below
+    const int below = t.twin(corner);       // (1,0) -> (0,0), in the cell below
     const int end = t.next(t.next(below));  // (0,-1) -> (1,-1)
     grid[at(k, 0, -1)] = end;
     grid[at(k, 1, -1)] = t.next(end);

@@ -6,12 +6,13 @@
 
 namespace hull {
 
-// A group of eigenvalues that are equal or nearly so, with the matrix's action on its subspace:
-// `eigenvalue` times the identity where the matrix is diagonalisable there, else `action`.
+// A group of eigenvalues that are equal, nearly so, or a complex pair, with the matrix's action on
+// its subspace: `eigenvalue` (their mean) times the identity, or, if `coupled`, `action`: a Jordan
+// block, or a rotation.
 struct SlowBlock {
   double eigenvalue;
   int begin, size;  // columns of SlowSpectrum::right and left
-  bool defective;
+  bool coupled;
   Eigen::MatrixXd action;  // size x size
 };
 
@@ -28,7 +29,7 @@ struct SlowSpectrum {
 // Splits off all eigenvalues above a threshold chosen in the widest gap between `floor` and 1/4.
 // Subspaces come from inverse iteration with groups of close eigenvalues kept together, so that a
 // Jordan block (design: trap 1) costs no accuracy. REQUIRES: S is a local subdivision matrix: its
-// rows sum to one, eigenvalue 1 is simple, eigenvalues above 1/4 in modulus are real.
+// rows sum to one, and the eigenvalue 1 is simple.
 SlowSpectrum slow_spectrum(const Eigen::MatrixXd& S, double floor);
 
 }  // namespace hull

@@ -61,7 +61,8 @@ class SurfaceLayout {
   std::vector<std::array<SurfaceNode, 4>> splits_;
   std::vector<std::array<int, 16>> leaves_;  // indices of refined points, or kNoPoint
   std::vector<Corner> corners_;
-  std::vector<int> second_, third_;  // half-edges of finer levels at whose origins points are wanted
+  std::vector<int> second_,
+      third_;  // half-edges of finer levels at whose origins points are wanted
 };
 
 }  // namespace hull

@@ -10,10 +10,10 @@ namespace hull {
 
 // Points of a limit surface joined by quadrilaterals.
 struct Tessellation {
-  std::vector<Vector3d> points;            // m
-  std::vector<int> cells;                  // per point: a cell it lies in …
-  std::vector<Eigen::Vector2d> uv;         // … and where in it
-  std::vector<std::array<int, 4>> quads;   // counter-clockwise; n * n of each cell, in cell order
+  std::vector<Vector3d> points;           // m
+  std::vector<int> cells;                 // per point: a cell it lies in …
+  std::vector<Eigen::Vector2d> uv;        // … and where in it
+  std::vector<std::array<int, 4>> quads;  // counter-clockwise; n * n of each cell, in cell order
   std::vector<std::array<Vector3d, 4>> corner_normals;  // per quad; they differ across creases
 };
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/sections.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "analysis/feature_curves.h"
+#include "analysis/immersed_integrals.h"
+#include "test_meshes.h"
+
+namespace hull {
+namespace {
+
+// Signed area enclosed by closed curves in a plane z = const, from above; exact for polygons.
+double enclosed_area(const std::vector<SectionCurve>& curves) {
+  double area = 0.0;
+  for (const SectionCurve& c : curves) {
+    double twice = 0.0;
+    for (std::size_t i = 1; i < c.points.size(); ++i) {
+      twice += c.points[i - 1].x() * c.points[i].y() - c.points[i].x() * c.points[i - 1].y();
+    }
+    area += 0.5 * std::abs(twice);
+  }
+  return area;
+}
+
+void expect_on_plane_and_surface(const LimitSurface& surface, const Plane& plane,
+                                 const std::vector<SectionCurve>& curves) {
+  const double tolerance = 1e-10 * surface.mesh().size();
+  for (const SectionCurve& c : curves) {
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      ASSERT_LT(std::abs(plane.height(c.points[i])), tolerance);
+      const Vector3d there = surface.position(c.cells[i], c.uv[i].x(), c.uv[i].y());
+      ASSERT_LT((there - c.points[i]).norm(), tolerance);
+    }
+  }
+}
+
+TEST(Sections, OfABox) {
+  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const std::vector<SectionCurve> curves = section(box, Axis::kZ, 1.3, 1e-3);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_TRUE(curves[0].closed);
+  EXPECT_EQ(curves[0].knuckles.size(), 4u);
+  EXPECT_NEAR(enclosed_area(curves), 40.0, 1e-12);
+}
+
+// A plane that a face lies in has no section there.
+TEST(Sections, LeaveOutWhatLiesInThePlane) {
+  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  EXPECT_TRUE(section(box, Axis::kZ, 0.0, 1e-3).empty());
+  EXPECT_TRUE(section(box, Axis::kZ, 3.5, 1e-3).empty());
+}
+
+// Over random bodies: complete loops on surface and plane, enclosing the waterplane's area.
+TEST(Sections, EncloseTheWaterplane) {
+  constexpr unsigned kSeed = 404;
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed);
+  for (int trial = 0; trial < 40; ++trial) {
+    MeshArrays arrays = trial % 2 ? testing::prism(3 + trial % 7) : testing::cube();
+    testing::randomise(arrays, random, 0.2, 0.05, 0.2);
+    const LimitSurface surface{ControlMesh(arrays)};
+    const Plane plane{Vector3d::UnitZ(), -0.4 + 0.02 * trial};
+    const std::vector<SectionCurve> curves = section(surface, plane, 1e-6);
+    expect_on_plane_and_surface(surface, plane, curves);
+    for (const SectionCurve& c : curves) EXPECT_TRUE(c.closed) << "trial " << trial;
+    // Chords lie within 1e-6 of the curve, so the area within about 1e-6 times its length.
+    EXPECT_NEAR(enclosed_area(curves), immersed_integrals(surface, plane).projected_area, 2e-5)
+        << "trial " << trial;
+  }
+}
+
+TEST(Sections, EndOnBorders) {
+  MeshArrays arrays = testing::grid(3, 3);
+  for (auto& p : arrays.points) p.z() = 0.1 * p.x() * p.x() + 0.05 * p.y();
+  const LimitSurface surface{ControlMesh(arrays)};
+  const std::vector<SectionCurve> curves = section(surface, Axis::kX, 1.4, 1e-4);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_FALSE(curves[0].closed);
+  const double ends[] = {curves[0].points.front().y(), curves[0].points.back().y()};
+  EXPECT_NEAR(std::min(ends[0], ends[1]), 0.0, 1e-14);
+  EXPECT_NEAR(std::max(ends[0], ends[1]), 3.0, 1e-14);
+}
+
+TEST(Sections, KeepToTheChordTolerance) {
+  const LimitSurface surface{ControlMesh(testing::cube())};
+  const std::vector<SectionCurve> fine = section(surface, Axis::kZ, 0.1, 1e-8);
+  for (double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const std::vector<SectionCurve> coarse = section(surface, Axis::kZ, 0.1, tolerance);
+    // Every fine point is near some chord.
+    double worst = 0.0;
+    for (const Vector3d& p : fine[0].points) {
+      double nearest = 1.0;
+      for (std::size_t i = 1; i < coarse[0].points.size(); ++i) {
+        const Vector3d a = coarse[0].points[i - 1], d = coarse[0].points[i] - a;
+        const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (p - a - t * d).norm());
+      }
+      worst = std::max(worst, nearest);
+    }
+    EXPECT_LT(worst, 1.1 * tolerance);
+  }
+}
+
+TEST(Sections, RefuseBadArguments) {
+  const LimitSurface surface{ControlMesh(testing::cube())};
+  EXPECT_THROW(section(surface, Axis::kX, NAN, 1e-3), std::invalid_argument);
+  EXPECT_THROW(section(surface, Axis::kX, 0.0, 0.0), std::invalid_argument);
+}
+
+TEST(FeatureCurves, OfABoxAreItsEdges) {
+  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const std::vector<FeatureCurve> curves = feature_curves(box, 4);
+  EXPECT_EQ(curves.size(), 12u);
+  double length = 0.0;
+  for (const FeatureCurve& c : curves) {
+    EXPECT_EQ(c.kind, FeatureKind::kCrease);
+    EXPECT_EQ(c.vertices.size(), 2u);
+    length += (c.points.back() - c.points.front()).norm();
+  }
+  EXPECT_NEAR(length, 4.0 * 17.0, 1e-12);
+}
+
+TEST(FeatureCurves, CloseAndSplit) {
+  MeshArrays arrays = testing::prism(6);
+  for (int k = 0; k < 6; ++k) arrays.creases.push_back({k, (k + 1) % 6});
+  std::vector<FeatureCurve> curves = feature_curves(LimitSurface{ControlMesh(arrays)});
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_TRUE(curves[0].closed);
+  EXPECT_EQ(curves[0].vertices.size(), 6u);
+  EXPECT_EQ(curves[0].points.size(), 6u * 16u + 1u);
+  arrays.corners = {0, 3};
+  curves = feature_curves(LimitSurface{ControlMesh(arrays)});
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_FALSE(curves[0].closed);
+  const LimitSurface sheet{ControlMesh(testing::grid(2, 2))};
+  const std::vector<FeatureCurve> borders = feature_curves(sheet, 2);
+  ASSERT_EQ(borders.size(), 4u);
+  EXPECT_EQ(borders[0].kind, FeatureKind::kBorder);
+}
+
+}  // namespace
+}  // namespace hull

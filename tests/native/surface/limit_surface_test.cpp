@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/limit_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <random>
+
+#include "test_meshes.h"
+
+namespace hull {
+namespace {
+
+constexpr unsigned kSeed = 7102026;
+
+// The point at distance t along side k (half-edge 4 cell + k) of a cell.
+Eigen::Vector2d on_side(int k, double t) {
+  const Eigen::Vector2d places[] = {{t, 0.0}, {1.0, t}, {1.0 - t, 1.0}, {0.0, 1.0 - t}};
+  return places[k];
+}
+
+// Every cell that shares a side computes the same points there. Rounding of the local eigenbases
+// grows slowly with the valence; 1e-13 of the size is what is promised up to 64.
+TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed);
+  const auto cache = std::make_shared<BasisCache>();
+  const double places[] = {0.0, 1e-9, 0.01, 0.3, 0.5, 0.77, 1.0};
+  for (int trial = 0; trial < 400; ++trial) {
+    const ControlMesh mesh(testing::random_mesh(random, 24));
+    const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
+    const LimitSurface surface(mesh, scheme, cache);
+    const Topology& cells = surface.cells();
+    double worst = 0.0;
+    for (int h = 0; h < cells.half_edge_count(); ++h) {
+      const int g = cells.twin(h);
+      if (g < h) continue;
+      for (double t : places) {
+        const Eigen::Vector2d a = on_side(h & 3, t), b = on_side(g & 3, 1.0 - t);
+        worst = std::max(
+            worst,
+            (surface.position(h / 4, a.x(), a.y()) - surface.position(g / 4, b.x(), b.y())).norm());
+      }
+    }
+    ASSERT_LT(worst, 1e-13 * mesh.size()) << "trial " << trial;
+  }
+}
+
+// The once-subdivided mesh, taken as a control mesh with its tags, has the same surface.
+TEST(LimitSurface, IsTheSameFromTheSubdividedMesh) {
+  std::mt19937 random(kSeed + 1);
+  const auto cache = std::make_shared<BasisCache>();
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int trial = 0; trial < 60; ++trial) {
+    const ControlMesh mesh(testing::random_mesh(random, 9));
+    const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
+    const LimitSurface surface(mesh, scheme, cache);
+    const Topology& cells = surface.cells();
+    MeshArrays arrays;
+    arrays.points = surface.layout().refine(mesh.topology(), mesh.points());
+    arrays.points.resize(cells.vertex_count());
+    arrays.round_border_corners = true;
+    for (int h = 0; h < cells.half_edge_count(); ++h) {
+      arrays.face_vertices.push_back(cells.origin(h));
+      if (cells.is_crease(h)) {
+        arrays.creases.push_back({cells.origin(h), cells.origin(cells.next(h))});
+      }
+      const VertexKind kind = cells.kind_at(h);
+      if (kind == VertexKind::kCorner || kind == VertexKind::kCone) {
+        arrays.corners.push_back(cells.origin(h));
+      }
+    }
+    arrays.face_sizes.assign(cells.face_count(), 4);
+    const LimitSurface finer(ControlMesh(arrays), scheme, cache);
+    for (int i = 0; i < 40; ++i) {
+      const int cell = static_cast<int>(unit(random) * surface.cell_count());
+      // Lower left quarter of the cell: corner 0 of the finer mesh's face.
+      const double u = 0.5 * unit(random), v = 0.5 * unit(random);
+      const Vector3d a = surface.position(cell, u, v);
+      const Vector3d b = finer.position(4 * cell, 2.0 * u, 2.0 * v);
+      ASSERT_LT((a - b).norm(), 1e-13 * mesh.size()) << "trial " << trial << " cell " << cell;
+    }
+  }
+}
+
+TEST(LimitSurface, DerivativesAgreeWithDifferences) {
+  std::mt19937 random(kSeed + 2);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const auto cache = std::make_shared<BasisCache>();
+  constexpr double kStep = 1e-5;
+  for (int trial = 0; trial < 60; ++trial) {
+    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 9)),
+                               trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
+    for (int i = 0; i < 20; ++i) {
+      const int cell = static_cast<int>(unit(random) * surface.cell_count());
+      // Away from knot lines, where third derivatives jump.
+      const double u = 0.51 + 0.2 * unit(random), v = 0.26 + 0.2 * unit(random);
+      const SurfaceJet at = surface.evaluate(cell, u, v, 2);
+      const SurfaceJet right = surface.evaluate(cell, u + kStep, v, 1);
+      const SurfaceJet left = surface.evaluate(cell, u - kStep, v, 1);
+      const SurfaceJet above = surface.evaluate(cell, u, v + kStep, 1);
+      const SurfaceJet below = surface.evaluate(cell, u, v - kStep, 1);
+      // Truncation is of the order of step² times third derivatives, rounding 1e-16 / step.
+      const double tolerance = 2e-8;
+      const auto differ = [&](const Vector3d& high, const Vector3d& low, const Vector3d& value) {
+        return ((high - low) / (2.0 * kStep) - value).norm();
+      };
+      ASSERT_LT(differ(right.point, left.point, at.du), tolerance);
+      ASSERT_LT(differ(above.point, below.point, at.dv), tolerance);
+      ASSERT_LT(differ(right.du, left.du, at.duu), tolerance);
+      ASSERT_LT(differ(above.du, below.du, at.duv), tolerance);
+      ASSERT_LT(differ(above.dv, below.dv, at.dvv), tolerance);
+      ASSERT_LT(std::abs(surface.normal(cell, u, v).dot(at.du)), 1e-12 * at.du.norm());
+    }
+  }
+}
+
+// Independent evaluation of a regular grid: clamped borders by reflected points, Cox–de Boor in the
+// two directions.
+double cox_de_boor(int i, int degree, double t) {  // uniform knots …, -1, 0, 1, …
+  if (degree == 0) return t >= i && t < i + 1 ? 1.0 : 0.0;
+  return (t - i) / degree * cox_de_boor(i, degree - 1, t) +
+         (i + degree + 1 - t) / degree * cox_de_boor(i + 1, degree - 1, t);
+}
+
+TEST(LimitSurface, IsATensorProductBSplineOnARegularGrid) {
+  constexpr int kM = 5, kN = 4;
+  MeshArrays arrays = testing::grid(kM, kN);
+  std::mt19937 random(kSeed + 3);
+  testing::randomise(arrays, random, 0.0, 0.0, 0.4);
+  const auto reflected = [](int i, int last, const auto& get) -> Vector3d {
+    if (i < 0) return 2.0 * get(0) - get(1);
+    if (i > last) return 2.0 * get(last) - get(last - 1);
+    return get(i);
+  };
+  const auto point = [&](int i, int j) {
+    return reflected(j, kN, [&](int row) {
+      return reflected(
+          i, kM, [&](int column) -> Vector3d { return arrays.points[row * (kM + 1) + column]; });
+    });
+  };
+  const LimitSurface surface{ControlMesh(arrays)};
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int trial = 0; trial < 500; ++trial) {
+    const int face = static_cast<int>(unit(random) * kM * kN);
+    const double u = unit(random), v = unit(random);
+    const double x = face % kM + 0.5 * u, y = face / kM + 0.5 * v;
+    Vector3d expected = Vector3d::Zero();
+    for (int j = -1; j <= kN + 1; ++j) {
+      for (int i = -1; i <= kM + 1; ++i) {
+        expected += point(i, j) * cox_de_boor(i - 2, 3, x) * cox_de_boor(j - 2, 3, y);
+      }
+    }
+    // Corner 0 of the face is its lower left one.
+    ASSERT_LT((surface.position(4 * face, u, v) - expected).norm(), 1e-14);
+  }
+}
+
+TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
+  std::mt19937 random(kSeed + 4);
+  const auto cache = std::make_shared<BasisCache>();
+  for (int n = 3; n <= 40; n += n < 10 ? 1 : 10) {
+    MeshArrays arrays = testing::fan(n);
+    testing::randomise(arrays, random, 0.0, 0.0, 0.05);
+    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    const Vector3d first = surface.normal(0, 0.0, 0.0);
+    EXPECT_NEAR(first.norm(), 1.0, 1e-15);
+    EXPECT_GT(first.z(), 0.0);
+    for (int face = 0; face < n; ++face) {
+      EXPECT_LT((surface.normal(4 * face, 0.0, 0.0) - first).norm(), 1e-12) << "valence " << n;
+      // The surface is C¹ there: normals nearby approach it as the ratio of the third to the second
+      // eigenvalue does to the power of the level, 333 at 1e-100.
+      const auto& blocks = surface.layout().basis(0).spectrum().blocks;
+      const double ratio = blocks[2].eigenvalue / blocks[1].eigenvalue;
+      EXPECT_LT((surface.normal(4 * face, 1e-100, 1e-100) - first).norm(),
+                1e-9 + 10.0 * std::pow(ratio, 332))
+          << "valence " << n;
+    }
+  }
+}
+
+TEST(LimitSurface, ConeTipsHaveNoNormal) {
+  MeshArrays arrays = testing::fan(5);
+  arrays.corners = {0};
+  const LimitSurface surface{ControlMesh(arrays)};
+  EXPECT_EQ(surface.normal(0, 0.0, 0.0), Vector3d::Zero());
+  EXPECT_EQ(surface.position(0, 0.0, 0.0), arrays.points[0]);
+}
+
+TEST(LimitSurface, MovesAndTurnsWithItsMesh) {
+  std::mt19937 random(kSeed + 5);
+  const Eigen::AngleAxisd turn(0.7, Vector3d(1.0, 2.0, -0.5).normalized());
+  const Vector3d shift(100.0, -20.0, 3.0);
+  for (int trial = 0; trial < 30; ++trial) {
+    const MeshArrays arrays = testing::random_mesh(random, 8);
+    MeshArrays moved = arrays;
+    for (auto& p : moved.points) p = turn * p + shift;
+    const LimitSurface a{ControlMesh(arrays)}, b{ControlMesh(moved)};
+    for (int cell = 0; cell < a.cell_count(); ++cell) {
+      const Vector3d expected = turn * a.position(cell, 0.2, 0.05) + shift;
+      ASSERT_LT((b.position(cell, 0.2, 0.05) - expected).norm(), 1e-13 * shift.norm());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hull

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface against values from an independent program (repeated subdivision, no eigenbasis)."""
+
+import json
+from pathlib import Path
+
+import hull_native as hn
+import numpy as np
+import pytest
+
+REFERENCE = Path(__file__).resolve().parents[2].parent / "shared" / "reference"
+NAMES = sorted(path.stem for path in (REFERENCE / "meshes").glob("*.json"))
+SCHEMES = ["biermann", "catmull_clark"]
+
+if not NAMES:
+    pytest.skip(f"no reference values in {REFERENCE}", allow_module_level=True)
+
+
+def control_mesh(name):
+    data = json.loads((REFERENCE / "meshes" / f"{name}.json").read_text())
+    return hn.ControlMesh(
+        np.array(data["vertices"], float),
+        np.array([len(face) for face in data["faces"]]),
+        np.concatenate(data["faces"]),
+        np.array(data["crease_edges"], int).reshape(-1, 2),
+        np.array(data["corner_vertices"], int),
+    )
+
+
+def grid_places(cell_count):
+    """(u, v) = (i/4, j/4) of every cell, first index u."""
+    uv = np.stack(np.meshgrid(np.arange(5) / 4, np.arange(5) / 4, indexing="ij"), axis=-1)
+    return np.repeat(np.arange(cell_count), 25), np.tile(uv.reshape(25, 2), (cell_count, 1))
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("name", NAMES)
+def test_points_and_normals(name, scheme):
+    mesh = control_mesh(name)
+    surface = hn.LimitSurface(mesh, scheme)
+    expected = np.load(REFERENCE / "points" / f"{name}_{scheme}.npz")
+    cells, uv = grid_places(surface.cell_count)
+    positions = surface.positions(cells, uv).reshape(expected["P"].shape)
+    # The values' own error is below 1e-13 (their README).
+    assert np.abs(positions - expected["P"]).max() <= 1e-13 * mesh.size
+    normals = surface.normals(cells, uv).reshape(expected["N"].shape)
+    compared = expected["normal_defined"] & (np.linalg.norm(normals, axis=-1) > 0.5)
+    compared &= ~at_single_sector_creases(mesh, cells, uv).reshape(compared.shape)
+    assert np.linalg.norm(normals - expected["N"], axis=-1)[compared].max() <= 1e-11
+    if scheme == "biermann":
+        assert np.array_equal(np.linalg.norm(normals, axis=-1) > 0.5, expected["normal_defined"])
+
+
+def at_single_sector_creases(mesh, cells, uv):
+    """Places at crease vertices of sector valence 1, where the values' normals are inexact."""
+    ends = set(map(tuple, np.sort(mesh.creases, axis=1)))
+    corner_of_cell = mesh.face_vertices
+    first = np.repeat(np.cumsum(mesh.face_sizes) - mesh.face_sizes, mesh.face_sizes)
+    size = np.repeat(mesh.face_sizes, mesh.face_sizes)
+    index = np.arange(len(corner_of_cell))
+    after = corner_of_cell[first + (index - first + 1) % size]
+    before = corner_of_cell[first + (index - first - 1) % size]
+    single = np.array(
+        [
+            tuple(sorted((v, a))) in ends and tuple(sorted((v, b))) in ends
+            for v, a, b in zip(corner_of_cell, after, before)
+        ]
+    )
+    single &= mesh.vertex_kinds[corner_of_cell] == 2
+    return single[cells] & (uv == 0).all(axis=1)
+
+
+# The other meshes are sheets turned up, which displace nothing.
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("name", ["cube", "cube_crease", "hull_half", "prism3", "prism5c"])
+def test_integrals(name, scheme):
+    mesh = control_mesh(name)
+    expected = json.loads((REFERENCE / "integrals.json").read_text())[name][scheme]
+    high = mesh.points[:, 2].max() + 1.0
+    drowned = hn.upright_hydrostatics(hn.LimitSurface(mesh, scheme), draft=high, mirrored=False)
+    assert drowned.wetted_surface == pytest.approx(expected["area"], rel=1e-10)
+    scale = mesh.size**3
+    assert drowned.volume_from_breadths == pytest.approx(expected["flux_y"], abs=1e-12 * scale)
+    # The flux of (0, 0, z - high) differs from that of (0, 0, z) by the projected area.
+    flux_z = drowned.displaced_volume - high * drowned.waterplane_area
+    assert flux_z == pytest.approx(expected["flux_z"], abs=1e-12 * scale)
+    if expected["closed"]:
+        assert drowned.displaced_volume == pytest.approx(expected["volume"], rel=1e-12)
