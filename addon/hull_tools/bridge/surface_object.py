@@ -5,7 +5,8 @@ import numpy as np
 
 from . import blender_versions, materials, mesh_arrays
 
-# Points nearer to the centre plane than this part of the hull's size are shared by both sides.
+# Points nearer to the centre plane than this part of the hull's size are put on it exactly and are
+# shared by both sides.
 _CENTRE_PLANE_TOLERANCE = 1e-9
 
 
@@ -16,6 +17,7 @@ def surface_arrays(tessellation, half):
     if not half:
         return points, quads, normals
     on_plane = np.abs(points[:, 1]) <= _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max()
+    points = np.where(on_plane[:, None], points * [1.0, 0.0, 1.0], points)
     mirror_of = np.arange(len(points))
     mirror_of[~on_plane] = len(points) + np.arange(np.count_nonzero(~on_plane))
     off_plane = ~on_plane[quads].all(axis=1)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Finds the installed add-on, whatever Blender calls it, and makes small hulls for the tests."""
+
+import importlib
+from pathlib import Path
+
+import bpy
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = ROOT.parent / "shared"
+
+LENGTH, HALF_BREADTH, DEPTH = 10.0, 2.0, 3.0
+
+
+def module_name():
+    """The name of the enabled add-on: a legacy one or an extension."""
+    names = ("hull_tools", "bl_ext.user_default.hull_tools")
+    return next(name for name in names if name in bpy.context.preferences.addons)
+
+
+def part(path):
+    """A module of the add-on's inner package, such as `bridge.hull_state`."""
+    return importlib.import_module(f"{module_name()}.hull_tools.{path}")
+
+
+def add_box(name="box"):
+    """The port half of a box, open at the top and on the centre plane, active and not yet a hull.
+
+    Creased at every edge, its surface is the box itself: every number of it has a closed form.
+    """
+    points = [(x, y, z) for x in (0.0, LENGTH) for y in (0.0, HALF_BREADTH) for z in (0.0, DEPTH)]
+    side, bottom, aft, forward = (2, 3, 7, 6), (0, 2, 6, 4), (0, 1, 3, 2), (4, 6, 7, 5)
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(points, [], [side, bottom, aft, forward])
+    edges = range(len(mesh.edges))
+    part("bridge.blender_versions").set_creases(mesh, edges, [])
+    box = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(box)
+    make_active(box)
+    return box
+
+
+def add_hull(name="box"):
+    box = add_box(name)
+    assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
+    return box
+
+
+def make_active(obj):
+    for other in bpy.context.selected_objects:
+        other.select_set(False)
+    obj.select_set(True)
+    bpy.context.view_layer.objects.active = obj
+
+
+def state_of(obj):
+    return part("bridge.hull_state").state_of(obj)
+
+
+def mesh_points(obj):
+    """Points (n, 3) of an object's mesh, as stored."""
+    import numpy as np
+
+    points = np.empty((len(obj.data.vertices), 3), dtype=np.float32)
+    obj.data.vertices.foreach_get("co", points.reshape(-1))
+    return points

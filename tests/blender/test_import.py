@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files become hull objects, one for each; a file that cannot be read changes nothing."""
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import mesh_points, part, state_of
+
+FILE_COUNT = 13
+
+
+def data_counts():
+    kinds = ("objects", "meshes", "curves", "materials")
+    return {kind: len(getattr(bpy.data, kind)) for kind in kinds}
+
+
+def test_every_file_arrives_as_one_hull(freeship_folder):
+    files = sorted(freeship_folder.glob("*.f[bt]m"))
+    assert len(files) == FILE_COUNT
+    for path in files:
+        bpy.ops.wm.read_homefile(use_empty=True)
+        assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}, path.name
+        check_imported(bpy.context.object, part("io").read_hull(path))
+
+
+def check_imported(hull, wanted):
+    """The object against what the file holds."""
+    assert [obj for obj in bpy.data.objects if obj.type == "MESH" and obj.hull.is_hull] == [hull]
+    assert np.array_equal(mesh_points(hull), wanted.points.astype(np.float32))
+    assert [list(polygon.vertices) for polygon in hull.data.polygons] == wanted.faces
+    assert len(hull.material_slots) == len(wanted.layers)
+    assert [polygon.material_index for polygon in hull.data.polygons] == list(wanted.face_layers)
+    assert crease_pairs(hull) == {tuple(sorted(pair)) for pair in wanted.creases}
+    corners = np.flatnonzero(part("bridge.blender_versions").vertex_creases(hull.data))
+    assert corners.tolist() == sorted(wanted.corners)
+    assert hull.hull.half == wanted.half
+    assert hull.hull.draft == pytest.approx(wanted.particulars.draft or hull.hull.draft)
+    assert hull.hull.length_pp == pytest.approx(wanted.particulars.length_pp)
+    state = state_of(hull)
+    assert not state.status and state.surface is not None
+    assert len(hull.hull.surface_object.data.polygons) > 0
+
+
+def crease_pairs(hull):
+    values = part("bridge.blender_versions").edge_creases(hull.data)
+    return {tuple(sorted(hull.data.edges[i].vertices)) for i in np.flatnonzero(values)}
+
+
+def test_layers_outside_hydrostatics_are_no_shell(freeship_folder):
+    for path in sorted(freeship_folder.glob("*.f[bt]m")):
+        wanted = part("io").shell_arrays(part("io").read_hull(path))
+        bpy.ops.wm.read_homefile(use_empty=True)
+        bpy.ops.hull.import_hull(filepath=str(path))
+        mesh = state_of(bpy.context.object).surface.mesh
+        assert mesh.face_count == len(wanted.face_sizes), path.name
+        size = np.ptp(wanted.points, axis=0).max()
+        assert np.abs(mesh.points - wanted.points).max() <= 1e-6 * size
+
+
+@pytest.mark.parametrize("length", [0, 9, 100, 5000])
+def test_a_cut_file_changes_nothing(freeship_folder, tmp_path, length):
+    data = (freeship_folder / "FREE!ship demo 6.fbm").read_bytes()
+    path = tmp_path / "cut.fbm"
+    path.write_bytes(data[:length])
+    before = data_counts()
+    with pytest.raises(RuntimeError) as caught:
+        bpy.ops.hull.import_hull(filepath=str(path))
+    assert "cut.fbm" in str(caught.value) and "Traceback" not in str(caught.value)
+    assert data_counts() == before
+
+
+def test_a_missing_file_is_one_message(tmp_path):
+    before = data_counts()
+    with pytest.raises(RuntimeError) as caught:
+        bpy.ops.hull.import_hull(filepath=str(tmp_path / "none.fbm"))
+    assert "none.fbm" in str(caught.value) and "Traceback" not in str(caught.value)
+    assert data_counts() == before
+
+
+def test_the_scene_scale_is_honoured(freeship_folder):
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    path = freeship_folder / "FREE!ship demo 6.fbm"
+    bpy.ops.hull.import_hull(filepath=str(path))
+    hull = bpy.context.object
+    wanted = part("io").read_hull(path)
+    assert mesh_points(hull)[:, 0].max() == pytest.approx(100.0 * wanted.points[:, 0].max())
+    assert hull.hull.draft == pytest.approx(100.0 * wanted.particulars.draft)
+
+
+def test_import_is_one_undo_step(freeship_folder):
+    bpy.ops.ed.undo_push(message="nothing")
+    bpy.ops.hull.import_hull(filepath=str(freeship_folder / "Motorboat.fbm"))
+    bpy.ops.ed.undo_push(message="imported")
+    bpy.ops.ed.undo()
+    assert not len(bpy.data.objects)
+
+
+def test_every_sample_loads():
+    names = part("bridge.samples").sample_files()
+    assert len(names) >= 2
+    for name in names:
+        assert bpy.ops.hull.load_sample(name=name) == {"FINISHED"}
+        state = state_of(bpy.context.object)
+        assert not state.status and not state.check.problems
+        assert state.hydrostatics.displaced_volume > 0.0

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files for others: written whole or not at all, and read back."""
+
+import csv
+
+import bpy
+import pytest
+from addon_under_test import add_hull, part, state_of
+
+
+def read_back(path):
+    return part("bridge.native").require().read_step_report(str(path))
+
+
+def test_step_is_one_valid_shell(tmp_path):
+    hull = add_hull()
+    path = tmp_path / "box.step"
+    assert bpy.ops.hull.export_step(filepath=str(path)) == {"FINISHED"}
+    report = read_back(path)
+    assert report["valid"] and report["shells"] == 1
+    # Sides, ends and bottom; the open deck is the only border.
+    area = 2 * (10.0 * 3.0) + 2 * (4.0 * 3.0) + 10.0 * 4.0
+    assert report["area"] == pytest.approx(area, rel=1e-6)
+    assert report["free_edge_length"] == pytest.approx(2 * (10.0 + 4.0), rel=1e-6)
+    assert state_of(hull).surface is not None
+
+
+def test_step_of_a_ship(freeship_folder, tmp_path):
+    bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
+    path = tmp_path / "ship.step"
+    assert bpy.ops.hull.export_step(filepath=str(path)) == {"FINISHED"}
+    report = read_back(path)
+    assert report["valid"] and report["shells"] == 1
+
+
+def test_a_folder_that_is_not_there_is_one_message(tmp_path):
+    add_hull()
+    for export in (
+        bpy.ops.hull.export_step,
+        bpy.ops.hull.export_lines,
+        bpy.ops.hull.export_hydrostatics,
+    ):
+        with pytest.raises(RuntimeError) as caught:
+            export(filepath=str(tmp_path / "nowhere" / "box.out"))
+        assert "Traceback" not in str(caught.value)
+    assert not list(tmp_path.iterdir())
+
+
+def test_lines_plan(tmp_path):
+    add_hull()
+    path = tmp_path / "box.svg"
+    assert bpy.ops.hull.export_lines(filepath=str(path)) == {"FINISHED"}
+    assert "<svg" in path.read_text()
+
+
+def test_table_of_hydrostatics(tmp_path):
+    hull = add_hull()
+    hull.hull.draft = 2.0
+    path = tmp_path / "box.csv"
+    assert bpy.ops.hull.export_hydrostatics(filepath=str(path)) == {"FINISHED"}
+    with open(path, newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [float(row["draft [m]"]) for row in rows] == pytest.approx(
+        [0.2 * k for k in range(1, 11)]
+    )
+    for row in rows:
+        volume = 40.0 * float(row["draft [m]"])
+        assert float(row["displaced volume [m3]"]) == pytest.approx(volume, rel=1e-9)
+        assert float(row["displacement [t]"]) == pytest.approx(1.025 * volume, rel=1e-9)
+    assert [path.name for path in tmp_path.iterdir()] == ["box.csv"]

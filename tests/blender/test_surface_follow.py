@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surface, lines and numbers follow the control mesh, and show exactly the native surface."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import LENGTH, add_hull, mesh_points, part, state_of
+
+
+def fresh_surface_points(hull):
+    """The hull's surface points in metres, computed anew from its mesh; both sides."""
+    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
+    control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
+    surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
+    tessellation = surface.tessellate(hull.hull.samples)
+    return part("bridge.surface_object").surface_arrays(tessellation, hull.hull.half)[0]
+
+
+def assert_surface_is_fresh(hull):
+    # Blender keeps points in single precision.
+    shown, wanted = mesh_points(hull.hull.surface_object), fresh_surface_points(hull)
+    assert shown.shape == wanted.shape
+    assert np.abs(shown - wanted).max() <= 1e-6 * LENGTH
+
+
+def test_the_surface_follows_in_object_mode():
+    hull = add_hull()
+    for vertex in hull.data.vertices:
+        vertex.co.z *= 2.0
+    hull.data.update()
+    bpy.context.view_layer.update()
+    assert mesh_points(hull.hull.surface_object)[:, 2].max() == pytest.approx(6.0)
+    assert_surface_is_fresh(hull)
+
+
+def test_surface_lines_and_numbers_follow_in_edit_mode():
+    hull = add_hull()
+    before = state_of(hull).hydrostatics.displaced_volume
+    lines_before = len(hull.hull.lines_object.data.splines)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bm = bmesh.from_edit_mesh(hull.data)
+    for vertex in bm.verts:
+        vertex.co.y *= 1.5
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    assert_surface_is_fresh(hull)
+    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(1.5 * before)
+    assert len(hull.hull.lines_object.data.splines) > lines_before
+
+
+def test_a_tag_changes_the_surface():
+    hull = add_hull()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    before = mesh_points(hull.hull.surface_object)
+    bpy.ops.hull.tag_smooth()
+    bpy.context.view_layer.update()
+    assert np.abs(mesh_points(hull.hull.surface_object) - before).max() > 0.1
+    assert_surface_is_fresh(hull)
+
+
+def test_edit_mode_reads_the_same_arrays_as_object_mode():
+    hull = add_hull()
+    read_mesh = part("bridge.mesh_arrays").read_mesh
+    stored = read_mesh(hull.data)
+    bpy.ops.object.mode_set(mode="EDIT")
+    edited = read_mesh(hull.data)
+    assert stored.digest() == edited.digest()
+
+
+def test_undo_brings_the_surface_back():
+    hull = add_hull()
+    before = mesh_points(hull.hull.surface_object)
+    bpy.ops.ed.undo_push(message="before")
+    for vertex in hull.data.vertices:
+        vertex.co.x *= 1.5
+    hull.data.update()
+    bpy.context.view_layer.update()
+    bpy.ops.ed.undo_push(message="after")
+    bpy.ops.ed.undo()
+    hull = bpy.data.objects["box"]
+    assert np.array_equal(mesh_points(hull.hull.surface_object), before)
+    assert state_of(hull).hydrostatics.lcb == pytest.approx(LENGTH / 2)
+    bpy.ops.ed.redo()
+    assert state_of(bpy.data.objects["box"]).hydrostatics.lcb == pytest.approx(0.75 * LENGTH)
+
+
+def test_settings_made_by_a_script_are_followed():
+    hull = add_hull()
+    hull.hull.samples = 2
+    hull.hull.station_count = 5
+    hull.hull.waterline_spacing = 0.0
+    bpy.context.view_layer.update()
+    assert len(hull.hull.surface_object.data.polygons) == 2 * 16 * 4
+    splines = hull.hull.lines_object.data.splines
+    slots = [spline.material_index for spline in splines]
+    assert slots.count(0) == 2 * 4 and slots.count(1) == 0
+
+
+def test_a_mesh_with_errors_leaves_the_last_surface():
+    hull = add_hull()
+    before = mesh_points(hull.hull.surface_object)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bm = bmesh.from_edit_mesh(hull.data)
+    far = bm.verts.new((5.0, 4.0, 0.0))
+    bm.verts.ensure_lookup_table()
+    bm.faces.new((bm.verts[2], bm.verts[6], far))
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    assert state_of(hull).status
+    assert np.array_equal(mesh_points(hull.hull.surface_object), before)
+    bm.verts.ensure_lookup_table()
+    bm.verts.remove(bm.verts[8])
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    assert not state_of(hull).status
+
+
+def test_nothing_is_done_when_nothing_changed(monkeypatch):
+    hull = add_hull()
+    bpy.context.view_layer.update()
+    written = []
+    monkeypatch.setattr(
+        part("bridge.surface_object"), "write_surface", lambda *arguments: written.append(1)
+    )
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    assert not written
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    assert written == [1]
+
+
+def test_normals_are_the_surface_normals():
+    hull = add_hull()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.hull.tag_smooth()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    tessellation = state_of(hull).surface.tessellate(hull.hull.samples)
+    normals = part("bridge.surface_object").surface_arrays(tessellation, True)[2].reshape(-1, 3)
+    mesh = hull.hull.surface_object.data
+    if hasattr(mesh, "calc_normals_split"):
+        mesh.calc_normals_split()
+    shown = np.empty((len(mesh.loops), 3), dtype=np.float32)
+    mesh.loops.foreach_get("normal", shown.reshape(-1))
+    # Blender stores a custom normal as two 16-bit angles.
+    assert np.abs(shown - normals).max() < 2e-3
+
+
+def test_the_mirrored_half_closes_the_surface():
+    hull = add_hull()
+    surface = hull.hull.surface_object.data
+    points = mesh_points(hull.hull.surface_object)
+    on_plane = points[:, 1] == 0.0
+    assert np.count_nonzero(points[:, 1] > 0.0) == np.count_nonzero(points[:, 1] < 0.0)
+    faces_of_edge = {}
+    for polygon in surface.polygons:
+        for key in polygon.edge_keys:
+            faces_of_edge[key] = faces_of_edge.get(key, 0) + 1
+    keel = [n for (a, b), n in faces_of_edge.items() if on_plane[a] and on_plane[b]]
+    assert keel and set(keel) == {2}
