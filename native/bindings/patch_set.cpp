@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/patch_set.h"
 
+#include <stdexcept>
 #include <string>
 
 #include "bindings/arrays.h"
@@ -42,18 +43,25 @@ py::tuple knots(const PatchSet& set, py::ssize_t index) {
   return py::make_tuple(array(patch.knots_u), array(patch.knots_v));
 }
 
-py::array_t<double> positions(const PatchSet& set, const py::array& patches,
+py::array_t<double> positions(const PatchSet& set, const py::object& patches,
                               const DoubleArray& uv) {
   const std::vector<int> indices = integers_from(patches, "patches");
   const std::vector<Eigen::Vector2d> parameters = parameters_from(uv, "uv");
   if (indices.size() != parameters.size()) {
-    throw std::invalid_argument("patches and uv must have the same length, not " +
+    throw std::invalid_argument("patches and uv must be of equal length, not " +
                                 std::to_string(indices.size()) + " and " +
                                 std::to_string(parameters.size()) + ".");
   }
   std::vector<Vector3d> points;
+  const int count = static_cast<int>(set.patches.size());
   for (size_t i = 0; i < indices.size(); ++i) {
-    points.push_back(patch_at(set, indices[i]).position(parameters[i].x(), parameters[i].y()));
+    if (indices[i] < 0 || indices[i] >= count) {
+      throw std::invalid_argument("patches[" + std::to_string(i) + "] is " +
+                                  std::to_string(indices[i]) + ", but the patches are 0 to " +
+                                  std::to_string(count - 1) + ".");
+    }
+    const BSplinePatch& patch = set.patches[indices[i]];
+    points.push_back(patch.position(parameters[i].x(), parameters[i].y()));
   }
   return to_array(points);
 }
