@@ -160,10 +160,8 @@ ImmersedIntegrals immersed_integrals(const LimitSurface& surface, const Plane& w
   const double size = surface.mesh().size();
   Integrator integrator(water, size);
   const auto descend = [&](const CornerSquare& square) {
-    const Vector3d extent =
-        (square.points.colwise().maxCoeff() - square.points.colwise().minCoeff());
-    if (extent.norm() < kSmallestCorner * size) return false;
-    return ((square.points * water.normal).array() < water.offset).any();
+    if (extent_of(square) < kSmallestCorner * size) return false;
+    return height_range(square, water)[0] < 0.0;
   };
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     for_each_piece(surface, cell, descend,

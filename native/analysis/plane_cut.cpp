@@ -49,6 +49,15 @@ BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double to
   return BezierBicubic::from_bspline(values);
 }
 
+std::array<double, 2> height_range(const CornerSquare& square, const Plane& plane) {
+  std::array<double, 2> range{plane.height(square.points[0]), plane.height(square.points[0])};
+  for (const Vector3d& p : square.points) {
+    const double height = plane.height(p);
+    range = {std::min(range[0], height), std::max(range[1], height)};
+  }
+  return range;
+}
+
 void cut_piece(const BezierBicubic& height, const std::function<void(const CutSquare&)>& visit) {
   divide(height, 0.0, 0.0, 1.0, 0, visit);
 }

@@ -18,6 +18,9 @@ struct Plane {
 // Height above the plane over a piece, heights below `tolerance` in absolute value taken for zero.
 BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double tolerance);
 
+// Bounds of the height over the square left at an irregular knot.
+std::array<double, 2> height_range(const CornerSquare& square, const Plane& plane);
+
 // A square of a piece on one side of the plane, or cut so simply that for each u (or, if `swapped`,
 // for each v) the surface meets the plane at most once, and not at a grazing angle.
 struct CutSquare {

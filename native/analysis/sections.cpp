@@ -48,11 +48,9 @@ std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plan
   }
   const double size = surface.mesh().size();
   const auto descend = [&](const CornerSquare& square) {
-    const Eigen::VectorXd heights = (square.points * plane.normal).array() - plane.offset;
-    if (heights.minCoeff() >= -kZeroHeight * size || heights.maxCoeff() < 0.0) return false;
-    const Vector3d extent =
-        (square.points.colwise().maxCoeff() - square.points.colwise().minCoeff());
-    return extent.norm() > kSmallestCorner * size;
+    const auto [lowest, highest] = height_range(square, plane);
+    if (lowest >= -kZeroHeight * size || highest < 0.0) return false;
+    return extent_of(square) > kSmallestCorner * size;
   };
   std::vector<SectionArc> arcs;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {

@@ -3,6 +3,15 @@
 
 namespace hull {
 
+void scale_derivatives(SurfaceJet& jet, double factor) {
+  jet.du *= factor;
+  jet.dv *= factor;
+  const double square = factor * factor;
+  jet.duu *= square;
+  jet.duv *= square;
+  jet.dvv *= square;
+}
+
 Basis cubic_basis(double t) {
   const double s = 1.0 - t;
   return {s * s * s / 6.0, 2.0 / 3.0 - t * t + t * t * t / 2.0, 2.0 / 3.0 - s * s + s * s * s / 2.0,

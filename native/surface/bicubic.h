@@ -18,6 +18,9 @@ struct SurfaceJet {
   Vector3d duu = Vector3d::Zero(), duv = Vector3d::Zero(), dvv = Vector3d::Zero();
 };
 
+// To parameters that run `factor` times as fast.
+void scale_derivatives(SurfaceJet& jet, double factor);
+
 // Uniform cubic B-spline basis (Greshake 2021, 5.7) and its derivatives on the span [0, 1].
 using Basis = std::array<double, 4>;
 Basis cubic_basis(double t);

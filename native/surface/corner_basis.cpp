@@ -44,29 +44,37 @@ RingPlace place_in_ring(double u, double v) {
 
 }  // namespace
 
-CornerKey corner_key(Scheme scheme, const CornerFan& fan) {
-  return {scheme, fan.kind, fan.closed, fan.faces, fan.cell};
-}
-
-CornerBasis::CornerBasis(const CornerKey& key) {
-  LocalMatrices local = local_matrices(key);
-  A_ = std::move(local.A);
-  segments_ = std::move(local.segments);
-  const int n = point_count(), ring = local.ring_size, outer = n - ring;
-  spectrum_ = slow_spectrum(A_.topLeftCorner(ring, ring), kSlowFloor);
-
+SlowSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local) {
+  const int ring = local.ring_size;
+  SlowSpectrum spectrum = slow_spectrum(local.A.topLeftCorner(ring, ring), kSlowFloor);
   if (key.kind == VertexKind::kCorner || key.kind == VertexKind::kCone) {
     // The limit of an interpolated point is the point itself, without a rounding error.
-    spectrum_.left.col(0) = Eigen::VectorXd::Unit(ring, 0);
+    spectrum.left.col(0) = Eigen::VectorXd::Unit(ring, 0);
   }
+  return spectrum;
+}
 
-  // A = [S 0; C D]. The eigenspaces of S extend to A by D X - X L = -C R, block by block.
-  const Eigen::Index m = spectrum_.right.cols();
-  right_.resize(n, m);
-  right_.topRows(ring) = spectrum_.right;
-  const Eigen::MatrixXd C = A_.bottomLeftCorner(outer, ring),
-                        D = A_.bottomRightCorner(outer, outer);
-  for (const SlowBlock& block : spectrum_.blocks) {
+CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
+                         std::shared_ptr<const SlowSpectrum> spectrum)
+    : A_(local.A), spectrum_(std::move(spectrum)), segments_(local.segments) {
+  extend_eigenvectors();
+  place_segments();
+  // In second derivatives the rest grows by 4 a level, the leading terms by at least 4 · 1/4.
+  const double decay = std::max(spectrum_->rest, 0.126);
+  rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
+  find_tangent_rule();
+  tangent_.defined = tangent_.defined && key.kind != VertexKind::kCone;
+}
+
+// A = [S 0; C D]. The eigenspaces of S extend to A by D X - X L = -C R, block by block.
+void CornerBasis::extend_eigenvectors() {
+  const Eigen::MatrixXd& ring_right = spectrum_->right;
+  const Eigen::Index ring = ring_right.rows(), outer = A_.rows() - ring;
+  right_.resize(A_.rows(), ring_right.cols());
+  right_.topRows(ring) = ring_right;
+  const Eigen::MatrixXd C = A_.bottomLeftCorner(outer, ring);
+  const Eigen::MatrixXd D = A_.bottomRightCorner(outer, outer);
+  for (const SlowBlock& block : spectrum_->blocks) {
     const int size = block.size;
     // (I ⊗ D - L^T ⊗ I) vec X = -vec C R, a small dense system.
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(outer * size, outer * size);
@@ -77,7 +85,7 @@ CornerBasis::CornerBasis(const CornerKey& key) {
         const double l = block.coupled ? block.action(i, j) : (i == j ? block.eigenvalue : 0.0);
         system.block(outer * j, outer * i, outer, outer).diagonal().array() -= l;
       }
-      wanted.segment(outer * j, outer) = -C * spectrum_.right.col(block.begin + j);
+      wanted.segment(outer * j, outer) = -C * ring_right.col(block.begin + j);
     }
     const Eigen::VectorXd solution = system.partialPivLu().solve(wanted);
     for (int j = 0; j < size; ++j) {
@@ -85,104 +93,139 @@ CornerBasis::CornerBasis(const CornerKey& key) {
     }
   }
   right_.col(0).setOnes();
+}
 
+void CornerBasis::place_segments() {
+  for (Eigen::Index i = 0; i < A_.rows(); ++i) next_square_.push_back(refine_.add(A_.row(i)));
   for (auto& quarter_row : segment_at_) quarter_row.fill(-1);
-  for (int s = 0; s < static_cast<int>(segments_.size()); ++s) {
+  for (int s = 0; s < segment_count(); ++s) {
     RingSegment& segment = segments_[s];
     segment.slow = segment.rows * right_;
+    std::array<int, 16>& rows = segment_rows_.emplace_back();
+    for (int i = 0; i < 16; ++i) rows[i] = refine_.add(segment.rows.row(i));
     const int i0 = static_cast<int>(4 * segment.u), j0 = static_cast<int>(4 * segment.v);
     const int span = static_cast<int>(4 * segment.size);
     for (int j = j0; j < j0 + span; ++j) {
       for (int i = i0; i < i0 + span; ++i) segment_at_[j][i] = s;
     }
   }
-  // In second derivatives the rest grows by 4 a level, the leading terms by at least 4 · 1/4.
-  const double decay = std::max(spectrum_.rest, 0.126);
-  rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
-  find_tangent_rule();
-  tangent_.defined = tangent_.defined && key.kind != VertexKind::kCone;
 }
 
-CornerPoints CornerBasis::prepare(const std::vector<Vector3d>& points) const {
-  const int n = point_count();
-  assert(static_cast<int>(points.size()) == n);
+CornerPoints CornerBasis::prepare(std::vector<Vector3d> points) const {
+  assert(static_cast<int>(points.size()) == point_count());
   CornerPoints result;
-  result.origin = points.front();
-  Rows relative(n, 3);
-  for (int i = 0; i < n; ++i) relative.row(i) = (points[i] - result.origin).transpose();
-  result.slow.noalias() = spectrum_.left.transpose() * relative.topRows(spectrum_.left.rows());
-  result.rest = relative;
-  result.rest.noalias() -= right_ * result.slow;
-  result.limit = result.origin + result.slow.row(0).transpose();
+  result.squares.reserve(kPlainRings + 1);
+  result.squares.push_back(std::move(points));
+  result.segments.resize(static_cast<std::size_t>(kPlainRings) * segments_.size());
+  std::vector<Vector3d> refined(refine_.count());
+  for (int level = 0; level < kPlainRings; ++level) {
+    refine_.multiply(result.squares.back(),
+                     [&refined](int row, const Vector3d& p) { refined[row] = p; });
+    std::vector<Vector3d>& square = result.squares.emplace_back();
+    square.reserve(next_square_.size());
+    for (int row : next_square_) square.push_back(refined[row]);
+    for (int s = 0; s < segment_count(); ++s) {
+      BicubicPoints& segment = result.segments[level * segment_count() + s];
+      for (int i = 0; i < 16; ++i) segment[i] = refined[segment_rows_[s][i]];
+    }
+  }
+  // The row of limit weights, applied to the smallest square for accuracy.
+  const std::vector<Vector3d>& inner = result.squares.back();
+  result.limit = inner.front();
+  for (Eigen::Index i = 0; i < spectrum_->left.rows(); ++i) {
+    result.limit += spectrum_->left(i, 0) * (inner[i] - inner.front());
+  }
   return result;
 }
 
-CornerBasis::Rows CornerBasis::slow_at_level(const CornerPoints& points, int level) const {
-  Rows slow = points.slow;
-  if (level == 1) return slow;
-  for (const SlowBlock& block : spectrum_.blocks) {
-    auto rows = slow.middleRows(block.begin, block.size);
-    if (block.coupled) {
-      for (int k = 1; k < level; ++k) rows = (block.action * rows).eval();
-    } else {
-      rows *= std::pow(block.eigenvalue, level - 1);
-    }
+EigenCoordinates CornerBasis::eigen_coordinates(const CornerPoints& points) const {
+  const std::vector<Vector3d>& inner = points.squares.back();
+  EigenCoordinates result;
+  result.rest.resize(point_count(), 3);
+  for (int i = 0; i < point_count(); ++i) {
+    result.rest.row(i) = (inner[i] - inner.front()).transpose();
   }
-  return slow;
+  result.slow.noalias() = spectrum_->left.transpose() * result.rest.topRows(spectrum_->left.rows());
+  result.rest.noalias() -= right_ * result.slow;
+  return result;
 }
 
-CornerBasis::Rows CornerBasis::rest_at_level(const CornerPoints& points, int level) const {
-  if (level > rest_levels_) return Rows::Zero(point_count(), 3);
-  Rows rest = points.rest;
-  for (int k = 1; k < level; ++k) rest = (A_ * rest).eval();
-  return rest;
+void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
+  for (const SlowBlock& block : spectrum_->blocks) {
+    auto rows = coordinates.slow.middleRows(block.begin, block.size);
+    if (block.coupled) {
+      for (int k = 0; k < steps; ++k) rows = (block.action * rows).eval();
+    } else {
+      rows *= steps == 1 ? block.eigenvalue : std::pow(block.eigenvalue, steps);
+    }
+  }
+  if (steps > rest_levels_) {
+    coordinates.rest.setZero();
+  } else {
+    for (int k = 0; k < steps; ++k) coordinates.rest = (A_ * coordinates.rest).eval();
+  }
 }
 
 SurfaceJet CornerBasis::evaluate(const CornerPoints& points, double u, double v, int order) const {
-  SurfaceJet jet;
   if (u == 0.0 && v == 0.0) {
+    SurfaceJet jet;
     jet.point = points.limit;
     return jet;
   }
   const RingPlace place = place_in_ring(u, v);
+  if (place.level > kPlainRings) return evaluate_deep(points, place.level, place.u, place.v, order);
   const int s = segment_at_[std::min(3, static_cast<int>(4.0 * place.v))]
                            [std::min(3, static_cast<int>(4.0 * place.u))];
   const RingSegment& segment = segments_[s];
-  const double x = (place.u - segment.u) / segment.size, y = (place.v - segment.v) / segment.size;
-  const Rows slow = slow_at_level(points, place.level);
-  const Rows rest = rest_at_level(points, place.level);
-  const double scale = place.scale / segment.size;
+  SurfaceJet jet = evaluate_bicubic(points.segments[(place.level - 1) * segment_count() + s],
+                                    (place.u - segment.u) / segment.size,
+                                    (place.v - segment.v) / segment.size, order);
+  scale_derivatives(jet, place.scale / segment.size);
+  return jet;
+}
+
+SurfaceJet CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u, double v,
+                                      int order) const {
+  EigenCoordinates at = eigen_coordinates(points);
+  advance(at, level - 1 - kPlainRings);
+  const int s =
+      segment_at_[std::min(3, static_cast<int>(4.0 * v))][std::min(3, static_cast<int>(4.0 * u))];
+  const RingSegment& segment = segments_[s];
+  const double x = (u - segment.u) / segment.size, y = (v - segment.v) / segment.size;
   const auto combine = [&](const Basis& bu, const Basis& bv) -> Vector3d {
     const Weights16 weights = tensor_weights(bu, bv);
     // The constant eigenvector is left out: it only moves, and would drown small differences.
-    const Eigen::Index m = slow.rows() - 1;
+    const Eigen::Index m = at.slow.rows() - 1;
     const Eigen::RowVectorXd on_slow = weights.transpose() * segment.slow.rightCols(m);
     const Eigen::RowVectorXd on_rest = weights.transpose() * segment.rows;
-    return (on_slow * slow.bottomRows(m) + on_rest * rest).transpose();
+    return (on_slow * at.slow.bottomRows(m) + on_rest * at.rest).transpose();
   };
   const Basis bu = cubic_basis(x), bv = cubic_basis(y);
+  SurfaceJet jet;
   jet.point = points.limit + combine(bu, bv);
   if (order > 0) {
     const Basis du = cubic_basis_d1(x), dv = cubic_basis_d1(y);
-    jet.du = scale * combine(du, bv);
-    jet.dv = scale * combine(bu, dv);
+    jet.du = combine(du, bv);
+    jet.dv = combine(bu, dv);
     if (order > 1) {
-      jet.duu = scale * scale * combine(cubic_basis_d2(x), bv);
-      jet.duv = scale * scale * combine(du, dv);
-      jet.dvv = scale * scale * combine(bu, cubic_basis_d2(y));
+      jet.duu = combine(cubic_basis_d2(x), bv);
+      jet.duv = combine(du, dv);
+      jet.dvv = combine(bu, cubic_basis_d2(y));
     }
   }
+  scale_derivatives(jet, std::ldexp(1.0, level - 1) / segment.size);
   return jet;
 }
 
 Vector3d CornerBasis::corner_normal(const CornerPoints& points) const {
   if (!tangent_.defined) return Vector3d::Zero();
-  const Vector3d a = points.slow.transpose() * tangent_.a, b = points.slow.transpose() * tangent_.b;
+  const EigenCoordinates at = eigen_coordinates(points);
+  const Vector3d a = at.slow.transpose() * tangent_.a, b = at.slow.transpose() * tangent_.b;
   return tangent_.sign * a.cross(b);
 }
 
 void CornerBasis::find_tangent_rule() {
-  const auto& blocks = spectrum_.blocks;
+  const auto& blocks = spectrum_->blocks;
   const Eigen::Index m = right_.cols();
   if (blocks.size() < 2) return;
   const SlowBlock& first = blocks[1];
@@ -222,32 +265,36 @@ void CornerBasis::find_tangent_rule() {
 }
 
 CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)
-    : basis_(basis), origin_(points), slow_(points.slow), rest_(points.rest) {
-  slow_.row(0).setZero();
-}
+    : basis_(basis), points_(points) {}
 
-Eigen::Matrix<double, Eigen::Dynamic, 3> CornerRing::points() const {
-  return (basis_.right_ * slow_ + rest_).rowwise() + origin_.limit.transpose();
+std::vector<Vector3d> CornerRing::points() const {
+  if (step_ <= kPlainRings) return points_.squares[step_];
+  const CornerBasis::Rows values = basis_.right_ * deep_.slow + deep_.rest;
+  std::vector<Vector3d> result;
+  result.reserve(values.rows());
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    result.push_back(points_.limit + values.row(i).transpose());
+  }
+  return result;
 }
 
 BicubicPoints CornerRing::segment_points(int segment) const {
+  if (step_ < kPlainRings) return points_.segments[step_ * basis_.segment_count() + segment];
   const RingSegment& s = basis_.segments_[segment];
-  const Eigen::Matrix<double, 16, 3> values = s.slow * slow_ + s.rows * rest_;
+  const Eigen::Matrix<double, 16, 3> values = s.slow * deep_.slow + s.rows * deep_.rest;
   BicubicPoints result;
-  for (int i = 0; i < 16; ++i) result[i] = origin_.limit + values.row(i).transpose();
+  for (int i = 0; i < 16; ++i) result[i] = points_.limit + values.row(i).transpose();
   return result;
 }
 
 void CornerRing::advance() {
-  for (const SlowBlock& block : basis_.spectrum_.blocks) {
-    auto rows = slow_.middleRows(block.begin, block.size);
-    if (block.coupled) {
-      rows = (block.action * rows).eval();
-    } else {
-      rows *= block.eigenvalue;
-    }
+  ++step_;
+  if (step_ == kPlainRings) {
+    deep_ = basis_.eigen_coordinates(points_);
+    deep_.slow.row(0).setZero();
+  } else if (step_ > kPlainRings) {
+    basis_.advance(deep_, 1);
   }
-  rest_ = (basis_.A_ * rest_).eval();
 }
 
 }  // namespace hull

@@ -3,24 +3,17 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "surface/bicubic.h"
+#include "surface/corner_key.h"
 #include "surface/slow_spectrum.h"
+#include "surface/sparse_rows.h"
 
 namespace hull {
 
-// Topology of a cell's neighbourhood at its irregular corner (0, 0), the other corners regular.
-struct CornerKey {
-  Scheme scheme;
-  VertexKind kind;  // of the corner
-  bool closed;      // its fan; a dart's and a one-creased cone's are opened at the crease
-  int faces;        // in the fan
-  int cell;         // position of the cell in the fan
-  auto operator<=>(const CornerKey&) const = default;
-};
-
-CornerKey corner_key(Scheme scheme, const CornerFan& fan);
+struct LocalMatrices;
 
 // A regular square of the ring that one subdivision adds around the corner.
 struct RingSegment {
@@ -37,35 +30,48 @@ struct TangentRule {
   double sign = 1.0;
 };
 
-// Control points of one irregular cell, split by CornerBasis::prepare.
+// The outermost rings are subdivided, not evaluated in the eigenbasis: it costs less, and no more
+// than 1 in 4^kPlainRings of a cell's points lies within.
+inline constexpr int kPlainRings = 4;
+
+// What a surface keeps of one irregular cell.
 struct CornerPoints {
-  Vector3d origin;                                // subtracted from all, for accuracy
-  Eigen::Matrix<double, Eigen::Dynamic, 3> slow;  // left^T q: m x 3
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rest;  // q - right slow: N x 3
-  Vector3d limit;                                 // the surface point at (0, 0)
+  std::vector<std::vector<Vector3d>>
+      squares;                          // N control points of [0, 2^-k]², k = 0 … kPlainRings
+  std::vector<BicubicPoints> segments;  // of ring 1, of ring 2, … of ring kPlainRings
+  Vector3d limit;                       // the surface point at (0, 0)
+};
+
+// Coordinates of the innermost plain square in the eigenbasis.
+struct EigenCoordinates {
+  Eigen::Matrix<double, Eigen::Dynamic, 3> slow;  // left^T (q - q_0): m x 3
+  Eigen::Matrix<double, Eigen::Dynamic, 3> rest;  // q - q_0 - right slow: N x 3
 };
 
 // Evaluation of cells with one irregular corner: Stam's eigenbasis (Stam 1998; Greshake 2021,
 // 4.5), with the local subdivision matrix A built by running the rules on a model neighbourhood.
 //
 // A^(k-1) q is had in two parts. The slowly decaying part of q lies in the eigenspaces of the
-// largest eigenvalues, where powers are those of numbers, or of a small Jordan-like block where A
-// is defective. The rest, which decays like 1/8^k or little slower, is multiplied by A itself. No
-// eigenvector of a small, possibly complex or defective, eigenvalue is ever needed.
+// largest eigenvalues, where powers are those of numbers, or of a small block where A is defective
+// or has complex eigenvalues. The rest, which decays like 1/8^k or little slower, is multiplied by
+// A itself. No eigenvector of a small, possibly defective, eigenvalue is ever needed.
 //
 // Immutable: safe to share between threads and surfaces.
 class CornerBasis {
  public:
-  explicit CornerBasis(const CornerKey& key);
+  // `spectrum`: that of the ring's matrix, ring_spectrum(); it does not depend on key.cell.
+  CornerBasis(const CornerKey& key, const LocalMatrices& local,
+              std::shared_ptr<const SlowSpectrum> spectrum);
 
   // Number N of control points: those of ring_points() followed by outer_points().
   int point_count() const { return static_cast<int>(A_.rows()); }
   const Eigen::MatrixXd& matrix() const { return A_; }
-  const SlowSpectrum& spectrum() const { return spectrum_; }
+  const SlowSpectrum& spectrum() const { return *spectrum_; }
   const std::vector<RingSegment>& segments() const { return segments_; }
+  int segment_count() const { return static_cast<int>(segments_.size()); }
   const TangentRule& tangent_rule() const { return tangent_; }
 
-  CornerPoints prepare(const std::vector<Vector3d>& points) const;
+  CornerPoints prepare(std::vector<Vector3d> points) const;
 
   // Position and derivatives at (u, v) in [0, 1]^2. At (0, 0), where derivatives do not exist in
   // this parametrisation, they are zero.
@@ -74,22 +80,32 @@ class CornerBasis {
   // Direction (not of unit length) of the normal at (0, 0); zero where there is no tangent plane.
   Vector3d corner_normal(const CornerPoints& points) const;
 
+  EigenCoordinates eigen_coordinates(const CornerPoints& points) const;
+
  private:
   friend class CornerRing;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  void extend_eigenvectors();
+  void place_segments();
   void find_tangent_rule();
-  Rows slow_at_level(const CornerPoints& points, int level) const;
-  Rows rest_at_level(const CornerPoints& points, int level) const;
+  SurfaceJet evaluate_deep(const CornerPoints& points, int level, double u, double v,
+                           int order) const;
+  void advance(EigenCoordinates& coordinates, int steps) const;
 
   Eigen::MatrixXd A_;
   Eigen::MatrixXd right_;  // slow eigenvectors of A: those of the ring, extended to outer points
-  SlowSpectrum spectrum_;  // of the ring's own matrix
+  std::shared_ptr<const SlowSpectrum> spectrum_;
   std::vector<RingSegment> segments_;
-  std::array<std::array<int, 4>, 4>
-      segment_at_;   // by quarter of v, of u; -1 in the corner's square
-  int rest_levels_;  // beyond these the rest is below rounding
+  SparseRows refine_;                              // A's rows, then all others that segments need
+  std::vector<int> next_square_;                   // rows of refine_: the child's N points …
+  std::vector<std::array<int, 16>> segment_rows_;  // … and the segments' points
+  std::array<std::array<int, 4>, 4> segment_at_;   // by quarter of v, of u; -1 at the corner
+  int rest_levels_;                                // beyond these the rest is below rounding
   TangentRule tangent_;
 };
+
+// The slow spectrum of the ring's own part of a local matrix.
+SlowSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local);
 
 // Walks through the rings of pieces around an irregular corner, from the largest inwards.
 class CornerRing {
@@ -98,7 +114,7 @@ class CornerRing {
   CornerRing(const CornerBasis& basis, const CornerPoints& points);
 
   // The N control points of the square [0, 2^-k]^2 after k steps.
-  Eigen::Matrix<double, Eigen::Dynamic, 3> points() const;
+  std::vector<Vector3d> points() const;
   // Control points of segment `segment` (an index of CornerBasis::segments()) of the ring, which
   // covers the segment's square divided by 2^k.
   BicubicPoints segment_points(int segment) const;
@@ -106,8 +122,9 @@ class CornerRing {
 
  private:
   const CornerBasis& basis_;
-  const CornerPoints& origin_;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> slow_, rest_;  // slow_ without the constant part
+  const CornerPoints& points_;
+  int step_ = 0;
+  EigenCoordinates deep_;  // from step kPlainRings on; slow without its constant part
 };
 
 }  // namespace hull

@@ -89,12 +89,7 @@ SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const
     const CornerBasis& basis = layout_->basis(place.node.index);
     jet = turned_back(turn, basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order));
   }
-  jet.du *= place.scale;
-  jet.dv *= place.scale;
-  const double square = place.scale * place.scale;
-  jet.duu *= square;
-  jet.duv *= square;
-  jet.dvv *= square;
+  scale_derivatives(jet, place.scale);
   return jet;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surface/corner_basis.h"
+#include "surface/corner_key.h"
 
 namespace hull {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/pieces.h"
 
+#include <Eigen/Geometry>
+
 namespace hull {
 namespace {
 
@@ -92,6 +94,12 @@ class PieceVisitor {
 };
 
 }  // namespace
+
+double extent_of(const CornerSquare& square) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : square.points) box.extend(p);
+  return box.diagonal().norm();
+}
 
 void for_each_piece(const LimitSurface& surface, int cell,
                     const std::function<bool(const CornerSquare&)>& descend,

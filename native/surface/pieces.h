@@ -18,8 +18,11 @@ struct SurfacePiece {
 struct CornerSquare {
   int cell;
   double u, v, size;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> points;  // the surface lies in their convex hull
+  std::vector<Vector3d> points;  // the surface lies in their convex hull
 };
+
+// Diagonal of the box around its points, m.
+double extent_of(const CornerSquare& square);
 
 // Visits pieces that together cover the cell but for squares at its irregular knots. `descend` is
 // asked of each such square, from the whole cell or quadrant on, whether the next ring within it

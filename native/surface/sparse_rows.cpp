@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/sparse_rows.h"
+
+#include <algorithm>
+
+namespace hull {
+
+int SparseRows::add_entries(const std::vector<int>& index, const std::vector<double>& weight) {
+  for (int row = 0; row < count(); ++row) {
+    const int begin = begin_[row], end = begin_[row + 1];
+    if (std::equal(index_.begin() + begin, index_.begin() + end, index.begin(), index.end()) &&
+        std::equal(weight_.begin() + begin, weight_.begin() + end, weight.begin(), weight.end())) {
+      return row;
+    }
+  }
+  index_.insert(index_.end(), index.begin(), index.end());
+  weight_.insert(weight_.end(), weight.begin(), weight.end());
+  begin_.push_back(static_cast<int>(index_.size()));
+  return count() - 1;
+}
+
+}  // namespace hull
