@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include "drawing/lines_views.h"
+#include "drawing/ship_curve.h"
+#include "drawing/view_parts.h"
+
+namespace hull {
+
+using Eigen::Vector2d;
+
+namespace {
+
+// Which half of the body plan: -1 the left, with the after sections, +1 the right.
+using Hand = int;
+constexpr Hand kAft = -1;
+constexpr Hand kFore = +1;
+
+constexpr double kSameEnd = 1.2;  // mm: sections that end nearer than this share one label
+
+// The upper end of a section on the page and what is written there.
+struct SectionEnd {
+  Vector2d point;
+  std::string first_label, last_label;
+  int count;
+
+  std::string text() const {
+    if (count == 1) return first_label;
+    return first_label + (count == 2 ? ", " : "–") + last_label;
+  }
+};
+
+PagePath end_view(const View& view, const ShipCurve& curve, Hand hand) {
+  PagePath path;
+  for (const Eigen::Vector3d& point : curve) {
+    path.push_back(view.to_page(hand * point.y(), point.z()));
+  }
+  return path;
+}
+
+GridBox grid_of(const View& view, const HullExtents& extents) {
+  GridBox grid(view.to_page(-extents.breadth, extents.top),
+               view.to_page(extents.breadth, extents.bottom));
+  grid.min() -= Vector2d(kSideOverhang, kOverhang);
+  grid.max() += Vector2d(kSideOverhang, kOverhang);
+  return grid;
+}
+
+void draw_offsets(SheetBuilder& builder, const View& view, const GridBox& grid,
+                  const LinesDrawing& drawing, const HullExtents& extents) {
+  std::vector<Tick> ticks;
+  for (const NamedCurves& buttock : drawing.buttocks) {
+    if (buttock.position <= 0.0 || buttock.position > extents.breadth) continue;
+    for (const Hand hand : {kAft, kFore}) {
+      const double x = view.to_page(hand * buttock.position, 0.0).x();
+      draw_vertical(builder, LineKind::kGrid, grid, x);
+      ticks.push_back({x, buttock.label, Ink::kButtock, false});
+    }
+  }
+  const double centre = view.to_page(0.0, 0.0).x();
+  draw_vertical(builder, LineKind::kCentreLine, grid, centre);
+  ticks.push_back({centre, "CL", Ink::kBlack, true});
+  label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
+}
+
+// The parts aft of midship to the left, the others to the right, without what lies in the centre
+// plane.
+void draw_split(SheetBuilder& builder, const View& view, LineKind kind,
+                const std::vector<ShipCurve>& curves, const HullExtents& extents) {
+  for (const ShipCurve& curve : curves) {
+    for (const ShipCurve& part : part_of_curve(curve, 1, 1e-6 * extents.breadth, Side::kAbove)) {
+      for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, Side::kBelow)) {
+        builder.draw_curve(kind, end_view(view, aft, kAft));
+      }
+      for (const ShipCurve& fore : part_of_curve(part, 0, extents.midship, Side::kAbove)) {
+        builder.draw_curve(kind, end_view(view, fore, kFore));
+      }
+    }
+  }
+}
+
+// The point of the section to label: its upper outer end, the deck edge where there is a deck.
+Vector2d upper_end(const std::vector<PagePath>& paths, Hand hand) {
+  Vector2d best = paths.front().front();
+  const auto height = [hand](const Vector2d& point) { return -point.y() + 0.7 * hand * point.x(); };
+  for (const PagePath& path : paths) {
+    for (const Vector2d& point : path) {
+      if (height(point) > height(best)) best = point;
+    }
+  }
+  return best;
+}
+
+void add_end(std::vector<SectionEnd>& ends, const Vector2d& point, const std::string& label) {
+  if (!ends.empty() && (ends.back().point - point).norm() < kSameEnd) {
+    ends.back().last_label = label;
+    ++ends.back().count;
+  } else {
+    ends.push_back({point, label, label, 1});
+  }
+}
+
+std::vector<SectionEnd> draw_sections(SheetBuilder& builder, const View& view,
+                                      const LinesDrawing& drawing, const HullExtents& extents,
+                                      Hand hand) {
+  const double same = 1e-6 * (extents.fore - extents.aft);
+  std::vector<SectionEnd> ends;
+  for (const NamedCurves& station : drawing.stations) {
+    // A midship station is on both hands.
+    if (hand * (station.position - extents.midship) < -same || station.curves.empty()) continue;
+    std::vector<PagePath> paths;
+    for (const ShipCurve& curve : station.curves) {
+      paths.push_back(end_view(view, curve, hand));
+      builder.draw_curve(kStationLines.kind, paths.back());
+    }
+    add_end(ends, upper_end(paths, hand), station.label);
+  }
+  return ends;
+}
+
+// Tries places around the section's end, near ones and those up and outwards first; farther ones
+// are joined to it by a leader.
+void label_end(SheetBuilder& builder, const View& view, const SectionEnd& end, Hand hand) {
+  const std::string text = end.text();
+  const TextStyle style{.size = 2.4, .ink = kStationLines.ink, .knockout = true};
+  const Vector2d half = SheetBuilder::text_box(text, style, {0.0, 0.0}).half;
+  for (const double distance : {0.7, 1.5, 2.5, 4.0, 5.5, 7.0, 9.0, 11.0}) {
+    for (const double angle_deg : {60.0, 90.0, 35.0, 75.0, 110.0, 15.0, 0.0, 130.0, -20.0}) {
+      const double angle = angle_deg * std::numbers::pi / 180.0;
+      const Vector2d direction(hand * std::cos(angle), -std::sin(angle));
+      // From the end to the nearest side of the box in this direction is `distance`.
+      const double inside = std::min(half.x() / std::max(std::abs(direction.x()), 1e-9),
+                                     half.y() / std::max(std::abs(direction.y()), 1e-9));
+      const OrientedBox box =
+          SheetBuilder::text_box(text, style, end.point + (distance + inside) * direction);
+      const Vector2d leader_end = end.point + distance * direction;
+      if (!builder.has_room(box, 0.2, view.bounds) ||
+          !builder.placer().is_free(end.point, leader_end)) {
+        continue;
+      }
+      if (distance > 2.0) builder.draw(LineKind::kLeader, {end.point, leader_end});
+      builder.put_text(text, style, box);
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
+                    const HullExtents& extents) {
+  const GridBox grid = grid_of(view, extents);
+  draw_caption(builder, view, "Body plan");
+  draw_offsets(builder, view, grid, drawing, extents);
+  draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);
+
+  const std::vector<SectionEnd> aft = draw_sections(builder, view, drawing, extents, kAft);
+  const std::vector<SectionEnd> fore = draw_sections(builder, view, drawing, extents, kFore);
+  draw_split(builder, view, LineKind::kKnuckle, drawing.knuckles, extents);
+  draw_split(builder, view, LineKind::kOutline, drawing.outlines, extents);
+  for (const SectionEnd& end : aft) label_end(builder, view, end, kAft);
+  for (const SectionEnd& end : fore) label_end(builder, view, end, kFore);
+}
+
+}  // namespace hull

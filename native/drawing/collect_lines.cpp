@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing/collect_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "analysis/feature_curves.h"
+#include "analysis/sections.h"
+#include "drawing/canvas.h"
+#include "drawing/ship_curve.h"
+
+namespace hull {
+
+namespace {
+
+// Of the mesh's size: 0.02 mm on a sheet of A3, a tenth of a thin line.
+constexpr double kChordTolerance = 5e-5;
+constexpr double kSamePosition = 1e-6;
+
+std::vector<double> in_order(std::vector<double> positions, const std::string& kind, double same) {
+  for (const double position : positions) {
+    if (!std::isfinite(position)) {
+      throw std::invalid_argument("A " + kind + "'s position is not a finite number");
+    }
+  }
+  std::sort(positions.begin(), positions.end());
+  const auto is_same = [same](double a, double b) { return b - a <= same; };
+  positions.erase(std::unique(positions.begin(), positions.end(), is_same), positions.end());
+  return positions;
+}
+
+// The fewest decimals, from 1 to 3, that tell these numbers to half a millimetre.
+int decimals_of(const std::vector<double>& values) {
+  for (int decimals = 1; decimals < 3; ++decimals) {
+    const double unit = std::pow(10.0, -decimals);
+    const auto is_told = [unit](double value) {
+      return std::abs(std::round(value / unit) * unit - value) <= 5e-4;
+    };
+    if (std::all_of(values.begin(), values.end(), is_told)) return decimals;
+  }
+  return 3;
+}
+
+std::string metres(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f m", decimals, value);
+  return text;
+}
+
+void add_port_half(std::vector<ShipCurve>& curves, const ShipCurve& curve) {
+  for (ShipCurve& part : part_of_curve(curve, 1, 0.0, Side::kAbove)) {
+    curves.push_back(std::move(part));
+  }
+}
+
+std::vector<ShipCurve> cut(const LimitSurface& surface, Axis axis, double position) {
+  const double tolerance = kChordTolerance * surface.mesh().size();
+  std::vector<ShipCurve> curves;
+  for (const SectionCurve& branch : section(surface, axis, position, tolerance)) {
+    add_port_half(curves, branch.points);
+  }
+  return curves;
+}
+
+std::vector<NamedCurves> cut_all(const LimitSurface& surface, Axis axis,
+                                 const std::vector<double>& positions) {
+  const int decimals = decimals_of(positions);
+  std::vector<NamedCurves> family;
+  for (const double position : positions) {
+    family.push_back({position, metres(position, decimals), cut(surface, axis, position)});
+  }
+  return family;
+}
+
+void mark_design_waterline(const LimitSurface& surface, std::vector<NamedCurves>& waterlines,
+                           double draft, double same) {
+  const auto is_same = [&](const NamedCurves& line) {
+    return std::abs(line.position - draft) <= same;
+  };
+  const auto found = std::find_if(waterlines.begin(), waterlines.end(), is_same);
+  if (found != waterlines.end()) {
+    found->position = draft;
+    found->label = "DWL " + found->label;
+    return;
+  }
+  waterlines.push_back(
+      {draft, "DWL " + metres(draft, decimals_of({draft})), cut(surface, Axis::kZ, draft)});
+}
+
+void add_features(const LimitSurface& surface, LinesDrawing& drawing) {
+  for (const FeatureCurve& feature : feature_curves(surface)) {
+    const bool border = feature.kind == FeatureKind::kBorder;
+    add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points);
+  }
+}
+
+}  // namespace
+
+LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options) {
+  const double same = kSamePosition * surface.mesh().size();
+  LinesDrawing drawing;
+  drawing.title = options.title;
+  drawing.particulars = options.particulars;
+  drawing.draft = options.draft;
+  drawing.length = options.length;
+  drawing.paper = options.paper;
+  const std::vector<double> stations = in_order(options.stations, "station", same);
+  const std::vector<double> waterlines = in_order(options.waterlines, "waterline", same);
+  const std::vector<double> buttocks = in_order(options.buttocks, "buttock", same);
+  if (!buttocks.empty() && buttocks.front() < 0.0) {
+    throw std::invalid_argument("A buttock at y = " + metres(buttocks.front(), 3) +
+                                " is not on the half that is drawn; give offsets from 0 up");
+  }
+  if (options.draft && !std::isfinite(*options.draft)) {
+    throw std::invalid_argument("The draft is not a finite number");
+  }
+  drawing.stations = cut_all(surface, Axis::kX, stations);
+  for (std::size_t i = 0; i < stations.size(); ++i) drawing.stations[i].label = std::to_string(i);
+  drawing.waterlines = cut_all(surface, Axis::kZ, waterlines);
+  if (options.draft) mark_design_waterline(surface, drawing.waterlines, *options.draft, same);
+  drawing.buttocks = cut_all(surface, Axis::kY, buttocks);
+  if (!options.mirrored) {
+    for (ShipCurve& curve : cut(surface, Axis::kY, 0.0)) {
+      drawing.outlines.push_back(std::move(curve));
+    }
+  }
+  add_features(surface, drawing);
+  return drawing;
+}
+
+void write_lines_drawing(const LimitSurface& surface, const LinesOptions& options,
+                         const std::string& path) {
+  check_drawing_path(path);
+  write_lines_drawing(collect_lines(surface, options), path);
+}
+
+}  // namespace hull

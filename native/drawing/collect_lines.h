@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines of a surface, ready to be drawn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawing/lines_drawing.h"
+#include "surface/limit_surface.h"
+
+namespace hull {
+
+struct LinesOptions {
+  std::vector<double> stations;    // x, m; numbered from 0 in the order of x
+  std::vector<double> waterlines;  // z, m
+  std::vector<double> buttocks;    // y, m, not below zero
+  bool mirrored = true;            // the surface is the half y >= 0
+  std::optional<double> draft;   // a waterline at this z is added and drawn as the design waterline
+  std::optional<double> length;  // between perpendiculars, from x = 0
+  std::string title;
+  std::vector<Particular> particulars;
+  Paper paper = Paper::kA3;
+};
+
+// Cuts the surface at every position (in any order, repeated ones once) and adds its borders and
+// knuckles. Of a whole hull the port half is taken, with its section by the centre plane as
+// outline. Curves are as fine as the paper can show.
+//
+// Throws std::invalid_argument for a position, draft or length that is not finite and for a
+// negative buttock.
+LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options);
+
+// The two steps at once; a wrong file name is refused before anything is computed. Throws as
+// collect_lines and write_lines_drawing (lines_drawing.h).
+void write_lines_drawing(const LimitSurface& surface, const LinesOptions& options,
+                         const std::string& path);
+
+}  // namespace hull

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing/lines_views.h"
+#include "drawing/view_parts.h"
+
+namespace hull {
+
+namespace {
+
+PagePath side_view(const View& view, const ShipCurve& curve) {
+  PagePath path;
+  for (const Eigen::Vector3d& point : curve) path.push_back(view.to_page(point.x(), point.z()));
+  return path;
+}
+
+GridBox grid_of(const View& view, const HullExtents& extents) {
+  GridBox grid(view.to_page(extents.aft, extents.top), view.to_page(extents.fore, extents.bottom));
+  grid.min() -= Eigen::Vector2d::Constant(kOverhang);
+  grid.max() += Eigen::Vector2d::Constant(kOverhang);
+  return grid;
+}
+
+void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
+                   const LinesDrawing& drawing, const HullExtents& extents) {
+  std::vector<Tick> ticks;
+  for (const NamedCurves& station : drawing.stations) {
+    if (station.position < extents.aft || station.position > extents.fore) continue;
+    const double x = view.to_page(station.position, 0.0).x();
+    draw_vertical(builder, LineKind::kGrid, grid, x);
+    ticks.push_back({x, station.label, Ink::kStation, false});
+  }
+  label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
+}
+
+void draw_perpendiculars(SheetBuilder& builder, const View& view, const GridBox& grid,
+                         const LinesDrawing& drawing, const HullExtents& extents) {
+  if (!drawing.length) return;
+  std::vector<Tick> ticks;
+  const auto add = [&](double x, const std::string& name) {
+    if (x < extents.aft || x > extents.fore) return;
+    const double page_x = view.to_page(x, 0.0).x();
+    draw_vertical(builder, LineKind::kPerpendicular, grid, page_x);
+    ticks.push_back({page_x, name, Ink::kBlack, true});
+  };
+  add(0.0, "AP");
+  add(extents.midship, "Midship");
+  add(*drawing.length, "FP");
+  label_verticals(builder, view, std::move(ticks), grid.min().y() - 0.5 * kLabelRow);
+}
+
+}  // namespace
+
+void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
+                  const HullExtents& extents) {
+  const GridBox grid = grid_of(view, extents);
+  draw_caption(builder, view, "Profile");
+  draw_stations(builder, view, grid, drawing, extents);
+  draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);
+  draw_perpendiculars(builder, view, grid, drawing, extents);
+
+  std::vector<std::vector<PlacedCurve>> buttocks;
+  for (const NamedCurves& buttock : drawing.buttocks) {
+    std::vector<PlacedCurve>& placed = buttocks.emplace_back();
+    for (const ShipCurve& curve : buttock.curves) {
+      PagePath path = side_view(view, curve);
+      placed.push_back({path, builder.draw_curve(kButtockLines.kind, path)});
+    }
+  }
+  for (const ShipCurve& curve : drawing.knuckles) {
+    builder.draw_curve(LineKind::kKnuckle, side_view(view, curve));
+  }
+  for (const ShipCurve& curve : drawing.outlines) {
+    builder.draw_curve(LineKind::kOutline, side_view(view, curve));
+  }
+
+  // The buttocks are apart from one another in the ends of the ship.
+  const double length = extents.fore - extents.aft;
+  const std::vector<double> wanted = {view.to_page(extents.aft + 0.82 * length, 0.0).x(),
+                                      view.to_page(extents.aft + 0.15 * length, 0.0).x()};
+  for (std::size_t i = 0; i < buttocks.size(); ++i) {
+    label_on_curve(builder, view, buttocks[i], drawing.buttocks[i].label, kButtockLines.ink,
+                   wanted);
+  }
+}
+
+}  // namespace hull

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the three views of a lines plan have in common: grid lines with their labels, and labels on
+// curves.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "drawing/lines_drawing.h"
+#include "drawing/sheet_builder.h"
+
+namespace hull {
+
+// The part of a view's plane that the grid covers, in page mm.
+using GridBox = Eigen::AlignedBox2d;
+
+// A label at the end of a grid line.
+struct Tick {
+  double at;  // page x of a vertical line, page y of a horizontal one
+  std::string text;
+  Ink ink;
+  bool first;  // gets its place before the others
+};
+
+// How a family of lines is drawn as curves, and its labels.
+struct LineFamily {
+  LineKind kind;
+  Ink ink;
+};
+inline constexpr LineFamily kStationLines{LineKind::kStation, Ink::kStation};
+inline constexpr LineFamily kWaterlineLines{LineKind::kWaterline, Ink::kWaterline};
+inline constexpr LineFamily kButtockLines{LineKind::kButtock, Ink::kButtock};
+
+// A curve on the page and its number as an obstacle (SheetBuilder::draw_curve).
+struct PlacedCurve {
+  PagePath path;
+  int number;
+};
+
+void draw_caption(SheetBuilder& builder, const View& view, const std::string& text);
+
+// Lines across the whole grid at a page coordinate.
+void draw_vertical(SheetBuilder& builder, LineKind kind, const GridBox& grid, double x);
+void draw_horizontal(SheetBuilder& builder, LineKind kind, const GridBox& grid, double y);
+
+// The labels of vertical lines in a row, centred at the page height `y`; of horizontal lines in a
+// column left and right of the grid. A label that would touch another in its row or column is left
+// out; of two, the one that is later in `ticks` or not first.
+void label_verticals(SheetBuilder& builder, const View& view, std::vector<Tick> ticks, double y);
+void label_horizontals(SheetBuilder& builder, const View& view, const GridBox& grid,
+                       std::vector<Tick> ticks);
+
+// Writes `text` into the longest of `curves`, along it and interrupting it, as near as there is
+// room to one of the page abscissas `wanted`, the first ones before the later. Nothing is written
+// when there is no room.
+void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<PlacedCurve>& curves,
+                    const std::string& text, Ink ink, const std::vector<double>& wanted);
+
+// Whether this waterline is the design waterline.
+bool is_design_waterline(const LinesDrawing& drawing, const NamedCurves& waterline);
+
+// Grid lines and ticks of the waterlines, the base line and the design waterline, which the profile
+// and the body plan share; those outside the view's heights are left out.
+void draw_heights(SheetBuilder& builder, const View& view, const GridBox& grid,
+                  const LinesDrawing& drawing, double bottom, double top);
+
+}  // namespace hull
