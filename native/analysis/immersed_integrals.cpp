@@ -160,7 +160,7 @@ ImmersedIntegrals immersed_integrals(const LimitSurface& surface, const Plane& w
   const double size = surface.mesh().size();
   Integrator integrator(water, size);
   const auto descend = [&](const CornerSquare& square) {
-    if (extent_of(square) < kSmallestCorner * size) return false;
+    if (square.extent() < kSmallestCorner * size) return false;
     return height_range(square, water)[0] < 0.0;
   };
   for (int cell = 0; cell < surface.cell_count(); ++cell) {

@@ -50,8 +50,9 @@ BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double to
 }
 
 std::array<double, 2> height_range(const CornerSquare& square, const Plane& plane) {
-  std::array<double, 2> range{plane.height(square.points[0]), plane.height(square.points[0])};
-  for (const Vector3d& p : square.points) {
+  const std::vector<Vector3d> points = square.points();
+  std::array<double, 2> range{plane.height(points[0]), plane.height(points[0])};
+  for (const Vector3d& p : points) {
     const double height = plane.height(p);
     range = {std::min(range[0], height), std::max(range[1], height)};
   }

@@ -50,7 +50,7 @@ std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plan
   const auto descend = [&](const CornerSquare& square) {
     const auto [lowest, highest] = height_range(square, plane);
     if (lowest >= -kZeroHeight * size || highest < 0.0) return false;
-    return extent_of(square) > kSmallestCorner * size;
+    return square.extent() > kSmallestCorner * size;
   };
   std::vector<SectionArc> arcs;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {

@@ -111,31 +111,27 @@ void CornerBasis::place_segments() {
   }
 }
 
-CornerPoints CornerBasis::prepare(std::vector<Vector3d> points) const {
-  assert(static_cast<int>(points.size()) == point_count());
-  CornerPoints result;
-  result.squares.reserve(kPlainRings + 1);
-  result.squares.push_back(std::move(points));
-  result.segments.resize(static_cast<std::size_t>(kPlainRings) * segments_.size());
+void CornerBasis::prepare(CornerPoints& points) const {
+  assert(points.squares.size() == kPlainRings + 1);
+  assert(static_cast<int>(points.squares.front().size()) == point_count());
+  points.segments.resize(static_cast<std::size_t>(kPlainRings) * segments_.size());
   std::vector<Vector3d> refined(refine_.count());
   for (int level = 0; level < kPlainRings; ++level) {
-    refine_.multiply(result.squares.back(),
-                     [&refined](int row, const Vector3d& p) { refined[row] = p; });
-    std::vector<Vector3d>& square = result.squares.emplace_back();
-    square.reserve(next_square_.size());
-    for (int row : next_square_) square.push_back(refined[row]);
+    refine_.multiply(points.squares[level].data(), refined.data());
+    std::vector<Vector3d>& square = points.squares[level + 1];
+    square.resize(next_square_.size());
+    for (std::size_t i = 0; i < square.size(); ++i) square[i] = refined[next_square_[i]];
     for (int s = 0; s < segment_count(); ++s) {
-      BicubicPoints& segment = result.segments[level * segment_count() + s];
+      BicubicPoints& segment = points.segments[level * segment_count() + s];
       for (int i = 0; i < 16; ++i) segment[i] = refined[segment_rows_[s][i]];
     }
   }
   // The row of limit weights, applied to the smallest square for accuracy.
-  const std::vector<Vector3d>& inner = result.squares.back();
-  result.limit = inner.front();
+  const std::vector<Vector3d>& inner = points.squares.back();
+  points.limit = inner.front();
   for (Eigen::Index i = 0; i < spectrum_->left.rows(); ++i) {
-    result.limit += spectrum_->left(i, 0) * (inner[i] - inner.front());
+    points.limit += spectrum_->left(i, 0) * (inner[i] - inner.front());
   }
-  return result;
 }
 
 EigenCoordinates CornerBasis::eigen_coordinates(const CornerPoints& points) const {

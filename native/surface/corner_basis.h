@@ -71,7 +71,8 @@ class CornerBasis {
   int segment_count() const { return static_cast<int>(segments_.size()); }
   const TangentRule& tangent_rule() const { return tangent_; }
 
-  CornerPoints prepare(std::vector<Vector3d> points) const;
+  // Computes the rest of `points` from its first square, given with all squares' number right.
+  void prepare(CornerPoints& points) const;
 
   // Position and derivatives at (u, v) in [0, 1]^2. At (0, 0), where derivatives do not exist in
   // this parametrisation, they are zero.
@@ -115,6 +116,8 @@ class CornerRing {
 
   // The N control points of the square [0, 2^-k]^2 after k steps.
   std::vector<Vector3d> points() const;
+  // The surface point at the corner.
+  const Vector3d& limit() const { return points_.limit; }
   // Control points of segment `segment` (an index of CornerBasis::segments()) of the ring, which
   // covers the segment's square divided by 2^k.
   BicubicPoints segment_points(int segment) const;

@@ -65,14 +65,21 @@ Vector3d unit_or_zero(const Vector3d& a, const Vector3d& b) {
 LimitSurface::LimitSurface(ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
     : mesh_(std::move(mesh)),
       layout_(std::make_shared<const SurfaceLayout>(mesh_.topology(), scheme, *cache)) {
+  take_points();
+}
+
+void LimitSurface::set_points(std::vector<Vector3d> points) {
+  mesh_ = mesh_.with_points(std::move(points));
+  take_points();
+}
+
+void LimitSurface::take_points() {
   const std::vector<Vector3d> refined = layout_->refine(mesh_.topology(), mesh_.points());
-  leaves_.reserve(layout_->leaf_count());
-  for (int i = 0; i < layout_->leaf_count(); ++i) {
-    leaves_.push_back(layout_->leaf_points(i, refined));
-  }
-  corners_.reserve(layout_->corner_count());
+  leaves_.resize(layout_->leaf_count());
+  for (int i = 0; i < layout_->leaf_count(); ++i) layout_->take_leaf(i, refined, leaves_[i]);
+  corners_.resize(layout_->corner_count());
   for (int i = 0; i < layout_->corner_count(); ++i) {
-    corners_.push_back(layout_->corner_points(i, refined));
+    layout_->take_corner(i, refined, corners_[i]);
   }
 }
 

@@ -20,11 +20,16 @@ namespace hull {
 // corner, (1, 1) at the face's centre. Normals point to the side from which faces run
 // counter-clockwise; a hull's faces are turned so that this is the water.
 //
-// Errors: positions to about 1e-14 of the mesh's size. Immutable; all queries are thread-safe.
+// Errors: positions to about 1e-14 of the mesh's size. All queries are thread-safe among
+// themselves.
 class LimitSurface {
  public:
   explicit LimitSurface(ControlMesh mesh, Scheme scheme = Scheme::kBiermann,
                         std::shared_ptr<BasisCache> cache = std::make_shared<BasisCache>());
+
+  // Moves the control points; nothing that depends on topology alone is done again. Throws
+  // std::invalid_argument unless there are as many points as before, all finite.
+  void set_points(std::vector<Vector3d> points);
 
   const ControlMesh& mesh() const { return mesh_; }
   Scheme scheme() const { return layout_->scheme(); }
@@ -46,6 +51,8 @@ class LimitSurface {
   const CornerPoints& corner(int index) const { return corners_[index]; }
 
  private:
+  void take_points();
+
   ControlMesh mesh_;
   std::shared_ptr<const SurfaceLayout> layout_;
   std::vector<BicubicPoints> leaves_;

@@ -5,6 +5,19 @@
 
 namespace hull {
 
+void SparseRows::multiply(const Eigen::Vector3d* old_points, Eigen::Vector3d* new_points) const {
+  for (int row = 0; row < count(); ++row) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    for (int k = begin_[row]; k < begin_[row + 1]; ++k) {
+      const Eigen::Vector3d& p = old_points[index_[k]];
+      x += weight_[k] * p.x();
+      y += weight_[k] * p.y();
+      z += weight_[k] * p.z();
+    }
+    new_points[row] = {x, y, z};
+  }
+}
+
 int SparseRows::add_entries(const std::vector<int>& index, const std::vector<double>& weight) {
   for (int row = 0; row < count(); ++row) {
     const int begin = begin_[row], end = begin_[row + 1];

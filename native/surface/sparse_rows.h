@@ -24,15 +24,8 @@ class SparseRows {
     return add_entries(index, weight);
   }
 
-  // Calls put(row, value) for every row: value = sum of weights times old points.
-  template <class Points, class Put>
-  void multiply(const Points& points, const Put& put) const {
-    for (int row = 0; row < count(); ++row) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (int k = begin_[row]; k < begin_[row + 1]; ++k) sum += weight_[k] * points[index_[k]];
-      put(row, sum);
-    }
-  }
+  // new_points[row] = sum of the row's weights times old points.
+  void multiply(const Eigen::Vector3d* old_points, Eigen::Vector3d* new_points) const;
 
  private:
   int add_entries(const std::vector<int>& index, const std::vector<double>& weight);

@@ -193,21 +193,28 @@ std::vector<Vector3d> SurfaceLayout::refine(const Topology& control_topology,
   return points;
 }
 
-BicubicPoints SurfaceLayout::leaf_points(int leaf, const std::vector<Vector3d>& refined) const {
+void SurfaceLayout::take_leaf(int leaf, const std::vector<Vector3d>& refined,
+                              BicubicPoints& points) const {
   const std::array<int, 16>& indices = leaves_[leaf];
-  BicubicPoints points;
+  bool complete = true;
   for (int i = 0; i < 16; ++i) {
-    if (indices[i] != kNoPoint) points[i] = refined[indices[i]];
+    if (indices[i] == kNoPoint) {
+      complete = false;
+    } else {
+      points[i] = refined[indices[i]];
+    }
   }
-  fill_ghosts(points, indices);
-  return points;
+  if (!complete) fill_ghosts(points, indices);
 }
 
-CornerPoints SurfaceLayout::corner_points(int corner, const std::vector<Vector3d>& refined) const {
-  std::vector<Vector3d> points;
-  points.reserve(corners_[corner].points.size());
-  for (int i : corners_[corner].points) points.push_back(refined[i]);
-  return corners_[corner].basis->prepare(points);
+void SurfaceLayout::take_corner(int corner, const std::vector<Vector3d>& refined,
+                                CornerPoints& points) const {
+  const Corner& from = corners_[corner];
+  points.squares.resize(kPlainRings + 1);
+  std::vector<Vector3d>& first = points.squares.front();
+  first.clear();
+  for (int i : from.points) first.push_back(refined[i]);
+  from.basis->prepare(points);
 }
 
 }  // namespace hull

@@ -45,8 +45,9 @@ class SurfaceLayout {
   // quadrants need, from the control points.
   std::vector<Vector3d> refine(const Topology& control_topology,
                                const std::vector<Vector3d>& control_points) const;
-  BicubicPoints leaf_points(int leaf, const std::vector<Vector3d>& refined) const;
-  CornerPoints corner_points(int corner, const std::vector<Vector3d>& refined) const;
+  // What the surface keeps of each leaf and corner, from these.
+  void take_leaf(int leaf, const std::vector<Vector3d>& refined, BicubicPoints& points) const;
+  void take_corner(int corner, const std::vector<Vector3d>& refined, CornerPoints& points) const;
 
  private:
   struct Corner {

@@ -56,7 +56,10 @@ TEST(CornerBasis, AgreesWithPowersOfTheLocalMatrix) {
       points[i] = {unit(random), unit(random), unit(random)};
       plain.row(i) = points[i].transpose();
     }
-    const CornerPoints prepared = basis.prepare(points);
+    CornerPoints prepared;
+    prepared.squares.resize(kPlainRings + 1);
+    prepared.squares.front() = points;
+    basis.prepare(prepared);
     // From the square the eigenbasis takes over in, so that it is this that is compared.
     for (int i = 0; i < n; ++i) plain.row(i) = prepared.squares.back()[i].transpose();
     CornerRing ring(basis, prepared);

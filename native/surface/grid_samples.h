@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "surface/limit_surface.h"
+
+namespace hull {
+
+// The surface on the grid (u, v) = (i/n, j/n) of every cell. Sample (i, j) of cell c has index
+// (c (n + 1) + i) (n + 1) + j. Derivatives are with respect to the cell's (u, v), and zero at
+// irregular knots, where they do not exist; what was not asked for is empty.
+struct GridSamples {
+  int n = 0;
+  std::vector<Vector3d> points;
+  std::vector<Vector3d> du, dv;         // order >= 1
+  std::vector<Vector3d> duu, duv, dvv;  // order 2
+
+  std::size_t index(int cell, int i, int j) const {
+    return (static_cast<std::size_t>(cell) * (n + 1) + i) * (n + 1) + j;
+  }
+};
+
+// Throws std::invalid_argument unless 1 <= n <= 256 and order is 0, 1 or 2.
+GridSamples evaluate_grid(const LimitSurface& surface, int n, int order);
+
+// The same into samples whose memory is used again.
+void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples);
+
+}  // namespace hull
