@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/bicubic.h"
 
+#include <Eigen/Geometry>
+
 namespace hull {
+
+Vector3d unit_normal(const Vector3d& du, const Vector3d& dv) {
+  // Cross products shorter than this times the lengths of their factors have no direction.
+  constexpr double kParallel = 1e-12;
+  const Vector3d normal = du.cross(dv);
+  const double length = normal.norm();
+  if (!(length > kParallel * du.norm() * dv.norm())) return Vector3d::Zero();
+  return normal / length;
+}
 
 void scale_derivatives(SurfaceJet& jet, double factor) {
   jet.du *= factor;

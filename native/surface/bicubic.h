@@ -18,6 +18,9 @@ struct SurfaceJet {
   Vector3d duu = Vector3d::Zero(), duv = Vector3d::Zero(), dvv = Vector3d::Zero();
 };
 
+// Unit vector along du x dv; zero where these are parallel or vanish.
+Vector3d unit_normal(const Vector3d& du, const Vector3d& dv);
+
 // To parameters that run `factor` times as fast.
 void scale_derivatives(SurfaceJet& jet, double factor);
 

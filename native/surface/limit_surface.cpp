@@ -51,15 +51,6 @@ Place find_place(const SurfaceLayout& layout, int cell, double u, double v) {
   return place;
 }
 
-// Cross products shorter than this times the lengths of their factors have no direction.
-constexpr double kParallel = 1e-12;
-
-Vector3d unit_or_zero(const Vector3d& a, const Vector3d& b) {
-  const Vector3d normal = a.cross(b);
-  const double length = normal.norm();
-  return length > kParallel * a.norm() * b.norm() ? Vector3d(normal / length) : Vector3d::Zero();
-}
-
 }  // namespace
 
 LimitSurface::LimitSurface(ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
@@ -114,7 +105,7 @@ Vector3d LimitSurface::normal(int cell, double u, double v) const {
     return length > 0.0 ? Vector3d(direction / length) : Vector3d::Zero();
   }
   const SurfaceJet jet = evaluate(cell, u, v, 1);
-  return unit_or_zero(jet.du, jet.dv);
+  return unit_normal(jet.du, jet.dv);
 }
 
 }  // namespace hull
