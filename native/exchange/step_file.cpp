@@ -2,7 +2,7 @@
 #include "exchange/step_file.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
-#include <BRepCheck_Analyzer.hxx>
+#include <Eigen/Geometry>
 #include <IFSelect_ReturnStatus.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepBasic_Product.hxx>
@@ -11,6 +11,7 @@
 #include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -24,6 +25,8 @@
 
 namespace hull {
 namespace {
+
+constexpr double kSizeTolerance = 1e-6;  // of the size
 
 // Stands for the product's name until the text is there: Open CASCADE writes bytes above 127 as
 // they are, which the format forbids, and would double the backslashes of the directives for them.
@@ -59,6 +62,10 @@ std::string with_name(std::string text, const std::string& name) {
 // The file's text. REQUIRES: an OcctSession lives.
 std::string step_text(const TopoDS_Shape& shape, const std::string& name) {
   STEPControl_Writer writer;
+  // Millimetres come in, metres go out. Release 7.8 heeds this and not the global setting for the
+  // numbers, but that setting for the unit it declares.
+  writer.Model()->SetLocalLengthUnit(1.0);
+  writer.Model()->SetWriteLengthUnit(kMillimetresPerMetre);
   if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone) {
     throw FileError("Open CASCADE could not translate the patches to STEP");
   }
@@ -73,8 +80,22 @@ std::string step_text(const TopoDS_Shape& shape, const std::string& name) {
   return with_name(stream.str(), name);
 }
 
+// The box of the patches, from the same points as that of a StepReport.
+Eigen::AlignedBox3d box_of(const PatchSet& set) {
+  Eigen::AlignedBox3d box;
+  for (const BSplinePatch& patch : set.patches) {
+    for (int i = 0; i <= kBoxSteps; ++i) {
+      for (int j = 0; j <= kBoxSteps; ++j) {
+        box.extend(
+            patch.position(static_cast<double>(i) / kBoxSteps, static_cast<double>(j) / kBoxSteps));
+      }
+    }
+  }
+  return box;
+}
+
 // What was read back and not meant; empty if all is well.
-std::string difference(const BRepShape& meant, const StepReport& found) {
+std::string difference(const PatchSet& set, const BRepShape& meant, const StepReport& found) {
   const auto numbers = [](int have, int want) {
     return std::to_string(have) + " of " + std::to_string(want);
   };
@@ -83,6 +104,10 @@ std::string difference(const BRepShape& meant, const StepReport& found) {
   if (found.free_edges != meant.free_edges) {
     return numbers(found.free_edges, meant.free_edges) + " free edges";
   }
+  const Eigen::AlignedBox3d box = box_of(set);
+  const double error =
+      std::max((found.box_min - box.min()).norm(), (found.box_max - box.max()).norm());
+  if (!(error <= kSizeTolerance * set.size())) return "a shape of another size";
   return found.valid ? "" : "a shape that is not valid";
 }
 
@@ -106,7 +131,7 @@ StepReport write_step(const PatchSet& patches, const std::string& path,
   }
   std::istringstream stream(text);
   StepReport report = read_step_report(stream, path);
-  if (const std::string wrong = difference(brep, report); !wrong.empty()) {
+  if (const std::string wrong = difference(set, brep, report); !wrong.empty()) {
     throw std::invalid_argument("the STEP file was not written, because reading it back gave " +
                                 wrong +
                                 "; look for faces that are tiny or folded over, and for "

@@ -70,7 +70,6 @@ void measure(const TopoDS_Shape& shape, StepReport& report) {
 }
 
 void find_box(const TopoDS_Shape& shape, StepReport& report) {
-  constexpr int kSteps = 8;
   Eigen::AlignedBox3d box;
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -78,9 +77,9 @@ void find_box(const TopoDS_Shape& shape, StepReport& report) {
     const BRepAdaptor_Surface surface(TopoDS::Face(faces(f)));
     const double u0 = surface.FirstUParameter(), u1 = surface.LastUParameter();
     const double v0 = surface.FirstVParameter(), v1 = surface.LastVParameter();
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; j <= kSteps; ++j) {
-        const double u = u0 + (u1 - u0) * i / kSteps, v = v0 + (v1 - v0) * j / kSteps;
+    for (int i = 0; i <= kBoxSteps; ++i) {
+      for (int j = 0; j <= kBoxSteps; ++j) {
+        const double u = u0 + (u1 - u0) * i / kBoxSteps, v = v0 + (v1 - v0) * j / kBoxSteps;
         box.extend(in_metres(surface.Value(u, v)));
       }
     }

@@ -9,6 +9,8 @@
 
 namespace hull {
 
+constexpr int kBoxSteps = 8;
+
 // What Open CASCADE finds in a STEP file after translating all of it. Lengths in metres whatever
 // the file's own unit is.
 struct StepReport {
@@ -22,8 +24,8 @@ struct StepReport {
   double area = 0.0;
   // The volume enclosed; positive where the normals point outwards. Only where no edge is free.
   std::optional<double> volume;
-  // Smallest box found from points on edges and faces: never larger than the true one, and smaller
-  // by less than the bulge of a quarter of a face over its chord.
+  // Smallest box around (kBoxSteps + 1)^2 points of each face, equally spaced in its parameters,
+  // borders included: never larger than the true one.
   Eigen::Vector3d box_min = Eigen::Vector3d::Zero(), box_max = Eigen::Vector3d::Zero();
   std::string product;              // name of the first product
   std::vector<int> cells_left_out;  // write_step only: cells without area, which make no face
