@@ -61,7 +61,7 @@ PYBIND11_MODULE(_drawing, module) {
       [](const hull::LimitSurface& surface, const std::filesystem::path& path,
          const Positions& stations, const Positions& waterlines, const Positions& buttocks,
          bool mirrored, const std::optional<double>& draft, const std::optional<double>& length,
-         const std::string& title,
+         const std::optional<double>& station_spacing, const std::string& title,
          const std::vector<std::pair<std::string, std::string>>& particulars,
          const std::string& paper) {
         hull::LinesOptions options;
@@ -71,6 +71,7 @@ PYBIND11_MODULE(_drawing, module) {
         options.mirrored = mirrored;
         options.draft = draft;
         options.length = length;
+        options.station_spacing = station_spacing;
         options.title = title;
         for (const auto& [name, value] : particulars) options.particulars.push_back({name, value});
         options.paper = paper_from(paper);
@@ -79,15 +80,16 @@ PYBIND11_MODULE(_drawing, module) {
       },
       py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("stations"),
       py::arg("waterlines"), py::arg("buttocks"), py::arg("mirrored"),
-      py::arg("draft") = py::none(), py::arg("length") = py::none(), py::arg("title") = "",
+      py::arg("draft") = py::none(), py::arg("length") = py::none(),
+      py::arg("station_spacing") = py::none(), py::arg("title") = "",
       py::arg("particulars") = std::vector<std::pair<std::string, std::string>>{},
       py::arg("paper") = "A3",
       "Draw body plan, profile and half-breadth plan at one scale on one sheet; the ending of path "
       "chooses PDF, SVG or PNG. stations (x), waterlines (z) and buttocks (y >= 0) are (n,) "
-      "positions in m, in any order; stations are numbered from 0 aft. mirrored: the surface is "
-      "the "
-      "half y >= 0. draft (m) adds the design waterline, length (m, between perpendiculars from "
-      "x = 0) AP and FP. particulars: up to 16 pairs (name, value) of texts for the title block. "
-      "paper: \"A4\" to \"A0\". Raises ValueError if nothing can be drawn, OSError if the file "
-      "can't be written; one of the same name is then untouched.");
+      "positions in m, in any order. mirrored: the surface is the half y >= 0. draft (m) adds the "
+      "design waterline, length (m, between perpendiculars from x = 0) AP and FP. A station is "
+      "numbered by its x in units of station_spacing (m; default: the stations' distance, where "
+      "all are multiples of it). particulars: up to 16 pairs (name, value) of texts for the title "
+      "block. paper: \"A4\" to \"A0\". Raises ValueError if nothing can be drawn, OSError if the "
+      "file can't be written; one of the same name is then untouched.");
 }

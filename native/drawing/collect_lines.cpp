@@ -49,6 +49,43 @@ std::string metres(double value, int decimals) {
   return text;
 }
 
+// How far x is from a whole number of spacings, in spacings.
+double off_grid(double x, double spacing) {
+  return std::abs(x / spacing - std::round(x / spacing));
+}
+
+// The spacing by which sorted stations are numbered; 0 if they are to be counted.
+double numbering_of(const std::vector<double>& stations, const std::optional<double>& given) {
+  if (given) {
+    if (!(*given > 0.0) || !std::isfinite(*given)) {
+      throw std::invalid_argument("The station spacing must be above zero, not " +
+                                  metres(*given, 3));
+    }
+    return *given;
+  }
+  if (stations.size() < 2) return 0.0;
+  double smallest = stations[1] - stations[0];
+  for (std::size_t i = 2; i < stations.size(); ++i) {
+    smallest = std::min(smallest, stations[i] - stations[i - 1]);
+  }
+  const auto fits = [smallest](double x) { return off_grid(x, smallest) < 1e-3; };
+  return std::all_of(stations.begin(), stations.end(), fits) ? smallest : 0.0;
+}
+
+std::string station_number(double x, double spacing) {
+  if (off_grid(x, spacing) < 1e-3) return std::to_string(std::lround(x / spacing));
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g", x / spacing);
+  return text;
+}
+
+void number_stations(std::vector<NamedCurves>& stations, double spacing) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    stations[i].label =
+        spacing > 0.0 ? station_number(stations[i].position, spacing) : std::to_string(i);
+  }
+}
+
 void add_port_half(std::vector<ShipCurve>& curves, const ShipCurve& curve) {
   for (ShipCurve& part : part_of_curve(curve, 1, 0.0, Side::kAbove)) {
     curves.push_back(std::move(part));
@@ -117,7 +154,7 @@ LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& opti
     throw std::invalid_argument("The draft is not a finite number");
   }
   drawing.stations = cut_all(surface, Axis::kX, stations);
-  for (std::size_t i = 0; i < stations.size(); ++i) drawing.stations[i].label = std::to_string(i);
+  number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
   drawing.waterlines = cut_all(surface, Axis::kZ, waterlines);
   if (options.draft) mark_design_waterline(surface, drawing.waterlines, *options.draft, same);
   drawing.buttocks = cut_all(surface, Axis::kY, buttocks);

@@ -12,12 +12,16 @@
 namespace hull {
 
 struct LinesOptions {
-  std::vector<double> stations;    // x, m; numbered from 0 in the order of x
+  std::vector<double> stations;    // x, m
   std::vector<double> waterlines;  // z, m
   std::vector<double> buttocks;    // y, m, not below zero
   bool mirrored = true;            // the surface is the half y >= 0
   std::optional<double> draft;   // a waterline at this z is added and drawn as the design waterline
   std::optional<double> length;  // between perpendiculars, from x = 0
+  // A station's number is its x in units of this, so that 0 is the after perpendicular and half
+  // stations read 0.5. Without it the smallest distance of two stations, if all are multiples of
+  // it; else they are counted from 0, from aft.
+  std::optional<double> station_spacing;
   std::string title;
   std::vector<Particular> particulars;
   Paper paper = Paper::kA3;
@@ -27,8 +31,8 @@ struct LinesOptions {
 // knuckles. Of a whole hull the port half is taken, with its section by the centre plane as
 // outline. Curves are as fine as the paper can show.
 //
-// Throws std::invalid_argument for a position, draft or length that is not finite and for a
-// negative buttock.
+// Throws std::invalid_argument for a position, draft or length that is not finite, a negative
+// buttock and a station spacing that is not above zero.
 LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options);
 
 // The two steps at once; a wrong file name is refused before anything is computed. Throws as

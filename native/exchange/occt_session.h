@@ -4,7 +4,6 @@
 #include <Message_SequenceOfPrinters.hxx>
 #include <Standard_Failure.hxx>
 #include <mutex>
-#include <stdexcept>
 #include <string>
 
 namespace hull {

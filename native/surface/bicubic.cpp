@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "surface/wide_code.h"
+
 namespace hull {
 
 Vector3d unit_normal(const Vector3d& du, const Vector3d& dv) {
@@ -23,44 +25,59 @@ void scale_derivatives(SurfaceJet& jet, double factor) {
   jet.dvv *= square;
 }
 
-Basis cubic_basis(double t) {
-  const double s = 1.0 - t;
-  return {s * s * s / 6.0, 2.0 / 3.0 - t * t + t * t * t / 2.0, 2.0 / 3.0 - s * s + s * s * s / 2.0,
-          t * t * t / 6.0};
+namespace {
+
+// Four points, x y z after one another.
+struct Column {
+  double lane[12];
+};
+
+// Sum over the rows of the grid: what is left is a cubic along u.
+inline Column along_v(const double* p, const Basis& w) {
+  Column sum;
+  for (int k = 0; k < 12; ++k) {
+    sum.lane[k] = w[0] * p[k] + w[1] * p[12 + k] + w[2] * p[24 + k] + w[3] * p[36 + k];
+  }
+  return sum;
 }
 
-Basis cubic_basis_d1(double t) {
-  const double s = 1.0 - t;
-  return {-s * s / 2.0, t * (1.5 * t - 2.0), -s * (1.5 * s - 2.0), t * t / 2.0};
+inline void along_u(const Column& c, const Basis& w, Vector3d& out) {
+  for (int k = 0; k < 3; ++k) {
+    out[k] =
+        (w[0] * c.lane[k] + w[1] * c.lane[3 + k]) + (w[2] * c.lane[6 + k] + w[3] * c.lane[9 + k]);
+  }
 }
 
-Basis cubic_basis_d2(double t) {
-  const double s = 1.0 - t;
-  return {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t};
+template <int kOrder>
+HULL_WIDE void evaluate_order(const double* points, double u, double v, SurfaceJet& jet) {
+  const Basis bu = cubic_basis(u);
+  const Column c = along_v(points, cubic_basis(v));
+  along_u(c, bu, jet.point);
+  if constexpr (kOrder > 0) {
+    const Basis du = cubic_basis_d1(u);
+    const Column c_v = along_v(points, cubic_basis_d1(v));
+    along_u(c, du, jet.du);
+    along_u(c_v, bu, jet.dv);
+    if constexpr (kOrder > 1) {
+      const Column c_vv = along_v(points, cubic_basis_d2(v));
+      along_u(c, cubic_basis_d2(u), jet.duu);
+      along_u(c_v, du, jet.duv);
+      along_u(c_vv, bu, jet.dvv);
+    }
+  }
 }
+
+}  // namespace
 
 SurfaceJet evaluate_bicubic(const BicubicPoints& points, double u, double v, int order) {
-  const Basis bu = cubic_basis(u), bv = cubic_basis(v);
-  const Basis du = order > 0 ? cubic_basis_d1(u) : Basis{};
-  const Basis dv = order > 0 ? cubic_basis_d1(v) : Basis{};
-  const Basis duu = order > 1 ? cubic_basis_d2(u) : Basis{};
-  const Basis dvv = order > 1 ? cubic_basis_d2(v) : Basis{};
   SurfaceJet jet;
-  for (int b = 0; b < 4; ++b) {
-    const Vector3d* row = &points[4 * b];
-    const auto along = [row](const Basis& w) -> Vector3d {
-      return w[0] * row[0] + w[1] * row[1] + w[2] * row[2] + w[3] * row[3];
-    };
-    const Vector3d p = along(bu);
-    jet.point += bv[b] * p;
-    if (order < 1) continue;
-    const Vector3d p_u = along(du);
-    jet.du += bv[b] * p_u;
-    jet.dv += dv[b] * p;
-    if (order < 2) continue;
-    jet.duu += bv[b] * along(duu);
-    jet.duv += dv[b] * p_u;
-    jet.dvv += dvv[b] * p;
+  const double* numbers = points[0].data();
+  if (order == 0) {
+    evaluate_order<0>(numbers, u, v, jet);
+  } else if (order == 1) {
+    evaluate_order<1>(numbers, u, v, jet);
+  } else {
+    evaluate_order<2>(numbers, u, v, jet);
   }
   return jet;
 }

@@ -26,9 +26,21 @@ void scale_derivatives(SurfaceJet& jet, double factor);
 
 // Uniform cubic B-spline basis (Greshake 2021, 5.7) and its derivatives on the span [0, 1].
 using Basis = std::array<double, 4>;
-Basis cubic_basis(double t);
-Basis cubic_basis_d1(double t);
-Basis cubic_basis_d2(double t);
+inline Basis cubic_basis(double t) {
+  const double s = 1.0 - t;
+  return {s * s * s / 6.0, 2.0 / 3.0 - t * t + t * t * t / 2.0, 2.0 / 3.0 - s * s + s * s * s / 2.0,
+          t * t * t / 6.0};
+}
+
+inline Basis cubic_basis_d1(double t) {
+  const double s = 1.0 - t;
+  return {-s * s / 2.0, t * (1.5 * t - 2.0), -s * (1.5 * s - 2.0), t * t / 2.0};
+}
+
+inline Basis cubic_basis_d2(double t) {
+  const double s = 1.0 - t;
+  return {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t};
+}
 
 // Control points of one uniform bicubic B-spline span, index 4 (b + 1) + (a + 1): a along u.
 using BicubicPoints = std::array<Vector3d, 16>;

@@ -13,10 +13,10 @@ SURFACE = "Hull surface"
 
 # In the order of the lines object's material slots; linear RGB.
 LINE_COLOURS = {
-    "station": (0.62, 0.05, 0.03),
+    "station": (0.012, 0.012, 0.016),
     "waterline": (0.02, 0.12, 0.55),
     "buttock": (0.03, 0.32, 0.08),
-    "feature": (0.01, 0.01, 0.012),
+    "feature": (0.75, 0.16, 0.0),
     "draft": (0.0, 0.42, 0.75),
 }
 
