@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/limit_surface.h"
 
+#include <pybind11/stl.h>
+
 #include <stdexcept>
 #include <string>
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "surface/grid_samples.h"
 
 namespace hull::bindings {
 namespace {
@@ -57,6 +60,48 @@ py::array_t<double> at_places(const LimitSurface& surface, const py::object& cel
   return to_array(values);
 }
 
+int checked_order(int order) {
+  if (order >= 0 && order <= 2) return order;
+  throw std::invalid_argument("derivatives is 0, 1 or 2, not " + std::to_string(order) + ".");
+}
+
+py::tuple evaluate(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
+                   int derivatives) {
+  const Places places = places_from(surface, cells, uv);
+  const int order = checked_order(derivatives);
+  constexpr int kArrays[] = {1, 3, 6};
+  std::vector<std::vector<Vector3d>> values(kArrays[order],
+                                            std::vector<Vector3d>(places.cells.size()));
+  {
+    const py::gil_scoped_release release;
+    for (std::size_t i = 0; i < places.cells.size(); ++i) {
+      const SurfaceJet jet =
+          surface.evaluate(places.cells[i], places.uv[i].x(), places.uv[i].y(), order);
+      const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
+      for (std::size_t k = 0; k < values.size(); ++k) values[k][i] = *parts[k];
+    }
+  }
+  py::tuple result(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) result[k] = to_array(values[k]);
+  return result;
+}
+
+py::tuple evaluate_on_grid(const LimitSurface& surface, int n, int derivatives) {
+  GridSamples samples;
+  {
+    const py::gil_scoped_release release;
+    evaluate_grid(surface, n, derivatives, samples);
+  }
+  std::vector<const std::vector<Vector3d>*> parts{&samples.points};
+  if (derivatives > 0) parts.insert(parts.end(), {&samples.du, &samples.dv});
+  if (derivatives > 1) parts.insert(parts.end(), {&samples.duu, &samples.duv, &samples.dvv});
+  py::tuple result(parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    result[k] = to_array(*parts[k]).reshape({surface.cell_count(), n + 1, n + 1, 3});
+  }
+  return result;
+}
+
 }  // namespace
 
 void bind_limit_surface(py::module_& module) {
@@ -65,7 +110,7 @@ void bind_limit_surface(py::module_& module) {
       "The exact limit surface of a control mesh: a function of a cell and (u, v) in [0, 1]^2.\n\n"
       "Cells come in the order (face of the control mesh, corner of that face); (0, 0) is at the "
       "corner, (1, 0) halfway along the edge to the next corner, (1, 1) at the face's centre. "
-      "Positions are exact to about 1e-14 of the mesh's size. Immutable.")
+      "Positions are exact to about 1e-14 of the mesh's size.")
       .def(py::init([](const ControlMesh& mesh, const std::string& scheme) {
              const Scheme chosen = scheme_from(scheme);
              const py::gil_scoped_release release;
@@ -89,6 +134,24 @@ void bind_limit_surface(py::module_& module) {
             });
           },
           py::arg("cells"), py::arg("uv"), "cells: (k,), uv: (k, 2). Returns (k, 3), m.")
+      .def(
+          "set_points",
+          [](LimitSurface& surface, const DoubleArray& points) {
+            std::vector<Vector3d> moved = points_from(points, "points");
+            const py::gil_scoped_release release;
+            surface.set_points(std::move(moved));
+          },
+          py::arg("points"),
+          "Moves the control points to (n, 3), m, on the same topology. Not to be called while "
+          "another thread uses the surface.")
+      .def("evaluate", &evaluate, py::arg("cells"), py::arg("uv"), py::arg("derivatives") = 0,
+           "cells: (k,), uv: (k, 2). Returns a tuple of (k, 3) arrays: the points; with "
+           "derivatives=1 also those by u and v, with 2 also by uu, uv and vv, in m. Derivatives "
+           "are with respect to the cell's (u, v); they do not exist at irregular corners and are "
+           "zero there.")
+      .def("evaluate_grid", &evaluate_on_grid, py::arg("n"), py::arg("derivatives") = 0,
+           "The same on the grid (i/n, j/n) of every cell, n 1 to 256: arrays of shape (cells, "
+           "n + 1, n + 1, 3), first index i along u.")
       .def(
           "normals",
           [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {

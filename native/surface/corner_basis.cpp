@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -62,8 +61,7 @@ CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
   // In second derivatives the rest grows by 4 a level, the leading terms by at least 4 · 1/4.
   const double decay = std::max(spectrum_->rest, 0.126);
   rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
-  find_tangent_rule();
-  tangent_.defined = tangent_.defined && key.kind != VertexKind::kCone;
+  if (key.kind != VertexKind::kCone) tangent_ = hull::tangent_rule(*spectrum_);
 }
 
 // A = [S 0; C D]. The eigenspaces of S extend to A by D X - X L = -C R, block by block.
@@ -218,46 +216,6 @@ Vector3d CornerBasis::corner_normal(const CornerPoints& points) const {
   const EigenCoordinates at = eigen_coordinates(points);
   const Vector3d a = at.slow.transpose() * tangent_.a, b = at.slow.transpose() * tangent_.b;
   return tangent_.sign * a.cross(b);
-}
-
-void CornerBasis::find_tangent_rule() {
-  const auto& blocks = spectrum_->blocks;
-  const Eigen::Index m = right_.cols();
-  if (blocks.size() < 2) return;
-  const SlowBlock& first = blocks[1];
-  Eigen::VectorXd pattern_a = Eigen::VectorXd::Unit(m, first.begin), pattern_b;
-  tangent_.a = pattern_a;
-  if (first.size == 2 && !first.coupled) {
-    tangent_.b = pattern_b = Eigen::VectorXd::Unit(m, first.begin + 1);
-  } else if (first.size == 1 && blocks.size() > 2 && blocks[2].size == 1) {
-    tangent_.b = pattern_b = Eigen::VectorXd::Unit(m, blocks[2].begin);
-  } else if (first.size == 1 && blocks.size() > 2 && blocks[2].coupled) {
-    // A Jordan block: after k steps its nilpotent part leads by a factor k. Of rank one, it maps
-    // everything on one eigenvector (design: trap 5, the osculating plane of a crease).
-    const SlowBlock& second = blocks[2];
-    const Eigen::MatrixXd nilpotent =
-        second.action - second.eigenvalue * Eigen::MatrixXd::Identity(second.size, second.size);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(nilpotent,
-                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
-    if (svd.singularValues()[1] > 1e-6 * svd.singularValues()[0]) return;
-    tangent_.b = pattern_b = Eigen::VectorXd::Zero(m);
-    tangent_.b.segment(second.begin, second.size) = svd.matrixV().col(0);
-    pattern_b.segment(second.begin, second.size) = svd.matrixU().col(0);
-  } else {
-    return;
-  }
-  // The map of the two leading patterns must not fold; its orientation is the normal's sign.
-  double orientation = 0.0;
-  for (const RingSegment& segment : segments_) {
-    const Weights16 du = tensor_weights(cubic_basis_d1(0.5), cubic_basis(0.5));
-    const Weights16 dv = tensor_weights(cubic_basis(0.5), cubic_basis_d1(0.5));
-    const Weights16 a = segment.slow * pattern_a, b = segment.slow * pattern_b;
-    const double jacobian = du.dot(a) * dv.dot(b) - dv.dot(a) * du.dot(b);
-    if (jacobian * orientation < 0.0) return;
-    orientation = jacobian;
-  }
-  tangent_.sign = orientation < 0.0 ? -1.0 : 1.0;
-  tangent_.defined = true;
 }
 
 CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)

@@ -10,6 +10,7 @@
 #include "surface/corner_key.h"
 #include "surface/slow_spectrum.h"
 #include "surface/sparse_rows.h"
+#include "surface/tangent_rule.h"
 
 namespace hull {
 
@@ -20,14 +21,6 @@ struct RingSegment {
   double u, v, size;                               // [u, u + size] x [v, v + size] of the cell
   Eigen::Matrix<double, 16, Eigen::Dynamic> rows;  // its bicubic control points from the cell's
   Eigen::Matrix<double, 16, Eigen::Dynamic> slow;  // rows * right: from the slow coordinates
-};
-
-// How the tangent plane at the corner follows from the slow coordinates: it is spanned by
-// a^T x and b^T x, whose cross product, times sign, is the outward normal's direction.
-struct TangentRule {
-  bool defined = false;
-  Eigen::VectorXd a, b;  // weights of the slow coordinates (m)
-  double sign = 1.0;
 };
 
 // The outermost rings are subdivided, not evaluated in the eigenbasis: it costs less, and no more
@@ -88,7 +81,6 @@ class CornerBasis {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
   void extend_eigenvectors();
   void place_segments();
-  void find_tangent_rule();
   SurfaceJet evaluate_deep(const CornerPoints& points, int level, double u, double v,
                            int order) const;
   void advance(EigenCoordinates& coordinates, int steps) const;
