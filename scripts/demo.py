@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Everything that the add-on makes of one hull file, into a folder.
+
+blender --background --python-exit-code 1 --python demo.py -- FILE FOLDER
+
+Makes hydrostatics.csv, lines.svg, hull.step, render.png and hull.blend.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import bpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import demo_scene  # noqa: E402
+from enabled_addon import part  # noqa: E402
+
+# Fine enough that a facet of the surface shows nowhere in the picture.
+RENDER_SAMPLES_PER_CELL = 8
+
+
+class Progress:
+    """One line on the terminal for each step, with the seconds it took."""
+
+    def __init__(self, steps):
+        self.steps = steps
+        self.done = 0
+
+    def __call__(self, name, work):
+        self.done += 1
+        print(f"[{self.done}/{self.steps}] {name} ... ", end="", flush=True)
+        start = time.monotonic()
+        result = work()
+        print(f"{time.monotonic() - start:.1f} s", flush=True)
+        return result
+
+
+def load(path):
+    bpy.ops.wm.read_homefile(use_empty=True)
+    bpy.ops.hull.import_hull(filepath=str(path))
+    hull = bpy.context.object
+    state = part("bridge.hull_state").state_of(hull)
+    if state.status:
+        raise ValueError(state.status)
+    return hull
+
+
+def describe(hull):
+    """The hull's main numbers on the terminal."""
+    state = part("bridge.hull_state").state_of(hull)
+    found, check = state.hydrostatics, state.check
+    print(f"      {hull.name}: {check.face_count} faces, {check.irregular_count} irregular points")
+    if found is not None:
+        print(
+            f"      draft {found.draft:.3f} m, displacement {found.displacement_t:.1f} t, "
+            f"LCB {found.lcb:.3f} m, KB {found.kb:.3f} m, KMt {found.kmt:.3f} m"
+        )
+
+
+def render(hull, path):
+    hull.hull.samples = RENDER_SAMPLES_PER_CELL
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    demo_scene.set_up(hull)
+    bpy.context.scene.render.filepath = str(path)
+    with demo_scene.quiet_output():
+        bpy.ops.render.render(write_still=True)
+
+
+def save(path):
+    with demo_scene.quiet_output():
+        bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True)
+
+
+def make(source, folder):
+    exports = part("bridge.exports")
+    step = Progress(6)
+    hull = step(f"reading {source.name}", lambda: load(source))
+    describe(hull)
+    scene = bpy.context.scene
+    table, drawing, solid = (
+        str(folder / name) for name in ("hydrostatics.csv", "lines.svg", "hull.step")
+    )
+    step("hydrostatics.csv", lambda: exports.export_hydrostatics(hull, scene, table))
+    step("lines.svg", lambda: exports.export_lines_drawing(hull, scene, drawing))
+    patches = step("hull.step", lambda: exports.export_step(hull, scene, solid))
+    print(f"      at most {1e3 * patches.largest_distance:.3g} mm from the exact surface")
+    step("render.png", lambda: render(hull, folder / "render.png"))
+    step("hull.blend", lambda: save(folder / "hull.blend"))
+
+
+def main():
+    source, folder = (Path(text) for text in sys.argv[sys.argv.index("--") + 1 :])
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        make(source, folder)
+    except (ValueError, OSError, RuntimeError) as error:
+        print(f"\nhull: {error}", file=sys.stderr)
+        sys.exit(1)
+
+
+main()
