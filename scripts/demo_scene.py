@@ -173,6 +173,10 @@ def _fill_around(mesh, outline, polylines, weld_distance):
         if any(len(vertex.link_edges) != 2 for vertex in bm.verts):
             return False
         bmesh.ops.triangle_fill(bm, edges=bm.edges)
+        for face in bm.faces:
+            face.normal_update()
+            if face.normal.z < 0.0:
+                face.normal_flip()
         bm.to_mesh(mesh)
         return bool(mesh.polygons)
     finally:
