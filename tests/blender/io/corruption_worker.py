@@ -90,6 +90,13 @@ def try_to_read(path, with_sections):
     return True
 
 
+def peak_memory():
+    """Bytes this process held at most. Not ru_maxrss, which counts what its parent held before."""
+    status = Path("/proc/self/status").read_text()
+    line = next(line for line in status.splitlines() if line.startswith("VmHWM:"))
+    return int(line.split()[1]) * 1024
+
+
 def main():
     source, seed, number, memory = Path(sys.argv[1]), *map(int, sys.argv[2:])
     data = source.read_bytes()
@@ -107,7 +114,7 @@ def main():
             except Exception:
                 result["failures"].append([copy, traceback.format_exc()])
             result["longest"] = max(result["longest"], time.process_time() - start)
-    result["memory"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    result["memory"] = peak_memory()
     print(json.dumps(result))
 
 
