@@ -86,8 +86,10 @@ void number_stations(std::vector<NamedCurves>& stations, double spacing) {
   }
 }
 
-void add_port_half(std::vector<ShipCurve>& curves, const ShipCurve& curve) {
-  for (ShipCurve& part : part_of_curve(curve, 1, 0.0, Side::kAbove)) {
+// A curve in the centre plane belongs to the half, whichever side rounding puts its points on:
+// y above `-same` counts.
+void add_port_half(std::vector<ShipCurve>& curves, const ShipCurve& curve, double same) {
+  for (ShipCurve& part : part_of_curve(curve, 1, -same, Side::kAbove)) {
     curves.push_back(std::move(part));
   }
 }
@@ -96,7 +98,7 @@ std::vector<ShipCurve> cut(const LimitSurface& surface, Axis axis, double positi
   const double tolerance = kChordTolerance * surface.mesh().size();
   std::vector<ShipCurve> curves;
   for (const SectionCurve& branch : section(surface, axis, position, tolerance)) {
-    add_port_half(curves, branch.points);
+    add_port_half(curves, branch.points, kSamePosition * surface.mesh().size());
   }
   return curves;
 }
@@ -129,7 +131,8 @@ void mark_design_waterline(const LimitSurface& surface, std::vector<NamedCurves>
 void add_features(const LimitSurface& surface, LinesDrawing& drawing) {
   for (const FeatureCurve& feature : feature_curves(surface)) {
     const bool border = feature.kind == FeatureKind::kBorder;
-    add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points);
+    add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points,
+                  kSamePosition * surface.mesh().size());
   }
 }
 
