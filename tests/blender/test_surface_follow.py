@@ -122,7 +122,7 @@ def test_nothing_is_done_when_nothing_changed(monkeypatch):
     bpy.context.view_layer.update()
     written = []
     monkeypatch.setattr(
-        part("bridge.surface_object"), "write_surface", lambda *arguments: written.append(1)
+        part("bridge.surface_object"), "move_surface", lambda *arguments: written.append(1)
     )
     hull.data.update_tag()
     bpy.context.view_layer.update()

@@ -2,6 +2,7 @@
 """Files made from a hull as it is now: STEP, lines plan, table of hydrostatics."""
 
 from . import hull_state, hydrostatics, lines, native, units
+from .files import replacing
 
 _TABLE_ROWS = 10
 
@@ -14,20 +15,37 @@ def _up_to_date(obj, scene):
     return state.surface
 
 
-def export_step(obj, scene, path, progress=lambda part: None):
-    """Writes the hull as one shell; returns the PatchSet with its report of the distance.
+class StepExport:
+    """The writing of a STEP file, which may be run in a thread of its own: no Blender in it.
 
-    `progress` is called with the part done, 0 to 1.
+    Taken from the hull as it is when this is made; ValueError when its mesh has no surface.
     """
-    hull_native = native.require()
-    progress(0.0)
-    surface = _up_to_date(obj, scene)
-    progress(0.1)
-    patches = hull_native.fit_per_cell(surface)
-    progress(0.5)
-    hull_native.write_step(patches, path, name=obj.name, mirrored=obj.hull.half)
-    progress(1.0)
-    return patches
+
+    def __init__(self, obj, scene, path):
+        self._surface = _up_to_date(obj, scene)
+        self._path = path
+        self._name = obj.name
+        self._mirrored = obj.hull.half
+        self._is_cancelled = False
+
+    def cancel(self):
+        """From any thread: the file of this name, if there is one, stays as it is."""
+        self._is_cancelled = True
+
+    def run(self):
+        """Writes the hull as one shell; returns the PatchSet with its report of the distance."""
+        hull_native = native.require()
+        patches = hull_native.fit_per_cell(self._surface)
+        with replacing(self._path) as beside:
+            hull_native.write_step(patches, beside, name=self._name, mirrored=self._mirrored)
+            if self._is_cancelled:
+                raise ValueError("The export was cancelled")
+        return patches
+
+
+def export_step(obj, scene, path):
+    """Writes the hull as one shell; returns the PatchSet with its report of the distance."""
+    return StepExport(obj, scene, path).run()
 
 
 def export_lines_drawing(obj, scene, path):

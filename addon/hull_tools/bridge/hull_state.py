@@ -101,11 +101,26 @@ def _show_surface(obj, state, scale, geometry_key):
     if shown is None:
         return
     settings = obj.hull
-    key = (geometry_key, settings.samples, shown.name_full)
-    if state.keys.get("shown surface") != key:
-        tessellation = state.surface.tessellate(settings.samples)
-        surface_object.write_surface(shown.data, tessellation, settings.half, scale)
-        state.keys["shown surface"] = key
+    mesh = shown.data
+    place_key = (geometry_key, settings.samples, shown.name_full)
+    # Normals take Blender most of the time: while the mesh is edited those of before turn along.
+    is_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
+    if state.keys.get("shown surface") == place_key and not is_due:
+        return
+    points, quads, normals = surface_object.surface_arrays(
+        state.surface.tessellate(settings.samples), settings.half
+    )
+    topology_key = (surface_object.topology_of(quads), shown.name_full)
+    if state.keys.get("shown topology") == topology_key and len(mesh.vertices) == len(points):
+        surface_object.move_surface(mesh, points, scale)
+    else:
+        surface_object.write_surface(mesh, points, quads, scale)
+        is_due = True
+    if is_due:
+        surface_object.write_normals(mesh, normals)
+        state.keys["normals"] = place_key
+    state.keys["shown topology"] = topology_key
+    state.keys["shown surface"] = place_key
 
 
 def _show_lines(obj, state, scale, geometry_key):

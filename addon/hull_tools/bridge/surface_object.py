@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The surface as a Blender mesh: exact points, exact normals, both sides of a half hull."""
 
+import hashlib
+
 import numpy as np
 
 from . import blender_versions, materials, mesh_arrays
@@ -30,12 +32,30 @@ def surface_arrays(tessellation, half):
     )
 
 
-def write_surface(mesh, tessellation, half, metres_per_unit):
-    """Replaces the geometry of `mesh` by a hull_native.Tessellation."""
-    points, quads, normals = surface_arrays(tessellation, half)
+def topology_of(quads):
+    """Equal for surfaces that differ by the places of their points only."""
+    return hashlib.blake2b(np.ascontiguousarray(quads).data, digest_size=16).digest()
+
+
+def write_surface(mesh, points, quads, metres_per_unit):
+    """Replaces the geometry of `mesh`; points (n, 3) in metres, quads (k, 4)."""
     sizes = np.full(len(quads), 4, dtype=np.int32)
     mesh_arrays.write_faces(mesh, points / metres_per_unit, sizes, quads.reshape(-1))
     mesh.polygons.foreach_set("use_smooth", np.ones(len(quads), dtype=bool))
-    blender_versions.set_corner_normals(mesh, normals.reshape(-1, 3))
     if not mesh.materials:
         mesh.materials.append(materials.surface_material())
+
+
+def move_surface(mesh, points, metres_per_unit):
+    """Moves the points of a `mesh` whose faces stay.
+
+    The normals turn along with the faces, so that they stay close to the surface's own.
+    """
+    co = np.ascontiguousarray(points / metres_per_unit, dtype=np.float32)
+    mesh.vertices.foreach_set("co", co.reshape(-1))
+    mesh.update()
+
+
+def write_normals(mesh, normals):
+    """Gives a surface its exact normals, (k, 4, 3)."""
+    blender_versions.set_corner_normals(mesh, normals.reshape(-1, 3))

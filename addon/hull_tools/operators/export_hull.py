@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A hull's files for others: STEP, lines plan, table of hydrostatics."""
+"""A hull's drawings and tables for others; and what all its exports have in common."""
 
 import bpy
 from bpy.props import StringProperty
@@ -9,7 +9,7 @@ from ..bridge import exports, hull_objects
 from .shared import has_hull, native_is_there, reporting_errors
 
 
-class _ExportHull(ExportHelper):
+class ExportHull(ExportHelper):
     @classmethod
     def poll(cls, context):
         return native_is_there(cls) and has_hull(cls, context)
@@ -22,36 +22,7 @@ class _ExportHull(ExportHelper):
         return super().invoke(context, event)
 
 
-class HULL_OT_export_step(bpy.types.Operator, _ExportHull):
-    """Write the hull's surface as one shell of B-spline faces in a STEP file"""
-
-    bl_idname = "hull.export_step"
-    bl_label = "Export STEP"
-    bl_options = {"REGISTER"}
-
-    filename_ext = ".step"
-    filter_glob: StringProperty(default="*.step;*.stp", options={"HIDDEN"})
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
-        manager = context.window_manager
-        manager.progress_begin(0, 100)
-        try:
-            patches = exports.export_step(
-                hull,
-                context.scene,
-                self.filepath,
-                progress=lambda part: manager.progress_update(round(100 * part)),
-            )
-        finally:
-            manager.progress_end()
-        largest_mm = 1e3 * patches.largest_distance
-        self.report({"INFO"}, f"STEP written, at most {largest_mm:.3g} mm from the surface")
-        return {"FINISHED"}
-
-
-class HULL_OT_export_lines(bpy.types.Operator, _ExportHull):
+class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
     """Draw body plan, profile and half-breadth plan as SVG, PDF or PNG"""
 
     bl_idname = "hull.export_lines"
@@ -70,7 +41,7 @@ class HULL_OT_export_lines(bpy.types.Operator, _ExportHull):
         return {"FINISHED"}
 
 
-class HULL_OT_export_hydrostatics(bpy.types.Operator, _ExportHull):
+class HULL_OT_export_hydrostatics(bpy.types.Operator, ExportHull):
     """Write a table of hydrostatics over drafts up to the hull's as CSV"""
 
     bl_idname = "hull.export_hydrostatics"
@@ -90,9 +61,9 @@ class HULL_OT_export_hydrostatics(bpy.types.Operator, _ExportHull):
 
 def draw_export_menu(self, context):
     layout = self.layout
-    layout.operator(HULL_OT_export_step.bl_idname, text="Hull surface (.step)")
+    layout.operator("hull.export_step", text="Hull surface (.step)")
     layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.svg, .pdf, .png)")
     layout.operator(HULL_OT_export_hydrostatics.bl_idname, text="Hull hydrostatics (.csv)")
 
 
-CLASSES = (HULL_OT_export_step, HULL_OT_export_lines, HULL_OT_export_hydrostatics)
+CLASSES = (HULL_OT_export_lines, HULL_OT_export_hydrostatics)
