@@ -51,6 +51,11 @@ Place find_place(const SurfaceLayout& layout, int cell, double u, double v) {
   return place;
 }
 
+bool is_knot(const Place& place) {
+  return place.node.kind == SurfaceNode::Kind::kCorner &&
+         turned(place.node.turn, place.u, place.v).isZero(0.0);
+}
+
 }  // namespace
 
 LimitSurface::LimitSurface(ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
@@ -95,10 +100,13 @@ Vector3d LimitSurface::position(int cell, double u, double v) const {
   return evaluate(cell, u, v, 0).point;
 }
 
+bool LimitSurface::is_irregular_knot(int cell, double u, double v) const {
+  return is_knot(find_place(*layout_, cell, u, v));
+}
+
 Vector3d LimitSurface::normal(int cell, double u, double v) const {
   const Place place = find_place(*layout_, cell, u, v);
-  if (place.node.kind == SurfaceNode::Kind::kCorner &&
-      turned(place.node.turn, place.u, place.v).isZero(0.0)) {
+  if (is_knot(place)) {
     const Vector3d direction =
         layout_->basis(place.node.index).corner_normal(corners_[place.node.index]);
     const double length = direction.norm();

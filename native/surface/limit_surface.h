@@ -46,6 +46,9 @@ class LimitSurface {
   // Unit normal; the zero vector where there is no tangent plane (cone tips, cusps).
   Vector3d normal(int cell, double u, double v) const;
 
+  // Whether (u, v) is a corner of the cell where the surface is only C¹.
+  bool is_irregular_knot(int cell, double u, double v) const;
+
   const SurfaceLayout& layout() const { return *layout_; }
   const BicubicPoints& leaf(int index) const { return leaves_[index]; }
   const CornerPoints& corner(int index) const { return corners_[index]; }
