@@ -168,6 +168,7 @@ TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
     EXPECT_GT(first.z(), 0.0);
     for (int face = 0; face < n; ++face) {
       EXPECT_LT((surface.normal(4 * face, 0.0, 0.0) - first).norm(), 1e-12) << "valence " << n;
+      if (n == 4) continue;  // regular, so without a corner basis
       // The surface is C¹ there: normals nearby approach it as the ratio of the third to the second
       // eigenvalue does to the power of the level, 333 at 1e-100.
       const auto& blocks = surface.layout().basis(0).spectrum().blocks;
