@@ -39,7 +39,8 @@ class Progress:
 
 def load(path):
     bpy.ops.wm.read_homefile(use_empty=True)
-    bpy.ops.hull.import_hull(filepath=str(path))
+    with demo_scene.quiet_output():
+        bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
     state = part("bridge.hull_state").state_of(hull)
     if state.status:

@@ -4,11 +4,16 @@
 blender --python open.py -- FILE
 """
 
+import math
 import sys
 
 import bpy
+from mathutils import Euler
 
-VIEW_MARGIN_FACTOR = 1000.0
+# The farthest that the view shows, in lengths of the hull.
+VIEW_LENGTHS = 1000.0
+# The view from off the bow, as the angles of its turn.
+VIEW_ANGLES_DEG = (68.0, 0.0, 48.0)
 
 
 def show(path):
@@ -26,9 +31,10 @@ def _frame(area, hull):
     space = area.spaces.active
     space.show_region_ui = True
     space.shading.color_type = "MATERIAL"
-    space.clip_end = VIEW_MARGIN_FACTOR * max(hull.dimensions)
+    space.clip_end = VIEW_LENGTHS * max(hull.dimensions)
     region = next(region for region in area.regions if region.type == "WINDOW")
     with bpy.context.temp_override(area=area, region=region):
+        space.region_3d.view_rotation = Euler(map(math.radians, VIEW_ANGLES_DEG)).to_quaternion()
         bpy.ops.view3d.view_selected()
 
 
@@ -36,4 +42,6 @@ def show_when_the_window_is_there():
     show(sys.argv[sys.argv.index("--") + 1])
 
 
+# The hull is the welcome.
+bpy.context.preferences.view.show_splash = False
 bpy.app.timers.register(show_when_the_window_is_there, first_interval=0.1)

@@ -22,7 +22,7 @@ LINE_COLOURS = {
 
 
 def surface_material():
-    return _material(SURFACE, (0.42, 0.47, 0.52), roughness=0.35)
+    return _material(SURFACE, (0.62, 0.67, 0.72), roughness=0.35)
 
 
 def line_material(kind):
