@@ -97,7 +97,8 @@ def main():
     try:
         make(source, folder)
     except (ValueError, OSError, RuntimeError) as error:
-        print(f"\nhull: {error}", file=sys.stderr)
+        message = str(error).removeprefix("Error: ").strip()
+        print(f"\nhull: {message}", file=sys.stderr)
         sys.exit(1)
 
 
