@@ -16,8 +16,8 @@ make_root() {
     fi
     rm -rf "$2.part"
     mkdir -p "$(dirname "$2")"
-    debootstrap --variant=minbase ${3:+--include="$3"} "$1" "$2.part" \
-        "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >"$2.log" 2>&1 || {
+    debootstrap --variant=minbase ${3:+--include="$3"} "$1" "$2.part" ${DEBIAN_MIRROR:+"$DEBIAN_MIRROR"} \
+        >"$2.log" 2>&1 || {
         tail -n 20 "$2.log" >&2
         return 1
     }
