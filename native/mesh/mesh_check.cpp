@@ -65,9 +65,10 @@ bool check_arrays(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
     return false;
   }
   Finding small{Severity::kError, ElementKind::kFace, "has fewer than three corners",
-                "have fewer than three corners", "Delete it or give it more corners."};
+                "have fewer than three corners",
+                "A face needs at least three: add corners, or delete the face."};
   Finding large{Severity::kError, ElementKind::kFace, "has more than 512 corners",
-                "have more than 512 corners", "Cut it into smaller faces."};
+                "have more than 512 corners", "Cut into smaller faces."};
   std::int64_t total = 0;
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     const int size = mesh.face_sizes[f];
@@ -111,7 +112,7 @@ bool check_arrays(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
 void check_points(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
   Finding not_finite{Severity::kError, ElementKind::kVertex,
                      "has a coordinate that is not a finite number",
-                     "have coordinates that are not finite numbers", "Type its position anew."};
+                     "have coordinates that are not finite numbers", "Type the position anew."};
   Finding far{Severity::kError, ElementKind::kVertex, "lies more than 1e9 m from the origin",
               "lie more than 1e9 m from the origin", "Check the units."};
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
@@ -243,7 +244,7 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
   Finding crowded{Severity::kError, ElementKind::kVertex, "has more than 512 faces around it",
                   "have more than 512 faces around them", "Model the place with fewer faces."};
   Finding isolated{Severity::kWarning, ElementKind::kVertex, "belongs to no face",
-                   "belong to no face", "It has no influence on the surface."};
+                   "belong to no face", "Points without faces have no influence on the surface."};
   Finding thin{Severity::kWarning, ElementKind::kVertex, "lies between only two faces",
                "lie between only two faces",
                "The surface is flattened there: dissolve the point, or crease its edges."};
@@ -290,7 +291,7 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
 void check_shape(const MeshArrays& mesh, const Connectivity& connectivity,
                  std::vector<MeshProblem>& problems) {
   Finding flat{Severity::kWarning, ElementKind::kFace, "has no area", "have no area",
-               "Move its points apart, or delete it."};
+               "Move the points apart, or delete the face."};
   Finding loose{Severity::kWarning, ElementKind::kEdge, "is tagged a crease but belongs to no face",
                 "are tagged creases but belong to no face", "The tag has no influence."};
   for (int f = 0; f < connectivity.face_count(); ++f) {

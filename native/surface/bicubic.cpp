@@ -16,9 +16,11 @@ Vector3d unit_normal(const Vector3d& du, const Vector3d& dv) {
   return normal / length;
 }
 
-void scale_derivatives(SurfaceJet& jet, double factor) {
+void scale_derivatives(SurfaceJet& jet, double factor, int order) {
+  if (order < 1 || factor == 1.0) return;
   jet.du *= factor;
   jet.dv *= factor;
+  if (order < 2) return;
   const double square = factor * factor;
   jet.duu *= square;
   jet.duv *= square;
@@ -69,8 +71,7 @@ HULL_WIDE void evaluate_order(const double* points, double u, double v, SurfaceJ
 
 }  // namespace
 
-SurfaceJet evaluate_bicubic(const BicubicPoints& points, double u, double v, int order) {
-  SurfaceJet jet;
+void evaluate_bicubic(const BicubicPoints& points, double u, double v, int order, SurfaceJet& jet) {
   const double* numbers = points[0].data();
   if (order == 0) {
     evaluate_order<0>(numbers, u, v, jet);
@@ -79,7 +80,6 @@ SurfaceJet evaluate_bicubic(const BicubicPoints& points, double u, double v, int
   } else {
     evaluate_order<2>(numbers, u, v, jet);
   }
-  return jet;
 }
 
 }  // namespace hull

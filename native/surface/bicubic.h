@@ -21,8 +21,8 @@ struct SurfaceJet {
 // Unit vector along du x dv; zero where these are parallel or vanish.
 Vector3d unit_normal(const Vector3d& du, const Vector3d& dv);
 
-// To parameters that run `factor` times as fast.
-void scale_derivatives(SurfaceJet& jet, double factor);
+// Derivatives up to `order` to parameters that run 1/factor times as fast.
+void scale_derivatives(SurfaceJet& jet, double factor, int order);
 
 // Uniform cubic B-spline basis (Greshake 2021, 5.7) and its derivatives on the span [0, 1].
 using Basis = std::array<double, 4>;
@@ -45,8 +45,14 @@ inline Basis cubic_basis_d2(double t) {
 // Control points of one uniform bicubic B-spline span, index 4 (b + 1) + (a + 1): a along u.
 using BicubicPoints = std::array<Vector3d, 16>;
 
-// Position and derivatives up to `order` (0, 1, 2) at (u, v) in [0, 1]^2.
-SurfaceJet evaluate_bicubic(const BicubicPoints& points, double u, double v, int order);
+// Position and derivatives up to `order` (0, 1, 2) at (u, v) in [0, 1]^2. Higher ones are left as
+// they are in `jet`.
+void evaluate_bicubic(const BicubicPoints& points, double u, double v, int order, SurfaceJet& jet);
+inline SurfaceJet evaluate_bicubic(const BicubicPoints& points, double u, double v, int order) {
+  SurfaceJet jet;
+  evaluate_bicubic(points, u, v, order, jet);
+  return jet;
+}
 
 // Fills the points beyond creases by reflection, 2 p - q (5.9: the ghost points that make the
 // border a cubic B-spline curve of its own control points). `present` is grid_points().

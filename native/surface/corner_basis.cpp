@@ -160,26 +160,28 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
   }
 }
 
-SurfaceJet CornerBasis::evaluate(const CornerPoints& points, double u, double v, int order) const {
+void CornerBasis::evaluate(const CornerPoints& points, double u, double v, int order,
+                           SurfaceJet& jet) const {
   if (u == 0.0 && v == 0.0) {
-    SurfaceJet jet;
+    jet = {};
     jet.point = points.limit;
-    return jet;
+    return;
   }
   const RingPlace place = place_in_ring(u, v);
-  if (place.level > kPlainRings) return evaluate_deep(points, place.level, place.u, place.v, order);
+  if (place.level > kPlainRings) {
+    return evaluate_deep(points, place.level, place.u, place.v, order, jet);
+  }
   const int s = segment_at_[std::min(3, static_cast<int>(4.0 * place.v))]
                            [std::min(3, static_cast<int>(4.0 * place.u))];
   const RingSegment& segment = segments_[s];
-  SurfaceJet jet = evaluate_bicubic(points.segments[(place.level - 1) * segment_count() + s],
-                                    (place.u - segment.u) / segment.size,
-                                    (place.v - segment.v) / segment.size, order);
-  scale_derivatives(jet, place.scale / segment.size);
-  return jet;
+  const double scale = 1.0 / segment.size;  // 2 or 4
+  evaluate_bicubic(points.segments[(place.level - 1) * segment_count() + s],
+                   (place.u - segment.u) * scale, (place.v - segment.v) * scale, order, jet);
+  scale_derivatives(jet, place.scale * scale, order);
 }
 
-SurfaceJet CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u, double v,
-                                      int order) const {
+void CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u, double v,
+                                int order, SurfaceJet& jet) const {
   EigenCoordinates at = eigen_coordinates(points);
   advance(at, level - 1 - kPlainRings);
   const int s =
@@ -195,7 +197,6 @@ SurfaceJet CornerBasis::evaluate_deep(const CornerPoints& points, int level, dou
     return (on_slow * at.slow.bottomRows(m) + on_rest * at.rest).transpose();
   };
   const Basis bu = cubic_basis(x), bv = cubic_basis(y);
-  SurfaceJet jet;
   jet.point = points.limit + combine(bu, bv);
   if (order > 0) {
     const Basis du = cubic_basis_d1(x), dv = cubic_basis_d1(y);
@@ -207,8 +208,7 @@ SurfaceJet CornerBasis::evaluate_deep(const CornerPoints& points, int level, dou
       jet.dvv = combine(bu, cubic_basis_d2(y));
     }
   }
-  scale_derivatives(jet, std::ldexp(1.0, level - 1) / segment.size);
-  return jet;
+  scale_derivatives(jet, std::ldexp(1.0, level - 1) / segment.size, order);
 }
 
 Vector3d CornerBasis::corner_normal(const CornerPoints& points) const {

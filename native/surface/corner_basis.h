@@ -67,9 +67,9 @@ class CornerBasis {
   // Computes the rest of `points` from its first square, given with all squares' number right.
   void prepare(CornerPoints& points) const;
 
-  // Position and derivatives at (u, v) in [0, 1]^2. At (0, 0), where derivatives do not exist in
-  // this parametrisation, they are zero.
-  SurfaceJet evaluate(const CornerPoints& points, double u, double v, int order) const;
+  // Position and derivatives up to `order` at (u, v) in [0, 1]^2; higher ones are left as they are
+  // in `jet`. At (0, 0), where derivatives do not exist in this parametrisation, they are zero.
+  void evaluate(const CornerPoints& points, double u, double v, int order, SurfaceJet& jet) const;
 
   // Direction (not of unit length) of the normal at (0, 0); zero where there is no tangent plane.
   Vector3d corner_normal(const CornerPoints& points) const;
@@ -81,8 +81,8 @@ class CornerBasis {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
   void extend_eigenvectors();
   void place_segments();
-  SurfaceJet evaluate_deep(const CornerPoints& points, int level, double u, double v,
-                           int order) const;
+  void evaluate_deep(const CornerPoints& points, int level, double u, double v, int order,
+                     SurfaceJet& jet) const;
   void advance(EigenCoordinates& coordinates, int steps) const;
 
   Eigen::MatrixXd A_;

@@ -23,7 +23,7 @@ Eigen::Vector2d turned(int turn, double u, double v) {
 }
 
 // Derivatives with respect to the square's own parameters from those seen from corner `turn`.
-SurfaceJet turned_back(int turn, SurfaceJet jet) {
+void turn_back(int turn, SurfaceJet& jet) {
   if (turn == 1 || turn == 3) {
     std::swap(jet.du, jet.dv);
     std::swap(jet.duu, jet.dvv);
@@ -31,7 +31,6 @@ SurfaceJet turned_back(int turn, SurfaceJet jet) {
   }
   if (turn == 1 || turn == 2) jet.du = -jet.du;
   if (turn == 2 || turn == 3) jet.dv = -jet.dv;
-  return jet;
 }
 
 // A place in the tree of squares of a cell.
@@ -80,24 +79,31 @@ void LimitSurface::take_points() {
 }
 
 SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const {
+  SurfaceJet jet;
+  evaluate(cell, u, v, order, jet);
+  return jet;
+}
+
+void LimitSurface::evaluate(int cell, double u, double v, int order, SurfaceJet& jet) const {
   assert(cell >= 0 && cell < cell_count());
   assert(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0);
   const Place place = find_place(*layout_, cell, u, v);
-  SurfaceJet jet;
   if (place.node.kind == SurfaceNode::Kind::kLeaf) {
-    jet = evaluate_bicubic(leaves_[place.node.index], place.u, place.v, order);
+    evaluate_bicubic(leaves_[place.node.index], place.u, place.v, order, jet);
   } else {
     const int turn = place.node.turn;
     const Eigen::Vector2d uv = turned(turn, place.u, place.v);
     const CornerBasis& basis = layout_->basis(place.node.index);
-    jet = turned_back(turn, basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order));
+    basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order, jet);
+    if (turn != 0) turn_back(turn, jet);
   }
-  scale_derivatives(jet, place.scale);
-  return jet;
+  scale_derivatives(jet, place.scale, order);
 }
 
 Vector3d LimitSurface::position(int cell, double u, double v) const {
-  return evaluate(cell, u, v, 0).point;
+  SurfaceJet jet;
+  evaluate(cell, u, v, 0, jet);
+  return jet.point;
 }
 
 bool LimitSurface::is_irregular_knot(int cell, double u, double v) const {

@@ -43,6 +43,8 @@ class LimitSurface {
   // Position and derivatives up to `order` (0, 1, 2) with respect to the cell's (u, v). Derivatives
   // do not exist at irregular corners; there they are zero.
   SurfaceJet evaluate(int cell, double u, double v, int order) const;
+  // The same into `jet`, whose derivatives of higher order are undefined afterwards.
+  void evaluate(int cell, double u, double v, int order, SurfaceJet& jet) const;
   // Unit normal; the zero vector where there is no tangent plane (cone tips, cusps).
   Vector3d normal(int cell, double u, double v) const;
 

@@ -26,8 +26,8 @@ TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
   std::mt19937 random(kSeed);
   const auto cache = std::make_shared<BasisCache>();
   const double places[] = {0.0, 1e-9, 0.01, 0.3, 0.5, 0.77, 1.0};
-  for (int trial = 0; trial < 400; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 24));
+  for (int trial = 0; trial < 2000; ++trial) {
+    const ControlMesh mesh(testing::random_mesh(random, 64));
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
     const LimitSurface surface(mesh, scheme, cache);
     const Topology& cells = surface.cells();
