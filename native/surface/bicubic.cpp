@@ -29,9 +29,9 @@ void scale_derivatives(SurfaceJet& jet, double factor, int order) {
 
 namespace {
 
-// Four points, x y z after one another.
+// Four points, x y z after one another, and a number to let four of them be loaded at any.
 struct Column {
-  double lane[12];
+  double lane[13];
 };
 
 // Sum over the rows of the grid: what is left is a cubic along u.
@@ -40,14 +40,17 @@ inline Column along_v(const double* p, const Basis& w) {
   for (int k = 0; k < 12; ++k) {
     sum.lane[k] = w[0] * p[k] + w[1] * p[12 + k] + w[2] * p[24 + k] + w[3] * p[36 + k];
   }
+  sum.lane[12] = 0.0;
   return sum;
 }
 
 inline void along_u(const Column& c, const Basis& w, Vector3d& out) {
-  for (int k = 0; k < 3; ++k) {
-    out[k] =
+  double sum[4];  // a whole vector; the last number has no meaning
+  for (int k = 0; k < 4; ++k) {
+    sum[k] =
         (w[0] * c.lane[k] + w[1] * c.lane[3 + k]) + (w[2] * c.lane[6 + k] + w[3] * c.lane[9 + k]);
   }
+  out = Vector3d(sum[0], sum[1], sum[2]);
 }
 
 template <int kOrder>
