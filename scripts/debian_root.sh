@@ -46,6 +46,6 @@ copy_shared() {
     if [ -d ../shared ]; then
         mkdir -p "$1"
         rm -rf "$1/shared"
-        cp -R ../shared "$1/shared"
+        cp -RL ../shared "$1/shared"
     fi
 }
