@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing/collect_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "test_meshes.h"
+
+namespace hull {
+namespace {
+
+// The port half of a box [0, 40] x [-4, 4] x [0, 5], open at the deck and the centre plane.
+LimitSurface half_box() {
+  MeshArrays box = testing::creased_box(40.0, 4.0, 5.0);
+  for (auto& p : box.points) p.y() += 2.0;
+  MeshArrays half = box;
+  half.face_sizes.clear();
+  half.face_vertices.clear();
+  for (int face : {0, 3, 4, 5}) {  // bottom, side, ends; see testing::cube
+    const auto begin = box.face_vertices.begin() + 4 * face;
+    testing::add_face(half, std::vector<int>(begin, begin + 4));
+  }
+  return LimitSurface{ControlMesh(half)};
+}
+
+LinesOptions options() {
+  LinesOptions chosen;
+  chosen.stations = {30.0, 10.0, 20.0, 10.0};
+  chosen.waterlines = {1.0, 2.0};
+  chosen.buttocks = {1.5};
+  chosen.draft = 3.0;
+  return chosen;
+}
+
+TEST(CollectLines, CutsEveryPositionOnceInOrder) {
+  const LinesDrawing drawing = collect_lines(half_box(), options());
+  ASSERT_EQ(drawing.stations.size(), 3u);
+  EXPECT_EQ(drawing.stations[0].position, 10.0);
+  EXPECT_EQ(drawing.stations[0].label, "1");
+  EXPECT_EQ(drawing.stations[2].label, "3");
+  ASSERT_EQ(drawing.waterlines.size(), 3u);  // the draft is added
+  ASSERT_EQ(drawing.buttocks.size(), 1u);
+  for (const NamedCurves& station : drawing.stations) {
+    ASSERT_EQ(station.curves.size(), 1u);
+    for (const auto& p : station.curves[0]) EXPECT_NEAR(p.x(), station.position, 1e-12);
+  }
+}
+
+// Turned so that rounding puts the centre plane's points on either side of y = 0, the outline along
+// it, keel and ends, is still there.
+TEST(CollectLines, KeepsTheCentrePlaneOutline) {
+  const LinesOptions chosen = options();
+  const LimitSurface surface = half_box();
+  for (double noise : {0.0, 1e-15, -1e-15}) {
+    std::vector<Vector3d> points = surface.mesh().points();
+    for (auto& p : points) p.y() += noise;
+    LimitSurface moved = surface;
+    moved.set_points(points);
+    double on_centre_plane = 0.0;
+    for (const ShipCurve& curve : collect_lines(moved, chosen).outlines) {
+      for (std::size_t i = 1; i < curve.size(); ++i) {
+        if (std::abs(curve[i].y()) + std::abs(curve[i - 1].y()) < 1e-9) {
+          on_centre_plane += (curve[i] - curve[i - 1]).norm();
+        }
+      }
+    }
+    EXPECT_NEAR(on_centre_plane, 40.0 + 2.0 * 5.0, 1e-9) << noise;
+  }
+}
+
+TEST(CollectLines, RefusesBadPositions) {
+  const LimitSurface surface = half_box();
+  LinesOptions bad = options();
+  bad.buttocks = {-1.0};
+  EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
+  bad = options();
+  bad.stations = {NAN};
+  EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
+  bad = options();
+  bad.station_spacing = 0.0;
+  EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hull
