@@ -22,13 +22,17 @@ constexpr double kSameEnd = 1.2;  // mm: sections that end nearer than this shar
 // The upper end of a section on the page and what is written there.
 struct SectionEnd {
   Vector2d point;
-  std::string first_label, last_label;
-  int count;
+  std::vector<std::string> labels;
 
   std::string text() const {
-    if (count == 1) return first_label;
-    return first_label + (count == 2 ? ", " : "–") + last_label;
+    if (labels.size() == 1) return labels.front();
+    return labels.front() + (labels.size() == 2 ? ", " : "–") + labels.back();
   }
+};
+
+struct Section {
+  std::string label;
+  std::vector<PlacedCurve> curves;
 };
 
 PagePath end_view(const View& view, const ShipCurve& curve, Hand hand) {
@@ -69,7 +73,7 @@ void draw_offsets(SheetBuilder& builder, const View& view, const GridBox& grid,
 void draw_split(SheetBuilder& builder, const View& view, LineKind kind,
                 const std::vector<ShipCurve>& curves, const HullExtents& extents) {
   for (const ShipCurve& curve : curves) {
-    for (const ShipCurve& part : part_of_curve(curve, 1, 1e-6 * extents.breadth, Side::kAbove)) {
+    for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
       for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, Side::kBelow)) {
         builder.draw_curve(kind, end_view(view, aft, kAft));
       }
@@ -81,42 +85,32 @@ void draw_split(SheetBuilder& builder, const View& view, LineKind kind,
 }
 
 // The point of the section to label: its upper outer end, the deck edge where there is a deck.
-Vector2d upper_end(const std::vector<PagePath>& paths, Hand hand) {
-  Vector2d best = paths.front().front();
+Vector2d upper_end(const Section& section, Hand hand) {
+  Vector2d best = section.curves.front().path.front();
   const auto height = [hand](const Vector2d& point) { return -point.y() + 0.7 * hand * point.x(); };
-  for (const PagePath& path : paths) {
-    for (const Vector2d& point : path) {
+  for (const PlacedCurve& curve : section.curves) {
+    for (const Vector2d& point : curve.path) {
       if (height(point) > height(best)) best = point;
     }
   }
   return best;
 }
 
-void add_end(std::vector<SectionEnd>& ends, const Vector2d& point, const std::string& label) {
-  if (!ends.empty() && (ends.back().point - point).norm() < kSameEnd) {
-    ends.back().last_label = label;
-    ++ends.back().count;
-  } else {
-    ends.push_back({point, label, label, 1});
-  }
-}
-
-std::vector<SectionEnd> draw_sections(SheetBuilder& builder, const View& view,
-                                      const LinesDrawing& drawing, const HullExtents& extents,
-                                      Hand hand) {
+std::vector<Section> draw_sections(SheetBuilder& builder, const View& view,
+                                   const LinesDrawing& drawing, const HullExtents& extents,
+                                   Hand hand) {
   const double same = 1e-6 * (extents.fore - extents.aft);
-  std::vector<SectionEnd> ends;
+  std::vector<Section> sections;
   for (const NamedCurves& station : drawing.stations) {
     // A midship station is on both hands.
     if (hand * (station.position - extents.midship) < -same || station.curves.empty()) continue;
-    std::vector<PagePath> paths;
+    Section& section = sections.emplace_back(Section{station.label, {}});
     for (const ShipCurve& curve : station.curves) {
-      paths.push_back(end_view(view, curve, hand));
-      builder.draw_curve(kStationLines.kind, paths.back());
+      PagePath path = end_view(view, curve, hand);
+      section.curves.push_back({path, builder.draw_curve(kStationLines.kind, path)});
     }
-    add_end(ends, upper_end(paths, hand), station.label);
   }
-  return ends;
+  return sections;
 }
 
 // Tries places around the section's end, near ones and those up and outwards first; farther ones
@@ -146,6 +140,34 @@ void label_end(SheetBuilder& builder, const View& view, const SectionEnd& end, H
   }
 }
 
+void label_sections(SheetBuilder& builder, const View& view, const std::vector<Section>& sections,
+                    const HullExtents& extents, Hand hand) {
+  std::vector<SectionEnd> ends;
+  for (const Section& section : sections) {
+    const Vector2d point = upper_end(section, hand);
+    if (!ends.empty() && (ends.back().point - point).norm() < kSameEnd) {
+      ends.back().labels.push_back(section.label);
+    } else {
+      ends.push_back({point, {section.label}});
+    }
+  }
+  for (const SectionEnd& end : ends) label_end(builder, view, end, hand);
+
+  // Sections that end together are told apart where they part, in the bilge or the bottom.
+  std::vector<double> wanted;
+  for (const double share : {0.6, 0.3, 0.9}) {
+    wanted.push_back(view.to_page(hand * share * extents.breadth, 0.0).x());
+  }
+  std::size_t next = 0;
+  for (const SectionEnd& end : ends) {
+    for (const std::string& label : end.labels) {
+      const Section& section = sections[next++];
+      if (end.labels.size() == 1) continue;
+      label_on_curve(builder, view, section.curves, label, kStationLines.ink, wanted);
+    }
+  }
+}
+
 }  // namespace
 
 void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
@@ -155,12 +177,12 @@ void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing&
   draw_offsets(builder, view, grid, drawing, extents);
   draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);
 
-  const std::vector<SectionEnd> aft = draw_sections(builder, view, drawing, extents, kAft);
-  const std::vector<SectionEnd> fore = draw_sections(builder, view, drawing, extents, kFore);
+  const std::vector<Section> aft = draw_sections(builder, view, drawing, extents, kAft);
+  const std::vector<Section> fore = draw_sections(builder, view, drawing, extents, kFore);
   draw_split(builder, view, LineKind::kKnuckle, drawing.knuckles, extents);
   draw_split(builder, view, LineKind::kOutline, drawing.outlines, extents);
-  for (const SectionEnd& end : aft) label_end(builder, view, end, kAft);
-  for (const SectionEnd& end : fore) label_end(builder, view, end, kFore);
+  label_sections(builder, view, aft, extents, kAft);
+  label_sections(builder, view, fore, extents, kFore);
 }
 
 }  // namespace hull

@@ -46,9 +46,9 @@ void draw_grid(SheetBuilder& builder, const View& view, const GridBox& grid,
 
 // What lies in the centre plane is the centre line, which is drawn already.
 void draw_off_centre(SheetBuilder& builder, const View& view, LineKind kind,
-                     const std::vector<ShipCurve>& curves, double breadth) {
+                     const std::vector<ShipCurve>& curves) {
   for (const ShipCurve& curve : curves) {
-    for (const ShipCurve& part : part_of_curve(curve, 1, 1e-6 * breadth, Side::kAbove)) {
+    for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
       builder.draw_curve(kind, top_view(view, part));
     }
   }
@@ -72,8 +72,8 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
       placed.push_back({path, builder.draw_curve(kind, path)});
     }
   }
-  draw_off_centre(builder, view, LineKind::kKnuckle, drawing.knuckles, extents.breadth);
-  draw_off_centre(builder, view, LineKind::kOutline, drawing.outlines, extents.breadth);
+  draw_off_centre(builder, view, LineKind::kKnuckle, drawing.knuckles);
+  draw_off_centre(builder, view, LineKind::kOutline, drawing.outlines);
 
   const double length = extents.fore - extents.aft;
   const std::vector<double> wanted = {view.to_page(extents.aft + 0.85 * length, 0.0).x(),

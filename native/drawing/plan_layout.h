@@ -30,6 +30,9 @@ inline constexpr double kLabelRow = 5.0;  // a row of labels above or below the 
 inline constexpr double kCaptionRow = 7.0;  // the name of the view
 inline constexpr double kColumnGap = 1.0;   // between a grid line's end and its label
 
+// Outlines and knuckles nearer to the centre plane than this, mm, are the centre line itself.
+inline constexpr double kOffCentre = 0.05;
+
 struct PaperSize {
   std::string name;
   double width, height;
