@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of a hull: in a sheet of clear water, in plain light, seen over the bow quarter.
+"""A picture of a hull: in clear water, in plain light, seen over the bow quarter.
 
 Lengths are those of the hull, so that a dinghy and a tanker look alike.
 """
@@ -32,7 +32,7 @@ BOOT_TOP_HEIGHT = 0.035
 WATER_TINT = (0.55, 0.80, 0.92, 1.0)
 WATER_COLOUR = (0.30, 0.58, 0.75, 1.0)
 WATER_VEIL = 0.04
-WATER_MARGIN = 0.04
+WATER_MARGIN = 2.0
 
 # Colours of the background by the sine of the elevation: the camera sees those below 0.
 BACKGROUND = (
@@ -134,7 +134,7 @@ def _water():
 
 
 def _add_water(scene, hull, draft, length):
-    """A sheet somewhat larger than the hull, with no water inside it where it is open."""
+    """A sheet that fills the picture, with no water inside the hull where it is open."""
     corners = _extent(hull)
     (aft, right), (forward, left) = corners[:, :2].min(axis=0), corners[:, :2].max(axis=0)
     # The line of sight that grazes the keel's near side goes through the sheet.

@@ -53,6 +53,7 @@ def export_lines_drawing(obj, scene, path):
     surface = _up_to_date(obj, scene)
     scale = units.metres_per_unit(scene)
     where = lines.planes(obj.hull, surface.mesh.points, scale)
+    length = units.as_typed(obj.hull.length_pp) * scale
     native.require().write_lines_drawing(
         surface,
         path,
@@ -61,8 +62,32 @@ def export_lines_drawing(obj, scene, path):
         buttocks=where.buttocks,
         mirrored=obj.hull.half,
         draft=units.as_typed(obj.hull.draft) * scale or None,
+        length=length or None,
         title=obj.name,
+        particulars=_particulars(obj.hull, surface, scale),
     )
+
+
+def _particulars(settings, surface, scale):
+    """Pairs (name, value) for the title block; what is not given is left out."""
+    given = {
+        "Length between perpendiculars": settings.length_pp,
+        "Beam": settings.beam,
+        "Depth": settings.depth,
+        "Draught": settings.draft,
+    }
+    pairs = [
+        (name, f"{units.as_typed(value) * scale:.2f} m") for name, value in given.items() if value
+    ]
+    try:
+        draft = units.as_typed(settings.draft) * scale
+        water_density = units.as_typed(settings.water_density)
+        found = hydrostatics.upright(surface, draft, settings.half, water_density)
+    except ValueError:
+        return pairs  # afloat at no such draft: the drawing is good without
+    pairs.append(("Displaced volume", f"{found.displaced_volume:.1f} m³"))
+    pairs.append(("Displacement", f"{found.displacement_t:.1f} t"))
+    return pairs
 
 
 def export_hydrostatics(obj, scene, path):

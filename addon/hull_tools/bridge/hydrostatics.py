@@ -54,7 +54,7 @@ def upright(surface, draft, half, water_density):
         found.lcf,
         found.waterplane_area,
         found.wetted_surface,
-        found.kb + found.waterplane_inertia_transverse / volume,
+        found.km_transverse,
     )
 
 
