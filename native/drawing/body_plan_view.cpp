@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -120,7 +121,7 @@ void label_end(SheetBuilder& builder, const View& view, const SectionEnd& end, H
   const TextStyle style{.size = 2.4, .ink = kStationLines.ink, .knockout = true};
   const Vector2d half = SheetBuilder::text_box(text, style, {0.0, 0.0}).half;
   for (const double distance : {0.7, 1.5, 2.5, 4.0, 5.5, 7.0, 9.0, 11.0}) {
-    for (const double angle_deg : {60.0, 90.0, 35.0, 75.0, 110.0, 15.0, 0.0, 130.0, -20.0}) {
+    for (const double angle_deg : {75.0, 90.0, 55.0, 110.0, 35.0, 15.0, 0.0, 130.0, -20.0}) {
       const double angle = angle_deg * std::numbers::pi / 180.0;
       const Vector2d direction(hand * std::cos(angle), -std::sin(angle));
       // From the end to the nearest side of the box in this direction is `distance`.
@@ -151,7 +152,13 @@ void label_sections(SheetBuilder& builder, const View& view, const std::vector<S
       ends.push_back({point, {section.label}});
     }
   }
-  for (const SectionEnd& end : ends) label_end(builder, view, end, hand);
+  // From the centre line outwards: there is more room outside for those that come last.
+  std::vector<SectionEnd> outwards = ends;
+  std::stable_sort(outwards.begin(), outwards.end(),
+                   [hand](const SectionEnd& a, const SectionEnd& b) {
+                     return hand * a.point.x() < hand * b.point.x();
+                   });
+  for (const SectionEnd& end : outwards) label_end(builder, view, end, hand);
 
   // Sections that end together are told apart where they part, in the bilge or the bottom.
   std::vector<double> wanted;

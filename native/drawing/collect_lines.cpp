@@ -18,6 +18,8 @@ namespace {
 // Of the mesh's size: 0.02 mm on a sheet of A3, a tenth of a thin line.
 constexpr double kChordTolerance = 5e-5;
 constexpr double kSamePosition = 1e-6;
+// Of the mesh's size: how far to starboard the centre line of a half hull may lie by its modelling.
+constexpr double kCentreLineSlack = 1e-3;
 
 std::vector<double> in_order(std::vector<double> positions, const std::string& kind, double same) {
   for (const double position : positions) {
@@ -86,19 +88,39 @@ void number_stations(std::vector<NamedCurves>& stations, double spacing) {
   }
 }
 
-// A curve in the centre plane belongs to the half, whichever side rounding puts its points on:
-// y above `-same` counts.
-void add_port_half(std::vector<ShipCurve>& curves, const ShipCurve& curve, double same) {
-  for (ShipCurve& part : part_of_curve(curve, 1, -same, Side::kAbove)) {
+// The parts of the curve to port of y = 0. Points less than `slack` to starboard are taken for
+// points of the centre plane.
+void add_port_half(std::vector<ShipCurve>& curves, ShipCurve curve, double slack) {
+  for (Vector3d& point : curve) {
+    if (point.y() < 0.0 && point.y() >= -slack) point.y() = 0.0;
+  }
+  for (ShipCurve& part : part_of_curve(curve, 1, 0.0, Side::kAbove)) {
     curves.push_back(std::move(part));
   }
 }
 
+// Where a plane is cut that is to be drawn at `position`: an invisible step towards the middle of
+// the hull. A flat end, bottom or side then shows its edge. In the plane itself it would show
+// nothing, or only rounding where its points come from a file in single precision.
+double inwards(const LimitSurface& surface, int axis, double position) {
+  double low = position, high = position;
+  for (const Vector3d& point : surface.mesh().points()) {
+    low = std::min(low, point[axis]);
+    high = std::max(high, point[axis]);
+  }
+  const double step = kSamePosition * surface.mesh().size();
+  const double middle = 0.5 * (low + high);
+  return position + std::clamp(middle - position, -step, step);
+}
+
 std::vector<ShipCurve> cut(const LimitSurface& surface, Axis axis, double position) {
-  const double tolerance = kChordTolerance * surface.mesh().size();
+  const int coordinate = static_cast<int>(axis);
+  const double size = surface.mesh().size();
+  const double where = inwards(surface, coordinate, position);
   std::vector<ShipCurve> curves;
-  for (const SectionCurve& branch : section(surface, axis, position, tolerance)) {
-    add_port_half(curves, branch.points, kSamePosition * surface.mesh().size());
+  for (SectionCurve& branch : section(surface, axis, where, kChordTolerance * size)) {
+    for (Vector3d& point : branch.points) point[coordinate] = position;
+    add_port_half(curves, branch.points, kSamePosition * size);
   }
   return curves;
 }
@@ -128,11 +150,11 @@ void mark_design_waterline(const LimitSurface& surface, std::vector<NamedCurves>
       {draft, "DWL " + metres(draft, decimals_of({draft})), cut(surface, Axis::kZ, draft)});
 }
 
-void add_features(const LimitSurface& surface, LinesDrawing& drawing) {
+void add_features(const LimitSurface& surface, bool mirrored, LinesDrawing& drawing) {
+  const double slack = (mirrored ? kCentreLineSlack : kSamePosition) * surface.mesh().size();
   for (const FeatureCurve& feature : feature_curves(surface)) {
     const bool border = feature.kind == FeatureKind::kBorder;
-    add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points,
-                  kSamePosition * surface.mesh().size());
+    add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points, slack);
   }
 }
 
@@ -148,11 +170,13 @@ LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& opti
   drawing.paper = options.paper;
   const std::vector<double> stations = in_order(options.stations, "station", same);
   const std::vector<double> waterlines = in_order(options.waterlines, "waterline", same);
-  const std::vector<double> buttocks = in_order(options.buttocks, "buttock", same);
+  std::vector<double> buttocks = in_order(options.buttocks, "buttock", same);
   if (!buttocks.empty() && buttocks.front() < 0.0) {
     throw std::invalid_argument("A buttock at y = " + metres(buttocks.front(), 3) +
                                 " is not on the half that is drawn; give offsets from 0 up");
   }
+  // The centre plane's own curve is the outline.
+  if (!buttocks.empty() && buttocks.front() <= same) buttocks.erase(buttocks.begin());
   if (options.draft && !std::isfinite(*options.draft)) {
     throw std::invalid_argument("The draft is not a finite number");
   }
@@ -166,7 +190,7 @@ LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& opti
       drawing.outlines.push_back(std::move(curve));
     }
   }
-  add_features(surface, drawing);
+  add_features(surface, options.mirrored, drawing);
   return drawing;
 }
 

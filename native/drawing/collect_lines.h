@@ -14,7 +14,7 @@ namespace hull {
 struct LinesOptions {
   std::vector<double> stations;    // x, m
   std::vector<double> waterlines;  // z, m
-  std::vector<double> buttocks;    // y, m, not below zero
+  std::vector<double> buttocks;    // y, m, not below zero; 0 is the outline anyway
   bool mirrored = true;            // the surface is the half y >= 0
   std::optional<double> draft;   // a waterline at this z is added and drawn as the design waterline
   std::optional<double> length;  // between perpendiculars, from x = 0
@@ -29,7 +29,8 @@ struct LinesOptions {
 
 // Cuts the surface at every position (in any order, repeated ones once) and adds its borders and
 // knuckles. Of a whole hull the port half is taken, with its section by the centre plane as
-// outline. Curves are as fine as the paper can show.
+// outline. Curves are as fine as the paper can show. Where a flat part of the hull lies in a plane,
+// its edge is drawn.
 //
 // Throws std::invalid_argument for a position, draft or length that is not finite, a negative
 // buttock and a station spacing that is not above zero.

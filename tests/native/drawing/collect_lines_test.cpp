@@ -70,6 +70,69 @@ TEST(CollectLines, KeepsTheCentrePlaneOutline) {
   }
 }
 
+// Planes that hold an end, the bottom or the side show its edge, whichever way rounding has moved
+// them.
+TEST(CollectLines, ShowsTheEdgesOfFlatParts) {
+  LinesOptions chosen = options();
+  chosen.stations = {0.0, 40.0};
+  chosen.waterlines = {0.0};
+  chosen.buttocks = {4.0};
+  chosen.draft.reset();
+  const LimitSurface surface = half_box();
+  for (double noise : {0.0, 1e-9, -1e-9}) {
+    std::vector<Vector3d> points = surface.mesh().points();
+    for (auto& p : points) p += noise * Vector3d(1.0, 1.0, 1.0);
+    LimitSurface moved = surface;
+    moved.set_points(points);
+    const LinesDrawing drawing = collect_lines(moved, chosen);
+    ASSERT_EQ(drawing.stations.size(), 2u);
+    for (const NamedCurves& station : drawing.stations) {
+      EXPECT_FALSE(station.curves.empty()) << station.position << " moved by " << noise;
+      for (const ShipCurve& curve : station.curves) {
+        for (const auto& p : curve) EXPECT_EQ(p.x(), station.position);
+      }
+    }
+    EXPECT_FALSE(drawing.waterlines.front().curves.empty()) << noise;
+    EXPECT_FALSE(drawing.buttocks.front().curves.empty()) << noise;
+  }
+}
+
+TEST(CollectLines, NumbersStationsFromTheAfterPerpendicular) {
+  LinesOptions chosen = options();
+  const LimitSurface surface = half_box();
+  const auto labels = [&] {
+    std::vector<std::string> all;
+    for (const auto& station : collect_lines(surface, chosen).stations)
+      all.push_back(station.label);
+    return all;
+  };
+  using Labels = std::vector<std::string>;
+  chosen.stations = {-5.0, 5.0, 10.0};
+  EXPECT_EQ(labels(), (Labels{"-1", "1", "2"}));
+  chosen.station_spacing = 10.0;
+  EXPECT_EQ(labels(), (Labels{"-0.5", "0.5", "1"}));
+  chosen.station_spacing.reset();
+  chosen.stations = {1.0, 3.3, 10.0};  // not evenly spaced: counted
+  EXPECT_EQ(labels(), (Labels{"0", "1", "2"}));
+}
+
+TEST(CollectLines, LabelsHeightsAsExactlyAsNeeded) {
+  LinesOptions chosen = options();
+  chosen.waterlines = {1.0, 2.0};
+  chosen.draft = 1.25;
+  const LinesDrawing drawing = collect_lines(half_box(), chosen);
+  EXPECT_EQ(drawing.waterlines[0].label, "1.0 m");
+  EXPECT_EQ(drawing.waterlines[2].label, "DWL 1.25 m");
+}
+
+TEST(CollectLines, LeavesTheCentrePlaneToTheOutline) {
+  LinesOptions chosen = options();
+  chosen.buttocks = {0.0, 1.5};
+  const LinesDrawing drawing = collect_lines(half_box(), chosen);
+  ASSERT_EQ(drawing.buttocks.size(), 1u);
+  EXPECT_EQ(drawing.buttocks[0].position, 1.5);
+}
+
 TEST(CollectLines, RefusesBadPositions) {
   const LimitSurface surface = half_box();
   LinesOptions bad = options();
