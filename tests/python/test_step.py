@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""STEP files of whole ships, read back by Open CASCADE."""
+
+import json
+import sys
+from pathlib import Path
+
+import hull_native as hn
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
+from hull_io_loader import load_hull_io  # noqa: E402
+
+hull_io = load_hull_io()
+
+SHARED = ROOT.parent / "shared"
+REFERENCE = SHARED / "reference" / "hydrostatics.json"
+NAMES = ["barge.hull.json", "coaster.hull.json"]
+if REFERENCE.exists():
+    NAMES += [entry["file"] for entry in json.loads(REFERENCE.read_text())]
+
+
+def surface_of(name):
+    folder = ROOT / "samples" if name.endswith(".json") else SHARED / "hulls" / "freeship"
+    data = hull_io.read_hull(folder / name)
+    shell = hull_io.shell_arrays(data)
+    mesh = hn.ControlMesh(
+        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
+    )
+    return data, hn.LimitSurface(mesh)
+
+
+def real_border_length(surface):
+    """Of both sides: all borders but those in the centre plane, where the sides are joined."""
+    total = 0.0
+    for curve in hn.feature_curves(surface, 256):
+        if curve.kind != "border":
+            continue
+        ends = np.abs(curve.points[:, 1]) < 1e-7 * surface.mesh.size
+        lengths = np.linalg.norm(np.diff(curve.points, axis=0), axis=1)
+        total += lengths[~(ends[1:] & ends[:-1])].sum()
+    return 2.0 * total
+
+
+def largest_distance(patches, surface, samples=4, grid=32):
+    """From patch points to the nearest of a dense grid of exact points of the same cell, m.
+
+    An upper bound of the distance to the surface, too large by half the grid's mesh at most.
+    """
+    t = np.linspace(0.0, 1.0, samples)
+    uv = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
+    assert patches.patch_count == surface.cell_count
+    exact = surface.evaluate_grid(grid)[0].reshape(surface.cell_count, -1, 3)
+    worst = 0.0
+    for cell in range(surface.cell_count):
+        points = patches.positions(np.full(len(uv), cell), uv)
+        distances = np.linalg.norm(points[:, None, :] - exact[cell][None, :, :], axis=-1)
+        worst = max(worst, distances.min(axis=1).max())
+    return worst
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_step_of_a_ship(name, tmp_path):
+    data, surface = surface_of(name)
+    patches = hn.fit_per_cell(surface)
+    length = np.ptp(surface.mesh.points[:, 0])
+    assert patches.largest_distance <= 1e-3 * length
+    assert largest_distance(patches, surface) <= 2e-3 * length
+    path = tmp_path / "hull.step"
+    hn.write_step(patches, path, name=data.name, mirrored=data.half)
+    report = hn.read_step_report(path)
+    assert report["valid"]
+    assert report["shells"] == 1
+    # No gaps: what is free is the hull's own border.
+    assert report["free_edge_length"] == pytest.approx(real_border_length(surface), rel=2e-3)
