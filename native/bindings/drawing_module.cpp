@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bindings/arrays.h"
+#include "bindings/companion_module.h"
 #include "drawing/collect_lines.h"
-#include "files/atomic_file.h"
 
 namespace py = pybind11;
 
@@ -45,16 +45,7 @@ std::vector<double> positions_from(const Positions& array, const char* name) {
 PYBIND11_MODULE(_drawing, module) {
   using namespace hull::bindings;
   module.doc() = "Drawings on paper, by way of Cairo.";
-  // LimitSurface is a class of the core, in the same package.
-  const auto full_name = module.attr("__name__").cast<std::string>();
-  py::module_::import((full_name.substr(0, full_name.rfind('.') + 1) + "_core").c_str());
-  py::register_local_exception_translator([](std::exception_ptr error) {
-    try {
-      if (error) std::rethrow_exception(error);
-    } catch (const hull::FileError& failure) {
-      PyErr_SetString(PyExc_OSError, failure.what());
-    }
-  });
+  join_core(module);
 
   module.def(
       "write_lines_drawing",

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "bindings/companion_module.h"
 #include "exchange/step_file.h"
-#include "files/atomic_file.h"
 
 namespace py = pybind11;
 
@@ -54,16 +54,7 @@ StepReport read(const std::filesystem::path& path) {
 PYBIND11_MODULE(_exchange, module) {
   using namespace hull::bindings;
   module.doc() = "Files of CAD systems, by way of Open CASCADE.";
-  // PatchSet is a class of the core, in the same package.
-  const auto full_name = module.attr("__name__").cast<std::string>();
-  py::module_::import((full_name.substr(0, full_name.rfind('.') + 1) + "_core").c_str());
-  py::register_local_exception_translator([](std::exception_ptr error) {
-    try {
-      if (error) std::rethrow_exception(error);
-    } catch (const hull::FileError& failure) {
-      PyErr_SetString(PyExc_OSError, failure.what());
-    }
-  });
+  join_core(module);
 
   module.def(
       "write_step",
