@@ -10,6 +10,7 @@ void bind_control_mesh(pybind11::module_& module);
 void bind_limit_surface(pybind11::module_& module);
 void bind_tessellation(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
+void bind_hull_body(pybind11::module_& module);
 void bind_hydrostatics(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_core, module) {
   bind_limit_surface(module);
   bind_tessellation(module);
   bind_feature_curves(module);
+  bind_hull_body(module);
   bind_hydrostatics(module);
   bind_sections(module);
   bind_patch_set(module);
