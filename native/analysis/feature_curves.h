@@ -3,25 +3,21 @@
 
 #include <vector>
 
-#include "surface/limit_surface.h"
+#include "surface/crease_curves.h"
 
 namespace hull {
 
-enum class FeatureKind { kCrease, kBorder };
-
-// A chain of crease or border edges as a curve of the surface: a uniform cubic B-spline of the
-// chain's control points, ending at corners, darts and where three or more creases meet.
+// A CreaseCurve by points on it.
 struct FeatureCurve {
-  FeatureKind kind;
+  CreaseKind kind;
   std::vector<int> vertices;     // the chain's control vertices, in order; a closed chain's first
                                  // vertex is not repeated
   std::vector<Vector3d> points;  // points of the surface, m; a closed curve's first is repeated
   bool closed;
 };
 
-// All of them, with `samples_per_edge` intervals per edge of the control mesh (rounded up to an
-// even number). Chains of different kind do not join. Throws std::invalid_argument unless
-// 1 <= samples_per_edge <= 1024.
+// All crease_curves(), with `samples_per_edge` intervals per edge of the control mesh (rounded up
+// to an even number). Throws std::invalid_argument unless 1 <= samples_per_edge <= 1024.
 std::vector<FeatureCurve> feature_curves(const LimitSurface& surface, int samples_per_edge = 16);
 
 }  // namespace hull

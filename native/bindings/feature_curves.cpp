@@ -12,7 +12,7 @@ void bind_feature_curves(py::module_& module) {
   py::class_<FeatureCurve>(module, "FeatureCurve", "A chain of creases or borders as a curve.")
       .def_property_readonly("kind",
                              [](const FeatureCurve& c) {
-                               return c.kind == FeatureKind::kBorder ? "border" : "crease";
+                               return c.kind == CreaseKind::kBorder ? "border" : "crease";
                              })
       .def_property_readonly(
           "vertices", [](const FeatureCurve& c) { return to_array(c.vertices); },

@@ -153,7 +153,7 @@ void mark_design_waterline(const LimitSurface& surface, std::vector<NamedCurves>
 void add_features(const LimitSurface& surface, bool mirrored, LinesDrawing& drawing) {
   const double slack = (mirrored ? kCentreLineSlack : kSamePosition) * surface.mesh().size();
   for (const FeatureCurve& feature : feature_curves(surface)) {
-    const bool border = feature.kind == FeatureKind::kBorder;
+    const bool border = feature.kind == CreaseKind::kBorder;
     add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points, slack);
   }
 }

@@ -117,7 +117,7 @@ TEST(FeatureCurves, OfABoxAreItsEdges) {
   EXPECT_EQ(curves.size(), 12u);
   double length = 0.0;
   for (const FeatureCurve& c : curves) {
-    EXPECT_EQ(c.kind, FeatureKind::kCrease);
+    EXPECT_EQ(c.kind, CreaseKind::kCrease);
     EXPECT_EQ(c.vertices.size(), 2u);
     length += (c.points.back() - c.points.front()).norm();
   }
@@ -139,7 +139,7 @@ TEST(FeatureCurves, CloseAndSplit) {
   const LimitSurface sheet{ControlMesh(testing::grid(2, 2))};
   const std::vector<FeatureCurve> borders = feature_curves(sheet, 2);
   ASSERT_EQ(borders.size(), 4u);
-  EXPECT_EQ(borders[0].kind, FeatureKind::kBorder);
+  EXPECT_EQ(borders[0].kind, CreaseKind::kBorder);
 }
 
 }  // namespace
