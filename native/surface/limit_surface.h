@@ -52,6 +52,7 @@ class LimitSurface {
   bool is_irregular_knot(int cell, double u, double v) const;
 
   const SurfaceLayout& layout() const { return *layout_; }
+  const std::shared_ptr<const SurfaceLayout>& shared_layout() const { return layout_; }
   const BicubicPoints& leaf(int index) const { return leaves_[index]; }
   const CornerPoints& corner(int index) const { return corners_[index]; }
 
