@@ -59,27 +59,27 @@ void draw_offsets(SheetBuilder& builder, const View& view, const GridBox& grid,
     if (buttock.position <= 0.0 || buttock.position > extents.breadth) continue;
     for (const Hand hand : {kAft, kFore}) {
       const double x = view.to_page(hand * buttock.position, 0.0).x();
-      draw_vertical(builder, LineKind::kGrid, grid, x);
-      ticks.push_back({x, buttock.label, Ink::kButtock, false});
+      draw_vertical(builder, pens::kGrid, grid, x);
+      ticks.push_back({x, buttock.label, inks::kButtock, false});
     }
   }
   const double centre = view.to_page(0.0, 0.0).x();
-  draw_vertical(builder, LineKind::kCentreLine, grid, centre);
-  ticks.push_back({centre, "CL", Ink::kBlack, true});
+  draw_vertical(builder, pens::kCentreLine, grid, centre);
+  ticks.push_back({centre, "CL", inks::kBlack, true});
   label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
 }
 
 // The parts aft of midship to the left, the others to the right, without what lies in the centre
 // plane.
-void draw_split(SheetBuilder& builder, const View& view, LineKind kind,
+void draw_split(SheetBuilder& builder, const View& view, const Pen& pen,
                 const std::vector<ShipCurve>& curves, const HullExtents& extents) {
   for (const ShipCurve& curve : curves) {
     for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
       for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, Side::kBelow)) {
-        builder.draw_curve(kind, end_view(view, aft, kAft));
+        builder.draw_curve(pen, end_view(view, aft, kAft));
       }
       for (const ShipCurve& fore : part_of_curve(part, 0, extents.midship, Side::kAbove)) {
-        builder.draw_curve(kind, end_view(view, fore, kFore));
+        builder.draw_curve(pen, end_view(view, fore, kFore));
       }
     }
   }
@@ -108,7 +108,7 @@ std::vector<Section> draw_sections(SheetBuilder& builder, const View& view,
     Section& section = sections.emplace_back(Section{station.label, {}});
     for (const ShipCurve& curve : station.curves) {
       PagePath path = end_view(view, curve, hand);
-      section.curves.push_back({path, builder.draw_curve(kStationLines.kind, path)});
+      section.curves.push_back({path, builder.draw_curve(kStationLines.pen, path)});
     }
   }
   return sections;
@@ -134,7 +134,7 @@ void label_end(SheetBuilder& builder, const View& view, const SectionEnd& end, H
           !builder.placer().is_free(end.point, leader_end)) {
         continue;
       }
-      if (distance > 2.0) builder.draw(LineKind::kLeader, {end.point, leader_end});
+      if (distance > 2.0) builder.draw(pens::kLeader, {end.point, leader_end});
       builder.put_text(text, style, box);
       return;
     }
@@ -186,8 +186,8 @@ void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing&
 
   const std::vector<Section> aft = draw_sections(builder, view, drawing, extents, kAft);
   const std::vector<Section> fore = draw_sections(builder, view, drawing, extents, kFore);
-  draw_split(builder, view, LineKind::kKnuckle, drawing.knuckles, extents);
-  draw_split(builder, view, LineKind::kOutline, drawing.outlines, extents);
+  draw_split(builder, view, pens::kKnuckle, drawing.knuckles, extents);
+  draw_split(builder, view, pens::kOutline, drawing.outlines, extents);
   label_sections(builder, view, aft, extents, kAft);
   label_sections(builder, view, fore, extents, kFore);
 }

@@ -9,14 +9,13 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
-#include <vector>
+#include <tuple>
 
 #include "drawing/cairo_handles.h"
 #include "files/atomic_file.h"
 
 namespace hull {
 
-using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
 namespace {
@@ -25,75 +24,9 @@ constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kDotsPerMm = 8.0;
 constexpr double kMostDots = 5000.0;
 
+constexpr int kDashCount = static_cast<int>(std::tuple_size_v<Dashes>);
+
 enum class FileKind { kPdf, kSvg, kPng };
-
-struct Colour {
-  double red, green, blue;
-};
-
-struct Pen {
-  double width;  // mm
-  Colour colour;
-  std::vector<double> dashes;  // mm
-};
-
-// Dark enough to print well in grey, apart enough to tell the families in colour.
-constexpr Colour kBlack{0.0, 0.0, 0.0};
-constexpr Colour kGrey{0.42, 0.42, 0.42};
-constexpr Colour kPaleGrey{0.72, 0.72, 0.72};
-constexpr Colour kBlue{0.07, 0.22, 0.55};
-constexpr Colour kGreen{0.03, 0.38, 0.26};
-constexpr Colour kRed{0.62, 0.12, 0.10};
-
-Pen pen_of(LineKind kind) {
-  switch (kind) {
-    case LineKind::kFrame:
-      return {0.50, kBlack, {}};
-    case LineKind::kTable:
-      return {0.18, kBlack, {}};
-    case LineKind::kGrid:
-      return {0.10, kPaleGrey, {}};
-    case LineKind::kBaseline:
-      return {0.25, kBlack, {}};
-    case LineKind::kCentreLine:
-      return {0.13, kBlack, {6.0, 1.2, 0.8, 1.2}};
-    case LineKind::kPerpendicular:
-      return {0.18, kBlack, {4.0, 1.0, 0.6, 1.0}};
-    case LineKind::kDesignWaterline:
-      return {0.30, kGreen, {}};
-    case LineKind::kStation:
-      return {0.20, kBlue, {}};
-    case LineKind::kWaterline:
-      return {0.20, kGreen, {}};
-    case LineKind::kLoadWaterline:
-      return {0.40, kGreen, {}};
-    case LineKind::kButtock:
-      return {0.20, kRed, {}};
-    case LineKind::kKnuckle:
-      return {0.32, kBlack, {}};
-    case LineKind::kOutline:
-      return {0.45, kBlack, {}};
-    case LineKind::kLeader:
-      return {0.10, kGrey, {}};
-  }
-  throw std::logic_error("a kind of line without a pen");
-}
-
-Colour colour_of(Ink ink) {
-  switch (ink) {
-    case Ink::kBlack:
-      return kBlack;
-    case Ink::kGrey:
-      return kGrey;
-    case Ink::kStation:
-      return kBlue;
-    case Ink::kWaterline:
-      return kGreen;
-    case Ink::kButtock:
-      return kRed;
-  }
-  throw std::logic_error("an ink without a colour");
-}
 
 FileKind kind_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -156,15 +89,24 @@ double unit_scale(const Sheet& sheet, FileKind kind) {
   return kind == FileKind::kPng ? dots_per_mm(sheet) : kPointsPerMm;
 }
 
+bool is_dashed(const Dashes& dashes) { return dashes != Dashes{}; }
+
 void set_colour(cairo_t* context, const Colour& colour) {
-  cairo_set_source_rgb(context, colour.red, colour.green, colour.blue);
+  cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, colour.opacity);
+}
+
+template <typename Points>
+void add_polygon(cairo_t* context, const Points& points) {
+  cairo_new_path(context);  // a text leaves its end as the current point
+  for (const Vector2d& point : points) cairo_line_to(context, point.x(), point.y());
+  cairo_close_path(context);
 }
 
 void draw_stroke(cairo_t* context, const Stroke& stroke) {
-  const Pen pen = pen_of(stroke.kind);
-  set_colour(context, pen.colour);
-  cairo_set_line_width(context, pen.width);
-  cairo_set_dash(context, pen.dashes.data(), static_cast<int>(pen.dashes.size()), 0.0);
+  set_colour(context, stroke.pen.colour);
+  cairo_set_line_width(context, stroke.pen.width);
+  const Dashes& dashes = stroke.pen.dashes;
+  cairo_set_dash(context, dashes.data(), is_dashed(dashes) ? kDashCount : 0, 0.0);
   const bool closed = stroke.points.size() > 2 && stroke.points.front() == stroke.points.back();
   cairo_new_path(context);
   for (const Vector2d& point : stroke.points) cairo_line_to(context, point.x(), point.y());
@@ -172,22 +114,22 @@ void draw_stroke(cairo_t* context, const Stroke& stroke) {
   cairo_stroke(context);
 }
 
-void fill_box(cairo_t* context, const OrientedBox& box) {
-  cairo_new_path(context);  // a text leaves its end as the current point
-  for (const Vector2d& corner : box.corners()) cairo_line_to(context, corner.x(), corner.y());
-  cairo_close_path(context);
+void draw_fill(cairo_t* context, const Fill& fill) {
+  set_colour(context, fill.colour);
+  add_polygon(context, fill.points);
   cairo_fill(context);
 }
 
 void draw_label(cairo_t* context, const Label& label) {
   if (label.knockout) {
     cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
-    fill_box(context, label.box.grown(0.25));
+    add_polygon(context, label.box.grown(0.25).corners());
+    cairo_fill(context);
   }
   cairo_save(context);
   cairo_translate(context, label.box.centre.x(), label.box.centre.y());
   cairo_rotate(context, label.box.angle);
-  set_colour(context, colour_of(label.ink));
+  set_colour(context, label.ink);
   select_face(context, label.size, label.bold);
   cairo_move_to(context, -label.box.half.x(), label.box.half.y() - label.descent);
   cairo_show_text(context, label.text.c_str());
@@ -199,13 +141,9 @@ void draw_sheet(cairo_t* context, const Sheet& sheet) {
   cairo_paint(context);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
+  for (const Fill& area : sheet.areas) draw_fill(context, area);
   for (const Stroke& stroke : sheet.strokes) draw_stroke(context, stroke);
-  set_colour(context, kBlack);
-  for (const AlignedBox2d& patch : sheet.patches) {
-    cairo_rectangle(context, patch.min().x(), patch.min().y(), patch.sizes().x(),
-                    patch.sizes().y());
-    cairo_fill(context);
-  }
+  for (const Fill& patch : sheet.patches) draw_fill(context, patch);
   for (const Label& label : sheet.labels) draw_label(context, label);
 }
 

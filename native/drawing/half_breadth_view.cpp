@@ -26,8 +26,8 @@ void draw_grid(SheetBuilder& builder, const View& view, const GridBox& grid,
   for (const NamedCurves& station : drawing.stations) {
     if (station.position < extents.aft || station.position > extents.fore) continue;
     const double x = view.to_page(station.position, 0.0).x();
-    draw_vertical(builder, LineKind::kGrid, grid, x);
-    stations.push_back({x, station.label, Ink::kStation, false});
+    draw_vertical(builder, pens::kGrid, grid, x);
+    stations.push_back({x, station.label, inks::kStation, false});
   }
   label_verticals(builder, view, std::move(stations), grid.max().y() + 0.5 * kLabelRow);
 
@@ -35,21 +35,21 @@ void draw_grid(SheetBuilder& builder, const View& view, const GridBox& grid,
   for (const NamedCurves& buttock : drawing.buttocks) {
     if (buttock.position <= 0.0 || buttock.position > extents.breadth) continue;
     const double y = view.to_page(0.0, buttock.position).y();
-    draw_horizontal(builder, LineKind::kGrid, grid, y);
-    offsets.push_back({y, buttock.label, Ink::kButtock, false});
+    draw_horizontal(builder, pens::kGrid, grid, y);
+    offsets.push_back({y, buttock.label, inks::kButtock, false});
   }
   const double centre = view.to_page(0.0, 0.0).y();
-  draw_horizontal(builder, LineKind::kCentreLine, grid, centre);
-  offsets.push_back({centre, "CL", Ink::kBlack, true});
+  draw_horizontal(builder, pens::kCentreLine, grid, centre);
+  offsets.push_back({centre, "CL", inks::kBlack, true});
   label_horizontals(builder, view, grid, std::move(offsets));
 }
 
 // What lies in the centre plane is the centre line, which is drawn already.
-void draw_off_centre(SheetBuilder& builder, const View& view, LineKind kind,
+void draw_off_centre(SheetBuilder& builder, const View& view, const Pen& pen,
                      const std::vector<ShipCurve>& curves) {
   for (const ShipCurve& curve : curves) {
     for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
-      builder.draw_curve(kind, top_view(view, part));
+      builder.draw_curve(pen, top_view(view, part));
     }
   }
 }
@@ -68,12 +68,12 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
     const bool design = is_design_waterline(drawing, waterline);
     for (const ShipCurve& curve : waterline.curves) {
       PagePath path = top_view(view, curve);
-      const LineKind kind = design ? LineKind::kLoadWaterline : kWaterlineLines.kind;
-      placed.push_back({path, builder.draw_curve(kind, path)});
+      const Pen& pen = design ? pens::kLoadWaterline : kWaterlineLines.pen;
+      placed.push_back({path, builder.draw_curve(pen, path)});
     }
   }
-  draw_off_centre(builder, view, LineKind::kKnuckle, drawing.knuckles);
-  draw_off_centre(builder, view, LineKind::kOutline, drawing.outlines);
+  draw_off_centre(builder, view, pens::kKnuckle, drawing.knuckles);
+  draw_off_centre(builder, view, pens::kOutline, drawing.outlines);
 
   const double length = extents.fore - extents.aft;
   const std::vector<double> wanted = {view.to_page(extents.aft + 0.85 * length, 0.0).x(),

@@ -26,26 +26,21 @@ double label_column(const LinesDrawing& drawing) {
   return width + 0.1;
 }
 
-PagePath outline_of(const Eigen::AlignedBox2d& box) {
-  const Eigen::Vector2d &low = box.min(), &high = box.max();
-  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
-}
-
 }  // namespace
 
-Sheet lay_out_lines(const LinesDrawing& drawing) {
+LinesSheet lay_out_lines(const LinesDrawing& drawing) {
   const HullExtents extents = hull_extents(drawing);
-  Sheet sheet =
+  LinesSheet sheet =
       choose_layout(extents, drawing.paper, label_column(drawing), title_block_size(drawing));
   sheet.title = drawing.title;
-  const Sheet places = sheet;
-  SheetBuilder builder(std::move(sheet));
-  builder.draw(LineKind::kFrame, outline_of(places.frame));
-  draw_title_block(builder, places, drawing);
-  draw_profile(builder, places.profile, drawing, extents);
-  draw_half_breadth(builder, places.half_breadth, drawing, extents);
-  draw_body_plan(builder, places.body_plan, drawing, extents);
-  return std::move(builder).finish();
+  SheetBuilder builder(sheet);
+  builder.draw(pens::kFrame, outline_of(sheet.frame));
+  draw_title_block(builder, sheet, drawing);
+  draw_profile(builder, sheet.profile, drawing, extents);
+  draw_half_breadth(builder, sheet.half_breadth, drawing, extents);
+  draw_body_plan(builder, sheet.body_plan, drawing, extents);
+  static_cast<Sheet&>(sheet) = std::move(builder).finish();
+  return sheet;
 }
 
 void write_lines_drawing(const LinesDrawing& drawing, const std::string& path) {

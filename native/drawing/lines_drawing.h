@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/sheet.h"
+#include "drawing/lines_sheet.h"
 
 namespace hull {
 
@@ -60,7 +60,7 @@ inline constexpr std::size_t kMostParticulars = 16;
 // Throws std::invalid_argument when there is no curve to draw, a coordinate or position is not
 // finite, a curve has less than two points, there are too many particulars, or the hull is longer
 // than 100 km or shorter than a millimetre.
-Sheet lay_out_lines(const LinesDrawing& drawing);
+LinesSheet lay_out_lines(const LinesDrawing& drawing);
 
 // Lays out and writes. Throws as lay_out_lines and write_sheet (canvas.h).
 void write_lines_drawing(const LinesDrawing& drawing, const std::string& path);

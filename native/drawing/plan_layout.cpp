@@ -218,10 +218,10 @@ PaperSize paper_size(Paper paper) {
   throw std::logic_error("a paper without a size");
 }
 
-Sheet choose_layout(const HullExtents& extents, Paper paper, double label_column,
-                    const Vector2d& title_block) {
+LinesSheet choose_layout(const HullExtents& extents, Paper paper, double label_column,
+                         const Vector2d& title_block) {
   const PaperSize size = paper_size(paper);
-  Sheet sheet{};
+  LinesSheet sheet{};
   sheet.width = size.width;
   sheet.height = size.height;
   sheet.frame = box_at(kPaperMargin, kPaperMargin, size.width - 2.0 * kPaperMargin,

@@ -46,8 +46,8 @@ PaperSize paper_size(Paper paper);
 // Of the usual scales (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 8 times a power of ten) it is the
 // largest at which everything fits, either with the three views one above the other, or with the
 // body plan beside the profile on one base line.
-Sheet choose_layout(const HullExtents& extents, Paper paper, double label_column,
-                    const Eigen::Vector2d& title_block);
+LinesSheet choose_layout(const HullExtents& extents, Paper paper, double label_column,
+                         const Eigen::Vector2d& title_block);
 
 // "1:200", or "5:1" for an enlargement.
 std::string scale_text(double denominator);

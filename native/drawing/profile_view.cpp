@@ -25,8 +25,8 @@ void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
   for (const NamedCurves& station : drawing.stations) {
     if (station.position < extents.aft || station.position > extents.fore) continue;
     const double x = view.to_page(station.position, 0.0).x();
-    draw_vertical(builder, LineKind::kGrid, grid, x);
-    ticks.push_back({x, station.label, Ink::kStation, false});
+    draw_vertical(builder, pens::kGrid, grid, x);
+    ticks.push_back({x, station.label, inks::kStation, false});
   }
   label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
 }
@@ -38,8 +38,8 @@ void draw_perpendiculars(SheetBuilder& builder, const View& view, const GridBox&
   const auto add = [&](double x, const std::string& name) {
     if (x < extents.aft || x > extents.fore) return;
     const double page_x = view.to_page(x, 0.0).x();
-    draw_vertical(builder, LineKind::kPerpendicular, grid, page_x);
-    ticks.push_back({page_x, name, Ink::kBlack, true});
+    draw_vertical(builder, pens::kPerpendicular, grid, page_x);
+    ticks.push_back({page_x, name, inks::kBlack, true});
   };
   add(0.0, "AP");
   add(extents.midship, "Midship");
@@ -62,14 +62,14 @@ void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& d
     std::vector<PlacedCurve>& placed = buttocks.emplace_back();
     for (const ShipCurve& curve : buttock.curves) {
       PagePath path = side_view(view, curve);
-      placed.push_back({path, builder.draw_curve(kButtockLines.kind, path)});
+      placed.push_back({path, builder.draw_curve(kButtockLines.pen, path)});
     }
   }
   for (const ShipCurve& curve : drawing.knuckles) {
-    builder.draw_curve(LineKind::kKnuckle, side_view(view, curve));
+    builder.draw_curve(pens::kKnuckle, side_view(view, curve));
   }
   for (const ShipCurve& curve : drawing.outlines) {
-    builder.draw_curve(LineKind::kOutline, side_view(view, curve));
+    builder.draw_curve(pens::kOutline, side_view(view, curve));
   }
 
   // The buttocks are apart from one another in the ends of the ship.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,29 +12,34 @@
 
 namespace hull {
 
-// What a line means; canvas.cpp gives each kind its width, colour and dashes.
-enum class LineKind {
-  kFrame,
-  kTable,
-  kGrid,
-  kBaseline,
-  kCentreLine,
-  kPerpendicular,
-  kDesignWaterline,  // the straight trace of the design waterline
-  kStation,
-  kWaterline,
-  kLoadWaterline,  // the design waterline as a curve, heavier than its neighbours
-  kButtock,
-  kKnuckle,
-  kOutline,
-  kLeader,
+// Each part in [0, 1].
+struct Colour {
+  double red, green, blue;
+  double opacity = 1.0;
+
+  bool operator==(const Colour&) const = default;
 };
 
-enum class Ink { kBlack, kGrey, kStation, kWaterline, kButtock };
+// Lengths of line and gap in turn, mm; all zero for an unbroken line.
+using Dashes = std::array<double, 4>;
+
+struct Pen {
+  double width;  // mm
+  Colour colour;
+  Dashes dashes = {};
+
+  bool operator==(const Pen&) const = default;
+};
 
 struct Stroke {
-  LineKind kind;
-  std::vector<Eigen::Vector2d> points;  // two or more
+  Pen pen;
+  std::vector<Eigen::Vector2d> points;  // two or more; closed where the last is the first
+};
+
+// A polygon filled without an outline; three points or more.
+struct Fill {
+  Colour colour;
+  std::vector<Eigen::Vector2d> points;
 };
 
 // One line of text, drawn to fill its box from the left; whose height is ascent and descent
@@ -43,33 +48,19 @@ struct Label {
   std::string text;
   double size;  // the font's em, mm
   bool bold;
-  Ink ink;
+  Colour ink;
   bool knockout;   // blank the paper beneath: the label interrupts a curve
   double descent;  // from the bottom of the box up to the baseline
   OrientedBox box;
 };
 
-// Where one view of the hull lies.
-struct View {
-  Eigen::AlignedBox2d bounds;  // everything that belongs to the view is inside
-  Eigen::Vector2d origin;      // page point of the view's ship coordinates (0, 0)
-  double scale;                // millimetres of page per metre of ship
-
-  Eigen::Vector2d to_page(double right, double up) const {
-    return {origin.x() + scale * right, origin.y() - scale * up};
-  }
-};
-
 struct Sheet {
   std::string title;
   double width, height;
-  double scale_denominator;  // 200 for 1:200
-  Eigen::AlignedBox2d frame;
-  Eigen::AlignedBox2d title_block;
-  View profile, half_breadth, body_plan;
-  std::vector<Stroke> strokes;               // drawn first, in this order
-  std::vector<Eigen::AlignedBox2d> patches;  // filled black: the scale bar
-  std::vector<Label> labels;                 // drawn last
+  std::vector<Fill> areas;      // drawn first
+  std::vector<Stroke> strokes;  // then these, in this order
+  std::vector<Fill> patches;    // then these: dots, bars
+  std::vector<Label> labels;    // drawn last
 };
 
 }  // namespace hull

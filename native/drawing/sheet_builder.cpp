@@ -22,13 +22,18 @@ std::string without_controls(std::string text) {
 
 }  // namespace
 
-void SheetBuilder::draw(LineKind kind, PagePath points) {
-  if (points.size() > 1) sheet_.strokes.push_back({kind, std::move(points)});
+PagePath outline_of(const AlignedBox2d& box) {
+  const Vector2d &low = box.min(), &high = box.max();
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
 }
 
-int SheetBuilder::draw_curve(LineKind kind, PagePath points) {
+void SheetBuilder::draw(const Pen& pen, PagePath points) {
+  if (points.size() > 1) sheet_.strokes.push_back({pen, std::move(points)});
+}
+
+int SheetBuilder::draw_curve(const Pen& pen, PagePath points) {
   const int number = placer_.add_curve(points);
-  draw(kind, std::move(points));
+  draw(pen, std::move(points));
   return number;
 }
 

@@ -5,21 +5,26 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drawing/label_placer.h"
+#include "drawing/pens.h"
 #include "drawing/sheet.h"
 
 namespace hull {
 
 using PagePath = std::vector<Eigen::Vector2d>;
 
+// The sides of a box, closed.
+PagePath outline_of(const Eigen::AlignedBox2d& box);
+
 inline constexpr double kLabelSize = 2.8;  // mm, about 8 points
 
 struct TextStyle {
   double size = kLabelSize;
   bool bold = false;
-  Ink ink = Ink::kBlack;
+  Colour ink = inks::kBlack;
   bool knockout = false;
 };
 
@@ -31,12 +36,20 @@ class SheetBuilder {
   explicit SheetBuilder(Sheet sheet) : sheet_(std::move(sheet)) {}
 
   // A line that labels may cross: grid, frame, leader.
-  void draw(LineKind kind, PagePath points);
+  void draw(const Pen& pen, PagePath points);
 
   // A line that labels keep clear of. Returns its number for `own_curve` below.
-  int draw_curve(LineKind kind, PagePath points);
+  int draw_curve(const Pen& pen, PagePath points);
 
-  void fill(const Eigen::AlignedBox2d& box) { sheet_.patches.push_back(box); }
+  // Above the lines: a dot, the part of a bar.
+  void fill(const Colour& colour, PagePath polygon) {
+    sheet_.patches.push_back({colour, std::move(polygon)});
+  }
+
+  // Below the lines.
+  void shade(const Colour& colour, PagePath polygon) {
+    sheet_.areas.push_back({colour, std::move(polygon)});
+  }
 
   // The box `text` takes at `position`.
   static OrientedBox text_box(const std::string& text, const TextStyle& style,

@@ -36,7 +36,7 @@ void put(SheetBuilder& builder, const std::string& text, TextStyle style, const 
   builder.put_text(fitted.text, style, SheetBuilder::text_box(fitted.text, style, position, align));
 }
 
-void draw_heading(SheetBuilder& builder, const AlignedBox2d& box, const Sheet& sheet,
+void draw_heading(SheetBuilder& builder, const AlignedBox2d& box, const LinesSheet& sheet,
                   const LinesDrawing& drawing) {
   const double left = box.min().x() + kPadding;
   const double right = box.max().x() - kPadding;
@@ -64,7 +64,7 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
     const FittedText value = fit_text(particulars[i].value, kLabelSize, false, 0.6 * width);
     const double taken = text_size(value.text, value.size, false).width;
     put(builder, particulars[i].value, {}, {right, y}, Align::kRight, 0.6 * width);
-    put(builder, particulars[i].name, {.ink = Ink::kGrey}, {left, y}, Align::kLeft,
+    put(builder, particulars[i].name, {.ink = inks::kGrey}, {left, y}, Align::kLeft,
         width - taken - 2.0);
   }
 }
@@ -87,8 +87,9 @@ void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double mm_pe
   for (int i = 0; i < 5; ++i) {
     const Vector2d low = corner + Vector2d(i * step, 0.0);
     const Vector2d high = low + Vector2d(step, height);
-    if (i % 2 == 0) builder.fill({low, high});
-    builder.draw(LineKind::kTable, {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
+    const PagePath part_outline = outline_of({low, high});
+    if (i % 2 == 0) builder.fill(inks::kBlack, part_outline);
+    builder.draw(pens::kTable, part_outline);
   }
   for (int i = 0; i <= 5; ++i) {
     char text[32];
@@ -100,7 +101,7 @@ void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double mm_pe
     const Vector2d left = corner + Vector2d(i * step - half, -2.2);
     builder.put_text(shown, style, SheetBuilder::text_box(shown, style, left, Align::kLeft));
   }
-  put(builder, "Lengths in metres", {.size = 2.4, .ink = Ink::kGrey},
+  put(builder, "Lengths in metres", {.size = 2.4, .ink = inks::kGrey},
       {box.max().x() - kPadding, corner.y() + 0.5 * height}, Align::kRight, 30.0);
 }
 
@@ -115,19 +116,19 @@ Vector2d title_block_size(const LinesDrawing& drawing) {
   return {kWidth, kTitleRow + table_height(count) + kScaleRow};
 }
 
-void draw_title_block(SheetBuilder& builder, const Sheet& sheet, const LinesDrawing& drawing) {
+void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const LinesDrawing& drawing) {
   const AlignedBox2d& box = sheet.title_block;
   const double left = box.min().x(), right = box.max().x();
   const double top = box.min().y(), bottom = box.max().y();
-  builder.draw(LineKind::kFrame, {{left, bottom}, {left, top}, {right, top}});
+  builder.draw(pens::kFrame, {{left, bottom}, {left, top}, {right, top}});
   draw_heading(builder, box, sheet, drawing);
   const double table_top = top + kTitleRow;
   const double table_bottom = table_top + table_height(drawing.particulars.size());
-  builder.draw(LineKind::kTable, {{left, table_top}, {right, table_top}});
+  builder.draw(pens::kTable, {{left, table_top}, {right, table_top}});
   if (!drawing.particulars.empty()) {
     draw_table(builder, {Vector2d(left, table_top), Vector2d(right, table_bottom)},
                drawing.particulars);
-    builder.draw(LineKind::kTable, {{left, table_bottom}, {right, table_bottom}});
+    builder.draw(pens::kTable, {{left, table_bottom}, {right, table_bottom}});
   }
   draw_scale_bar(builder, {Vector2d(left, table_bottom), Vector2d(right, bottom)},
                  1000.0 / sheet.scale_denominator);

@@ -13,6 +13,6 @@ namespace hull {
 Eigen::Vector2d title_block_size(const LinesDrawing& drawing);
 
 // Draws it into `sheet.title_block`; `sheet` gives the scale as well.
-void draw_title_block(SheetBuilder& builder, const Sheet& sheet, const LinesDrawing& drawing);
+void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const LinesDrawing& drawing);
 
 }  // namespace hull

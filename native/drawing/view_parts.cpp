@@ -85,12 +85,12 @@ void draw_caption(SheetBuilder& builder, const View& view, const std::string& te
   builder.put_text(text, style, SheetBuilder::text_box(text, style, corner, Align::kLeft));
 }
 
-void draw_vertical(SheetBuilder& builder, LineKind kind, const GridBox& grid, double x) {
-  builder.draw(kind, {{x, grid.min().y()}, {x, grid.max().y()}});
+void draw_vertical(SheetBuilder& builder, const Pen& pen, const GridBox& grid, double x) {
+  builder.draw(pen, {{x, grid.min().y()}, {x, grid.max().y()}});
 }
 
-void draw_horizontal(SheetBuilder& builder, LineKind kind, const GridBox& grid, double y) {
-  builder.draw(kind, {{grid.min().x(), y}, {grid.max().x(), y}});
+void draw_horizontal(SheetBuilder& builder, const Pen& pen, const GridBox& grid, double y) {
+  builder.draw(pen, {{grid.min().x(), y}, {grid.max().x(), y}});
 }
 
 void label_verticals(SheetBuilder& builder, const View& view, std::vector<Tick> ticks, double y) {
@@ -117,7 +117,7 @@ void label_horizontals(SheetBuilder& builder, const View& view, const GridBox& g
 }
 
 void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<PlacedCurve>& curves,
-                    const std::string& text, Ink ink, const std::vector<double>& wanted) {
+                    const std::string& text, Colour ink, const std::vector<double>& wanted) {
   const PlacedCurve* curve = longest(curves);
   if (!curve) return;
   const TextStyle style{.size = 2.4, .ink = ink, .knockout = true};
@@ -152,13 +152,13 @@ void draw_heights(SheetBuilder& builder, const View& view, const GridBox& grid,
     if (!within(waterline.position)) continue;
     const bool design = is_design_waterline(drawing, waterline);
     const double y = view.to_page(0.0, waterline.position).y();
-    draw_horizontal(builder, design ? LineKind::kDesignWaterline : LineKind::kGrid, grid, y);
-    ticks.push_back({y, waterline.label, Ink::kWaterline, design});
+    draw_horizontal(builder, design ? pens::kDesignWaterline : pens::kGrid, grid, y);
+    ticks.push_back({y, waterline.label, inks::kWaterline, design});
   }
   if (within(0.0)) {
     const double y = view.to_page(0.0, 0.0).y();
-    draw_horizontal(builder, LineKind::kBaseline, grid, y);
-    ticks.push_back({y, "BL", Ink::kBlack, true});
+    draw_horizontal(builder, pens::kBaseline, grid, y);
+    ticks.push_back({y, "BL", inks::kBlack, true});
   }
   label_horizontals(builder, view, grid, std::move(ticks));
 }

@@ -19,18 +19,18 @@ using GridBox = Eigen::AlignedBox2d;
 struct Tick {
   double at;  // page x of a vertical line, page y of a horizontal one
   std::string text;
-  Ink ink;
+  Colour ink;
   bool first;  // gets its place before the others
 };
 
 // How a family of lines is drawn as curves, and its labels.
 struct LineFamily {
-  LineKind kind;
-  Ink ink;
+  const Pen& pen;
+  Colour ink;
 };
-inline constexpr LineFamily kStationLines{LineKind::kStation, Ink::kStation};
-inline constexpr LineFamily kWaterlineLines{LineKind::kWaterline, Ink::kWaterline};
-inline constexpr LineFamily kButtockLines{LineKind::kButtock, Ink::kButtock};
+inline constexpr LineFamily kStationLines{pens::kStation, inks::kStation};
+inline constexpr LineFamily kWaterlineLines{pens::kWaterline, inks::kWaterline};
+inline constexpr LineFamily kButtockLines{pens::kButtock, inks::kButtock};
 
 // A curve on the page and its number as an obstacle (SheetBuilder::draw_curve).
 struct PlacedCurve {
@@ -41,8 +41,8 @@ struct PlacedCurve {
 void draw_caption(SheetBuilder& builder, const View& view, const std::string& text);
 
 // Lines across the whole grid at a page coordinate.
-void draw_vertical(SheetBuilder& builder, LineKind kind, const GridBox& grid, double x);
-void draw_horizontal(SheetBuilder& builder, LineKind kind, const GridBox& grid, double y);
+void draw_vertical(SheetBuilder& builder, const Pen& pen, const GridBox& grid, double x);
+void draw_horizontal(SheetBuilder& builder, const Pen& pen, const GridBox& grid, double y);
 
 // The labels of vertical lines in a row, centred at the page height `y`; of horizontal lines in a
 // column left and right of the grid. A label that would touch another in its row or column is left
@@ -55,7 +55,7 @@ void label_horizontals(SheetBuilder& builder, const View& view, const GridBox& g
 // room to one of the page abscissas `wanted`, the first ones before the later. Nothing is written
 // when there is no room.
 void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<PlacedCurve>& curves,
-                    const std::string& text, Ink ink, const std::vector<double>& wanted);
+                    const std::string& text, Colour ink, const std::vector<double>& wanted);
 
 // Whether this waterline is the design waterline.
 bool is_design_waterline(const LinesDrawing& drawing, const NamedCurves& waterline);

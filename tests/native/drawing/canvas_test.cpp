@@ -33,7 +33,7 @@ class Canvas : public ::testing::Test {
         std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  const Sheet sheet_ = lay_out_lines(test::Wigley{}.lines());
+  const LinesSheet sheet_ = lay_out_lines(test::Wigley{}.lines());
   fs::path folder_;
 };
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "drawing/hand_made_hulls.h"
+#include "drawing/pens.h"
 
 namespace hull {
 namespace {
@@ -17,7 +18,7 @@ using test::barge_lines;
 using test::Wigley;
 
 // What holds of every sheet, whatever is drawn.
-void expect_good_layout(const Sheet& sheet) {
+void expect_good_layout(const LinesSheet& sheet) {
   const Eigen::AlignedBox2d page(Eigen::Vector2d(0, 0), Eigen::Vector2d(sheet.width, sheet.height));
   EXPECT_TRUE(page.contains(sheet.frame));
   for (const Stroke& stroke : sheet.strokes) {
@@ -61,7 +62,7 @@ TEST(LinesDrawing, LayoutOfSmallAndLargeHulls) {
     Wigley hull;
     const double factor = length / hull.length;
     hull = {length, factor * hull.beam, factor * hull.draft, factor * hull.depth};
-    const Sheet sheet = lay_out_lines(hull.lines());
+    const LinesSheet sheet = lay_out_lines(hull.lines());
     expect_good_layout(sheet);
     EXPECT_LT(length * 1000.0 / sheet.scale_denominator, sheet.width);
   }
@@ -82,17 +83,17 @@ TEST(LinesDrawing, ScaleIsUsualAndGrowsWithThePaper) {
 
 TEST(LinesDrawing, EveryLineIsDrawn) {
   const LinesDrawing drawing = Wigley{}.lines();
-  const Sheet sheet = lay_out_lines(drawing);
-  const auto count = [&sheet](LineKind kind) {
+  const LinesSheet sheet = lay_out_lines(drawing);
+  const auto count = [&sheet](const Pen& pen) {
     return std::count_if(sheet.strokes.begin(), sheet.strokes.end(),
-                         [kind](const Stroke& stroke) { return stroke.kind == kind; });
+                         [&pen](const Stroke& stroke) { return stroke.pen == pen; });
   };
   // Sections with an extent: those at the perpendiculars of this hull lie in the centre line.
-  EXPECT_GE(count(LineKind::kStation), 19);
-  EXPECT_GE(count(LineKind::kWaterline), 7);
-  EXPECT_EQ(count(LineKind::kLoadWaterline), 1);
-  EXPECT_EQ(count(LineKind::kButtock), 4);
-  EXPECT_GE(count(LineKind::kOutline), 2);
+  EXPECT_GE(count(pens::kStation), 19);
+  EXPECT_GE(count(pens::kWaterline), 7);
+  EXPECT_EQ(count(pens::kLoadWaterline), 1);
+  EXPECT_EQ(count(pens::kButtock), 4);
+  EXPECT_GE(count(pens::kOutline), 2);
 }
 
 TEST(LinesDrawing, RefusesWhatCannotBeDrawn) {
