@@ -73,6 +73,11 @@ std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* n
   return points;
 }
 
+std::vector<double> numbers_from(const DoubleArray& array, const char* name) {
+  check_shape(array, 0, name);
+  return std::vector<double>(array.data(), array.data() + array.size());
+}
+
 std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const char* name) {
   check_shape(array, 2, name);
   std::vector<Eigen::Vector2d> pairs(static_cast<std::size_t>(array.size() / 2));
@@ -110,6 +115,10 @@ py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points) {
 
 py::array_t<double> to_array(const std::vector<Eigen::Vector2d>& pairs) {
   return rows_to_array<Eigen::Vector2d, double, 2>(pairs);
+}
+
+py::array_t<double> to_array(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
 py::array_t<int> to_array(const std::vector<int>& values) {

@@ -19,6 +19,8 @@ using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecas
 
 // (n, 3) -> n points.
 std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name);
+// (n,) -> n numbers.
+std::vector<double> numbers_from(const DoubleArray& array, const char* name);
 // (n, 2) -> n pairs; each number in [0, 1].
 std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const char* name);
 // Arrays or nested lists. (n,) of whole numbers; no wrapping of numbers that int32 can't hold, no
@@ -29,6 +31,7 @@ std::vector<std::array<int, 2>> pairs_from(const py::object& array, const char* 
 
 py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points);
 py::array_t<double> to_array(const std::vector<Eigen::Vector2d>& pairs);
+py::array_t<double> to_array(const std::vector<double>& values);
 py::array_t<int> to_array(const std::vector<int>& values);
 py::array_t<int> to_array(const std::vector<std::array<int, 2>>& pairs);
 

@@ -8,6 +8,8 @@ namespace hull::bindings {
 
 void bind_control_mesh(pybind11::module_& module);
 void bind_limit_surface(pybind11::module_& module);
+void bind_curvature(pybind11::module_& module);
+void bind_crease_curves(pybind11::module_& module);
 void bind_tessellation(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
 void bind_hull_body(pybind11::module_& module);

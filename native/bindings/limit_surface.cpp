@@ -8,27 +8,10 @@
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "bindings/places.h"
 #include "surface/grid_samples.h"
 
 namespace hull::bindings {
-namespace {
-
-Scheme scheme_from(const std::string& name) {
-  if (name == "biermann") return Scheme::kBiermann;
-  if (name == "catmull_clark") return Scheme::kCatmullClark;
-  throw std::invalid_argument("scheme is \"biermann\" or \"catmull_clark\", not \"" + name + "\".");
-}
-
-// Bases of irregular corners, shared by all surfaces of the process.
-const std::shared_ptr<BasisCache>& shared_bases() {
-  static const auto cache = std::make_shared<BasisCache>();
-  return cache;
-}
-
-struct Places {
-  std::vector<int> cells;
-  std::vector<Eigen::Vector2d> uv;
-};
 
 Places places_from(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
   Places places{integers_from(cells, "cells"), parameters_from(uv, "uv")};
@@ -44,6 +27,20 @@ Places places_from(const LimitSurface& surface, const py::object& cells, const D
                                 std::to_string(surface.cell_count() - 1) + ".");
   }
   return places;
+}
+
+namespace {
+
+Scheme scheme_from(const std::string& name) {
+  if (name == "biermann") return Scheme::kBiermann;
+  if (name == "catmull_clark") return Scheme::kCatmullClark;
+  throw std::invalid_argument("scheme is \"biermann\" or \"catmull_clark\", not \"" + name + "\".");
+}
+
+// Bases of irregular corners, shared by all surfaces of the process.
+const std::shared_ptr<BasisCache>& shared_bases() {
+  static const auto cache = std::make_shared<BasisCache>();
+  return cache;
 }
 
 template <class Function>

@@ -6,6 +6,8 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "Exact hull surfaces and their analysis: the core of hull_native.";
   bind_control_mesh(module);
   bind_limit_surface(module);
+  bind_curvature(module);
+  bind_crease_curves(module);
   bind_tessellation(module);
   bind_feature_curves(module);
   bind_hull_body(module);
