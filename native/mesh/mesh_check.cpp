@@ -135,7 +135,7 @@ struct Side {
 
 class Connectivity {
  public:
-  explicit Connectivity(const MeshArrays& mesh) : mesh_(mesh) {
+  explicit Connectivity(const MeshArrays& mesh) {
     begin_.push_back(0);
     for (int size : mesh.face_sizes) begin_.push_back(begin_.back() + size);
     face_.resize(mesh.face_vertices.size());
@@ -212,7 +212,6 @@ class Connectivity {
   }
 
  private:
-  const MeshArrays& mesh_;
   std::vector<int> begin_, face_, twin_;
   std::vector<Side> sides_;
 };

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// libFuzzer harness: from bytes a mesh, from the mesh a surface under both schemes and everything
+// that is computed from it. Besides what the sanitizers find, the properties below are required.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "analysis/feature_curves.h"
+#include "mesh_from_bytes.h"
+#include "surface/curvature.h"
+#include "surface/grid_samples.h"
+#include "surface/pieces.h"
+#include "surface/tessellation.h"
+
+namespace hull::fuzz {
+namespace {
+
+// Larger meshes are looked at here and there, so that a run takes milliseconds.
+constexpr int kMostCells = 100;
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "surface_fuzz: this does not hold: %s\n", what);
+  std::abort();
+}
+
+// The box of the control points, and the rounding error allowed.
+struct Bounds {
+  Eigen::AlignedBox3d box;
+  double tolerance;
+
+  explicit Bounds(const ControlMesh& mesh) {
+    double largest = 0.0;
+    const Topology& t = mesh.topology();
+    for (int h = 0; h < t.half_edge_count(); ++h) {  // isolated points have no influence
+      const Vector3d& p = mesh.points()[t.origin(h)];
+      box.extend(p);
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+    tolerance = 1e-13 * box.diagonal().norm() + 1e-14 * largest;
+  }
+  bool holds(const Vector3d& p) const {
+    return p.allFinite() && box.exteriorDistance(p) <= tolerance;
+  }
+};
+
+bool unit_or_zero(const Vector3d& normal) {
+  return normal.isZero(0.0) || std::abs(normal.norm() - 1.0) < 1e-12;
+}
+
+void check_place(const LimitSurface& surface, const Bounds& bounds, int cell, double u, double v) {
+  const SurfaceJet jet = surface.evaluate(cell, u, v, 2);
+  require(bounds.holds(jet.point), "a point lies within the box of the control points");
+  require(jet.point == surface.position(cell, u, v), "the order does not change the point");
+  for (const Vector3d& d : {jet.du, jet.dv, jet.duu, jet.duv, jet.dvv}) {
+    require(d.allFinite(), "derivatives are finite");
+  }
+  require(unit_or_zero(surface.normal(cell, u, v)), "normals are of length one or zero");
+  const Curvature k = curvature(surface, cell, u, v);
+  require(!(k.maximum < k.minimum), "principal curvatures are ordered");
+  require(k.defined || k.maximum == 0.0, "undefined curvature is zero");
+  if (k.defined) {
+    require(std::abs(k.maximum_direction.norm() - 1.0) < 1e-9, "directions are of length one");
+  }
+}
+
+void check_sides(const LimitSurface& surface, const Bounds& bounds) {
+  const Topology& cells = surface.cells();
+  const auto on_side = [](int k, double t) {
+    const Eigen::Vector2d places[] = {{t, 0.0}, {1.0, t}, {1.0 - t, 1.0}, {0.0, 1.0 - t}};
+    return places[k];
+  };
+  const int step = 1 + cells.half_edge_count() / (4 * kMostCells);
+  for (int h = 0; h < cells.half_edge_count(); h += step) {
+    const int g = cells.twin(h);
+    if (g < 0) continue;
+    for (double t : {0.0, 0.03, 0.6}) {
+      const Eigen::Vector2d a = on_side(h & 3, t), b = on_side(g & 3, 1.0 - t);
+      const Vector3d gap =
+          surface.position(h / 4, a.x(), a.y()) - surface.position(g / 4, b.x(), b.y());
+      require(gap.norm() <= bounds.tolerance, "both cells of a side have the same points there");
+    }
+  }
+}
+
+void check_pieces(const LimitSurface& surface, const Bounds& bounds) {
+  constexpr double kSmallest = 1.0 / 64.0;
+  const int step = 1 + surface.cell_count() / kMostCells;
+  for (int cell = 0; cell < surface.cell_count(); cell += step) {
+    double area = 0.0;
+    for_each_piece(
+        surface, cell,
+        [&](const CornerSquare& square) {
+          if (square.size > kSmallest) return true;
+          for (const Vector3d& p : square.points()) {
+            require(bounds.holds(p), "control points of squares lie within the box");
+          }
+          area += square.size * square.size;
+          return false;
+        },
+        [&](const SurfacePiece& piece) {
+          area += piece.size * piece.size;
+          const Vector3d ours = evaluate_bicubic(piece.points, 0.4, 0.7, 0).point;
+          const Vector3d same =
+              surface.position(cell, piece.u + 0.4 * piece.size, piece.v + 0.7 * piece.size);
+          require((ours - same).norm() <= bounds.tolerance, "pieces are the surface");
+        });
+    require(area == 1.0, "pieces cover the cell");
+  }
+}
+
+void check_samples(const LimitSurface& surface, const Bounds& bounds) {
+  constexpr int kN = 3;
+  const GridSamples samples = evaluate_grid(surface, kN, 2);
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    for (int i = 0; i <= kN; ++i) {
+      for (int j = 0; j <= kN; ++j) {
+        const Vector3d single =
+            surface.position(cell, static_cast<double>(i) / kN, static_cast<double>(j) / kN);
+        require((samples.points[samples.index(cell, i, j)] - single).norm() <= bounds.tolerance,
+                "a grid's points are the single points");
+      }
+    }
+  }
+  const Tessellation net = tessellate(surface, 2);
+  require(net.quads.size() == 4u * surface.cell_count(), "n x n quadrilaterals a cell");
+  for (const auto& quad : net.quads) {
+    for (int point : quad) require(bounds.holds(net.points.at(point)), "tessellations are bounded");
+  }
+  for (const auto& normals : net.corner_normals) {
+    for (const Vector3d& normal : normals) require(unit_or_zero(normal), "normals of corners");
+  }
+  for (const FeatureCurve& curve : feature_curves(surface, 4)) {
+    for (const Vector3d& p : curve.points) require(bounds.holds(p), "creases are bounded");
+  }
+}
+
+void check_surface(const ControlMesh& mesh, Scheme scheme, ByteReader& bytes) {
+  // The bases are shared as they are in the Python module, but not for ever.
+  static std::shared_ptr<BasisCache> cache;
+  static int uses = 0;
+  if (uses++ % 200 == 0) cache = std::make_shared<BasisCache>();
+  LimitSurface surface(mesh, scheme, cache);
+  const Bounds bounds(mesh);
+  constexpr double kPlaces[] = {0.0, 1e-300, 1e-30, 1e-5, 0.24, 0.5, 0.75, 1.0 - 1e-16, 1.0};
+  const int step = 1 + surface.cell_count() / kMostCells;
+  for (int cell = 0; cell < surface.cell_count(); cell += step) {
+    check_place(surface, bounds, cell, 0.0, 0.0);
+    check_place(surface, bounds, cell, kPlaces[bytes.byte() % 9], kPlaces[bytes.byte() % 9]);
+    check_place(surface, bounds, cell, bytes.byte() / 255.0, bytes.byte() / 255.0);
+  }
+  check_sides(surface, bounds);
+  check_pieces(surface, bounds);
+  check_samples(surface, bounds);
+
+  std::vector<Vector3d> moved = mesh.points();
+  for (Vector3d& p : moved) p *= 0.5;
+  const Vector3d before = surface.position(0, 0.3, 0.2);
+  surface.set_points(moved);
+  require((surface.position(0, 0.3, 0.2) - 0.5 * before).norm() <= bounds.tolerance,
+          "a mesh half as large has a surface half as large");
+}
+
+void check_bytes(ByteReader& bytes) {
+  const MeshArrays arrays = mesh_from_bytes(bytes);
+  const std::vector<MeshProblem> problems = check_mesh(arrays);
+  const bool sound = problems.empty() || problems.front().severity == Severity::kWarning;
+  try {
+    const ControlMesh mesh(arrays);
+    require(sound, "meshes with errors are refused");
+    for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
+      check_surface(mesh, scheme, bytes);
+    }
+  } catch (const std::invalid_argument& refused) {
+    require(!sound, refused.what());
+    require(refused.what() == problems.front().message, "the first error is thrown");
+  }
+}
+
+}  // namespace
+}  // namespace hull::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  hull::fuzz::ByteReader bytes(data, size);
+  hull::fuzz::check_bytes(bytes);
+  return 0;
+}
