@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/section_integrals.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "analysis/gauss.h"
+
+namespace hull {
+namespace {
+
+constexpr int kCoarseNodes = 4, kFineNodes = 8;
+constexpr int kDeepestClip = 12;
+constexpr int kDeepestArc = 12;
+// Where the two rules differ by less than this times size² the finer one is taken; its own error is
+// about the square of the difference, relative to the arc's share.
+constexpr double kRulesAgree = 1e-9;
+
+// The root in [0, 1] of a cubic that rises or falls; the nearer end if there is none.
+double monotonic_root(const double* c) {
+  if ((c[0] >= 0.0) == (c[3] >= 0.0)) return std::abs(c[0]) < std::abs(c[3]) ? 0.0 : 1.0;
+  const double p1 = 3.0 * (c[1] - c[0]), p2 = 3.0 * (c[0] - 2.0 * c[1] + c[2]);
+  const double p3 = c[3] - c[0] + 3.0 * (c[1] - c[2]);
+  double low = 0.0, high = 1.0, t = c[0] / (c[0] - c[3]);
+  for (int i = 0; i < 60; ++i) {
+    const double value = c[0] + t * (p1 + t * (p2 + t * p3));
+    if (value == 0.0) return t;
+    ((value >= 0.0) == (c[0] >= 0.0) ? low : high) = t;
+    const double slope = p1 + t * (2.0 * p2 + t * 3.0 * p3);
+    double next = t - value / slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double change = std::abs(next - t);
+    t = next;
+    if (change < 1e-15) break;
+  }
+  return t;
+}
+
+struct ArcPoint {
+  double a, b, da, db;  // derivatives along u
+};
+
+ArcPoint arc_point(const ArcSquare& square, double u) {
+  const BernsteinBasis at_u(u);
+  const Column h_column(square.h, at_u);
+  const BernsteinBasis at_v(monotonic_root(h_column.c));
+  const NetJet h(h_column, at_v), a(Column(square.a, at_u), at_v), b(Column(square.b, at_u), at_v);
+  const double slope = h.dv != 0.0 ? -h.du / h.dv : 0.0;
+  return {a.value, b.value, a.du + a.dv * slope, b.du + b.dv * slope};
+}
+
+SectionIntegrals quadrature(const ArcSquare& square, double begin, double end,
+                            const GaussRule& rule) {
+  SectionIntegrals sum;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const ArcPoint p = arc_point(square, begin + (end - begin) * rule.nodes[k]);
+    const double weight = rule.weights[k];
+    sum.area += weight * p.a * p.db;
+    sum.moment_a += weight * 0.5 * p.a * p.a * p.db;
+    sum.moment_b += weight * p.a * p.b * p.db;
+    sum.girth += weight * std::hypot(p.da, p.db);
+    sum.breadth += weight * p.da;
+  }
+  const double width = (end - begin) * square.sign;
+  sum.area *= width;
+  sum.moment_a *= width;
+  sum.moment_b *= width;
+  sum.girth *= end - begin;
+  sum.breadth *= width;
+  return sum;
+}
+
+void integrate(const ArcSquare& square, double begin, double end, double size, int depth,
+               SectionIntegrals& sum) {
+  static const GaussRule coarse = gauss_rule(kCoarseNodes), fine = gauss_rule(kFineNodes);
+  SectionIntegrals part = quadrature(square, begin, end, fine);
+  const SectionIntegrals check = quadrature(square, begin, end, coarse);
+  const double off = std::max(std::abs(part.area - check.area),
+                              size * 1e-2 * std::abs(part.girth - check.girth));
+  if (off > kRulesAgree * size * size && depth < kDeepestArc) {
+    const double middle = 0.5 * (begin + end);
+    integrate(square, begin, middle, size, depth + 1, sum);
+    integrate(square, middle, end, size, depth + 1, sum);
+    return;
+  }
+  part.error = off * std::min(1.0, std::sqrt(off) / size);
+  sum += part;
+}
+
+// Whether b rises or falls all along the section: the sign of h_u b_v - h_v b_u, bounded by the
+// slopes, is the same in the whole square.
+bool is_monotonic(const ArcSquare& square) {
+  const SlopeRange hu = slope_range_u(square.h), hv = slope_range_v(square.h);
+  const SlopeRange bu = slope_range_u(square.b), bv = slope_range_v(square.b);
+  const auto product = [](const SlopeRange& x, const SlopeRange& y) {
+    const double p[] = {x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high};
+    return SlopeRange{*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
+  };
+  const SlopeRange first = product(hu, bv), second = product(hv, bu);
+  return first.low - second.high > 0.0 || first.high - second.low < 0.0;
+}
+
+// The u between begin and end where b passes level; b - level has different signs there.
+double level_crossing(const ArcSquare& square, double begin, double end, double level) {
+  double f_begin = arc_point(square, begin).b - level;
+  double f_end = arc_point(square, end).b - level;
+  int side = 0;
+  for (int i = 0; i < 100 && end - begin > 1e-15; ++i) {
+    double t = begin + (end - begin) * (f_begin / (f_begin - f_end));
+    if (!(t > begin && t < end)) t = 0.5 * (begin + end);
+    const double f = arc_point(square, t).b - level;
+    if (f == 0.0) return t;
+    if ((f > 0.0) == (f_begin > 0.0)) {
+      if (t - begin < 1e-15) return t;
+      begin = t;
+      f_begin = f;
+      if (side == -1) f_end *= 0.5;
+      side = -1;
+    } else {
+      if (end - t < 1e-15) return t;
+      end = t;
+      f_end = f;
+      if (side == 1) f_begin *= 0.5;
+      side = 1;
+    }
+  }
+  return 0.5 * (begin + end);
+}
+
+// The section's stretches within the square: between two breaks all or none.
+template <class Visit>
+void for_each_stretch(const ArcSquare& square, const Visit& visit) {
+  const auto breaks = crossing_breaks(BezierBicubic(square.h));
+  const double* previous = nullptr;
+  for (const double& next : breaks) {
+    if (previous && next > *previous) {
+      const Column column(square.h, BernsteinBasis(0.5 * (*previous + next)));
+      if ((column.c[0] < 0.0) != (column.c[3] < 0.0)) visit(*previous, next);
+    }
+    previous = &next;
+  }
+}
+
+void clip(const ArcSquare& square, double level, double size, int depth, SectionIntegrals& sum) {
+  if (lowest(square.b) >= level) return;
+  if (highest(square.b) < level) {
+    for_each_stretch(square, [&](double begin, double end) {
+      integrate(square, begin, end, size, 0, sum);
+    });
+    return;
+  }
+  if (depth == kDeepestClip || is_monotonic(square)) {
+    for_each_stretch(square, [&](double begin, double end) {
+      const bool begin_wet = arc_point(square, begin).b < level;
+      const bool end_wet = arc_point(square, end).b < level;
+      if (begin_wet && end_wet) return integrate(square, begin, end, size, 0, sum);
+      if (!begin_wet && !end_wet) return;
+      const double at = level_crossing(square, begin, end, level);
+      integrate(square, begin_wet ? begin : at, begin_wet ? at : end, size, 0, sum);
+    });
+    return;
+  }
+  std::array<ArcSquare, 2> sides;
+  halve_u(square.h, sides[0].h, sides[1].h);
+  halve_u(square.a, sides[0].a, sides[1].a);
+  halve_u(square.b, sides[0].b, sides[1].b);
+  for (const ArcSquare& side : sides) {
+    std::array<ArcSquare, 2> quarters;
+    halve_v(side.h, quarters[0].h, quarters[1].h);
+    halve_v(side.a, quarters[0].a, quarters[1].a);
+    halve_v(side.b, quarters[0].b, quarters[1].b);
+    for (ArcSquare& quarter : quarters) {
+      if (lowest(quarter.h) >= 0.0 || highest(quarter.h) < 0.0) continue;
+      quarter.sign = square.sign;
+      clip(quarter, level, size, depth + 1, sum);
+    }
+  }
+}
+
+}  // namespace
+
+SectionFrame SectionFrame::above_water(const Plane& plane, const Plane& water) {
+  const Vector3d& normal = plane.normal;
+  const Vector3d up = (water.normal - water.normal.dot(normal) * normal).normalized();
+  const Vector3d foot = plane.offset * normal;
+  const Vector3d origin = foot + up * ((water.offset - water.normal.dot(foot)) / water.normal.dot(up));
+  return {plane, origin, up.cross(normal), up};
+}
+
+SectionFrame SectionFrame::mirrored() const {
+  const Vector3d mirror(1.0, -1.0, 1.0);
+  // A mirrored pair of axes turns the other way round; reversing one makes up for it.
+  return {plane, origin.cwiseProduct(mirror), -across.cwiseProduct(mirror),
+          up.cwiseProduct(mirror)};
+}
+
+SectionIntegrals& SectionIntegrals::operator+=(const SectionIntegrals& other) {
+  area += other.area;
+  moment_a += other.moment_a;
+  moment_b += other.moment_b;
+  girth += other.girth;
+  breadth += other.breadth;
+  error += other.error;
+  return *this;
+}
+
+void add_arcs(const ArcSquare& square, double level, double size, SectionIntegrals& sum) {
+  clip(square, level, size, 0, sum);
+}
+
+void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum) {
+  if (b0 >= level && b1 >= level) return;
+  if (b0 >= level) {
+    a0 += (a1 - a0) * (level - b0) / (b1 - b0);
+    b0 = level;
+  } else if (b1 >= level) {
+    a1 += (a0 - a1) * (level - b1) / (b0 - b1);
+    b1 = level;
+  }
+  const double da = a1 - a0, db = b1 - b0;
+  sum.area += 0.5 * (a0 + a1) * db;
+  sum.moment_a += (a0 * a0 + a0 * a1 + a1 * a1) / 6.0 * db;
+  sum.moment_b += (a0 * b0 + 0.5 * (a0 * db + b0 * da) + da * db / 3.0) * db;
+  sum.breadth += da;
+}
+
+}  // namespace hull

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/border_edges.h"
+#include "analysis/hull_body.h"
+#include "analysis/section_areas.h"
+#include "analysis/section_integrals.h"
+
+namespace hull {
+
+// A straight line that closes a section between borders, in a frame's coordinates.
+struct ClosingLine {
+  double a0, b0, a1, b1;
+};
+
+// The outline of one side's section by a plane, cut once and then immersed to any level.
+class SectionOutline {
+ public:
+  // For levels up to `highest_level`.
+  SectionOutline(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
+                 std::vector<ClosingLine> closing, double highest_level);
+
+  SectionIntegrals below(double level) const;
+
+ private:
+  double size_;
+  std::vector<ArcSquare> squares_;
+  std::vector<ClosingLine> closing_;
+};
+
+// Cuts stations out of a body. `body` must outlive it, and it does not follow body.update().
+class StationCutter {
+ public:
+  explicit StationCutter(const HullBody& body);
+
+  // Whether a flat of the shell, or a border, lies in the plane x = position: areas may jump there.
+  bool has_flat(double position) const;
+
+  // The port side's outline, or that of the whole where the body is modelled whole. `frame` is that
+  // of a plane across x, seen from either side.
+  SectionOutline outline(const SectionFrame& frame, double highest_level) const;
+
+  const HullBody& body() const { return *body_; }
+  const CellBoxes& boxes() const { return boxes_; }
+  const std::vector<BorderEdge>& border() const { return border_; }
+
+ private:
+  std::vector<ClosingLine> closing_lines(const SectionFrame& frame) const;
+
+  const HullBody* body_;
+  CellBoxes boxes_;
+  std::vector<BorderEdge> border_;
+};
+
+// From the integrals of both sides in a frame.
+SectionArea to_section_area(double position, const SectionFrame& frame,
+                            const SectionIntegrals& both);
+
+// Both sides of the station in the given water.
+SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water);
+
+}  // namespace hull
