@@ -47,9 +47,9 @@ double bracketed_root(const BezierCubic& c) {
   return std::abs(f_low) < std::abs(f_high) ? low : high;
 }
 
-void collect_roots(const BezierCubic& c, double begin, double size, std::vector<double>& roots) {
+void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots) {
   const int changes = count_sign_changes(c);
-  if (changes == 0) return;
+  if (changes == 0 || roots.full()) return;
   if (changes == 1) {
     roots.push_back(begin + size * bracketed_root(c));
     return;
@@ -75,8 +75,8 @@ double evaluate(const BezierCubic& c, double t) {
   return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3]);
 }
 
-std::vector<double> sign_changes(const BezierCubic& cubic) {
-  std::vector<double> roots;
+Roots sign_changes(const BezierCubic& cubic) {
+  Roots roots;
   collect_roots(cubic, 0.0, 1.0, roots);
   return roots;
 }

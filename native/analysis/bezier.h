@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <vector>
+
+#include "analysis/small_list.h"
 
 namespace hull {
 
@@ -13,7 +14,8 @@ double evaluate(const BezierCubic& cubic, double t);
 
 // Where the cubic changes sign in (0, 1], zero counting as positive, in rising order. Roots are
 // exact to rounding; pairs closer than 1e-13 may be missed together.
-std::vector<double> sign_changes(const BezierCubic& cubic);
+using Roots = SmallList<double, 3>;
+Roots sign_changes(const BezierCubic& cubic);
 
 // A bicubic on [0, 1]^2 by its Bézier coefficients, index 4 j + i: i along u.
 class BezierBicubic {

@@ -103,7 +103,7 @@ class Integrator {
 
   // Integrates over the immersed part of a cut square with `rule` along the cut.
   ImmersedIntegrals integrate_cut(const BicubicPoints& points, const CutSquare& square,
-                                  const std::vector<double>& breaks, const GaussRule& rule) const {
+                                  const Breaks& breaks, const GaussRule& rule) const {
     ImmersedIntegrals sum;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       const double begin = breaks[k], width = breaks[k + 1] - breaks[k];
@@ -127,7 +127,7 @@ class Integrator {
   }
 
   void add_cut(const BicubicPoints& points, const CutSquare& square) {
-    const std::vector<double> breaks = crossing_breaks(square.height);
+    const Breaks breaks = crossing_breaks(square.height);
     ImmersedIntegrals part = integrate_cut(points, square, breaks, cut_);
     const ImmersedIntegrals check = integrate_cut(points, square, breaks, cut_check_);
     part.flux_error = std::abs(part.flux - check.flux);

@@ -18,27 +18,21 @@ double steadiness(const std::array<double, 2>& bounds) {
   return 0.0;
 }
 
-void divide(const BezierBicubic& height, double u, double v, double size, int depth,
-            const std::function<void(const CutSquare&)>& visit) {
-  using Side = CutSquare::Side;
+}  // namespace
+
+namespace plane_cut_internal {
+
+Shape shape_of(const BezierBicubic& height, bool deepest) {
   // Zero counts as above, so that a surface lying in the plane has no crossing.
-  if (height.lowest() >= 0.0) return visit({Side::kAbove, u, v, size, false, height});
-  if (height.highest() < 0.0) return visit({Side::kBelow, u, v, size, false, height});
+  if (height.lowest() >= 0.0) return Shape::kAbove;
+  if (height.highest() < 0.0) return Shape::kBelow;
   const double along_v = steadiness(height.slope_bounds_v());
   const double along_u = steadiness(height.slope_bounds_u());
-  if (std::max(along_u, along_v) >= kSteadySlope || depth == kDeepestCut) {
-    const bool swapped = along_u > along_v;
-    return visit({Side::kCut, u, v, size, swapped, swapped ? height.transposed() : height});
-  }
-  for (int j = 0; j < 2; ++j) {
-    for (int i = 0; i < 2; ++i) {
-      divide(height.quarter(i, j), u + 0.5 * size * i, v + 0.5 * size * j, 0.5 * size, depth + 1,
-             visit);
-    }
-  }
+  if (std::max(along_u, along_v) < kSteadySlope && !deepest) return Shape::kTangled;
+  return along_u > along_v ? Shape::kSimpleSwapped : Shape::kSimple;
 }
 
-}  // namespace
+}  // namespace plane_cut_internal
 
 BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double tolerance) {
   std::array<double, 16> values;
@@ -59,25 +53,24 @@ std::array<double, 2> height_range(const CornerSquare& square, const Plane& plan
   return range;
 }
 
-void cut_piece(const BezierBicubic& height, const std::function<void(const CutSquare&)>& visit) {
-  divide(height, 0.0, 0.0, 1.0, 0, visit);
-}
+double crossing(const BezierBicubic& height, double u) { return crossing(height.along_v(u)); }
 
-double crossing(const BezierBicubic& height, double u) {
-  const BezierCubic column = height.along_v(u);
-  const std::vector<double> roots = sign_changes(column);
+double crossing(const BezierCubic& column) {
+  const Roots roots = sign_changes(column);
   if (!roots.empty()) return roots.front();
   // At the ends of a crossing rounding may hide the change of sign on the square's side.
   return std::abs(column[0]) < std::abs(column[3]) ? 0.0 : 1.0;
 }
 
-std::vector<double> crossing_breaks(const BezierBicubic& height) {
-  std::vector<double> breaks{0.0, 1.0};
+Breaks crossing_breaks(const BezierBicubic& height) {
+  Breaks breaks;
+  breaks.push_back(0.0);
+  breaks.push_back(1.0);
   for (double v : {0.0, 1.0}) {
     for (double root : sign_changes(height.along_u(v))) breaks.push_back(root);
   }
   std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  breaks.resize(std::unique(breaks.begin(), breaks.end()) - breaks.begin());
   return breaks;
 }
 

@@ -57,7 +57,7 @@ void sample(const Crossing& curve, double u_a, const SectionPoint& a, double u_b
 
 void add_arcs(const SurfacePiece& piece, const CutSquare& square, double chord_tolerance,
               std::vector<SectionArc>& arcs) {
-  const std::vector<double> breaks = crossing_breaks(square.height);
+  const Breaks breaks = crossing_breaks(square.height);
   const Crossing curve(piece, square);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const BezierCubic column = square.height.along_v(0.5 * (breaks[k] + breaks[k + 1]));

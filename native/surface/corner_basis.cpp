@@ -156,7 +156,7 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
   if (steps > rest_levels_) {
     coordinates.rest.setZero();
   } else {
-    for (int k = 0; k < steps; ++k) coordinates.rest = (A_ * coordinates.rest).eval();
+    for (int k = 0; k < steps; ++k) coordinates.rest = A_.lazyProduct(coordinates.rest).eval();
   }
 }
 
@@ -223,7 +223,7 @@ CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)
 
 std::vector<Vector3d> CornerRing::points() const {
   if (step_ <= kPlainRings) return points_.squares[step_];
-  const CornerBasis::Rows values = basis_.right_ * deep_.slow + deep_.rest;
+  const CornerBasis::Rows values = basis_.right_.lazyProduct(deep_.slow) + deep_.rest;
   std::vector<Vector3d> result;
   result.reserve(values.rows());
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
@@ -235,7 +235,7 @@ std::vector<Vector3d> CornerRing::points() const {
 BicubicPoints CornerRing::segment_points(int segment) const {
   if (step_ < kPlainRings) return points_.segments[step_ * basis_.segment_count() + segment];
   const RingSegment& s = basis_.segments_[segment];
-  const Eigen::Matrix<double, 16, 3> values = s.slow * deep_.slow + s.rows * deep_.rest;
+  const Eigen::Matrix<double, 16, 3> values = s.slow.lazyProduct(deep_.slow) + s.rows.lazyProduct(deep_.rest);
   BicubicPoints result;
   for (int i = 0; i < 16; ++i) result[i] = points_.limit + values.row(i).transpose();
   return result;
