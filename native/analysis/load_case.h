@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/bicubic.h"
+
+namespace hull {
+
+// What a body carries, its own weight included.
+struct LoadCase {
+  double mass = 0.0;                              // t
+  Vector3d centre_of_gravity = Vector3d::Zero();  // m, in the ship's axes
+  double water_density = 1.025;                   // t/m³
+
+  // The volume it has to displace, m³. Throws std::invalid_argument unless mass and density are
+  // positive and all is finite.
+  double displaced_volume() const;
+};
+
+}  // namespace hull
