@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module) {
   bind_curvature(module);
   bind_crease_curves(module);
   bind_tessellation(module);
+  bind_surface_tree(module);
   bind_feature_curves(module);
   bind_hull_body(module);
   bind_hydrostatics(module);
