@@ -12,53 +12,30 @@
 
 #include "bindings/arrays.h"
 #include "bindings/companion_module.h"
+#include "bindings/paper_names.h"
+#include "bindings/plot.h"
 #include "drawing/collect_lines.h"
 
 namespace py = pybind11;
-
-namespace hull::bindings {
-namespace {
-
-using Positions = DoubleArray;
-
-Paper paper_from(const std::string& name) {
-  if (name == "A4") return Paper::kA4;
-  if (name == "A3") return Paper::kA3;
-  if (name == "A2") return Paper::kA2;
-  if (name == "A1") return Paper::kA1;
-  if (name == "A0") return Paper::kA0;
-  throw std::invalid_argument("paper is \"A4\", \"A3\", \"A2\", \"A1\" or \"A0\", not \"" + name +
-                              "\".");
-}
-
-std::vector<double> positions_from(const Positions& array, const char* name) {
-  if (array.ndim() != 1) {
-    throw std::invalid_argument(std::string(name) + " must have shape (n,), not " +
-                                std::to_string(array.ndim()) + " dimensions.");
-  }
-  return {array.data(), array.data() + array.size()};
-}
-
-}  // namespace
-}  // namespace hull::bindings
 
 PYBIND11_MODULE(_drawing, module) {
   using namespace hull::bindings;
   module.doc() = "Drawings on paper, by way of Cairo.";
   join_core(module);
+  bind_plot(module);
 
   module.def(
       "write_lines_drawing",
       [](const hull::LimitSurface& surface, const std::filesystem::path& path,
-         const Positions& stations, const Positions& waterlines, const Positions& buttocks,
+         const DoubleArray& stations, const DoubleArray& waterlines, const DoubleArray& buttocks,
          bool mirrored, const std::optional<double>& draft, const std::optional<double>& length,
          const std::optional<double>& station_spacing, const std::string& title,
          const std::vector<std::pair<std::string, std::string>>& particulars,
          const std::string& paper) {
         hull::LinesOptions options;
-        options.stations = positions_from(stations, "stations");
-        options.waterlines = positions_from(waterlines, "waterlines");
-        options.buttocks = positions_from(buttocks, "buttocks");
+        options.stations = numbers_from(stations, "stations");
+        options.waterlines = numbers_from(waterlines, "waterlines");
+        options.buttocks = numbers_from(buttocks, "buttocks");
         options.mirrored = mirrored;
         options.draft = draft;
         options.length = length;

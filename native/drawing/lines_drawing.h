@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "drawing/lines_sheet.h"
+#include "drawing/paper.h"
 
 namespace hull {
 
@@ -27,8 +28,6 @@ struct NamedCurves {
   std::string label;  // "7", "2.0 m"
   std::vector<ShipCurve> curves;
 };
-
-enum class Paper { kA4, kA3, kA2, kA1, kA0 };  // all landscape
 
 struct Particular {
   std::string name;   // "Length between perpendiculars"

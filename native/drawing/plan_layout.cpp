@@ -202,22 +202,6 @@ HullExtents hull_extents(const LinesDrawing& drawing) {
   return extents;
 }
 
-PaperSize paper_size(Paper paper) {
-  switch (paper) {
-    case Paper::kA4:
-      return {"A4", 297.0, 210.0};
-    case Paper::kA3:
-      return {"A3", 420.0, 297.0};
-    case Paper::kA2:
-      return {"A2", 594.0, 420.0};
-    case Paper::kA1:
-      return {"A1", 841.0, 594.0};
-    case Paper::kA0:
-      return {"A0", 1189.0, 841.0};
-  }
-  throw std::logic_error("a paper without a size");
-}
-
 LinesSheet choose_layout(const HullExtents& extents, Paper paper, double label_column,
                          const Vector2d& title_block) {
   const PaperSize size = paper_size(paper);

@@ -33,13 +33,6 @@ inline constexpr double kColumnGap = 1.0;   // between a grid line's end and its
 // Outlines and knuckles nearer to the centre plane than this, mm, are the centre line itself.
 inline constexpr double kOffCentre = 0.05;
 
-struct PaperSize {
-  std::string name;
-  double width, height;
-};
-
-PaperSize paper_size(Paper paper);
-
 // An empty sheet: paper, frame, scale, views and title block. `label_column` is the width of the
 // widest label at the ends of horizontal grid lines.
 //

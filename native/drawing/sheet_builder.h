@@ -51,6 +51,9 @@ class SheetBuilder {
     sheet_.areas.push_back({colour, std::move(polygon)});
   }
 
+  // A box that labels keep clear of, with nothing drawn.
+  void occupy(const OrientedBox& box) { placer_.add_box(box); }
+
   // The box `text` takes at `position`.
   static OrientedBox text_box(const std::string& text, const TextStyle& style,
                               const Eigen::Vector2d& position, Align align = Align::kCentre,

@@ -14,6 +14,15 @@ _LATER = {
     "write_step": "._exchange",
     "read_step_report": "._exchange",
     "write_lines_drawing": "._drawing",
+    "Plot": "._drawing",
+    "PlotSheet": "._drawing",
+    "lay_out_plot": "._drawing",
+    "write_plot": "._drawing",
+    "sectional_area_plot": ".plots",
+    "hydrostatic_curves_plot": ".plots",
+    "bonjean_plot": ".plots",
+    "righting_lever_plot": ".plots",
+    "cross_curves_plot": ".plots",
 }
 
 

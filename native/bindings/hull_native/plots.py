@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The diagrams of a ship's hydrostatics and stability, as `Plot` for `write_plot` and the screen.
+
+Arguments are in metres, radians and tonnes, as everywhere in hull_native; diagrams show heel in
+degrees. What is optional is marked where it is given.
+"""
+
+from dataclasses import dataclass
+from operator import attrgetter
+
+import numpy as np
+
+from ._drawing import Plot
+
+# In the diagram of hydrostatic curves, metacentres higher than so many times that at the deepest
+# draft go out of sight: at small drafts they are far above all else.
+_MOST_METACENTRE = 2.0
+
+# The largest section's curve in a Bonjean diagram is about so many station spacings wide.
+_BONJEAN_WIDTH = 1.5
+
+
+def sectional_area_plot(
+    x, area, *, title="Sectional area curve", subtitles=(), lcb=None, length_pp=None
+):
+    """Areas (n,) in m² of the immersed sections at x (n,) in m.
+
+    lcb (m) marks the centre of buoyancy; length_pp (m) both perpendiculars and midship.
+    """
+    x, area = _same_length(x, area, "x", "area")
+    plot = Plot(title, list(subtitles))
+    plot.add_x_axis("x from the after perpendicular", "m")
+    plot.set_y_axis("Immersed sectional area", "m²", from_zero=True)
+    curve = plot.add_curve("Sectional area", x, area)
+    if x.size > 1:
+        plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")
+    if np.isfinite(area).any():
+        top = int(np.nanargmax(area))
+        label = f"largest {_figures(area[top])} m² at {_figures(x[top])} m"
+        plot.add_marker(x[top], area[top], label, curve=curve)
+    if length_pp is not None:
+        for at, label in ((0.0, "AP"), (0.5 * length_pp, "midship"), (length_pp, "FP")):
+            plot.add_line(x=at, label=label)
+    if lcb is not None:
+        plot.add_line(x=lcb, label=f"LCB {_figures(lcb)} m")
+    return plot
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A column of a hydrostatic table: where it is in a row, and how a diagram names it."""
+
+    attribute: str  # may reach into parts: "project.block"
+    name: str
+    symbol: str
+    unit: str
+    scale: str  # quantities of one scale share an axis
+
+
+QUANTITIES = (
+    Quantity("displacement_t", "Displacement Δ", "Δ", "t", "displacement"),
+    Quantity("displaced_volume", "Displaced volume ∇", "∇", "m³", "volume"),
+    Quantity("wetted_surface", "Wetted surface S", "S", "m²", "area"),
+    Quantity("waterplane_area", "Waterplane area Aw", "Aw", "m²", "area"),
+    Quantity("lcb", "LCB", "LCB", "m", "longitudinal"),
+    Quantity("lcf", "LCF from AP", "LCF", "m", "longitudinal"),
+    Quantity("kb", "KB", "KB", "m", "vertical"),
+    Quantity("km_transverse", "KMt", "KMt", "m", "vertical"),
+    Quantity("km_longitudinal", "KMl", "KMl", "m", "metacentre"),
+    Quantity("tpc", "Immersion TPC", "TPC", "t/cm", "immersion"),
+    Quantity("mtc", "Moment to trim MTC", "MTC", "t·m/cm", "moment"),
+    Quantity("project.block", "Cb", "Cb", "", "coefficient"),
+    Quantity("project.prismatic", "Cp", "Cp", "", "coefficient"),
+    Quantity("project.midship", "Cm", "Cm", "", "coefficient"),
+    Quantity("project.waterplane", "Cwp", "Cwp", "", "coefficient"),
+)
+
+_FROM_ZERO = {"displacement", "volume", "area", "vertical", "metacentre", "immersion", "moment"}
+
+
+def hydrostatic_curves_plot(
+    rows, *, title="Hydrostatic curves", subtitles=(), draft=None, quantities=None
+):
+    """Hydrostatics over the draft, which is upright; every quantity on a scale of its own.
+
+    rows: objects with the attribute `draft` (m) and those of `quantities`, as
+    upright_hydrostatics gives them; by default those of QUANTITIES that the rows have. draft (m)
+    is marked.
+    """
+    rows = list(rows)
+    if not rows:
+        raise ValueError("Hydrostatic curves need a row of the table at least.")
+    if quantities is None:
+        quantities = [q for q in QUANTITIES if all(_get(row, q) is not None for row in rows)]
+        if any(q.scale == "displacement" for q in quantities):
+            quantities = [q for q in quantities if q.scale != "volume"]
+    drafts = np.array([row.draft for row in rows], dtype=float)
+    plot = Plot(title, list(subtitles))
+    plot.set_y_axis("Draft", "m")
+    axes = {}
+    for number, quantity in enumerate(quantities):
+        values = np.array([_get(row, quantity) for row in rows], dtype=float)
+        if quantity.scale not in axes:
+            columns = [
+                [_get(row, other) for row in rows]
+                for other in quantities
+                if other.scale == quantity.scale
+            ]
+            axes[quantity.scale] = plot.add_x_axis(
+                quantity.name,
+                quantity.unit,
+                range=_range_of(quantity.scale, drafts, np.array(columns, dtype=float)),
+                from_zero=quantity.scale in _FROM_ZERO,
+            )
+        plot.add_curve(
+            quantity.name,
+            values,
+            drafts,
+            symbol=quantity.symbol,
+            x_axis=axes[quantity.scale],
+            style="solid" if number < 8 else "dashed",
+        )
+    if draft is not None:
+        plot.add_line(y=draft, label=f"T {_figures(draft)} m")
+    return plot
+
+
+def _get(row, quantity):
+    try:
+        return attrgetter(quantity.attribute)(row)
+    except AttributeError:
+        return None
+
+
+def _range_of(scale, drafts, columns):
+    """The range of an axis (columns: (curves, drafts)), None to show all."""
+    if scale == "coefficient":
+        return (0.0, 1.0)
+    if scale not in {"vertical", "metacentre"}:
+        return None
+    deepest = columns[:, int(np.argmax(drafts))]
+    high = _MOST_METACENTRE * np.max(deepest[np.isfinite(deepest)], initial=0.0)
+    if high <= 0.0 or not np.nanmax(columns, initial=0.0) > high:
+        return None
+    return (0.0, high)
+
+
+def bonjean_plot(
+    stations,
+    drafts,
+    areas,
+    *,
+    title="Bonjean curves",
+    subtitles=(),
+    outline=(),
+    draft=None,
+    labels=None,
+):
+    """Each station's immersed area over the draft, drawn from the station's place in the profile.
+
+    stations (n,): x in m; drafts (m,) in m above the base line; areas (n, m) in m². outline: curves
+    (k, 2) of x and z in m, the ship's profile. draft (m) is marked. labels: the stations' names.
+    """
+    stations, drafts = _numbers(stations, "stations"), _numbers(drafts, "drafts")
+    areas = np.asarray(areas, dtype=float)
+    if areas.shape != (stations.size, drafts.size):
+        raise ValueError(
+            f"areas must have shape ({stations.size}, {drafts.size}), a row for each station and a "
+            f"column for each draft, not {areas.shape}."
+        )
+    if labels is None:
+        labels = [_figures(x) for x in stations]
+    if len(labels) != stations.size:
+        raise ValueError(f"There are {len(labels)} labels for {stations.size} stations.")
+    spacing = _typical_spacing(stations)
+    largest = float(np.max(areas[np.isfinite(areas)], initial=0.0))
+    area_per_spacing = _round_number(largest / _BONJEAN_WIDTH) if largest > 0.0 else 1.0
+    plot = Plot(title, list(subtitles))
+    plot.add_x_axis("x from the after perpendicular", "m")
+    plot.set_y_axis("Height above base", "m", from_zero=True)
+    for curve in outline:
+        curve = np.asarray(curve, dtype=float).reshape(-1, 2)
+        plot.add_curve("", curve[:, 0], curve[:, 1], colour=(0.55, 0.55, 0.55))
+    for number, (x, row, label) in enumerate(zip(stations, areas, labels)):
+        colour = _STATION_COLOURS[number % len(_STATION_COLOURS)]
+        known = drafts[np.isfinite(row)]
+        if known.size:
+            ends = [known.min(), known.max()]
+            plot.add_curve("", [x, x], ends, colour=colour, style="chain", guide=True)
+        curve = x + row / area_per_spacing * spacing
+        plot.add_curve("", curve, drafts, symbol=label, colour=colour)
+    if draft is not None:
+        plot.add_line(y=draft, label=f"T {_figures(draft)} m")
+    plot.add_bar(spacing, f"area of {_figures(area_per_spacing)} m²")
+    return plot
+
+
+# Neighbours cross: each is told from the next by its colour.
+_STATION_COLOURS = ((0.05, 0.25, 0.60), (0.75, 0.12, 0.10), (0.02, 0.45, 0.25))
+
+
+def righting_lever_plot(
+    heel,
+    gz,
+    *,
+    title="Righting lever curve",
+    subtitles=(),
+    gm=None,
+    vanishing=None,
+    deck_edge=None,
+    flooding=None,
+    areas=(),
+):
+    """GZ (n,) in m over heel (n,) in rad.
+
+    gm (m) draws the tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad
+    that are marked; areas: (from, to, value), rad and m·rad, are shaded.
+    """
+    heel, gz = _same_length(heel, gz, "heel", "gz")
+    angles = np.degrees(heel)
+    plot = Plot(title, list(subtitles))
+    plot.add_x_axis("Heel φ", "°")
+    plot.set_y_axis("Righting lever GZ", "m", from_zero=True)
+    curve = plot.add_curve("GZ", angles, gz)
+    for start, end, value in areas:
+        start_deg, end_deg = np.degrees(start), np.degrees(end)
+        label = f"area {start_deg:.4g}° to {end_deg:.4g}°: {value:.4f} m·rad"
+        plot.add_area(curve, start_deg, end_deg, label)
+    top = _maximum(angles, gz)
+    if top is not None:
+        plot.add_marker(*top, f"max {top[1]:.3f} m at {top[0]:.1f}°", curve=curve)
+    if gm is not None:
+        radian = np.degrees(1.0)
+        guide = plot.add_curve(
+            f"tangent: GM {gm:.3f} m at 1 rad",
+            [0.0, radian],
+            [0.0, gm],
+            colour=(0.35, 0.35, 0.35),
+            style="dashed",
+            guide=True,
+        )
+        plot.add_marker(radian, gm, f"GM {gm:.3f} m", curve=guide)
+    if vanishing is not None:
+        plot.add_marker(np.degrees(vanishing), 0.0, f"φv {np.degrees(vanishing):.1f}°", curve=curve)
+    for angle, name in ((deck_edge, "deck edge"), (flooding, "flooding")):
+        if angle is not None:
+            plot.add_line(x=np.degrees(angle), label=f"{name} {np.degrees(angle):.1f}°")
+    return plot
+
+
+def cross_curves_plot(
+    displacement_t, heels, kn, *, title="Cross curves of stability", subtitles=()
+):
+    """KN levers over the displacement, a curve for each angle of heel.
+
+    displacement_t (n,) in t; heels (m,) in rad; kn (n, m) in m from the base line.
+    """
+    displacement_t, heels = _numbers(displacement_t, "displacement_t"), _numbers(heels, "heels")
+    kn = np.asarray(kn, dtype=float)
+    if kn.shape != (displacement_t.size, heels.size):
+        raise ValueError(
+            f"kn must have shape ({displacement_t.size}, {heels.size}), a row for each "
+            f"displacement and a column for each heel, not {kn.shape}."
+        )
+    plot = Plot(title, list(subtitles))
+    plot.add_x_axis("Displacement Δ", "t")
+    plot.set_y_axis("KN", "m", from_zero=True)
+    for number, heel in enumerate(heels):
+        angle = f"{np.degrees(heel):.4g}°"
+        style = "solid" if number < 8 else "dashed"
+        plot.add_curve(angle, displacement_t, kn[:, number], symbol=angle, style=style)
+    return plot
+
+
+def _numbers(values, name):
+    array = np.asarray(values, dtype=float)
+    if array.ndim != 1:
+        raise ValueError(f"{name} must have shape (n,), not {array.shape}.")
+    return array
+
+
+def _same_length(x, y, x_name, y_name):
+    x, y = _numbers(x, x_name), _numbers(y, y_name)
+    if x.size != y.size:
+        raise ValueError(f"{x_name} has {x.size} numbers and {y_name} {y.size}; as many are needed")
+    return x, y
+
+
+def _figures(value):
+    """Four figures, without trailing zeros and without an exponent for usual sizes."""
+    return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
+
+
+def _typical_spacing(stations):
+    distances = np.diff(np.unique(stations[np.isfinite(stations)]))
+    return float(np.median(distances)) if distances.size else 1.0
+
+
+def _round_number(wanted):
+    """1, 2 or 5 times a power of ten, the nearest."""
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(min((1.0, 2.0, 5.0, 10.0), key=lambda m: abs(np.log(m * power / wanted))) * power)
+
+
+def _maximum(x, y):
+    """(x, y) at the top of a curve, by a parabola through the highest point and its neighbours."""
+    if not np.isfinite(y).any():
+        return None
+    top = int(np.nanargmax(y))
+    around = slice(top - 1, top + 2)
+    if 0 < top < y.size - 1 and np.isfinite(y[around]).all() and np.isfinite(x[around]).all():
+        a, b, c = np.polyfit(x[around] - x[top], y[around], 2)
+        if a < 0.0:
+            return float(x[top] - 0.5 * b / a), float(c - 0.25 * b * b / a)
+    return float(x[top]), float(y[top])
