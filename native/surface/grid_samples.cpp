@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/grid_samples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -102,40 +103,51 @@ struct Range {
 
 class GridEvaluator {
  public:
-  GridEvaluator(const LimitSurface& surface, int n, int order, GridSamples& samples)
-      : surface_(surface), n_(n), order_(order), samples_(samples), whole_(n, 0.0, 1.0, order) {}
+  GridEvaluator(const LimitSurface& surface, int nu, int nv, int order, GridSamples& samples)
+      : surface_(surface),
+        nu_(nu),
+        nv_(nv),
+        order_(order),
+        samples_(samples),
+        whole_u_(nu, 0.0, 1.0, order),
+        whole_v_(nv, 0.0, 1.0, order) {}
 
-  void sample(int cell) {
+  // Sample (0, 0) of the cell is to have index `first`.
+  void sample(int cell, std::size_t first) {
+    first_ = first;
     const SurfaceNode& root = surface_.layout().root(cell);
     if (root.kind == SurfaceNode::Kind::kLeaf) {
-      sample_block(order_, surface_.leaf(root.index), whole_.line, whole_.line, 1.0,
-                   {&samples_, samples_.index(cell, 0, 0), static_cast<std::size_t>(n_ + 1)});
+      sample_block(order_, surface_.leaf(root.index), whole_u_.line, whole_v_.line, 1.0,
+                   target(0, 0));
       return;
     }
+    const double finest = 1.0 / std::max(nu_, nv_);
     for_each_piece(
         surface_, cell,
         [&](const CornerSquare& square) {
           // The knot itself is the only sample in squares smaller than the grid's.
-          if (square.size * n_ >= 1.0) return true;
-          sample_knot(cell, square);
+          if (square.size >= finest) return true;
+          sample_knot(square);
           return false;
         },
         [&](const SurfacePiece& piece) { sample_piece(piece); });
   }
 
  private:
+  Target target(int i, int j) const {
+    const auto stride = static_cast<std::size_t>(nv_ + 1);
+    return {&samples_, first_ + i * stride + j, stride};
+  }
+
   void sample_piece(const SurfacePiece& piece) {
-    const Range u(n_, piece.u, piece.size, order_), v(n_, piece.v, piece.size, order_);
+    const Range u(nu_, piece.u, piece.size, order_), v(nv_, piece.v, piece.size, order_);
     if (u.first > u.last || v.first > v.last) return;
-    sample_block(order_, piece.points, u.line, v.line, 1.0 / piece.size,
-                 {&samples_, samples_.index(piece.cell, u.first, v.first),
-                  static_cast<std::size_t>(n_ + 1)});
+    sample_block(order_, piece.points, u.line, v.line, 1.0 / piece.size, target(u.first, v.first));
   }
 
   // The irregular knot is a corner of the cell, and of the square that is left.
-  void sample_knot(int cell, const CornerSquare& square) {
-    const int i = square.u > 0.0 ? n_ : 0, j = square.v > 0.0 ? n_ : 0;
-    const std::size_t knot = samples_.index(cell, i, j);
+  void sample_knot(const CornerSquare& square) {
+    const std::size_t knot = target(square.u > 0.0 ? nu_ : 0, square.v > 0.0 ? nv_ : 0).first;
     samples_.points[knot] = square.ring.limit();
     for (auto* derivative :
          {&samples_.du, &samples_.dv, &samples_.duu, &samples_.duv, &samples_.dvv}) {
@@ -144,10 +156,19 @@ class GridEvaluator {
   }
 
   const LimitSurface& surface_;
-  int n_, order_;
+  int nu_, nv_, order_;
   GridSamples& samples_;
-  Range whole_;
+  std::size_t first_ = 0;
+  Range whole_u_, whole_v_;
 };
+
+void make_room(GridSamples& samples, std::size_t count, int order) {
+  samples.points.resize(count);
+  for (auto* first : {&samples.du, &samples.dv}) first->resize(order > 0 ? count : 0);
+  for (auto* second : {&samples.duu, &samples.duv, &samples.dvv}) {
+    second->resize(order > 1 ? count : 0);
+  }
+}
 
 }  // namespace
 
@@ -161,14 +182,17 @@ void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& s
                                 std::to_string(order) + ".");
   }
   samples.n = n;
-  const std::size_t count = samples.index(surface.cell_count(), 0, 0);
-  samples.points.resize(count);
-  for (auto* first : {&samples.du, &samples.dv}) first->resize(order > 0 ? count : 0);
-  for (auto* second : {&samples.duu, &samples.duv, &samples.dvv}) {
-    second->resize(order > 1 ? count : 0);
+  make_room(samples, samples.index(surface.cell_count(), 0, 0), order);
+  GridEvaluator evaluator(surface, n, n, order, samples);
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    evaluator.sample(cell, samples.index(cell, 0, 0));
   }
-  GridEvaluator evaluator(surface, n, order, samples);
-  for (int cell = 0; cell < surface.cell_count(); ++cell) evaluator.sample(cell);
+}
+
+void evaluate_cell_grid(const LimitSurface& surface, int cell, int nu, int nv, int order,
+                        GridSamples& samples) {
+  make_room(samples, (nu + std::size_t{1}) * (nv + std::size_t{1}), order);
+  GridEvaluator(surface, nu, nv, order, samples).sample(cell, 0);
 }
 
 GridSamples evaluate_grid(const LimitSurface& surface, int n, int order) {

@@ -27,4 +27,9 @@ GridSamples evaluate_grid(const LimitSurface& surface, int n, int order);
 // The same into samples whose memory is used again.
 void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples);
 
+// One cell on the grid (i/nu, j/nv): sample (i, j) has index i (nv + 1) + j, and samples.n no
+// meaning. REQUIRES: nu, nv >= 1, order 0, 1 or 2.
+void evaluate_cell_grid(const LimitSurface& surface, int cell, int nu, int nv, int order,
+                        GridSamples& samples);
+
 }  // namespace hull

@@ -6,7 +6,6 @@
 #include <random>
 #include <stdexcept>
 
-#include "surface/tessellation.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -66,41 +65,6 @@ TEST(SetPoints, EqualsANewSurface) {
     }
     EXPECT_THROW(moved.set_points({}), std::invalid_argument);
   }
-}
-
-// Closed bodies have closed tessellations, each edge of two quadrilaterals run both ways, and their
-// normals are those of the surface.
-TEST(Tessellation, IsWatertight) {
-  for (int n : {1, 2, 5}) {
-    const LimitSurface surface{ControlMesh(testing::prism(5))};
-    const Tessellation t = tessellate(surface, n);
-    std::map<std::pair<int, int>, int> sides;
-    for (const auto& quad : t.quads) {
-      for (int k = 0; k < 4; ++k) ++sides[{quad[k], quad[(k + 1) % 4]}];
-    }
-    for (const auto& [side, count] : sides) {
-      EXPECT_EQ(count, 1);
-      EXPECT_EQ(sides.count({side.second, side.first}), 1u);
-    }
-    // Euler: closed quadrilateral meshes of a sphere have V - E + F = 2, E = 2 F.
-    EXPECT_EQ(t.points.size(), t.quads.size() + 2);
-    for (std::size_t i = 0; i < t.points.size(); ++i) {
-      EXPECT_LT((surface.position(t.cells[i], t.uv[i].x(), t.uv[i].y()) - t.points[i]).norm(),
-                1e-14);
-    }
-    for (const auto& normals : t.corner_normals) {
-      for (const Vector3d& normal : normals) EXPECT_NEAR(normal.norm(), 1.0, 1e-14);
-    }
-  }
-}
-
-TEST(Tessellation, LeavesOutIsolatedPoints) {
-  MeshArrays arrays = testing::cube();
-  arrays.points.insert(arrays.points.begin(), Vector3d(9.0, 9.0, 9.0));
-  for (int& v : arrays.face_vertices) ++v;
-  const Tessellation t = tessellate(LimitSurface{ControlMesh(arrays)}, 3);
-  EXPECT_EQ(t.points.size(), t.quads.size() + 2);
-  for (const Vector3d& p : t.points) EXPECT_LE(p.cwiseAbs().maxCoeff(), 1.0);
 }
 
 }  // namespace
