@@ -8,10 +8,10 @@
 namespace hull {
 namespace {
 
-constexpr double kTolerance = 1e-10;      // of the size
-constexpr double kZeroHeight = 1e-13;     // of the size
-constexpr double kSmallestCorner = 1e-11; // of the size
-constexpr int kDeepest = 100;             // halvings
+constexpr double kTolerance = 1e-10;       // of the size
+constexpr double kZeroHeight = 1e-13;      // of the size
+constexpr double kSmallestCorner = 1e-11;  // of the size
+constexpr int kDeepest = 100;              // halvings
 
 using Part = ExtentSearch::Part;
 
@@ -63,8 +63,8 @@ class PieceSearch {
   }
 
  private:
-  // Where h = 0, g is g - λ h for any λ; where h < 0, it is no more than that for λ >= 0. With the λ
-  // for which the gradients cancel, the bound's error is quadratic in the rectangle's size.
+  // Where h = 0, g is g - λ h for any λ; where h < 0, it is no more than that for λ >= 0. With the
+  // λ for which the gradients cancel, the bound's error is quadratic in the rectangle's size.
   static double multiplier(const Rectangle& r) {
     const Eigen::Vector2d along_g = mean_slope(r.g), along_h = mean_slope(r.h);
     const double square = along_h.squaredNorm();
@@ -172,7 +172,11 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
     };
     for_each_piece(*surface_, c, descend, [&](const SurfacePiece& piece) {
       Rectangle whole{bezier_net(piece.points, direction, 0.0),
-                      bezier_net(piece.points, water_.normal, water_.offset), 0.0, 0.0, 1.0, 1.0};
+                      bezier_net(piece.points, water_.normal, water_.offset),
+                      0.0,
+                      0.0,
+                      1.0,
+                      1.0};
       flush_to_zero(whole.h, kZeroHeight * size_);
       PieceSearch(piece, part, tolerance, best).search(whole, 0);
     });

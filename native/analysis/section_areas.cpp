@@ -7,63 +7,6 @@
 #include "analysis/station_cutter.h"
 
 namespace hull {
-namespace {
-
-constexpr int kScanned = 16;  // intervals
-constexpr double kSameArea = 1e-12;
-// Of the range: half of the digits, as the area is flat at its maximum.
-constexpr double kNarrow = 1e-5;
-
-// Brent's search for the maximum in (begin, end) around a higher middle: parabolas through the best
-// three stations, golden sections where these do not help.
-SectionArea refine_largest(const StationCutter& cutter, const Plane& water, double begin,
-                           SectionArea best, double end, double tolerance) {
-  constexpr double kGolden = 0.381966011250105;
-  SectionArea second = best, third = best;
-  double step = 0.0, before = 0.0;
-  for (int i = 0; i < 60; ++i) {
-    const double x = best.position, middle = 0.5 * (begin + end);
-    if (std::abs(x - middle) <= 2.0 * tolerance - 0.5 * (end - begin)) break;
-    bool parabola = false;
-    if (std::abs(before) > tolerance) {
-      const double r = (x - second.position) * (third.area - best.area);
-      double q = (x - third.position) * (second.area - best.area);
-      double p = (x - third.position) * q - (x - second.position) * r;
-      q = 2.0 * (q - r);
-      if (q > 0.0) p = -p;
-      q = std::abs(q);
-      if (std::abs(p) < std::abs(0.5 * q * before) && p > q * (begin - x) && p < q * (end - x)) {
-        before = step;
-        step = p / q;
-        parabola = true;
-      }
-    }
-    if (!parabola) {
-      before = (x < middle ? end : begin) - x;
-      step = kGolden * before;
-    }
-    const double to = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
-    const SectionArea tried = immersed_station(cutter, to, water);
-    if (tried.area >= best.area) {
-      (to < x ? end : begin) = x;
-      third = second;
-      second = best;
-      best = tried;
-    } else {
-      (to < x ? begin : end) = to;
-      if (tried.area >= second.area || second.position == x) {
-        third = second;
-        second = tried;
-      } else if (tried.area >= third.area || third.position == x ||
-                 third.position == second.position) {
-        third = tried;
-      }
-    }
-  }
-  return best;
-}
-
-}  // namespace
 
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water) {
@@ -81,27 +24,6 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const FloatingPosition& position) {
   return section_areas(body, positions, water_plane(position));
-}
-
-SectionArea largest_section(const HullBody& body, const Plane& water, double begin, double end) {
-  const StationCutter cutter(body);
-  std::vector<SectionArea> scan;
-  for (int i = 0; i <= kScanned; ++i) {
-    scan.push_back(immersed_station(cutter, begin + (end - begin) * i / kScanned, water));
-  }
-  // From the middle outwards, so that the nearest of equals is kept.
-  int best = kScanned / 2;
-  for (int k = 1; k <= kScanned / 2; ++k) {
-    for (int i : {kScanned / 2 - k, kScanned / 2 + k}) {
-      if (scan[i].area > scan[best].area * (1.0 + kSameArea)) best = i;
-    }
-  }
-  const int left = std::max(best - 1, 0), right = std::min(best + 1, kScanned);
-  const bool level = scan[left].area >= scan[best].area * (1.0 - kSameArea) &&
-                     scan[right].area >= scan[best].area * (1.0 - kSameArea);
-  if (level || !(end > begin)) return scan[best];
-  return refine_largest(cutter, water, scan[left].position, scan[best], scan[right].position,
-                        kNarrow * (end - begin));
 }
 
 }  // namespace hull

@@ -12,12 +12,12 @@ namespace hull {
 // border is immersed, by straight lines athwartships, to the centre plane or to the border's other
 // side. All zero where nothing is.
 struct SectionArea {
-  double position = 0.0;                // x, m
-  double area = 0.0;                    // m²
+  double position = 0.0;                 // x, m
+  double area = 0.0;                     // m²
   Vector3d centroid = Vector3d::Zero();  // m, in the plane of the station
-  double girth = 0.0;                   // wetted length of the shell's outline, m
-  double breadth = 0.0;                 // length of the station's waterline, m
-  double area_error = 0.0;              // estimate of the quadrature's error, m²
+  double girth = 0.0;                    // wetted length of the shell's outline, m
+  double breadth = 0.0;                  // length of the station's waterline, m
+  double area_error = 0.0;               // estimate of the quadrature's error, m²
 };
 
 // The immersed part of a body's stations, exact but for a quadrature along the outline. The
@@ -31,9 +31,5 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
                                        const FloatingPosition& position);
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water);
-
-// The station of the largest immersed area in the range of x, the one nearest to the range's middle
-// among equals; the areas of 17 stations tell where to look, and its own is exact to 1e-9 of it.
-SectionArea largest_section(const HullBody& body, const Plane& water, double begin, double end);
 
 }  // namespace hull

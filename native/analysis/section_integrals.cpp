@@ -75,8 +75,8 @@ void integrate(const ArcSquare& square, double begin, double end, double size, i
   static const GaussRule coarse = gauss_rule(kCoarseNodes), fine = gauss_rule(kFineNodes);
   SectionIntegrals part = quadrature(square, begin, end, fine);
   const SectionIntegrals check = quadrature(square, begin, end, coarse);
-  const double off = std::max(std::abs(part.area - check.area),
-                              size * 1e-2 * std::abs(part.girth - check.girth));
+  const double off =
+      std::max(std::abs(part.area - check.area), size * 1e-2 * std::abs(part.girth - check.girth));
   if (off > kRulesAgree * size * size && depth < kDeepestArc) {
     const double middle = 0.5 * (begin + end);
     integrate(square, begin, middle, size, depth + 1, sum);
@@ -144,9 +144,8 @@ void for_each_stretch(const ArcSquare& square, const Visit& visit) {
 void clip(const ArcSquare& square, double level, double size, int depth, SectionIntegrals& sum) {
   if (lowest(square.b) >= level) return;
   if (highest(square.b) < level) {
-    for_each_stretch(square, [&](double begin, double end) {
-      integrate(square, begin, end, size, 0, sum);
-    });
+    for_each_stretch(
+        square, [&](double begin, double end) { integrate(square, begin, end, size, 0, sum); });
     return;
   }
   if (depth == kDeepestClip || is_monotonic(square)) {
@@ -183,7 +182,8 @@ SectionFrame SectionFrame::above_water(const Plane& plane, const Plane& water) {
   const Vector3d& normal = plane.normal;
   const Vector3d up = (water.normal - water.normal.dot(normal) * normal).normalized();
   const Vector3d foot = plane.offset * normal;
-  const Vector3d origin = foot + up * ((water.offset - water.normal.dot(foot)) / water.normal.dot(up));
+  const Vector3d origin =
+      foot + up * ((water.offset - water.normal.dot(foot)) / water.normal.dot(up));
   return {plane, origin, up.cross(normal), up};
 }
 

@@ -49,8 +49,18 @@ void add_arcs(const ArcSquare& square, double level, double size, SectionIntegra
 // Adds a straight line from (a0, b0) to (a1, b1), which is no part of the shell.
 void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum);
 
-// Calls visit(const ArcSquare&) for all squares that reach below b = level. What lies in the plane
-// counts as above it. Squares at irregular knots are left out once they are below 1e-9 of the size.
+// Calls visit(const ArcPiece&) for all pieces that may reach the plane below b = level. Squares at
+// irregular knots are left out once they are below 1e-9 of the size.
+struct ArcPiece {
+  const SurfacePiece& piece;
+  BezierNet h;  // heights of rounding size are zero
+};
+template <class Visit>
+void for_each_arc_piece(const LimitSurface& surface, const CellBoxes& boxes,
+                        const SectionFrame& frame, double level, const Visit& visit);
+
+// Calls visit(const ArcSquare&) for all squares that the section crosses and that reach below
+// b = level. What lies in the plane counts as above it.
 template <class Visit>
 void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
                   double level, const Visit& visit);
@@ -75,12 +85,11 @@ inline bool reaches(const Vector3d* begin, const Vector3d* end, const SectionFra
 }  // namespace section_internal
 
 template <class Visit>
-void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
-                  double level, const Visit& visit) {
+void for_each_arc_piece(const LimitSurface& surface, const CellBoxes& boxes,
+                        const SectionFrame& frame, double level, const Visit& visit) {
   using namespace section_internal;
   const double size = surface.mesh().size();
-  const double a0 = frame.across.dot(frame.origin), b0 = frame.up.dot(frame.origin);
-  const double top = level + b0;
+  const double top = level + frame.up.dot(frame.origin);
   const auto descend = [&](const CornerSquare& square) {
     const std::vector<Vector3d> points = square.points();
     if (!reaches(points.data(), points.data() + points.size(), frame, top)) return false;
@@ -89,27 +98,9 @@ void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const Sec
   const auto take = [&](const SurfacePiece& piece) {
     const Vector3d* begin = piece.points.data();
     if (!reaches(begin, begin + 16, frame, top)) return;
-    BezierNet h = bezier_net(piece.points, frame.plane.normal, frame.plane.offset);
-    flush_to_zero(h, kZeroHeight * size);
-    if (lowest(h) >= 0.0 || highest(h) < 0.0) return;
-    const BezierNet b = bezier_net(piece.points, frame.up, b0);
-    if (lowest(b) >= level) return;
-    const BezierNet a = bezier_net(piece.points, frame.across, a0);
-    cut_piece(BezierBicubic(h), [&](const CutSquare& cut) {
-      if (cut.side != CutSquare::Side::kCut) return;
-      ArcSquare square{restricted(h, cut.u, cut.v, cut.size),
-                       restricted(a, cut.u, cut.v, cut.size),
-                       restricted(b, cut.u, cut.v, cut.size), 1.0};
-      if (cut.swapped) {
-        square = {transposed(square.h), transposed(square.a), transposed(square.b), -1.0};
-      }
-      // The section runs along plane normal x surface normal, so that h_v > 0 means towards
-      // larger u; the exchange of u and v turned the surface's normal.
-      double rise = 0.0;
-      for (int i = 0; i < 4; ++i) rise += square.h[12 + i] - square.h[i];
-      if (rise < 0.0) square.sign = -square.sign;
-      visit(square);
-    });
+    ArcPiece found{piece, bezier_net(piece.points, frame.plane.normal, frame.plane.offset)};
+    flush_to_zero(found.h, kZeroHeight * size);
+    visit(found);
   };
   const Vector3d& normal = frame.plane.normal;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
@@ -117,6 +108,39 @@ void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const Sec
     if (boxes.most(cell, normal) < frame.plane.offset) continue;
     if (boxes.least(cell, frame.up) < top) for_each_piece(surface, cell, descend, take);
   }
+}
+
+// The squares of one piece.
+template <class Visit>
+void for_each_arc_of(const ArcPiece& piece, const SectionFrame& frame, double level,
+                     const Visit& visit) {
+  const BezierNet& h = piece.h;
+  if (lowest(h) >= 0.0 || highest(h) < 0.0) return;
+  const BicubicPoints& points = piece.piece.points;
+  const BezierNet b = bezier_net(points, frame.up, frame.up.dot(frame.origin));
+  if (lowest(b) >= level) return;
+  const BezierNet a = bezier_net(points, frame.across, frame.across.dot(frame.origin));
+  cut_piece(BezierBicubic(h), [&](const CutSquare& cut) {
+    if (cut.side != CutSquare::Side::kCut) return;
+    ArcSquare square{restricted(h, cut.u, cut.v, cut.size), restricted(a, cut.u, cut.v, cut.size),
+                     restricted(b, cut.u, cut.v, cut.size), 1.0};
+    if (cut.swapped) {
+      square = {transposed(square.h), transposed(square.a), transposed(square.b), -1.0};
+    }
+    // The section runs along plane normal x surface normal, so that h_v > 0 means towards larger
+    // u; the exchange of u and v turned the surface's normal.
+    double rise = 0.0;
+    for (int i = 0; i < 4; ++i) rise += square.h[12 + i] - square.h[i];
+    if (rise < 0.0) square.sign = -square.sign;
+    visit(square);
+  });
+}
+
+template <class Visit>
+void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
+                  double level, const Visit& visit) {
+  for_each_arc_piece(surface, boxes, frame, level,
+                     [&](const ArcPiece& piece) { for_each_arc_of(piece, frame, level, visit); });
 }
 
 }  // namespace hull

@@ -68,31 +68,8 @@ std::vector<ClosingLine> lines_across(const SectionFrame& frame,
 
 template <class Points>
 bool all_at(const Points& points, double position, double tolerance) {
-  return std::all_of(points.begin(), points.end(), [&](const Vector3d& p) {
-    return std::abs(p.x() - position) < tolerance;
-  });
-}
-
-// The station's plane, seen from ahead or from abaft: its zero heights count as behind the plane's
-// normal, so that one sees what is abaft of a jump and the other what is ahead.
-SectionFrame station_frame(double position, bool from_ahead, const Plane& water) {
-  const Plane plane = from_ahead ? Plane{Vector3d::UnitX(), position}
-                                 : Plane{-Vector3d::UnitX(), -position};
-  return SectionFrame::above_water(plane, water);
-}
-
-SectionArea one_view(const StationCutter& cutter, double position, bool from_ahead,
-                     const Plane& water) {
-  const SectionFrame frame = station_frame(position, from_ahead, water);
-  SectionIntegrals sum = cutter.outline(frame, 0.0).below(0.0);
-  if (cutter.body().mirrored()) {
-    const bool upright = frame.up.y() == 0.0;
-    SectionIntegrals other =
-        upright ? sum : cutter.outline(frame.mirrored(), 0.0).below(0.0);
-    other.moment_a = -other.moment_a;
-    sum += other;
-  }
-  return to_section_area(position, frame, sum);
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Vector3d& p) { return std::abs(p.x() - position) < tolerance; });
 }
 
 }  // namespace
@@ -146,25 +123,51 @@ std::vector<ClosingLine> StationCutter::closing_lines(const SectionFrame& frame)
   return lines;
 }
 
-SectionArea to_section_area(double position, const SectionFrame& frame,
-                            const SectionIntegrals& both) {
-  SectionArea result;
-  result.position = position;
-  result.area = both.area;
-  if (both.area > 0.0) {
-    result.centroid = frame.point(both.moment_a / both.area, both.moment_b / both.area);
+StationViews::StationViews(const StationCutter& cutter, double position, const Plane& water,
+                           double highest_level)
+    : position_(position), doubled_(cutter.body().mirrored() && water.normal.y() == 0.0) {
+  const auto add_view = [&](const Plane& plane) {
+    const SectionFrame frame = SectionFrame::above_water(plane, water);
+    View view{frame, {cutter.outline(frame, highest_level)}};
+    if (cutter.body().mirrored() && !doubled_) {
+      view.sides.push_back(cutter.outline(frame.mirrored(), highest_level));
+    }
+    views_.push_back(std::move(view));
+  };
+  add_view({Vector3d::UnitX(), position});
+  if (cutter.has_flat(position)) add_view({-Vector3d::UnitX(), -position});
+}
+
+SectionArea StationViews::below(double level) const {
+  SectionArea largest = below(views_.front(), level);
+  for (std::size_t i = 1; i < views_.size(); ++i) {
+    const SectionArea other = below(views_[i], level);
+    if (other.area > largest.area) largest = other;
   }
-  result.girth = both.girth;
-  result.breadth = both.breadth;
-  result.area_error = both.error;
+  return largest;
+}
+
+SectionArea StationViews::below(const View& view, double level) const {
+  SectionIntegrals sum = view.sides.front().below(level);
+  if (doubled_ || view.sides.size() > 1) {
+    SectionIntegrals other = doubled_ ? sum : view.sides.back().below(level);
+    other.moment_a = -other.moment_a;
+    sum += other;
+  }
+  SectionArea result;
+  result.position = position_;
+  result.area = sum.area;
+  if (sum.area > 0.0) {
+    result.centroid = view.frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
+  }
+  result.girth = sum.girth;
+  result.breadth = sum.breadth;
+  result.area_error = sum.error;
   return result;
 }
 
 SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water) {
-  const SectionArea from_ahead = one_view(cutter, position, true, water);
-  if (!cutter.has_flat(position)) return from_ahead;
-  const SectionArea from_abaft = one_view(cutter, position, false, water);
-  return from_abaft.area > from_ahead.area ? from_abaft : from_ahead;
+  return StationViews(cutter, position, water, 0.0).below(0.0);
 }
 
 }  // namespace hull

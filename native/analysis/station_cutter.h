@@ -54,9 +54,28 @@ class StationCutter {
   std::vector<BorderEdge> border_;
 };
 
-// From the integrals of both sides in a frame.
-SectionArea to_section_area(double position, const SectionFrame& frame,
-                            const SectionIntegrals& both);
+// A station of both sides, cut once and then immersed to any level above (or below) a water's
+// surface, straight up within the station.
+class StationViews {
+ public:
+  StationViews(const StationCutter& cutter, double position, const Plane& water,
+               double highest_level);
+
+  SectionArea below(double level) const;
+
+ private:
+  // What lies in the plane of the station counts as ahead of it, seen from abaft, and the other way
+  // round: one view has what is abaft of a jump, the other what is ahead.
+  struct View {
+    SectionFrame frame;
+    std::vector<SectionOutline> sides;  // the second in mirrored coordinates
+  };
+  SectionArea below(const View& view, double level) const;
+
+  double position_;
+  bool doubled_;  // the other side's integrals are those of the first
+  std::vector<View> views_;
+};
 
 // Both sides of the station in the given water.
 SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water);

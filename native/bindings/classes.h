@@ -15,6 +15,7 @@ void bind_surface_tree(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
 void bind_hull_body(pybind11::module_& module);
 void bind_hydrostatics(pybind11::module_& module);
+void bind_section_areas(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 

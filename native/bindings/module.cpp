@@ -13,6 +13,7 @@ PYBIND11_MODULE(_core, module) {
   bind_feature_curves(module);
   bind_hull_body(module);
   bind_hydrostatics(module);
+  bind_section_areas(module);
   bind_sections(module);
   bind_patch_set(module);
 }
