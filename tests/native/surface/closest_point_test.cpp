@@ -56,46 +56,46 @@ TEST(ClosestPoint, IsOnTheSurfaceAtItsCellAndParameters) {
   }
 }
 
-// Where two independent things fail to find anything nearer: a dense grid of samples, and steps
-// from the best of these along the surface by coordinate search.
+// The least distance from p by two things that have nothing to do with the tree: a dense grid of
+// samples, and coordinate search from the best of them within its cell.
+double sampled_distance(const LimitSurface& surface, const GridSamples& samples,
+                        const Vector3d& p) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < samples.points.size(); ++k) {
+    if ((samples.points[k] - p).squaredNorm() < (samples.points[best] - p).squaredNorm()) best = k;
+  }
+  const std::size_t row = samples.n + 1, cell = best / (row * row), in_cell = best % (row * row);
+  double u = static_cast<double>(in_cell / row) / samples.n;
+  double v = static_cast<double>(in_cell % row) / samples.n;
+  double distance = (samples.points[best] - p).norm();
+  for (double step = 0.5 / samples.n; step > 1e-7;) {
+    bool nearer = false;
+    for (const auto& [du, dv] : {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
+      const double to_u = std::clamp(u + du, 0.0, 1.0), to_v = std::clamp(v + dv, 0.0, 1.0);
+      const double there = (surface.position(static_cast<int>(cell), to_u, to_v) - p).norm();
+      if (there >= distance) continue;
+      distance = there;
+      u = to_u;
+      v = to_v;
+      nearer = true;
+    }
+    if (!nearer) step *= 0.5;
+  }
+  return distance;
+}
+
 TEST(ClosestPoint, HasNothingNearer) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
-  constexpr int kGrid = 24;
   int improved = 0;
   for (int trial = 0; trial < 120; ++trial) {
     const LimitSurface surface = random_surface(random, trial, trial % 10 ? 9 : 40, cache);
     const SurfaceTree tree(surface);
-    const GridSamples samples = evaluate_grid(surface, kGrid, 0);
+    const GridSamples samples = evaluate_grid(surface, 24, 0);
     for (int i = 0; i < 24; ++i) {
       const Vector3d p = random_query(random, surface, i);
-      std::size_t best = 0;
-      for (std::size_t k = 1; k < samples.points.size(); ++k) {
-        if ((samples.points[k] - p).squaredNorm() < (samples.points[best] - p).squaredNorm()) {
-          best = k;
-        }
-      }
-      const int cell = static_cast<int>(best / ((kGrid + 1) * (kGrid + 1)));
-      const int in_cell = static_cast<int>(best % ((kGrid + 1) * (kGrid + 1)));
-      double u = static_cast<double>(in_cell / (kGrid + 1)) / kGrid;
-      double v = static_cast<double>(in_cell % (kGrid + 1)) / kGrid;
-      double distance = (samples.points[best] - p).norm();
-      for (double step = 0.5 / kGrid; step > 1e-7;) {
-        bool nearer = false;
-        for (const auto& [du, dv] :
-             {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
-          const double to_u = std::clamp(u + du, 0.0, 1.0), to_v = std::clamp(v + dv, 0.0, 1.0);
-          const double there = (surface.position(cell, to_u, to_v) - p).norm();
-          if (there < distance) {
-            distance = there;
-            u = to_u;
-            v = to_v;
-            nearer = true;
-          }
-        }
-        if (!nearer) step *= 0.5;
-      }
+      const double distance = sampled_distance(surface, samples, p);
       const ClosestPoint at = closest_point(tree, p);
       ASSERT_LE(at.distance, distance + at.gap + 1e-15 * (distance + tree.error_size()))
           << "trial " << trial << " query " << i;
@@ -104,6 +104,27 @@ TEST(ClosestPoint, HasNothingNearer) {
   }
   // The grid alone is not as good, or the test would say little.
   EXPECT_GT(improved, 20);
+}
+
+// Cells so folded that one piece has several feet.
+TEST(ClosestPoint, HasNothingNearerOnFoldedCells) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed + 7);
+  const auto cache = std::make_shared<BasisCache>();
+  for (int trial = 0; trial < 100; ++trial) {
+    MeshArrays arrays = trial % 2 ? testing::grid(2, 2) : testing::fan(5);
+    testing::randomise(arrays, random, 0.0, 0.0, 6.0);
+    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    const SurfaceTree tree(surface);
+    const GridSamples samples = evaluate_grid(surface, 24, 0);
+    for (int i = 0; i < 30; ++i) {
+      const Vector3d p = random_query(random, surface, 3);
+      const double distance = sampled_distance(surface, samples, p);
+      const ClosestPoint at = closest_point(tree, p);
+      ASSERT_LE(at.distance, distance + at.gap + 1e-15 * (distance + tree.error_size()))
+          << "trial " << trial << " query " << i;
+    }
+  }
 }
 
 TEST(ClosestPoint, IsTheFootOfAPerpendicular) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "surface/closest_point.h"
+#include "surface/grid_samples.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -123,6 +124,62 @@ TEST(RayHits, OfClosedBodiesComeInPairsAndNeverSlipThrough) {
   }
   EXPECT_GE(rays, 18000);
   EXPECT_EQ(odd, 0);
+}
+
+// Cells so folded that a ray meets one piece many times: as often as the triangles of a dense grid
+// of samples, seen along the ray.
+TEST(RayHits, OfFoldedCellsAreAsManyAsThoseOfSmallTriangles) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed + 4);
+  const auto cache = std::make_shared<BasisCache>();
+  constexpr int kGrid = 64;
+  const auto cross = [](const Vector3d& a, const Vector3d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  int differ = 0, rays = 0;
+  std::size_t most = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    MeshArrays arrays = trial % 2 ? testing::grid(3, 3) : testing::fan(5);
+    testing::randomise(arrays, random, 0.0, 0.0, trial % 2 ? 3.0 : 6.0);
+    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    const SurfaceTree tree(surface);
+    const GridSamples samples = evaluate_grid(surface, kGrid, 0);
+    for (int i = 0; i < 10; ++i) {
+      const Vector3d direction = random_direction(random);
+      const Vector3d origin = random_direction(random) + Vector3d(1.5, 1.5, 0.0) * (trial % 2);
+      const Vector3d x = direction.unitOrthogonal(), y = direction.cross(x);
+      Eigen::Matrix3d frame;
+      frame << x.transpose(), y.transpose(), direction.transpose();
+      std::size_t expected = 0;
+      const auto triangle = [&](std::size_t i0, std::size_t i1, std::size_t i2) {
+        const Vector3d a = frame * (samples.points[i0] - origin);
+        const Vector3d b = frame * (samples.points[i1] - origin);
+        const Vector3d c = frame * (samples.points[i2] - origin);
+        const double ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+        expected += (ab >= 0) == (bc >= 0) && (bc >= 0) == (ca >= 0);
+      };
+      for (int cell = 0; cell < surface.cell_count(); ++cell) {
+        for (int a = 0; a < kGrid; ++a) {
+          for (int b = 0; b < kGrid; ++b) {
+            const std::size_t corners[] = {samples.index(cell, a, b), samples.index(cell, a + 1, b),
+                                           samples.index(cell, a + 1, b + 1),
+                                           samples.index(cell, a, b + 1)};
+            triangle(corners[0], corners[1], corners[2]);
+            triangle(corners[0], corners[2], corners[3]);
+          }
+        }
+      }
+      Ray ray{origin, direction};
+      ray.t_min = -1000.0;
+      const std::size_t found = all_ray_hits(tree, ray).size();
+      most = std::max(most, found);
+      ++rays;
+      differ += found != expected;
+    }
+  }
+  // Triangles err where a ray passes near a fold or border.
+  EXPECT_LE(differ, rays / 50);
+  EXPECT_GE(most, 7u);
 }
 
 TEST(RayHits, OfABoxAreThoseOfTheClosedForm) {
