@@ -93,6 +93,7 @@ class Balance {
     task_.centre_of_gravity = load.centre_of_gravity;
     task_.freedom = {options.free_trim, options.free_heel};
     density_ = load.water_density;
+    result_.whole_volume = whole_volume;
   }
 
   Equilibrium find() {

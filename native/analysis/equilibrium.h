@@ -46,6 +46,7 @@ struct Equilibrium {
   double gm_transverse = 0.0, gm_longitudinal = 0.0;
   // The unstable rest that was left on the way to this one (`leave_unstable`).
   std::optional<UnstableRest> left;
+  double whole_volume = 0.0;     // m³: what the body displaces when wholly under water
   double volume_residual = 0.0;  // relative
   double lever_residual = 0.0;   // m, between weight and buoyancy in the ways that are free
   int iterations = 0;            // Newton steps tried

@@ -199,7 +199,10 @@ Eigen::MatrixXd turning_stiffness(const Turning& turning, const Immersion& immer
 }
 
 Vector3d turning_point(const Immersion& immersion, const Vector3d& gravity_centre) {
-  if (immersion.waterplane_area > 0.0) return immersion.centre_of_flotation;
+  // Rounding leaves some area to a body that is wholly under water.
+  constexpr double kNone = 1e-10;
+  const double length = std::cbrt(immersion.volume);
+  if (immersion.waterplane_area > kNone * length * length) return immersion.centre_of_flotation;
   return gravity_centre - immersion.water.height(gravity_centre) * immersion.water.normal;
 }
 
@@ -242,7 +245,7 @@ double offset_of_volume(const HullBody& body, const Vector3d& up, double volume,
     const Immersion at = body.immersion({up, c});
     ++evaluations;
     const double surplus = at.volume - volume;
-    if (std::abs(surplus) <= tolerance * volume) break;
+    if (std::abs(surplus) <= tolerance * std::min(volume, whole_volume - volume)) break;
     (surplus > 0.0 ? bracket.high : bracket.low) = c;
     const double newton = c - surplus / at.waterplane_area;
     const bool inside = newton > bracket.low && newton < bracket.high;

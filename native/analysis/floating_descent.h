@@ -86,8 +86,9 @@ Span span_along(const HullBody& body, const Vector3d& direction);
 // Volume of the body when it is wholly under water.
 double greatest_volume(const HullBody& body, const Vector3d& up);
 
-// The water with the given normal in which the body displaces the volume, to a relative error of
-// `tolerance`. REQUIRES: 0 < volume < greatest_volume(). Counts its immersions.
+// The water with the given normal in which the body displaces the volume, to an error of
+// `tolerance` of it or of what is above water, if that is less. REQUIRES: 0 < volume <
+// greatest_volume(). Counts its immersions.
 double offset_of_volume(const HullBody& body, const Vector3d& up, double volume,
                         double whole_volume, double tolerance, int& evaluations);
 

@@ -45,10 +45,20 @@ HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volum
   }
 }
 
-const HeeledState& HeelingPath::at(double heel) const {
+const HeeledState* HeelingPath::find(double heel) const {
   const auto found = states_.find(heel);
-  if (found != states_.end()) return found->second;
-  return states_.emplace(heel, solve(heel)).first->second;
+  if (found != states_.end()) return &found->second;
+  std::optional<HeeledState> state = solve(heel);
+  return state ? &states_.emplace(heel, *std::move(state)).first->second : nullptr;
+}
+
+const HeeledState& HeelingPath::at(double heel) const {
+  if (const HeeledState* state = find(heel)) return *state;
+  std::ostringstream words;
+  words
+      << "There is no righting lever at a heel of " << heel * 180.0 / std::numbers::pi
+      << "°: the ship stands on end, or does not settle. Hold the trim, or ask for smaller heels.";
+  throw std::invalid_argument(words.str());
 }
 
 HeelingPath::Guess HeelingPath::first_guess(double heel, double trim) const {
@@ -87,18 +97,12 @@ HeelingPath::Guess HeelingPath::guess(double heel) const {
   return {trim, up_direction(trim, heel).dot(middle_) + depth};
 }
 
-HeeledState HeelingPath::solve(double heel) const {
+std::optional<HeeledState> HeelingPath::solve(double heel) const {
   const int before = evaluations_;
   const Guess start = guess(heel);
   Descent rest = descend(body_, task_, start.trim, heel, start.offset);
   evaluations_ += rest.evaluations;
-  if (rest.end != Descent::End::kRest) {
-    std::ostringstream words;
-    words << "There is no righting lever at a heel of " << heel * 180.0 / std::numbers::pi << "°: "
-          << (rest.end == Descent::End::kOnEnd ? "the ship stands on end."
-                                               : "trim and draft do not settle.");
-    throw std::invalid_argument(words.str());
-  }
+  if (rest.end != Descent::End::kRest) return std::nullopt;
   HeeledState state;
   state.heel = heel;
   state.trim = rest.trim;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "analysis/floating_descent.h"
 
@@ -34,8 +35,10 @@ class HeelingPath {
   HeelingPath(const HullBody& body, double volume, double whole_volume,
               const Vector3d& centre_of_gravity, TrimMode mode, double trim = 0.0);
 
-  // Throws std::invalid_argument if the ship stands on end at this heel (|trim| reaches 90°), or
-  // has no waterplane there that could settle her.
+  // None if the ship stands on end at this heel (|trim| reaches 90°), or does not settle for want
+  // of a waterplane.
+  const HeeledState* find(double heel) const;
+  // The same, but throws std::invalid_argument if there is none.
   const HeeledState& at(double heel) const;
 
   const std::map<double, HeeledState>& solved() const { return states_; }
@@ -49,7 +52,7 @@ class HeelingPath {
   };
   Guess guess(double heel) const;
   Guess first_guess(double heel, double trim) const;
-  HeeledState solve(double heel) const;
+  std::optional<HeeledState> solve(double heel) const;
   void add_slopes(HeeledState& state) const;
 
   const HullBody& body_;

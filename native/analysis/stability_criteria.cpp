@@ -6,7 +6,6 @@
 #include <iomanip>
 #include <numbers>
 #include <sstream>
-#include <stdexcept>
 
 namespace hull {
 namespace {
@@ -49,15 +48,14 @@ class IntactCriteria {
   }
 
  private:
-  // Solves the curve, as far as the ship does not stand on end; the last heel solved.
+  // Solves the curve as far as the ship does not stand on end; the last heel solved.
   double solve_along(const HeelingPath& path) {
-    double heel = 0.0;
     path.at(0.0);
+    double heel = 0.0;
     for (int i = 1; i * kStep <= kLastHeel * (1.0 + 1e-12); ++i) {
-      try {
-        path.at(i * kStep);
-      } catch (const std::invalid_argument& why) {
-        why_not_ = why.what();
+      if (!path.find(i * kStep)) {
+        why_not_ = "There is no righting lever at " + in_degrees(i * kStep) +
+                   ": the ship stands on end, or does not settle.";
         break;
       }
       heel = i * kStep;

@@ -17,6 +17,8 @@ namespace py = pybind11;
 
 using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+// (3,) -> a point.
+Eigen::Vector3d point_from(const DoubleArray& array, const char* name);
 // (n, 3) -> n points.
 std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name);
 // (n,) -> n numbers.

@@ -16,6 +16,8 @@ void bind_feature_curves(pybind11::module_& module);
 void bind_hull_body(pybind11::module_& module);
 void bind_hydrostatics(pybind11::module_& module);
 void bind_section_areas(pybind11::module_& module);
+void bind_equilibrium(pybind11::module_& module);
+void bind_stability(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 

@@ -14,6 +14,8 @@ PYBIND11_MODULE(_core, module) {
   bind_hull_body(module);
   bind_hydrostatics(module);
   bind_section_areas(module);
+  bind_equilibrium(module);
+  bind_stability(module);
   bind_sections(module);
   bind_patch_set(module);
 }

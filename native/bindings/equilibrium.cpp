@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/equilibrium.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+
+namespace hull::bindings {
+namespace {
+
+constexpr double kSeaWater = 1.025;
+
+const char* name_of(EquilibriumStatus status) {
+  switch (status) {
+    case EquilibriumStatus::kStable:
+      return "stable";
+    case EquilibriumStatus::kNeutral:
+      return "neutral";
+    case EquilibriumStatus::kUnstable:
+      return "unstable";
+    case EquilibriumStatus::kSinks:
+      return "sinks";
+    case EquilibriumStatus::kNotConverged:
+      break;
+  }
+  return "not converged";
+}
+
+EquilibriumOptions options_from(bool free_trim, bool free_heel, double trim, double heel,
+                                double draft_at, bool leave_unstable) {
+  EquilibriumOptions options;
+  options.free_trim = free_trim;
+  options.free_heel = free_heel;
+  options.start.trim = trim;
+  options.start.heel = heel;
+  options.start.draft_at = draft_at;
+  options.leave_unstable = leave_unstable;
+  return options;
+}
+
+std::vector<LoadCase> loads_from(const DoubleArray& masses, const DoubleArray& centres,
+                                 double water_density) {
+  const std::vector<double> all_masses = numbers_from(masses, "masses_t");
+  const std::vector<Eigen::Vector3d> all_centres = points_from(centres, "centres_of_gravity");
+  if (all_masses.size() != all_centres.size()) {
+    throw std::invalid_argument("masses_t holds " + std::to_string(all_masses.size()) +
+                                " numbers, but centres_of_gravity " +
+                                std::to_string(all_centres.size()) + " points.");
+  }
+  std::vector<LoadCase> loads;
+  for (std::size_t i = 0; i < all_masses.size(); ++i) {
+    loads.push_back({all_masses[i], all_centres[i], water_density});
+  }
+  return loads;
+}
+
+void bind_immersion(py::module_& module) {
+  using I = Immersion;
+  py::class_<I>(module, "Immersion", "What the water does to a body in it, in the ship's axes.")
+      .def_property_readonly(
+          "water_normal", [](const I& i) { return i.water.normal; },
+          "(3,) unit vector up; water is where water_normal @ p < water_offset.")
+      .def_property_readonly(
+          "water_offset", [](const I& i) { return i.water.offset; }, "m.")
+      .def_readonly("displaced_volume", &I::volume, "m³.")
+      .def_readonly("centre_of_buoyancy", &I::centre_of_buoyancy, "(3,), m.")
+      .def_readonly("wetted_surface", &I::wetted_surface, "m².")
+      .def_readonly("waterplane_area", &I::waterplane_area, "m².")
+      .def_readonly("centre_of_flotation", &I::centre_of_flotation, "(3,), m.")
+      .def_readonly("waterplane_second", &I::waterplane_second,
+                    "(3, 3), m⁴: second moments of the waterplane about its centre.")
+      .def_readonly("volume_error", &I::volume_error, "Estimated error of integration, m³.")
+      .def_readonly("wetted_surface_error", &I::wetted_surface_error,
+                    "Estimated error of integration, m².");
+}
+
+void bind_results(py::module_& module) {
+  py::class_<UnstableRest>(module, "UnstableRest", "A rest that a ship leaves when disturbed.")
+      .def_property_readonly(
+          "draft", [](const UnstableRest& r) { return r.position.draft; }, "m, at draft_at.")
+      .def_property_readonly(
+          "trim", [](const UnstableRest& r) { return r.position.trim; }, "rad, by the stern.")
+      .def_property_readonly(
+          "heel", [](const UnstableRest& r) { return r.position.heel; }, "rad, to starboard.")
+      .def_readonly("gm_transverse", &UnstableRest::gm_transverse, "m.")
+      .def_readonly("gm_longitudinal", &UnstableRest::gm_longitudinal, "m.");
+  using E = Equilibrium;
+  py::class_<E>(module, "Equilibrium", "A ship at rest under a load, or why there is none.")
+      .def_property_readonly(
+          "status", [](const E& e) { return name_of(e.status); },
+          "\"stable\", \"neutral\", \"unstable\", \"sinks\" or \"not converged\".")
+      .def_readonly("message", &E::message, "The status as a sentence, with its reason.")
+      .def_property_readonly(
+          "draft_mean", [](const E& e) { return e.position.draft; }, "m, at draft_at.")
+      .def_property_readonly(
+          "draft_at", [](const E& e) { return e.position.draft_at; }, "m.")
+      .def_property_readonly(
+          "trim", [](const E& e) { return e.position.trim; }, "rad, by the stern.")
+      .def_property_readonly(
+          "heel", [](const E& e) { return e.position.heel; }, "rad, to starboard.")
+      .def("draft", &E::draft, py::arg("x"),
+           "m, at x (m) on the ship's own vertical in the centre plane.")
+      .def_readonly("immersion", &E::immersion)
+      .def_readonly("gm_transverse", &E::gm_transverse,
+                    "m, for turns about the horizontal axis forward.")
+      .def_readonly("gm_longitudinal", &E::gm_longitudinal,
+                    "m, for turns about the horizontal axis across.")
+      .def_readonly("left", &E::left,
+                    "The UnstableRest that was left for this one, None if there was none.")
+      .def_readonly("whole_volume", &E::whole_volume,
+                    "m³, what the body displaces when wholly under water.")
+      .def_readonly("volume_residual", &E::volume_residual, "Relative, of the displaced volume.")
+      .def_readonly("lever_residual", &E::lever_residual, "m, between weight and buoyancy.")
+      .def_readonly("iterations", &E::iterations, "Newton steps tried.")
+      .def_readonly("evaluations", &E::evaluations, "Immersions computed.");
+}
+
+}  // namespace
+
+void bind_equilibrium(py::module_& module) {
+  bind_immersion(module);
+  bind_results(module);
+  module.def(
+      "equilibrium",
+      [](const HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
+         double water_density, bool free_trim, bool free_heel, double trim, double heel,
+         double draft_at, bool leave_unstable) {
+        const LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
+                            water_density};
+        const py::gil_scoped_release release;
+        return equilibrium(
+            body, load, options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
+      },
+      py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
+      py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,
+      py::arg("free_heel") = true, py::arg("trim") = 0.0, py::arg("heel") = 0.0,
+      py::arg("draft_at") = 0.0, py::arg("leave_unstable") = true,
+      "How a HullBody of mass_t (t) with its centre_of_gravity (x, y, z in m) rests in water of "
+      "water_density (t/m³).\n\nFound by descent of the energy from trim (by the stern) and heel "
+      "(to starboard), in rad, at which what is not free is held. Where the ship comes to rest "
+      "unstable she is pushed to starboard and followed to a stable rest, the angle of loll; "
+      "leave_unstable=False leaves her there. draft_at (m): x where the mean draft is measured. "
+      "Raises ValueError unless mass and density are positive.");
+  module.def(
+      "equilibria",
+      [](const HullBody& body, const DoubleArray& masses, const DoubleArray& centres,
+         double water_density, bool free_trim, bool free_heel, double trim, double heel,
+         double draft_at, bool leave_unstable) {
+        const std::vector<LoadCase> loads = loads_from(masses, centres, water_density);
+        const py::gil_scoped_release release;
+        return equilibria(body, loads,
+                          options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
+      },
+      py::arg("body"), py::kw_only(), py::arg("masses_t"), py::arg("centres_of_gravity"),
+      py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,
+      py::arg("free_heel") = true, py::arg("trim") = 0.0, py::arg("heel") = 0.0,
+      py::arg("draft_at") = 0.0, py::arg("leave_unstable") = true,
+      "A list with equilibrium() of each load case: masses_t (n,) in t, centres_of_gravity (n, 3) "
+      "in m; the rest as there.");
+}
+
+}  // namespace hull::bindings
