@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curvature and crease curves of surfaces, against closed forms and differences."""
+"""Curvature, crease curves and tessellation, against closed forms and differences."""
+
+import json
+from pathlib import Path
 
 import hull_native as hn
 import numpy as np
@@ -139,3 +142,121 @@ def test_places_beyond_a_curve_are_named():
         curve.evaluate([0, 7.5])
     with pytest.raises(ValueError, match="derivatives"):
         curve.evaluate([0], 3)
+
+
+def test_tessellation_keeps_to_a_tolerance():
+    """A parabolic cylinder departs from chords by its second derivative times h^2 / 8."""
+    surface = hn.LimitSurface(grid(lambda x, y: -0.1 * x * x))
+    tolerance = 1e-4
+    tessellation = surface.tessellate(chord_tolerance=tolerance)
+    corners = tessellation.points[tessellation.quads]
+    assert len(corners) < len(surface.tessellate(16).quads)
+    # Every quadrilateral has two sides along the generators; the middles of the others sag.
+    middles = corners.mean(axis=1)
+    x = middles[:, 0]
+    inner = np.abs(x) < 1.5  # beyond, the border's spans end the parabola
+    control_height = -0.1 * (x * x + 1 / 3)  # what cubic B-splines make of the control heights
+    sag = np.abs(middles[:, 2] - control_height)[inner].max()
+    assert 0.2 * tolerance < sag <= tolerance
+
+
+def distance_to_triangles(p, a, b, c):
+    """Of points (m, n, 3) to n triangles, their corners (n, 3) each."""
+    normal = np.cross(b - a, c - a)
+    nearest, inside = np.inf, True
+    for start, end in ((a, b), (b, c), (c, a)):
+        along = end - start
+        length = np.maximum((along * along).sum(axis=-1), 1e-300)
+        s = np.clip(((p - start) * along).sum(axis=-1) / length, 0, 1)
+        nearest = np.minimum(nearest, np.linalg.norm(p - start - s[..., None] * along, axis=-1))
+        inside &= (np.cross(along, p - start) * normal).sum(axis=-1) >= 0
+    area = np.maximum(np.linalg.norm(normal, axis=-1), 1e-300)
+    return np.where(inside, np.abs(((p - a) * normal).sum(axis=-1)) / area, nearest)
+
+
+def distances_from_quads(surface, tessellation, samples):
+    """Of sampled points of the surface from their own quadrilaterals, the farther cut of two."""
+    points, quads = tessellation.points, tessellation.quads
+    every = np.arange(surface.cell_count)
+    right = surface.positions(every, np.tile([1.0, 0.0], (len(every), 1)))
+    above = surface.positions(every, np.tile([0.0, 1.0], (len(every), 1)))
+    grid_u, grid_v = (g.ravel() for g in np.meshgrid(*[np.linspace(0, 1, samples + 1)] * 2))
+    same = 1e-12 * surface.mesh.size
+    begin, largest = 0, 0.0
+    for cell in every:
+        nu = nv = 1
+        while np.linalg.norm(points[quads[begin + nu - 1, 1]] - right[cell]) > same:
+            nu += 1
+        while np.linalg.norm(points[quads[begin + nu * (nv - 1), 3]] - above[cell]) > same:
+            nv += 1
+        j, i = np.divmod(np.arange(nu * nv), nu)
+        uv = np.stack([(i + grid_u[:, None]) / nu, (j + grid_v[:, None]) / nv], axis=-1)
+        uv = np.minimum(uv, 1.0).reshape(-1, 2)
+        p = surface.positions(np.full(len(uv), cell), uv).reshape(-1, nu * nv, 3)
+        a, b, c, d = points[quads[begin : begin + nu * nv]].transpose(1, 0, 2)
+        one = np.minimum(distance_to_triangles(p, a, b, c), distance_to_triangles(p, a, c, d))
+        other = np.minimum(distance_to_triangles(p, a, b, d), distance_to_triangles(p, b, c, d))
+        largest = max(largest, one.max(), other.max())
+        begin += nu * nv
+    assert begin == len(quads)
+    return largest
+
+
+@pytest.mark.parametrize(
+    "path, names, tolerance",
+    [
+        (
+            "../shared/reference/meshes/hull_half.json",
+            ("vertices", "crease_edges", "corner_vertices"),
+            3e-3,
+        ),
+        ("samples/coaster.hull.json", ("points", "creases", "corners"), 1e-2),
+    ],
+)
+def test_hulls_keep_to_their_tolerance(path, names, tolerance):
+    file = Path(__file__).parents[2] / path
+    if not file.exists():
+        pytest.skip(f"{path} is not there")
+    arrays = json.loads(file.read_text())
+    points, creases, corners = (arrays[name] for name in names)
+    faces = arrays["faces"]
+    mesh = hn.ControlMesh(
+        np.array(points, dtype=float),
+        [len(face) for face in faces],
+        [vertex for face in faces for vertex in face],
+        np.array(creases, dtype=int).reshape(-1, 2),
+        np.array(corners, dtype=int),
+    )
+    for scheme in ("biermann", "catmull_clark"):
+        surface = hn.LimitSurface(mesh, scheme)
+        tessellation = surface.tessellate(chord_tolerance=tolerance)
+        largest = distances_from_quads(surface, tessellation, 4)
+        assert 0.25 * tolerance < largest <= tolerance
+
+
+def test_normals_are_shared_where_the_surface_is_smooth():
+    row = 3 * (SIDE + 1)
+    creases = np.stack([row + np.arange(SIDE), row + np.arange(SIDE) + 1], axis=1)
+    surface = hn.LimitSurface(grid(lambda x, y: height(x, y) - np.abs(y + 0.5), creases=creases))
+    tessellation = surface.tessellate(4)
+    indices, quads = tessellation.normal_indices, tessellation.quads
+    assert indices.shape == quads.shape
+    np.testing.assert_array_equal(
+        tessellation.normals[indices], tessellation.corner_normals, strict=True
+    )
+    # One for each point, two for each point of the crease: 7 edges of 2 cells with 4 parts.
+    crease_points = 7 * 2 * 4 + 1
+    assert len(tessellation.normals) == len(tessellation.points) + crease_points
+    np.testing.assert_allclose(np.linalg.norm(tessellation.normals, axis=1), 1, atol=1e-14)
+
+
+def test_tessellation_takes_one_measure():
+    surface = hn.LimitSurface(grid(height))
+    for arguments in ({}, {"n": 3, "chord_tolerance": 0.1}):
+        with pytest.raises(ValueError, match="either n or chord_tolerance"):
+            surface.tessellate(**arguments)
+    for tolerance in (0.0, -1.0, np.nan, np.inf):
+        with pytest.raises(ValueError, match="positive length"):
+            surface.tessellate(chord_tolerance=tolerance)
+    with pytest.raises(ValueError, match=r"\d m would do"):
+        surface.tessellate(chord_tolerance=1e-13)
