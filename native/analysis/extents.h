@@ -19,9 +19,12 @@ struct FarthestPoint {
 };
 
 // Extremes of a surface in water: of its part below the plane, or of the curve in which it meets
-// the plane. Found by bounds from control points, which exclude all but ever smaller squares: to
-// 1e-10 of the mesh's size, whatever the number of local extremes. Where several points are equally
-// far, the one nearest to the centre plane among those that were looked at.
+// the plane, to 1e-10 of the mesh's size. Bounds from control points exclude what can't be farther
+// than what is known; of what is left, immersed places where the coordinate is stationary are found
+// by bounds on its slopes, and extremes along sides of pieces and along the waterline where its
+// derivative vanishes. Two extremes within an eighth of a simply cut square of the waterline may be
+// missed. Where several points are equally far, the one nearest to the centre plane among those
+// that were looked at.
 class ExtentSearch {
  public:
   enum class Part { kImmersed, kWaterline };

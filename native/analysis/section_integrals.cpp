@@ -16,39 +16,6 @@ constexpr int kDeepestArc = 12;
 // about the square of the difference, relative to the arc's share.
 constexpr double kRulesAgree = 1e-9;
 
-// The root in [0, 1] of a cubic that rises or falls; the nearer end if there is none.
-double monotonic_root(const double* c) {
-  if ((c[0] >= 0.0) == (c[3] >= 0.0)) return std::abs(c[0]) < std::abs(c[3]) ? 0.0 : 1.0;
-  const double p1 = 3.0 * (c[1] - c[0]), p2 = 3.0 * (c[0] - 2.0 * c[1] + c[2]);
-  const double p3 = c[3] - c[0] + 3.0 * (c[1] - c[2]);
-  double low = 0.0, high = 1.0, t = c[0] / (c[0] - c[3]);
-  for (int i = 0; i < 60; ++i) {
-    const double value = c[0] + t * (p1 + t * (p2 + t * p3));
-    if (value == 0.0) return t;
-    ((value >= 0.0) == (c[0] >= 0.0) ? low : high) = t;
-    const double slope = p1 + t * (2.0 * p2 + t * 3.0 * p3);
-    double next = t - value / slope;
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    const double change = std::abs(next - t);
-    t = next;
-    if (change < 1e-15) break;
-  }
-  return t;
-}
-
-struct ArcPoint {
-  double a, b, da, db;  // derivatives along u
-};
-
-ArcPoint arc_point(const ArcSquare& square, double u) {
-  const BernsteinBasis at_u(u);
-  const Column h_column(square.h, at_u);
-  const BernsteinBasis at_v(monotonic_root(h_column.c));
-  const NetJet h(h_column, at_v), a(Column(square.a, at_u), at_v), b(Column(square.b, at_u), at_v);
-  const double slope = h.dv != 0.0 ? -h.du / h.dv : 0.0;
-  return {a.value, b.value, a.du + a.dv * slope, b.du + b.dv * slope};
-}
-
 SectionIntegrals quadrature(const ArcSquare& square, double begin, double end,
                             const GaussRule& rule) {
   SectionIntegrals sum;
@@ -87,19 +54,6 @@ void integrate(const ArcSquare& square, double begin, double end, double size, i
   sum += part;
 }
 
-// Whether b rises or falls all along the section: the sign of h_u b_v - h_v b_u, bounded by the
-// slopes, is the same in the whole square.
-bool is_monotonic(const ArcSquare& square) {
-  const SlopeRange hu = slope_range_u(square.h), hv = slope_range_v(square.h);
-  const SlopeRange bu = slope_range_u(square.b), bv = slope_range_v(square.b);
-  const auto product = [](const SlopeRange& x, const SlopeRange& y) {
-    const double p[] = {x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high};
-    return SlopeRange{*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
-  };
-  const SlopeRange first = product(hu, bv), second = product(hv, bu);
-  return first.low - second.high > 0.0 || first.high - second.low < 0.0;
-}
-
 // The u between begin and end where b passes level; b - level has different signs there.
 double level_crossing(const ArcSquare& square, double begin, double end, double level) {
   double f_begin = arc_point(square, begin).b - level;
@@ -125,20 +79,6 @@ double level_crossing(const ArcSquare& square, double begin, double end, double 
     }
   }
   return 0.5 * (begin + end);
-}
-
-// The section's stretches within the square: between two breaks all or none.
-template <class Visit>
-void for_each_stretch(const ArcSquare& square, const Visit& visit) {
-  const auto breaks = crossing_breaks(BezierBicubic(square.h));
-  const double* previous = nullptr;
-  for (const double& next : breaks) {
-    if (previous && next > *previous) {
-      const Column column(square.h, BernsteinBasis(0.5 * (*previous + next)));
-      if ((column.c[0] < 0.0) != (column.c[3] < 0.0)) visit(*previous, next);
-    }
-    previous = &next;
-  }
 }
 
 void clip(const ArcSquare& square, double level, double size, int depth, SectionIntegrals& sum) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analysis/bezier_net.h"
+#include "analysis/arc_square.h"
 #include "analysis/cell_boxes.h"
 #include "analysis/plane_cut.h"
 
@@ -35,12 +35,6 @@ struct SectionIntegrals {
   double error = 0.0;     // estimate of the area's, m²
 
   SectionIntegrals& operator+=(const SectionIntegrals& other);
-};
-
-// A square of a piece which the section crosses, at most once for each u.
-struct ArcSquare {
-  BezierNet h, a, b;  // height above the plane and coordinates in it
-  double sign;        // +1 if the section runs towards larger u
 };
 
 // Adds the integrals along one square.
