@@ -11,7 +11,7 @@
 namespace hull {
 namespace {
 
-constexpr int kExactRings = 1;  // rings integrated by the exact rule; smaller ones by the small
+constexpr int kExactRings = 2;  // rings integrated by the exact rule; smaller ones by the small
 constexpr int kMostRings = 60;
 constexpr std::size_t kMostRatios = 6;
 

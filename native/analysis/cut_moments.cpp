@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kInner = 6;   // across the water's surface: exact for polynomials of degree 11
 constexpr int kOuter = 10;  // along it, where integrands are analytic but no polynomials
+constexpr int kMostHalvings = 6;
 
 struct OuterRule {
   GaussRule rule = gauss_rule(kOuter);
@@ -69,21 +70,23 @@ struct Across {
 
 class CutIntegrator {
  public:
-  CutIntegrator(const BicubicPoints& points, const Vector3d& origin, const Plane& water)
-      : points_(points), origin_(origin), water_(water) {}
+  CutIntegrator(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
+                const CutTolerance& tolerance)
+      : points_(points), origin_(origin), water_(water), tolerance_(tolerance) {}
 
   void add(const CutSquare& square) {
     const Breaks breaks = crossing_breaks(square.height);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      add_interval(square, breaks[k], breaks[k + 1] - breaks[k]);
+      add_interval(square, breaks[k], breaks[k + 1] - breaks[k], 0);
     }
   }
 
   ShellMoments sum;
 
  private:
-  // The part of the square whose parameter along the cut is within an interval.
-  void add_interval(const CutSquare& square, double begin, double width) {
+  // The part of the square whose parameter along the cut is within an interval, halved until the
+  // estimated errors are small.
+  void add_interval(const CutSquare& square, double begin, double width, int depth) {
     const OuterRule& outer = outer_rule();
     std::array<double, kOuter> volumes{}, areas{};
     ShellNodes nodes;
@@ -104,9 +107,17 @@ class CutIntegrator {
         areas[i] += n.norm() / weight;
       }
     }
+    const double volume_error = width * outer.error(volumes),
+                 area_error = width * outer.error(areas);
+    if ((volume_error > tolerance_.volume || area_error > tolerance_.area) &&
+        depth < kMostHalvings) {
+      add_interval(square, begin, 0.5 * width, depth + 1);
+      add_interval(square, begin + 0.5 * width, 0.5 * width, depth + 1);
+      return;
+    }
     add_nodes(nodes, sum);
-    sum.cut_error += width * outer.error(volumes);
-    sum.area_error += width * outer.error(areas);
+    sum.cut_error += volume_error;
+    sum.area_error += area_error;
   }
 
   void add_column(const CutSquare& square, double u, double from, double to, double weight,
@@ -134,13 +145,14 @@ class CutIntegrator {
   const BicubicPoints& points_;
   const Vector3d& origin_;
   const Plane& water_;
+  const CutTolerance& tolerance_;
 };
 
 }  // namespace
 
 ShellMoments wet_moments(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
                          const CutTolerance& tolerance) {
-  CutIntegrator integrator(points, origin, water);
+  CutIntegrator integrator(points, origin, water, tolerance);
   const BezierBicubic height = heights(points, water, tolerance.zero);
   cut_piece(height, [&](const CutSquare& square) {
     if (square.side == CutSquare::Side::kBelow) {

@@ -8,8 +8,9 @@ namespace hull {
 
 // How closely the part of a span below the water is integrated.
 struct CutTolerance {
-  double zero;  // m: heights closer to the water than this count as none, which is above
-  double area;  // m²: of a square's wetted area
+  double zero;    // m: heights closer to the water than this count as none, which is above
+  double volume;  // m³: estimated error of the volume in one part of a cut
+  double area;    // m²: of its wetted area, and of that of a square below the water
 };
 
 // Moments of the part of a span below the water, positions counted from `origin`; `water` is given

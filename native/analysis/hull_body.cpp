@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/hull_body.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace hull {
@@ -9,9 +13,13 @@ namespace {
 
 // Of the mesh's size, or of its powers.
 constexpr double kZeroHeight = 1e-13;
-constexpr double kCornerFirst = 1e-14;    // per irregular corner
+constexpr double kCornerFirst = 1e-15;    // per irregular corner
+constexpr double kCutVolume = 1e-15;      // per part of a cut
 constexpr double kAreaTolerance = 1e-12;  // per span
 constexpr double kCornerArea = 1e-11;     // per irregular corner
+constexpr double kNoMatter = 1e300;       // a tolerance for areas that are not asked for
+constexpr double kNoVolume = 1e-9;        // times the area: what an open sheet may have
+constexpr double kAtEdge = 1e-9;          // water at an opening's edge does not flow in
 constexpr double kSmallestCorner = 1e-9;  // beyond it a corner cut by the water is left out
 
 // What water does to a body whose shell has these moments below it, all about one origin.
@@ -42,10 +50,44 @@ Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
     result.centre_of_flotation = moment / -area;
     result.waterplane_second = about_origin - moment * result.centre_of_flotation.transpose();
   }
-  result.flux_forms = wet.first.diagonal();
   result.volume_error = wet.cut_error;
   result.wetted_surface_error = wet.area_error;
   return result;
+}
+
+// Closings are no part of the wetted surface.
+ShellMoments without_area(ShellMoments moments) {
+  moments.area = moments.area_error = 0.0;
+  return moments;
+}
+
+struct Box {
+  Vector3d low, high;
+};
+
+Box box_of(const Vector3d* points, std::size_t count) {
+  Box box{points[0], points[0]};
+  for (std::size_t i = 1; i < count; ++i) {
+    box = {box.low.cwiseMin(points[i]), box.high.cwiseMax(points[i])};
+  }
+  return box;
+}
+
+// The lowest point of a Bézier cubic: an end, or where its height has no slope.
+FloodingPoint lowest_on(const std::array<Vector3d, 4>& c, const Vector3d& up) {
+  const double h[] = {up.dot(c[0]), up.dot(c[1]), up.dot(c[2]), up.dot(c[3])};
+  // A third of the derivative: a + b t + d t².
+  const double a = h[1] - h[0], b = 2.0 * (h[2] - 2.0 * h[1] + h[0]);
+  const double d = h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0];
+  const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * d));
+  FloodingPoint lowest{h[0], c[0]};
+  for (double t : {1.0, (-b + root) / (2.0 * d), (-b - root) / (2.0 * d), -a / b}) {
+    if (!(t > 0.0 && t <= 1.0)) continue;
+    const double s = 1.0 - t;
+    const Vector3d p = s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3]);
+    if (up.dot(p) < lowest.height) lowest = {up.dot(p), p};
+  }
+  return lowest;
 }
 
 Plane mirror_image(const Plane& plane) {
@@ -54,13 +96,15 @@ Plane mirror_image(const Plane& plane) {
 
 }  // namespace
 
-HullBody::HullBody(const LimitSurface& surface, bool mirrored)
-    : surface_(&surface), mirrored_(mirrored) {
+HullBody::HullBody(const LimitSurface& surface, bool mirrored, Openings openings)
+    : surface_(&surface), mirrored_(mirrored), openings_(openings), bodies_(bodies_of(surface)) {
   const SurfaceLayout& layout = surface.layout();
   for (int i = 0; i < layout.corner_count(); ++i) {
     const CornerBasis& basis = layout.basis(i);
     if (!series_.contains(&basis)) series_.emplace(&basis, CornerSeries(basis));
   }
+  leaves_.resize(layout.leaf_count());
+  corners_.resize(layout.corner_count());
   update();
 }
 
@@ -68,41 +112,63 @@ const CornerSeries& HullBody::series(int corner) const {
   return series_.at(&surface_->layout().basis(corner));
 }
 
-HullBody::Box HullBody::box_of(const Vector3d* points, std::size_t count, const Vector3d& centre) {
-  Vector3d low = points[0], high = points[0];
-  for (std::size_t i = 1; i < count; ++i) {
-    low = low.cwiseMin(points[i]);
-    high = high.cwiseMax(points[i]);
-  }
-  return {0.5 * (low + high) - centre, 0.5 * (high - low)};
+void HullBody::place(Part& part, const Vector3d* points, std::size_t count) const {
+  const Box box = box_of(points, count);
+  part.middle = 0.5 * (box.low + box.high) - centre_;
+  part.half = 0.5 * (box.high - box.low);
 }
 
 void HullBody::update() {
   const LimitSurface& surface = *surface_;
-  const SurfaceLayout& layout = surface.layout();
   const double size = surface.mesh().size();
-  const Box all =
-      box_of(surface.mesh().points().data(), surface.mesh().points().size(), Vector3d::Zero());
-  centre_ = mirrored_ ? Vector3d(all.middle.x(), 0.0, all.middle.z()) : all.middle;
+  const Box all = box_of(surface.mesh().points().data(), surface.mesh().points().size());
+  centre_ = 0.5 * (all.low + all.high);
+  if (mirrored_) centre_.y() = 0.0;
   corner_tolerance_ = {kCornerFirst * size * size * size, kCornerArea * size * size};
-  cut_tolerance_ = {kZeroHeight * size, kAreaTolerance * size * size};
+  cut_tolerance_ = {kZeroHeight * size, kCutVolume * size * size * size,
+                    kAreaTolerance * size * size};
 
-  leaf_boxes_.resize(layout.leaf_count());
-  leaf_moments_.resize(layout.leaf_count());
-  for (int i = 0; i < layout.leaf_count(); ++i) {
-    const BicubicPoints& points = surface.leaf(i);
-    leaf_boxes_[i] = box_of(points.data(), points.size(), centre_);
-    leaf_moments_[i] = span_moments({points, centre_}, SpanRule::kExact, cut_tolerance_.area);
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    const BicubicPoints& points = surface.leaf(static_cast<int>(i));
+    place(leaves_[i], points.data(), points.size());
+    leaves_[i].moments = span_moments({points, centre_}, SpanRule::kExact, cut_tolerance_.area);
   }
-  corner_boxes_.resize(layout.corner_count());
-  corner_moments_.resize(layout.corner_count());
-  for (int i = 0; i < layout.corner_count(); ++i) {
-    const CornerBasis& basis = layout.basis(i);
-    const std::vector<Vector3d>& points = surface.corner(i).squares.front();
-    corner_boxes_[i] = box_of(points.data(), points.size(), centre_);
-    CornerRing ring(basis, surface.corner(i));
-    corner_moments_[i] = corner_moments(ring, basis, series(i), centre_, corner_tolerance_);
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const int corner = static_cast<int>(i);
+    const CornerBasis& basis = surface.layout().basis(corner);
+    const std::vector<Vector3d>& points = surface.corner(corner).squares.front();
+    place(corners_[i], points.data(), points.size());
+    CornerRing ring(basis, surface.corner(corner));
+    corners_[i].moments = corner_moments(ring, basis, series(corner), centre_, corner_tolerance_);
   }
+  closings_ = closing_spans(surface, mirrored_);
+  caps_.resize(closings_.size());
+  for (std::size_t i = 0; i < caps_.size(); ++i) {
+    const BicubicPoints& points = closings_[i].cap;
+    place(caps_[i], points.data(), points.size());
+    caps_[i].moments = span_moments({points, centre_}, SpanRule::kExact, kNoMatter);
+  }
+  inversion_ = inversion();
+}
+
+std::string HullBody::inversion() const {
+  std::vector<ShellMoments> sums(bodies_.first_cell.size());
+  for (std::size_t i = 0; i < leaves_.size(); ++i) sums[bodies_.of_leaf[i]] += leaves_[i].moments;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    sums[bodies_.of_corner[i]] += corners_[i].moments;
+  }
+  for (std::size_t i = 0; i < caps_.size(); ++i) {
+    sums[bodies_.of_cell[closings_[i].cell]] += caps_[i].moments;
+  }
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    // ∫ z n_z, the same for both halves.
+    const double volume = sums[b].first(2, 2);
+    if (volume >= -kNoVolume * surface_->mesh().size() * sums[b].area) continue;
+    const int face = surface_->mesh().topology().face(bodies_.first_cell[b]);
+    return "The displaced volume is negative: the faces of the body with face " +
+           std::to_string(face) + " are turned inwards. Turn them outwards, into the water.";
+  }
+  return {};
 }
 
 // The part of a corner's square below the water, which crosses the hull of its control points.
@@ -122,57 +188,97 @@ ShellMoments HullBody::wet_corner(int corner, const Plane& water) const {
       sum += corner_moments(ring, basis, series(corner), centre_, corner_tolerance_);
       return sum;
     }
-    const Box box = box_of(points.data(), points.size(), centre_);
-    if (box.half.norm() < smallest) return sum;
+    const Box box = box_of(points.data(), points.size());
+    if ((box.high - box.low).norm() < smallest) return sum;
     for (int s = 0; s < basis.segment_count(); ++s) {
       sum += wet_moments(ring.segment_points(s), centre_, water, cut_tolerance_);
     }
   }
 }
 
-ShellMoments HullBody::wet_part(const Plane& water) const {
-  const Plane from_centre{water.normal, water.height(centre_) * -1.0};
+template <class Cut>
+void HullBody::add_wet(const std::vector<Part>& parts, const Plane& water, const Cut& cut,
+                       ShellMoments& sum) const {
+  const double level = -water.height(centre_);
   const Vector3d extent = water.normal.cwiseAbs();
-  ShellMoments sum;
-  for (std::size_t i = 0; i < leaf_boxes_.size(); ++i) {
-    const double height = from_centre.height(leaf_boxes_[i].middle);
-    const double half = extent.dot(leaf_boxes_[i].half) + cut_tolerance_.zero;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double height = water.normal.dot(parts[i].middle) - level;
+    const double half = extent.dot(parts[i].half) + cut_tolerance_.zero;
     if (height >= half) continue;
     if (height < -half) {
-      sum += leaf_moments_[i];
+      sum += parts[i].moments;
     } else {
-      sum += wet_moments(surface_->leaf(static_cast<int>(i)), centre_, water, cut_tolerance_);
+      sum += cut(static_cast<int>(i));
     }
   }
-  for (std::size_t i = 0; i < corner_boxes_.size(); ++i) {
-    const double height = from_centre.height(corner_boxes_[i].middle);
-    const double half = extent.dot(corner_boxes_[i].half) + cut_tolerance_.zero;
-    if (height >= half) continue;
-    if (height < -half) {
-      sum += corner_moments_[i];
-    } else {
-      sum += wet_corner(static_cast<int>(i), water);
+}
+
+HullBody::Wet HullBody::wet_part(const Plane& water) const {
+  const auto wet_span = [&](const BicubicPoints& points) {
+    return wet_moments(points, centre_, water, cut_tolerance_);
+  };
+  Wet wet;
+  add_wet(
+      leaves_, water, [&](int i) { return wet_span(surface_->leaf(i)); }, wet.shell);
+  add_wet(
+      corners_, water, [&](int i) { return wet_corner(i, water); }, wet.shell);
+  add_wet(
+      caps_, water, [&](int i) { return wet_span(closings_[i].cap); }, wet.caps);
+  return wet;
+}
+
+FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
+  FloodingPoint lowest{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
+  if (openings_ == Openings::kClosed) return lowest;
+  for (const Vector3d& mirror : {Vector3d(1.0, 1.0, 1.0), Vector3d(1.0, -1.0, 1.0)}) {
+    if (mirror.y() < 0.0 && !mirrored_) break;
+    for (const ClosingSpan& span : closings_) {
+      if (!span.open) continue;
+      const FloodingPoint point = lowest_on(span.border, up.cwiseProduct(mirror));
+      if (point.height < lowest.height) {
+        lowest = {point.height, point.point.cwiseProduct(mirror)};
+      }
     }
   }
-  return sum;
+  return lowest;
+}
+
+void HullBody::refuse_flooding(const Plane& water) const {
+  const FloodingPoint lowest = flooding_point(water.normal);
+  if (lowest.height >= water.offset - kAtEdge * surface_->mesh().size()) return;
+  std::ostringstream words;
+  words
+      << std::fixed << std::setprecision(3) << "The hull floods at (" << lowest.point.x() << ", "
+      << lowest.point.y() << ", " << lowest.point.z() << ") m, which is "
+      << water.offset - lowest.height
+      << " m under water. Lower the draft, close the shell there, or declare its openings closed.";
+  throw std::invalid_argument(words.str());
 }
 
 Immersion HullBody::immersion(const Plane& water) const {
   if (!water.normal.allFinite() || !std::isfinite(water.offset)) {
     throw std::invalid_argument("The water's surface must be given by finite numbers.");
   }
-  ShellMoments wet = wet_part(water);
+  if (!inversion_.empty()) throw std::invalid_argument(inversion_);
+  refuse_flooding(water);
+  Wet wet = wet_part(water);
   if (mirrored_) {
-    const bool even = water.normal.y() == 0.0;
-    wet += hull::mirrored(even ? wet : wet_part(mirror_image(water)));
+    const Wet other = water.normal.y() == 0.0 ? wet : wet_part(mirror_image(water));
+    wet.shell += hull::mirrored(other.shell);
+    wet.caps += hull::mirrored(other.caps);
   }
-  // About a point in the water's surface, where heights do not cancel.
-  const double level = -water.height(centre_);
-  Immersion result = immersion_of(moved(wet, -level * water.normal), {water.normal, 0.0});
+  ShellMoments all = wet.shell;
+  all += without_area(wet.caps);
+  // About a point in the water's surface, where heights do not cancel, or, where the water is far
+  // off, in a plane that is just as far beyond the body.
+  const double size = surface_->mesh().size();
+  const double level = std::clamp(-water.height(centre_), -size, size);
   const Vector3d origin = centre_ + level * water.normal;
+  Immersion result = immersion_of(moved(all, centre_ - origin), {water.normal, 0.0});
   result.water = water;
   if (result.volume > 0.0) result.centre_of_buoyancy += origin;
   if (result.waterplane_area > 0.0) result.centre_of_flotation += origin;
+  result.flux_forms = moved(wet.shell, centre_).first.diagonal();
   return result;
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
+#include "analysis/bodies.h"
+#include "analysis/closings.h"
 #include "analysis/corner_moments.h"
 #include "analysis/cut_moments.h"
 #include "analysis/immersion.h"
@@ -11,8 +14,18 @@
 
 namespace hull {
 
+// How the openings of a shell are taken (closings.h tells which are open at all): they let the
+// water in, or are covered, as by a weathertight deck.
+enum class Openings { kOpen, kClosed };
+
+// The lowest point at which water can flow in.
+struct FloodingPoint {
+  double height;  // along the direction asked for, m; infinite if there is none
+  Vector3d point;
+};
+
 // A limit surface as the shell of a floating body, for many waters: what does not depend on the
-// water is computed once.
+// water is computed once. Its bodies, if they are several, add up.
 //
 // Polynomial integrands (volume, its moments, waterplane) are integrated exactly where the water
 // does not cut, and to about 1e-13 of the whole where it does; the wetted surface to about 1e-9.
@@ -21,36 +34,59 @@ class HullBody {
  public:
   // `mirrored`: the surface is the port half (y >= 0) and counts twice. `surface` must outlive the
   // body.
-  HullBody(const LimitSurface& surface, bool mirrored);
+  HullBody(const LimitSurface& surface, bool mirrored, Openings openings = Openings::kClosed);
 
   // To be called after surface.set_points().
   void update();
 
   const LimitSurface& surface() const { return *surface_; }
   bool mirrored() const { return mirrored_; }
+  Openings openings() const { return openings_; }
+  // What closes the shell, on the modelled side.
+  const std::vector<ClosingSpan>& closings() const { return closings_; }
 
-  // Of both sides. Throws std::invalid_argument if the plane is not finite.
+  // Of both sides; the wetted surface without closings. Throws std::invalid_argument if the plane
+  // is not finite, if the water rises above an opening that is not closed ("floods at …"), and if
+  // the faces of a body are turned inwards.
   Immersion immersion(const Plane& water) const;
 
- private:
-  // A box around control points, positions counted from centre_.
-  struct Box {
-    Vector3d middle = Vector3d::Zero(), half = Vector3d::Zero();
-  };
-  static Box box_of(const Vector3d* points, std::size_t count, const Vector3d& centre);
+  // Of the openings that are not closed, on both sides.
+  FloodingPoint flooding_point(const Vector3d& up) const;
+  double lowest_opening(const Vector3d& up) const { return flooding_point(up).height; }
 
-  ShellMoments wet_part(const Plane& water) const;
+ private:
+  // A part of the shell whose moments are known: a bicubic span, or the square at an irregular
+  // knot.
+  struct Part {
+    // A box around its control points, positions counted from centre_.
+    Vector3d middle = Vector3d::Zero(), half = Vector3d::Zero();
+    ShellMoments moments;
+  };
+  void place(Part& part, const Vector3d* points, std::size_t count) const;
+  std::string inversion() const;
+  void refuse_flooding(const Plane& water) const;
+
+  template <class Cut>
+  void add_wet(const std::vector<Part>& parts, const Plane& water, const Cut& cut,
+               ShellMoments& sum) const;
+  struct Wet {
+    ShellMoments shell, caps;
+  };
+  Wet wet_part(const Plane& water) const;
   ShellMoments wet_corner(int corner, const Plane& water) const;
   const CornerSeries& series(int corner) const;
 
   const LimitSurface* surface_;
   bool mirrored_;
+  Openings openings_;
   Vector3d centre_;
   CornerTolerance corner_tolerance_;
   CutTolerance cut_tolerance_;
   std::map<const CornerBasis*, CornerSeries> series_;
-  std::vector<Box> leaf_boxes_, corner_boxes_;
-  std::vector<ShellMoments> leaf_moments_, corner_moments_;
+  std::vector<ClosingSpan> closings_;
+  Bodies bodies_;
+  std::vector<Part> leaves_, corners_, caps_;
+  std::string inversion_;  // what is wrong with the direction of faces; empty if nothing is
 };
 
 }  // namespace hull

@@ -47,8 +47,8 @@ const LineRule& whole_line(SpanRule rule) {
   return rule == SpanRule::kExact ? exact : small;
 }
 
-// Nodes of a span at the tensor product of two lines; those of a row of equal v take kWidth places.
-template <int kWidth>
+// Nodes of a span at the tensor product of two lines, those of equal v in a row. A row is computed
+// with its padding, which the next row overwrites.
 HULL_WIDE void take_nodes(const double* points, const Vector3d& origin, const LineRule& u,
                           const LineRule& v, ShellNodes& nodes) {
   for (int j = 0; j < v.count; ++j) {
@@ -60,9 +60,9 @@ HULL_WIDE void take_nodes(const double* points, const Vector3d& origin, const Li
       row_v[k] = v.slope[j][0] * points[k] + v.slope[j][1] * points[12 + k] +
                  v.slope[j][2] * points[24 + k] + v.slope[j][3] * points[36 + k];
     }
-    double p[3][kWidth], du[3][kWidth], dv[3][kWidth];
+    double p[3][kMostNodes], du[3][kMostNodes], dv[3][kMostNodes];
     for (int c = 0; c < 3; ++c) {
-      for (int i = 0; i < kWidth; ++i) {
+      for (int i = 0; i < kMostNodes; ++i) {
         p[c][i] = u.values[0][i] * row[c] + u.values[1][i] * row[3 + c] +
                   u.values[2][i] * row[6 + c] + u.values[3][i] * row[9 + c] - origin[c];
         du[c][i] = u.slopes[0][i] * row[c] + u.slopes[1][i] * row[3 + c] +
@@ -71,9 +71,10 @@ HULL_WIDE void take_nodes(const double* points, const Vector3d& origin, const Li
                    u.values[2][i] * row_v[6 + c] + u.values[3][i] * row_v[9 + c];
       }
     }
-    double *x = &nodes.x[j * kWidth], *y = &nodes.y[j * kWidth], *z = &nodes.z[j * kWidth];
-    double *nx = &nodes.nx[j * kWidth], *ny = &nodes.ny[j * kWidth], *nz = &nodes.nz[j * kWidth];
-    for (int i = 0; i < kWidth; ++i) {
+    const int first = j * u.count;
+    double *x = &nodes.x[first], *y = &nodes.y[first], *z = &nodes.z[first];
+    double *nx = &nodes.nx[first], *ny = &nodes.ny[first], *nz = &nodes.nz[first];
+    for (int i = 0; i < kMostNodes; ++i) {
       const double w = v.weights[j] * u.weights[i];
       x[i] = p[0][i];
       y[i] = p[1][i];
@@ -83,7 +84,8 @@ HULL_WIDE void take_nodes(const double* points, const Vector3d& origin, const Li
       nz[i] = w * (du[0][i] * dv[1][i] - du[1][i] * dv[0][i]);
     }
   }
-  nodes.count = v.count * kWidth;
+  // The last row's padding has no weight.
+  nodes.count = (v.count * u.count + 3) / 4 * 4;
 }
 
 // Four doubles that are added and multiplied at once, by whatever instructions there are.
@@ -141,16 +143,11 @@ HULL_WIDE double area_elements(const ShellNodes& nodes, Elements& elements) {
 
 void take_square(const SpanSquare& square, SpanRule rule, ShellNodes& nodes) {
   const double* points = square.points[0].data();
-  const bool whole = square.size == 1.0;
-  if (rule == SpanRule::kSmall && whole) {
-    const LineRule& line = whole_line(rule);
-    take_nodes<4>(points, square.origin, line, line, nodes);
-  } else if (whole) {
-    const LineRule& line = whole_line(rule);
-    take_nodes<kMostNodes>(points, square.origin, line, line, nodes);
+  if (square.size == 1.0) {
+    take_nodes(points, square.origin, whole_line(rule), whole_line(rule), nodes);
   } else {
-    take_nodes<kMostNodes>(points, square.origin, LineRule(gauss(rule), square.u, square.size),
-                           LineRule(gauss(rule), square.v, square.size), nodes);
+    take_nodes(points, square.origin, LineRule(gauss(rule), square.u, square.size),
+               LineRule(gauss(rule), square.v, square.size), nodes);
   }
 }
 
@@ -176,9 +173,9 @@ double area_error(const Elements& elements, double area) {
   double highest = 0.0;
   std::array<double, kMostNodes> column4{}, column5{};
   for (int j = 0; j < kRows; ++j) {
-    const double* row = &elements[j * kMostNodes];
+    const double* row = &elements[j * kRows];
     double row4 = 0.0, row5 = 0.0;
-    for (int i = 0; i < kMostNodes; ++i) {
+    for (int i = 0; i < kRows; ++i) {
       row4 += top.fourth[i] * row[i];
       row5 += top.fifth[i] * row[i];
       column4[i] += top.fourth[j] * row[i];

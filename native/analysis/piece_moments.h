@@ -28,9 +28,9 @@ struct SpanSquare {
 };
 
 // Number of Gauss nodes in each direction. The highest polynomial integrand, a second moment, has
-// degree 3 + 3 + 5 = 11 in u and in v: six are exact. Four serve for small pieces: ∫ n dS is exact,
-// first moments are but for their terms of degree 8.
-enum class SpanRule { kExact = 6, kSmall = 4 };
+// degree 3 + 3 + 5 = 11 in u and in v: six are exact. Five are exact for volumes (degree 8), and
+// serve for small pieces.
+enum class SpanRule { kExact = 6, kSmall = 5 };
 
 // Moments of the square. The area, not polynomial, is refined until its estimated error is below
 // area_tolerance.

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/closings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hull {
+namespace {
+
+// Of the mesh's size: what lies in a plane, of models with single-precision coordinates too.
+constexpr double kInPlane = 1e-6;
+// Of the square of a loop's extent: a projection without area.
+constexpr double kNoArea = 1e-9;
+
+using Cubic = std::array<Vector3d, 4>;  // Bézier points
+
+struct BorderLoop {
+  std::vector<Cubic> spans;  // in the surface's direction
+  std::vector<int> cells;    // of each
+};
+
+// The side of a cell that is half-edge h, a cubic even at irregular points.
+Cubic side_curve(const LimitSurface& surface, int h) {
+  const auto at = [&](double t) {
+    switch (h % 4) {
+      case 0:
+        return surface.position(h / 4, t, 0.0);
+      case 1:
+        return surface.position(h / 4, 1.0, t);
+      case 2:
+        return surface.position(h / 4, 1.0 - t, 1.0);
+      default:
+        return surface.position(h / 4, 0.0, 1.0 - t);
+    }
+  };
+  const Vector3d p0 = at(0.0), p1 = at(1.0 / 3.0), p2 = at(2.0 / 3.0), p3 = at(1.0);
+  return {p0, (-5.0 * p0 + 18.0 * p1 - 9.0 * p2 + 2.0 * p3) / 6.0,
+          (2.0 * p0 - 9.0 * p1 + 18.0 * p2 - 5.0 * p3) / 6.0, p3};
+}
+
+std::vector<BorderLoop> border_loops(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  std::vector<char> used(cells.half_edge_count(), 0);
+  std::vector<BorderLoop> loops;
+  for (int first = 0; first < cells.half_edge_count(); ++first) {
+    if (cells.twin(first) >= 0 || used[first]) continue;
+    BorderLoop& loop = loops.emplace_back();
+    for (int h = first; !used[h];) {
+      used[h] = 1;
+      loop.spans.push_back(side_curve(surface, h));
+      loop.cells.push_back(h / 4);
+      for (h = cells.next(h); cells.twin(h) >= 0;) h = cells.next(cells.twin(h));
+    }
+  }
+  return loops;
+}
+
+// ∮ (z dx - x dz) / 2 of the Bézier cubics; exact (Farin 2002, area under a Bézier curve).
+double area_on_centre_plane(const BorderLoop& loop) {
+  const auto cross = [](const Vector3d& a, const Vector3d& b) {
+    return a.z() * b.x() - a.x() * b.z();
+  };
+  double area = 0.0;
+  for (const Cubic& c : loop.spans) {
+    area += (6.0 * cross(c[0], c[1]) + 3.0 * cross(c[0], c[2]) + cross(c[0], c[3]) +
+             3.0 * cross(c[1], c[2]) + 3.0 * cross(c[1], c[3]) + 6.0 * cross(c[2], c[3])) /
+            20.0;
+  }
+  return area;
+}
+
+struct Extent {
+  Vector3d low, high;
+};
+
+template <class Spans>
+Extent extent_of(const Spans& spans) {
+  Extent extent{spans[0][0], spans[0][0]};
+  for (const Cubic& cubic : spans) {
+    for (const Vector3d& p : cubic) {
+      extent.low = extent.low.cwiseMin(p);
+      extent.high = extent.high.cwiseMax(p);
+    }
+  }
+  return extent;
+}
+
+// Centroid of the loop's curve, by length of its control polygons.
+Vector3d centroid(const BorderLoop& loop) {
+  Vector3d moment = Vector3d::Zero();
+  double length = 0.0;
+  for (const Cubic& c : loop.spans) {
+    for (int i = 0; i < 3; ++i) {
+      const double l = (c[i + 1] - c[i]).norm();
+      moment += 0.5 * l * (c[i] + c[i + 1]);
+      length += l;
+    }
+  }
+  return length > 0.0 ? Vector3d(moment / length) : loop.spans[0][0];
+}
+
+Cubic bspline_from_bezier(const Cubic& b) {
+  return {6.0 * b[0] - 7.0 * b[1] + 2.0 * b[2], 2.0 * b[1] - b[2], 2.0 * b[2] - b[1],
+          2.0 * b[1] - 7.0 * b[2] + 6.0 * b[3]};
+}
+
+// The ruled surface from the border, run through against the surface's direction, to `target`.
+BicubicPoints ruled(const Cubic& border, const Cubic& target) {
+  const Cubic near = bspline_from_bezier({border[3], border[2], border[1], border[0]});
+  const Cubic far = bspline_from_bezier({target[3], target[2], target[1], target[0]});
+  BicubicPoints points;
+  for (int b = 0; b < 4; ++b) {
+    // Coefficients -1, 0, 1, 2 make the straight line from 0 to 1.
+    for (int a = 0; a < 4; ++a) points[4 * b + a] = near[a] + (b - 1) * (far[a] - near[a]);
+  }
+  return points;
+}
+
+Cubic athwartships(const Cubic& border, double y) {
+  Cubic target = border;
+  for (Vector3d& p : target) p.y() = y;
+  return target;
+}
+
+bool is_transverse(const Extent& extent, double size) {
+  return extent.high.x() - extent.low.x() <= kInPlane * size;
+}
+
+}  // namespace
+
+std::vector<ClosingSpan> closing_spans(const LimitSurface& surface, bool mirrored) {
+  const double size = surface.mesh().size();
+  std::vector<ClosingSpan> result;
+  for (const BorderLoop& loop : border_loops(surface)) {
+    const Extent extent = extent_of(loop.spans);
+    const double diagonal = (extent.high - extent.low).norm();
+    const bool at_centre = mirrored && extent.low.y() <= kInPlane * size;
+    const bool across =
+        at_centre || std::abs(area_on_centre_plane(loop)) <= kNoArea * diagonal * diagonal;
+    const Vector3d apex = centroid(loop);
+    const double y = at_centre ? 0.0 : apex.y();
+    for (std::size_t i = 0; i < loop.spans.size(); ++i) {
+      const Cubic& border = loop.spans[i];
+      const Extent own = extent_of(std::array<Cubic, 1>{border});
+      const bool in_centre_plane =
+          at_centre && std::max(-own.low.y(), own.high.y()) <= kInPlane * size;
+      const Cubic target = across ? athwartships(border, y) : Cubic{apex, apex, apex, apex};
+      const bool transverse = is_transverse(across ? own : extent, size);
+      result.push_back(
+          {loop.cells[i], ruled(border, target), border, !transverse && !in_centre_plane});
+    }
+  }
+  return result;
+}
+
+}  // namespace hull

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "surface/limit_surface.h"
+
+namespace hull {
+
+// The piece of a closing surface at one edge of a border.
+struct ClosingSpan {
+  int cell;                        // at whose side it is
+  BicubicPoints cap;               // as a bicubic span, normal outwards
+  std::array<Vector3d, 4> border;  // Bézier points of the border curve that it closes from
+  bool open;  // whether water could flow in here, if the opening is not declared closed
+};
+
+// What closes a surface to a body. A border is closed
+//   by straight athwartships lines to the centre plane, or to a plane parallel to it, where that
+//   makes a closed body: at borders that meet the centre plane of a half hull (`mirrored`), and at
+//   loops whose projection on the centre plane has no area, as those of symmetric bodies have;
+//   by the fan from its centroid to its curve elsewhere. For plane loops both are the plane.
+// The closing of a whole hull is that of its half.
+//
+// Borders in the centre plane of a half hull are no openings. Closings in planes across the ship,
+// open transoms and the ends of cut bodies, are taken for closed; all others are open.
+std::vector<ClosingSpan> closing_spans(const LimitSurface& surface, bool mirrored);
+
+}  // namespace hull
