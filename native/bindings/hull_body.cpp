@@ -1,23 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/hull_body.h"
 
+#include <pybind11/eigen.h>
+
+#include <stdexcept>
+#include <string>
+
 #include "bindings/classes.h"
 
 namespace hull::bindings {
 
 namespace py = pybind11;
 
+namespace {
+
+Openings openings_from(const std::string& name) {
+  if (name == "closed") return Openings::kClosed;
+  if (name == "open") return Openings::kOpen;
+  throw std::invalid_argument("openings is \"closed\" or \"open\", not \"" + name + "\".");
+}
+
+void bind_immersion(py::module_& module) {
+  using I = Immersion;
+  py::class_<I>(module, "Immersion",
+                "What the water does to a body that lies in it, both sides, in the body's axes.")
+      .def_property_readonly(
+          "water_normal", [](const I& i) { return i.water.normal; }, "(3,), up.")
+      .def_property_readonly(
+          "water_offset", [](const I& i) { return i.water.offset; },
+          "m: points of the water's surface have this product with water_normal.")
+      .def_readonly("volume", &I::volume, "Displaced volume, m³.")
+      .def_readonly("centre_of_buoyancy", &I::centre_of_buoyancy, "(3,), m.")
+      .def_readonly("wetted_surface", &I::wetted_surface, "m², without closings.")
+      .def_readonly("waterplane_area", &I::waterplane_area, "m².")
+      .def_readonly("centre_of_flotation", &I::centre_of_flotation, "(3,), m.")
+      .def_readonly("waterplane_second", &I::waterplane_second,
+                    "(3, 3), m⁴: second moments of the waterplane about its centre.")
+      .def_readonly("flux_forms", &I::flux_forms,
+                    "(3,), m³: the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) through the "
+                    "immersed shell, without closings and waterplane.")
+      .def_readonly("volume_error", &I::volume_error, "Estimated, m³.")
+      .def_readonly("wetted_surface_error", &I::wetted_surface_error, "Estimated, m².");
+}
+
+}  // namespace
+
 void bind_hull_body(py::module_& module) {
+  bind_immersion(module);
   py::class_<HullBody>(module, "HullBody",
                        "A limit surface as the shell of a floating body. What does not depend on "
-                       "the water is computed once, so that many waters cost little.")
-      .def(py::init<const LimitSurface&, bool>(), py::arg("surface"), py::kw_only(),
-           py::arg("mirrored"), py::keep_alive<1, 2>(), py::call_guard<py::gil_scoped_release>(),
-           "mirrored: the mesh is the port half (y >= 0) and counts twice.")
+                       "the water is computed once, so that many waters cost little.\n\n"
+                       "Its openings are closed by straight athwartships lines where that closes "
+                       "the body, else by the fan from the border's centroid.")
+      .def(
+          py::init([](const LimitSurface& surface, bool mirrored, const std::string& openings) {
+            const Openings chosen = openings_from(openings);
+            const py::gil_scoped_release release;
+            return std::make_unique<HullBody>(surface, mirrored, chosen);
+          }),
+          py::arg("surface"), py::kw_only(), py::arg("mirrored"), py::arg("openings") = "closed",
+          py::keep_alive<1, 2>(),
+          "mirrored: the mesh is the port half (y >= 0) and counts twice. openings: \"closed\", as "
+          "by a weathertight deck, or \"open\": then water above one raises ValueError (\"floods "
+          "at\"). Transoms in planes across the ship are closed in any case.")
       .def("update", &HullBody::update, py::call_guard<py::gil_scoped_release>(),
            "To be called after surface.set_points().")
       .def_property_readonly("surface", &HullBody::surface, py::return_value_policy::reference)
-      .def_property_readonly("mirrored", &HullBody::mirrored);
+      .def_property_readonly("mirrored", &HullBody::mirrored)
+      .def_property_readonly(
+          "openings",
+          [](const HullBody& b) { return b.openings() == Openings::kOpen ? "open" : "closed"; })
+      .def(
+          "immersion",
+          [](const HullBody& body, const Vector3d& normal, double offset) {
+            const double length = normal.norm();
+            if (!(length > 0.0)) throw std::invalid_argument("normal must not be zero.");
+            const py::gil_scoped_release release;
+            return body.immersion({normal / length, offset / length});
+          },
+          py::arg("normal"), py::arg("offset"),
+          "In water whose surface is normal · p = offset, normal (3,) pointing up. Raises "
+          "ValueError where the body floods or faces are turned inwards.");
 }
 
 }  // namespace hull::bindings
