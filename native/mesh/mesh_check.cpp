@@ -54,21 +54,27 @@ void report_mesh(const std::string& message, std::vector<MeshProblem>& problems)
 // Sizes and indices; false if the arrays can't be walked safely.
 bool check_arrays(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
   const std::size_t before = problems.size();
-  const int vertex_count = static_cast<int>(mesh.points.size());
   if (mesh.face_sizes.empty()) {
     report_mesh("The mesh has no faces. Add at least one face.", problems);
   }
-  if (mesh.face_vertices.size() > kMaxHalfEdges) {
-    report_mesh("The faces have " + std::to_string(mesh.face_vertices.size()) +
-                    " corners in all; at most " + std::to_string(kMaxHalfEdges) + " are handled.",
+  const auto too_many = [&problems](std::size_t count, std::size_t limit, const std::string& what) {
+    if (count <= limit) return false;
+    report_mesh("The mesh has " + std::to_string(count) + " " + what + "; at most " +
+                    std::to_string(limit) + " are handled.",
                 problems);
+    return true;
+  };
+  if (too_many(mesh.points.size(), kMaxPoints, "points") ||
+      too_many(mesh.face_vertices.size(), kMaxHalfEdges, "face corners") ||
+      too_many(mesh.face_sizes.size(), kMaxHalfEdges, "faces")) {
     return false;
   }
+  const int vertex_count = static_cast<int>(mesh.points.size());
   Finding small{Severity::kError, ElementKind::kFace, "has fewer than three corners",
                 "have fewer than three corners",
                 "A face needs at least three: add corners, or delete the face."};
-  Finding large{Severity::kError, ElementKind::kFace, "has more than 512 corners",
-                "have more than 512 corners", "Cut into smaller faces."};
+  Finding large{Severity::kError, ElementKind::kFace, "has more than 128 corners",
+                "have more than 128 corners", "Cut into smaller faces."};
   std::int64_t total = 0;
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     const int size = mesh.face_sizes[f];
@@ -240,8 +246,8 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
   Finding pinched{Severity::kError, ElementKind::kVertex, "joins faces that share no edge there",
                   "join faces that share no edge there",
                   "Split the point, one for each part of the surface."};
-  Finding crowded{Severity::kError, ElementKind::kVertex, "has more than 512 faces around it",
-                  "have more than 512 faces around them", "Model the place with fewer faces."};
+  Finding crowded{Severity::kError, ElementKind::kVertex, "has more than 128 faces around it",
+                  "have more than 128 faces around them", "Model the place with fewer faces."};
   Finding isolated{Severity::kWarning, ElementKind::kVertex, "belongs to no face",
                    "belong to no face", "Points without faces have no influence on the surface."};
   Finding thin{Severity::kWarning, ElementKind::kVertex, "lies between only two faces",

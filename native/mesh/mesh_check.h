@@ -29,9 +29,11 @@ struct MeshProblem {
   std::string message;        // what is wrong, where, and the remedy
 };
 
-// Limits that keep local matrices and indices within reason.
-inline constexpr int kMaxValence = 512;        // faces around a vertex, corners of a face
-inline constexpr int kMaxHalfEdges = 1 << 26;  // corners of all faces
+// Limits. Decomposing a local matrix costs the third power of the valence: two seconds for 128.
+// Half-edges are counted by int on meshes subdivided three times, 64 for each of the control mesh.
+inline constexpr int kMaxValence = 128;        // faces around a vertex, corners of a face
+inline constexpr int kMaxHalfEdges = 1 << 24;  // corners of all faces
+inline constexpr int kMaxPoints = 1 << 24;
 inline constexpr double kMaxCoordinate = 1e9;  // m
 
 // Everything wrong with the mesh, errors first. A mesh without errors is one manifold surface, or

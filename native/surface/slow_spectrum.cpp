@@ -102,25 +102,27 @@ std::vector<Eigen::PartialPivLU<MatrixXd>> near_singular_factors(const MatrixXd&
 }
 
 // One Newton step for an orthonormal basis Q of a nearly invariant subspace: with B = Q^T S Q, the
-// correction X solves S X - X B = Q B - S Q, Q^T X = 0. Written column after column, bordered.
+// correction X solves S X - X B = Q B - S Q, Q^T X = 0. In the Schur form of B this is one bordered
+// system per column, each with the columns before it on its right-hand side.
 MatrixXd polished(const MatrixXd& S, const MatrixXd& Q) {
-  const Eigen::Index n = S.rows(), m = Q.cols(), stride = n + m;
+  using Eigen::MatrixXcd;
+  const Eigen::Index n = S.rows(), m = Q.cols();
   const MatrixXd B = Q.transpose() * S * Q;
-  const MatrixXd residual = Q * B - S * Q;
-  MatrixXd system = MatrixXd::Zero(stride * m, stride * m);
-  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(stride * m);
+  const Eigen::ComplexSchur<MatrixXd> schur(B);
+  const MatrixXcd& T = schur.matrixT();
+  const MatrixXcd residual = (Q * B - S * Q) * schur.matrixU();
+  MatrixXcd bordered = MatrixXcd::Zero(n + m, n + m);
+  bordered.topRightCorner(n, m) = Q;
+  bordered.bottomLeftCorner(m, n) = Q.transpose();
+  MatrixXcd X(n, m);
+  Eigen::VectorXcd wanted = Eigen::VectorXcd::Zero(n + m);
   for (Eigen::Index j = 0; j < m; ++j) {
-    system.block(stride * j, stride * j, n, n) = S;
-    system.block(stride * j, stride * j + n, n, m) = Q;
-    system.block(stride * j + n, stride * j, m, n) = Q.transpose();
-    for (Eigen::Index i = 0; i < m; ++i) {
-      system.block(stride * j, stride * i, n, n).diagonal().array() -= B(i, j);
-    }
-    wanted.segment(stride * j, n) = residual.col(j);
+    bordered.topLeftCorner(n, n) = S;
+    bordered.topLeftCorner(n, n).diagonal().array() -= T(j, j);
+    wanted.head(n) = residual.col(j) + X.leftCols(j) * T.col(j).head(j);
+    X.col(j) = bordered.partialPivLu().solve(wanted).head(n);
   }
-  const Eigen::VectorXd solution = system.partialPivLu().solve(wanted);
-  MatrixXd improved = Q;
-  for (Eigen::Index j = 0; j < m; ++j) improved.col(j) += solution.segment(stride * j, n);
+  const MatrixXd improved = Q + (X * schur.matrixU().adjoint()).real();
   return Eigen::HouseholderQR<MatrixXd>(improved).householderQ() * MatrixXd::Identity(n, m);
 }
 

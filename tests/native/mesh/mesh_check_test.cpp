@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -101,7 +102,82 @@ TEST(MeshCheck, BadArrays) {
 TEST(MeshCheck, SizesThatOverflowWhenAdded) {
   MeshArrays mesh = cube();
   mesh.face_sizes = {std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 26};
-  first_error(mesh, "more than 512 corners");
+  first_error(mesh, "more than 128 corners");
+}
+
+TEST(MeshCheck, NegativeSizesAndSumsThatDoNotMatch) {
+  MeshArrays mesh = cube();
+  mesh.face_sizes[4] = -4;
+  first_error(mesh, "Face 4 has fewer than three");
+  mesh = cube();
+  mesh.face_sizes[4] = std::numeric_limits<int>::min();
+  first_error(mesh, "Face 4 has fewer than three");
+  mesh = cube();
+  mesh.face_sizes.push_back(4);
+  first_error(mesh, "add up to 28, but there are 24");
+}
+
+// Refused before anything is computed of them.
+TEST(MeshCheck, MoreCornersThanCanBeCounted) {
+  MeshArrays mesh = cube();
+  mesh.face_vertices.assign(kMaxHalfEdges + std::size_t{1}, 0);
+  first_error(mesh, "16777217 face corners");
+  mesh = cube();
+  mesh.face_sizes.assign(kMaxHalfEdges + std::size_t{1}, 4);
+  first_error(mesh, "16777217 faces");
+}
+
+TEST(MeshCheck, HundredThousandFacesAroundAPoint) {
+  constexpr int kFaces = 100'000;
+  MeshArrays mesh;
+  for (int i = 0; i < kFaces; ++i) {
+    const double angle = 2.0 * M_PI * i / kFaces;
+    mesh.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    add_face(mesh, {i, (i + 1) % kFaces, kFaces});
+  }
+  mesh.points.emplace_back(0.0, 0.0, 0.0);
+  EXPECT_EQ(first_error(mesh, "Point 100000 has more than 128 faces").elements,
+            std::vector<int>{kFaces});
+}
+
+// The greatest valence that is not refused.
+TEST(MeshCheck, PointsAndFacesOfGreatestValence) {
+  EXPECT_TRUE(check_mesh(testing::double_pyramid(kMaxValence)).empty());
+  EXPECT_TRUE(check_mesh(testing::prism(kMaxValence)).empty());
+  first_error(testing::double_pyramid(kMaxValence + 1), "more than 128 faces");
+  first_error(testing::prism(kMaxValence + 1), "more than 128 corners");
+}
+
+// One-sided: wherever the seam is put, the faces at it are turned against each other.
+TEST(MeshCheck, MoebiusStrip) {
+  constexpr int kFaces = 7;
+  MeshArrays mesh;
+  for (int i = 0; i < kFaces; ++i) {
+    const double angle = 2.0 * M_PI * i / kFaces, twist = 0.5 * angle;
+    for (double side : {-0.4, 0.4}) {
+      const double r = 2.0 + side * std::cos(twist);
+      mesh.points.emplace_back(r * std::cos(angle), r * std::sin(angle), side * std::sin(twist));
+    }
+    if (i > 0) add_face(mesh, {2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
+  }
+  EXPECT_TRUE(check_mesh(mesh).empty());
+  add_face(mesh, {2 * kFaces - 2, 1, 0, 2 * kFaces - 1});
+  EXPECT_EQ(first_error(mesh, "in the same direction").kind, ElementKind::kEdge);
+}
+
+TEST(MeshCheck, FaceTwice) {
+  MeshArrays mesh = grid(2, 2);
+  add_face(mesh, {0, 1, 4, 3});
+  first_error(mesh, "more than two faces");
+  mesh = grid(1, 1);
+  add_face(mesh, {0, 1, 3, 2});
+  first_error(mesh, "4 edges (0–1, 0–2, 1–3, 2–3) are run through in the same direction");
+  // Turned the other way it closes the first one up, to a pillow.
+  mesh = grid(1, 1);
+  add_face(mesh, {0, 2, 3, 1});
+  const std::vector<MeshProblem> problems = check_mesh(mesh);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("lie between only two faces"), std::string::npos);
 }
 
 TEST(MeshCheck, BadPoints) {
@@ -112,8 +188,12 @@ TEST(MeshCheck, BadPoints) {
   mesh.points[3].y() = std::numeric_limits<double>::infinity();
   first_error(mesh, "Point 3");
   mesh = cube();
-  mesh.points[6].x() = 1e10;
-  first_error(mesh, "Point 6");
+  for (double far : {1e10, -1e300, 1.7e308}) {
+    mesh.points[6].x() = far;
+    first_error(mesh, "Point 6 lies more than 1e9 m from the origin");
+  }
+  mesh.points[6].x() = 1e-310;  // a denormal number is a number
+  EXPECT_TRUE(check_mesh(mesh).empty());
 }
 
 TEST(MeshCheck, RepeatedCornerAndHugeFace) {
@@ -127,7 +207,7 @@ TEST(MeshCheck, RepeatedCornerAndHugeFace) {
     corners.push_back(i);
   }
   add_face(mesh, corners);
-  first_error(mesh, "Face 0 has more than 512 corners");
+  first_error(mesh, "Face 0 has more than 128 corners");
 }
 
 TEST(MeshCheck, Warnings) {
