@@ -2,43 +2,86 @@
 #include "surface/grid_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
 #include <string>
 
+#include "surface/parallel_for.h"
 #include "surface/pieces.h"
 #include "surface/wide_code.h"
 
 namespace hull {
 namespace {
 
-// Basis functions and their derivatives along one direction, at one parameter each.
+// The samples of one direction that lie within a piece: first <= i <= last.
+struct Range {
+  int first, last;
+
+  Range(int n, double begin, double size)
+      : first(static_cast<int>(std::ceil(begin * n))),
+        last(static_cast<int>(std::floor((begin + size) * n))) {}
+};
+
+// Basis functions of a span of the given size at `count` parameters t, t + step, …, and their
+// derivatives with respect to the cell's parameter.
 struct Line {
-  std::vector<Basis> value, d1, d2;
+  double t, step, size;
+  int count;
+  std::array<std::vector<Basis>, 3> basis;  // by order of the derivative
+  // The same for whole rows of points: number b of sample j three times, at (b count + j) 3.
+  std::array<std::vector<double>, 3> spread;
 
-  void add(double t, int order) {
-    value.push_back(cubic_basis(t));
-    if (order > 0) d1.push_back(cubic_basis_d1(t));
-    if (order > 1) d2.push_back(cubic_basis_d2(t));
+  Line(double start, double interval, double length, int samples, int order)
+      : t(start), step(interval), size(length), count(samples) {
+    constexpr Basis (*kBases[])(double) = {cubic_basis, cubic_basis_d1, cubic_basis_d2};
+    double factor = 1.0;
+    for (int d = 0; d <= order; ++d, factor /= size) {
+      spread[d].resize(12 * static_cast<std::size_t>(count));
+      for (int j = 0; j < count; ++j) {
+        Basis at = kBases[d](t + j * step);
+        for (int b = 0; b < 4; ++b) {
+          at[b] *= factor;
+          for (int k = 0; k < 3; ++k) spread[d][3 * (b * count + j) + k] = at[b];
+        }
+        basis[d].push_back(at);
+      }
+    }
   }
 };
 
-// Points padded to four numbers, so that sums over them are whole vector operations.
-struct alignas(32) Padded {
-  double lane[4];
-};
+// Four points that are to be summed with the same weights for four samples of a row: each is
+// repeated four times, so that numbers line up with those of the samples.
+using Repeated = std::array<std::array<double, 12>, 4>;
 
-inline Padded combine(const Basis& w, const Padded* p, int stride) {
-  Padded sum;
-  for (int k = 0; k < 4; ++k) {
-    sum.lane[k] = w[0] * p[0].lane[k] + w[1] * p[stride].lane[k] + w[2] * p[2 * stride].lane[k] +
-                  w[3] * p[3 * stride].lane[k];
+inline void repeat_row(const Basis& w, const double* points, Repeated& row) {
+  for (int b = 0; b < 4; ++b) {
+    const double* p = points + 12 * b;
+    for (int k = 0; k < 3; ++k) {
+      const double sum = w[0] * p[k] + w[1] * p[3 + k] + w[2] * p[6 + k] + w[3] * p[9 + k];
+      for (int copy = 0; copy < 4; ++copy) row[b][3 * copy + k] = sum;
+    }
   }
-  return sum;
 }
 
-inline void store(const Padded& p, double factor, Vector3d& out) {
-  out = Vector3d(p.lane[0] * factor, p.lane[1] * factor, p.lane[2] * factor);
+// A row of samples, `n` numbers in all.
+inline void fill_row(const double* __restrict__ w, const Repeated& row, int n,
+                     double* __restrict__ out) {
+  const double* __restrict__ r = row[0].data();
+  int begin = 0;
+  for (; begin + 12 <= n; begin += 12) {
+    for (int k = 0; k < 12; ++k) {
+      const double* at = w + begin + k;
+      out[begin + k] =
+          (at[0] * r[k] + at[n] * r[12 + k]) + (at[2 * n] * r[24 + k] + at[3 * n] * r[36 + k]);
+    }
+  }
+  for (int k = 0; begin + k < n; ++k) {
+    const double* at = w + begin + k;
+    out[begin + k] =
+        (at[0] * r[k] + at[n] * r[12 + k]) + (at[2 * n] * r[24 + k] + at[3 * n] * r[36 + k]);
+  }
 }
 
 // Where the samples of a piece go: the first one's index, and those along v.
@@ -49,76 +92,41 @@ struct Target {
 
 // A block of samples of one bicubic span. First the sums along u, which all samples of a row share.
 template <int kOrder>
-HULL_WIDE void sample_block(const BicubicPoints& points, const Line& u, const Line& v, double scale,
+HULL_WIDE void sample_block(const BicubicPoints& points, const Line& u, const Line& v,
                             const Target& target) {
-  Padded padded[16];
-  for (int k = 0; k < 16; ++k) {
-    padded[k] = {{points[k].x(), points[k].y(), points[k].z(), 0.0}};
-  }
+  const double* numbers = points[0].data();
   GridSamples& out = *target.samples;
-  const std::size_t columns = v.value.size();
-  for (std::size_t i = 0; i < u.value.size(); ++i) {
-    Padded row[4], row_d1[4], row_d2[4];
-    for (int b = 0; b < 4; ++b) {
-      row[b] = combine(u.value[i], padded + 4 * b, 1);
-      if constexpr (kOrder > 0) row_d1[b] = combine(u.d1[i], padded + 4 * b, 1);
-      if constexpr (kOrder > 1) row_d2[b] = combine(u.d2[i], padded + 4 * b, 1);
-    }
+  const int n = 3 * v.count;
+  Repeated row, row_d1, row_d2;
+  for (int i = 0; i < u.count; ++i) {
     const std::size_t begin = target.first + i * target.stride;
-    for (std::size_t j = 0; j < columns; ++j) {
-      store(combine(v.value[j], row, 1), 1.0, out.points[begin + j]);
-      if constexpr (kOrder > 0) {
-        store(combine(v.value[j], row_d1, 1), scale, out.du[begin + j]);
-        store(combine(v.d1[j], row, 1), scale, out.dv[begin + j]);
-      }
-      if constexpr (kOrder > 1) {
-        store(combine(v.value[j], row_d2, 1), scale * scale, out.duu[begin + j]);
-        store(combine(v.d1[j], row_d1, 1), scale * scale, out.duv[begin + j]);
-        store(combine(v.d2[j], row, 1), scale * scale, out.dvv[begin + j]);
-      }
+    repeat_row(u.basis[0][i], numbers, row);
+    fill_row(v.spread[0].data(), row, n, out.points[begin].data());
+    if constexpr (kOrder > 0) {
+      repeat_row(u.basis[1][i], numbers, row_d1);
+      fill_row(v.spread[0].data(), row_d1, n, out.du[begin].data());
+      fill_row(v.spread[1].data(), row, n, out.dv[begin].data());
+    }
+    if constexpr (kOrder > 1) {
+      repeat_row(u.basis[2][i], numbers, row_d2);
+      fill_row(v.spread[0].data(), row_d2, n, out.duu[begin].data());
+      fill_row(v.spread[1].data(), row_d1, n, out.duv[begin].data());
+      fill_row(v.spread[2].data(), row, n, out.dvv[begin].data());
     }
   }
 }
-
-void sample_block(int order, const BicubicPoints& points, const Line& u, const Line& v,
-                  double scale, const Target& target) {
-  if (order == 0) return sample_block<0>(points, u, v, scale, target);
-  if (order == 1) return sample_block<1>(points, u, v, scale, target);
-  sample_block<2>(points, u, v, scale, target);
-}
-
-// The samples i with begin <= i/n <= begin + size, as parameters of the span over that interval.
-struct Range {
-  int first, last;
-  Line line;
-
-  Range(int n, double begin, double size, int order)
-      : first(static_cast<int>(std::ceil(begin * n))),
-        last(static_cast<int>(std::floor((begin + size) * n))) {
-    for (int i = first; i <= last; ++i) {
-      line.add((static_cast<double>(i) / n - begin) / size, order);
-    }
-  }
-};
 
 class GridEvaluator {
  public:
   GridEvaluator(const LimitSurface& surface, int nu, int nv, int order, GridSamples& samples)
-      : surface_(surface),
-        nu_(nu),
-        nv_(nv),
-        order_(order),
-        samples_(samples),
-        whole_u_(nu, 0.0, 1.0, order),
-        whole_v_(nv, 0.0, 1.0, order) {}
+      : surface_(surface), nu_(nu), nv_(nv), order_(order), samples_(samples) {}
 
   // Sample (0, 0) of the cell is to have index `first`.
   void sample(int cell, std::size_t first) {
     first_ = first;
     const SurfaceNode& root = surface_.layout().root(cell);
     if (root.kind == SurfaceNode::Kind::kLeaf) {
-      sample_block(order_, surface_.leaf(root.index), whole_u_.line, whole_v_.line, 1.0,
-                   target(0, 0));
+      sample_piece({cell, 0.0, 0.0, 1.0, surface_.leaf(root.index)});
       return;
     }
     const double finest = 1.0 / std::max(nu_, nv_);
@@ -139,10 +147,27 @@ class GridEvaluator {
     return {&samples_, first_ + i * stride + j, stride};
   }
 
+  // Few different ones are needed: pieces are of a few sizes, at a few distances from samples.
+  const Line& line(int n, double begin, double size, const Range& range) {
+    const double t = (static_cast<double>(range.first) / n - begin) / size, step = 1.0 / (n * size);
+    const int count = range.last - range.first + 1;
+    for (const Line& known : lines_) {
+      if (known.count == count && known.t == t && known.step == step && known.size == size) {
+        return known;
+      }
+    }
+    return lines_.emplace_back(t, step, size, count, order_);
+  }
+
   void sample_piece(const SurfacePiece& piece) {
-    const Range u(nu_, piece.u, piece.size, order_), v(nv_, piece.v, piece.size, order_);
-    if (u.first > u.last || v.first > v.last) return;
-    sample_block(order_, piece.points, u.line, v.line, 1.0 / piece.size, target(u.first, v.first));
+    const Range i(nu_, piece.u, piece.size), j(nv_, piece.v, piece.size);
+    if (i.first > i.last || j.first > j.last) return;
+    const Line& u = line(nu_, piece.u, piece.size, i);
+    const Line& v = line(nv_, piece.v, piece.size, j);
+    const Target to = target(i.first, j.first);
+    if (order_ == 0) return sample_block<0>(piece.points, u, v, to);
+    if (order_ == 1) return sample_block<1>(piece.points, u, v, to);
+    sample_block<2>(piece.points, u, v, to);
   }
 
   // The irregular knot is a corner of the cell, and of the square that is left.
@@ -159,7 +184,7 @@ class GridEvaluator {
   int nu_, nv_, order_;
   GridSamples& samples_;
   std::size_t first_ = 0;
-  Range whole_u_, whole_v_;
+  std::deque<Line> lines_;
 };
 
 void make_room(GridSamples& samples, std::size_t count, int order) {
@@ -172,7 +197,8 @@ void make_room(GridSamples& samples, std::size_t count, int order) {
 
 }  // namespace
 
-void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples) {
+void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples,
+                   int threads) {
   if (n < 1 || n > 256) {
     throw std::invalid_argument("Cells can be divided into 1 to 256 parts a side, not " +
                                 std::to_string(n) + ".");
@@ -183,10 +209,14 @@ void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& s
   }
   samples.n = n;
   make_room(samples, samples.index(surface.cell_count(), 0, 0), order);
-  GridEvaluator evaluator(surface, n, n, order, samples);
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    evaluator.sample(cell, samples.index(cell, 0, 0));
-  }
+  const auto work = [&](std::size_t begin, std::size_t end) {
+    GridEvaluator evaluator(surface, n, n, order, samples);
+    for (int cell = static_cast<int>(begin); cell < static_cast<int>(end); ++cell) {
+      evaluator.sample(cell, samples.index(cell, 0, 0));
+    }
+  };
+  constexpr std::size_t kSamplesPerRange = 16384;
+  parallel_for(surface.cell_count(), threads, work, kSamplesPerRange / ((n + 1) * (n + 1)) + 1);
 }
 
 void evaluate_cell_grid(const LimitSurface& surface, int cell, int nu, int nv, int order,

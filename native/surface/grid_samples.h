@@ -24,8 +24,10 @@ struct GridSamples {
 // Throws std::invalid_argument unless 1 <= n <= 256 and order is 0, 1 or 2.
 GridSamples evaluate_grid(const LimitSurface& surface, int n, int order);
 
-// The same into samples whose memory is used again.
-void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples);
+// The same into samples whose memory is used again, on up to `threads` threads (0: one for each
+// processor). The number of threads does not change the results.
+void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples,
+                   int threads = 1);
 
 // One cell on the grid (i/nu, j/nv): sample (i, j) has index i (nv + 1) + j, and samples.n no
 // meaning. REQUIRES: nu, nv >= 1, order 0, 1 or 2.
