@@ -1,95 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact surface beside OpenSubdiv's Bfr::Surface<double> (ten levels at irregular points, where
-// it is an approximation all the same) on the same mesh. One thread. Times are per iteration;
-// the counter "points" is in points a second.
+// The exact surface beside OpenSubdiv's Bfr::Surface<double> and Far::LimitStencilTableReal<double>
+// (ten levels at irregular points, where they approximate all the same) on the same mesh, a half
+// hull of 140 points. One thread, but where two are named. Times are per iteration; the counter
+// "points" is in points a second. At the end the ratios are named.
 #include <benchmark/benchmark.h>
-#include <opensubdiv/bfr/refinerSurfaceFactory.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-#include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <memory>
 #include <random>
 
 #include "benchmarks/half_hull.h"
+#include "benchmarks/osd_surfaces.h"
+#include "benchmarks/ratio_report.h"
 #include "surface/grid_samples.h"
+#include "surface/parallel_for.h"
 
 namespace {
 
-namespace bfr = OpenSubdiv::OPENSUBDIV_VERSION::Bfr;
-namespace far = OpenSubdiv::OPENSUBDIV_VERSION::Far;
+namespace bfr = hull::benchmarks::bfr;
 using hull::LimitSurface;
 using hull::Vector3d;
+using hull::benchmarks::BfrSurfaces;
+using hull::benchmarks::LimitStencils;
 
 hull::ControlMesh control_mesh(int refine = 1) {
   return hull::ControlMesh(hull::benchmarks::half_hull(refine));
 }
-
-// OpenSubdiv's surface of the same mesh with the same creases.
-class BfrSurfaces {
- public:
-  explicit BfrSurfaces(const hull::MeshArrays& mesh) : mesh_(mesh) {
-    far::TopologyDescriptor descriptor;
-    descriptor.numVertices = static_cast<int>(mesh.points.size());
-    descriptor.numFaces = static_cast<int>(mesh.face_sizes.size());
-    descriptor.numVertsPerFace = mesh.face_sizes.data();
-    descriptor.vertIndicesPerFace = mesh.face_vertices.data();
-    const std::vector<float> weights(mesh.creases.size(), 10.0f);
-    descriptor.numCreases = static_cast<int>(mesh.creases.size());
-    descriptor.creaseVertexIndexPairs = mesh.creases.empty() ? nullptr : mesh.creases[0].data();
-    descriptor.creaseWeights = weights.data();
-    OpenSubdiv::Sdc::Options options;
-    options.SetVtxBoundaryInterpolation(OpenSubdiv::Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-    using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
-    refiner_.reset(
-        Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_CATMARK, options)));
-  }
-
-  void build(int levels) {
-    SurfaceFactory::Options options;
-    options.SetApproxLevelSmooth(levels);
-    options.SetApproxLevelSharp(levels);
-    factory_ = std::make_unique<SurfaceFactory>(*refiner_, options);
-    const int faces = static_cast<int>(mesh_.face_sizes.size());
-    surfaces_.clear();
-    patch_points_.assign(faces, {});
-    for (int f = 0; f < faces; ++f) {
-      surfaces_.emplace_back(factory_->CreateVertexSurface<double>(f));
-      patch_points_[f].resize(3 * surfaces_.back()->GetNumPatchPoints());
-    }
-  }
-
-  void prepare() {
-    const double* points = mesh_.points[0].data();
-    for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-      surfaces_[f]->PreparePatchPoints(points, 3, patch_points_[f].data(), 3);
-    }
-  }
-
-  int face_count() const { return static_cast<int>(surfaces_.size()); }
-  bfr::Parameterization parameters(int face) const {
-    return surfaces_[face]->GetParameterization();
-  }
-
-  void evaluate(int face, const double* uv, int order, double* out) const {
-    const auto& surface = *surfaces_[face];
-    const double* points = patch_points_[face].data();
-    if (order == 0) {
-      surface.Evaluate(uv, points, 3, out);
-    } else if (order == 1) {
-      surface.Evaluate(uv, points, 3, out, out + 3, out + 6);
-    } else {
-      surface.Evaluate(uv, points, 3, out, out + 3, out + 6, out + 9, out + 12, out + 15);
-    }
-  }
-
- private:
-  using SurfaceFactory = bfr::RefinerSurfaceFactory<>;
-  const hull::MeshArrays& mesh_;
-  std::unique_ptr<far::TopologyRefiner> refiner_;
-  std::unique_ptr<SurfaceFactory> factory_;
-  std::vector<std::unique_ptr<bfr::Surface<double>>> surfaces_;
-  std::vector<std::vector<double>> patch_points_;
-};
 
 constexpr int kGrid = 16;
 
@@ -139,22 +74,42 @@ void BM_GridBfr(benchmark::State& state) {
       benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate);
 }
 
+void BM_GridStencils(benchmark::State& state) {
+  const hull::MeshArrays mesh = hull::benchmarks::half_hull();
+  LimitStencils stencils(mesh, kGrid, static_cast<int>(state.range(0)), 10);
+  for (auto _ : state) {
+    stencils.evaluate();
+    benchmark::DoNotOptimize(stencils.points());
+  }
+  state.counters["points"] =
+      benchmark::Counter(stencils.count(), benchmark::Counter::kIsIterationInvariantRate);
+}
+
 constexpr int kScattered = 20000;
+
+struct Place {
+  int cell;
+  double u, v;
+};
+
+std::vector<Place> scattered_places(int cells, std::size_t count) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Place> places(count);
+  for (Place& place : places) {
+    place = {static_cast<int>(unit(random) * cells), unit(random), unit(random)};
+  }
+  return places;
+}
 
 void BM_ScatteredOurs(benchmark::State& state) {
   const LimitSurface surface(control_mesh(), hull::Scheme::kCatmullClark);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<std::pair<int, Eigen::Vector2d>> places(kScattered);
-  for (auto& [cell, uv] : places) {
-    cell = static_cast<int>(unit(random) * surface.cell_count());
-    uv = {unit(random), unit(random)};
-  }
+  const std::vector<Place> places = scattered_places(surface.cell_count(), kScattered);
   const int order = static_cast<int>(state.range(0));
   hull::SurfaceJet jet;
   for (auto _ : state) {
-    for (const auto& [cell, uv] : places) {
-      surface.evaluate(cell, uv.x(), uv.y(), order, jet);
+    for (const Place& place : places) {
+      surface.evaluate(place.cell, place.u, place.v, order, jet);
       benchmark::DoNotOptimize(&jet);
     }
   }
@@ -224,18 +179,36 @@ void BM_PreparePatchPointsBfr(benchmark::State& state) {
   for (auto _ : state) surfaces.prepare();
 }
 
-// Cost by number of faces: about 10², 10³, 10⁴, 10⁵.
-void BM_ConstructLarge(benchmark::State& state) {
-  const hull::ControlMesh mesh = control_mesh(static_cast<int>(state.range(0)));
-  const auto cache = std::make_shared<hull::BasisCache>();
+// A million places, shared out among threads on one surface.
+void BM_MillionPoints(benchmark::State& state) {
+  constexpr std::size_t kCount = 1'000'000;
+  const LimitSurface surface(control_mesh());
+  const std::vector<Place> places = scattered_places(surface.cell_count(), kCount);
+  std::vector<Vector3d> points(kCount);
+  const int threads = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(LimitSurface(mesh, hull::Scheme::kBiermann, cache));
+    hull::parallel_for(kCount, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        points[i] = surface.position(places[i].cell, places[i].u, places[i].v);
+      }
+    });
+    benchmark::DoNotOptimize(points.data());
   }
-  state.counters["faces"] = mesh.topology().face_count();
+}
+
+void BM_MillionGridPoints(benchmark::State& state) {
+  constexpr int kFine = 45;  // 474 cells of 46 x 46 samples
+  const LimitSurface surface(control_mesh());
+  hull::GridSamples samples;
+  for (auto _ : state) {
+    hull::evaluate_grid(surface, kFine, 1, samples, static_cast<int>(state.range(0)));
+    benchmark::DoNotOptimize(samples.points.data());
+  }
 }
 
 BENCHMARK(BM_GridOurs)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_GridBfr)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_GridStencils)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ScatteredOurs)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ScatteredBfr)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ConstructCold)->Unit(benchmark::kMicrosecond);
@@ -243,6 +216,28 @@ BENCHMARK(BM_ConstructBfr)->Arg(10)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ConstructWarm)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_SetPointsOurs)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_PreparePatchPointsBfr)->Arg(6)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_ConstructLarge)->Arg(1)->Arg(3)->Arg(10)->Arg(29)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_MillionPoints)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_MillionGridPoints)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  return hull::benchmarks::run_and_compare(
+      argc, argv,
+      {{"grid to Bfr, positions", "BM_GridOurs/0", "BM_GridBfr/0", 8.0},
+       {"grid to Bfr, first derivatives", "BM_GridOurs/1", "BM_GridBfr/1", 8.0},
+       {"grid to Bfr, second derivatives", "BM_GridOurs/2", "BM_GridBfr/2", 8.0},
+       {"grid to LimitStencilTable, positions", "BM_GridOurs/0", "BM_GridStencils/0"},
+       {"grid to LimitStencilTable, first derivatives", "BM_GridOurs/1", "BM_GridStencils/1"},
+       {"grid to LimitStencilTable, second derivatives", "BM_GridOurs/2", "BM_GridStencils/2"},
+       {"scattered to Bfr, positions", "BM_ScatteredOurs/0", "BM_ScatteredBfr/0", 2.5},
+       {"scattered to Bfr, first derivatives", "BM_ScatteredOurs/1", "BM_ScatteredBfr/1", 3.0},
+       {"scattered to Bfr, second derivatives", "BM_ScatteredOurs/2", "BM_ScatteredBfr/2", 4.0},
+       {"construction, cold, to Bfr at ten levels", "BM_ConstructCold", "BM_ConstructBfr/10", 1.0},
+       {"set_points to Bfr's, six levels", "BM_SetPointsOurs", "BM_PreparePatchPointsBfr/6", 1.0},
+       {"10^6 scattered points, two threads to one", "BM_MillionPoints/2/real_time",
+        "BM_MillionPoints/1/real_time", 1.7},
+       {"10^6 grid points, two threads to one", "BM_MillionGridPoints/2/real_time",
+        "BM_MillionGridPoints/1/real_time", 1.7}},
+      {{"construction, warm", "BM_ConstructWarm", 0.5}});
+}
