@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "surface/wide_code.h"
+
 namespace hull {
 namespace {
 
@@ -28,7 +30,7 @@ double monotonic_root(const double* c) {
 
 }  // namespace
 
-ArcPoint arc_point(const ArcSquare& square, double u) {
+HULL_WIDE ArcPoint arc_point(const ArcSquare& square, double u) {
   const BernsteinBasis at_u(u);
   const Column h_column(square.h, at_u);
   const double v = monotonic_root(h_column.c);

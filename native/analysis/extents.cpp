@@ -30,7 +30,8 @@ bool excludes_zero(const SlopeRange& range) { return range.low > 0.0 || range.hi
 
 // Bounds the coordinate g on the water's surface: where h = 0, it is g - λ h for any λ. With the λ
 // for which the mean gradients cancel, the bound's error is quadratic in the square's size.
-double waterline_bound(const BezierNet& g, const BezierNet& h) {
+// The same with λ >= 0 bounds g where h <= 0.
+double waterline_bound(const BezierNet& g, const BezierNet& h, bool below_too = false) {
   double product = 0.0, square = 0.0, g_u = 0.0, g_v = 0.0, h_u = 0.0, h_v = 0.0;
   for (int k = 0; k < 4; ++k) {
     g_u += g[4 * k + 3] - g[4 * k];
@@ -41,6 +42,7 @@ double waterline_bound(const BezierNet& g, const BezierNet& h) {
   product = g_u * h_u + g_v * h_v;
   square = h_u * h_u + h_v * h_v;
   const double lambda = square > 0.0 ? product / square : 0.0;
+  if (below_too && lambda <= 0.0) return highest(g);
   double top = g[0] - lambda * h[0];
   for (int k = 1; k < 16; ++k) top = std::max(top, g[k] - lambda * h[k]);
   return std::min(top, highest(g));
@@ -178,6 +180,7 @@ class PieceSearch {
   // Immersed places where g is stationary.
   void search_inside(const Rectangle& r, int depth) {
     if (lowest(r.h) >= 0.0 || highest(r.g) <= best_.value + tolerance_) return;
+    if (waterline_bound(r.g, r.h, true) <= best_.value + tolerance_) return;
     if (excludes_zero(slope_range_u(r.g)) || excludes_zero(slope_range_v(r.g))) return;
     if (r.h[0] < 0.0) take(r.u, r.v);
     if (depth == kDeepest) return;

@@ -12,15 +12,18 @@ namespace {
 constexpr int kScanned = 8;  // intervals
 constexpr double kSameArea = 1e-12;
 // Of the range: half of the digits, as the area is flat at its maximum.
+constexpr double kSettled = 1e-9;  // of the area: what a step to the top of a parabola gains
 constexpr double kNarrow = 1e-4;
 
 // Brent's search for the maximum in (begin, end) around a higher middle: parabolas through the best
 // three stations, golden sections where these do not help.
-SectionArea refine_largest(const StationCutter& cutter, const Plane& water, double begin,
-                           SectionArea best, double end, double tolerance) {
+SectionArea refine_largest(const StationCutter& cutter, const Plane& water, const SectionArea& left,
+                           SectionArea best, const SectionArea& right, double tolerance) {
   constexpr double kGolden = 0.381966011250105;
-  SectionArea second = best, third = best;
-  double step = 0.0, before = 0.0;
+  double begin = left.position, end = right.position;
+  const bool left_is_second = left.area > right.area;
+  SectionArea second = left_is_second ? left : right, third = left_is_second ? right : left;
+  double step = end - begin, before = step;
   for (int i = 0; i < 60; ++i) {
     const double x = best.position, middle = 0.5 * (begin + end);
     if (std::abs(x - middle) <= 2.0 * tolerance - 0.5 * (end - begin)) break;
@@ -44,6 +47,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, doub
     }
     const double to = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
     const SectionArea tried = immersed_station(cutter, to, water);
+    const bool settled = parabola && std::abs(tried.area - best.area) <= kSettled * best.area;
     if (tried.area >= best.area) {
       (to < x ? end : begin) = x;
       third = second;
@@ -59,6 +63,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, doub
         third = tried;
       }
     }
+    if (settled) break;
   }
   return best;
 }
@@ -98,7 +103,7 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   const bool level = scan[left].area >= scan[best].area * (1.0 - kSameArea) &&
                      scan[right].area >= scan[best].area * (1.0 - kSameArea);
   if (level) return scan[best];
-  return refine_largest(cutter, water, scan[left].position, scan[best], scan[right].position,
+  return refine_largest(cutter, water, scan[left], scan[best], scan[right],
                         kNarrow * (end - begin));
 }
 

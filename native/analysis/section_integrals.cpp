@@ -25,7 +25,7 @@ SectionIntegrals quadrature(const ArcSquare& square, double begin, double end,
     sum.area += weight * p.a * p.db;
     sum.moment_a += weight * 0.5 * p.a * p.a * p.db;
     sum.moment_b += weight * p.a * p.b * p.db;
-    sum.girth += weight * std::hypot(p.da, p.db);
+    sum.girth += weight * std::sqrt(p.da * p.da + p.db * p.db);
     sum.breadth += weight * p.da;
   }
   const double width = (end - begin) * square.sign;

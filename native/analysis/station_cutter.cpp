@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hull {
 namespace {
@@ -84,11 +85,24 @@ SectionOutline::SectionOutline(const LimitSurface& surface, const CellBoxes& box
 
 SectionIntegrals SectionOutline::below(double level) const {
   SectionIntegrals sum;
-  for (const ArcSquare& square : squares_) add_arcs(square, level, size_, sum);
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    if (!whole_.empty() && highest(squares_[i].b) < level) {
+      sum += whole_[i];
+    } else {
+      add_arcs(squares_[i], level, size_, sum);
+    }
+  }
   for (const ClosingLine& line : closing_) {
     add_line(line.a0, line.b0, line.a1, line.b1, level, sum);
   }
   return sum;
+}
+
+void SectionOutline::prepare() {
+  whole_.assign(squares_.size(), {});
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    add_arcs(squares_[i], std::numeric_limits<double>::infinity(), size_, whole_[i]);
+  }
 }
 
 StationCutter::StationCutter(const HullBody& body)
@@ -136,6 +150,12 @@ StationViews::StationViews(const StationCutter& cutter, double position, const P
   };
   add_view({Vector3d::UnitX(), position});
   if (cutter.has_flat(position)) add_view({-Vector3d::UnitX(), -position});
+}
+
+void StationViews::prepare() {
+  for (View& view : views_) {
+    for (SectionOutline& side : view.sides) side.prepare();
+  }
 }
 
 SectionArea StationViews::below(double level) const {

@@ -23,10 +23,14 @@ class SectionOutline {
                  std::vector<ClosingLine> closing, double highest_level);
 
   SectionIntegrals below(double level) const;
+  // Makes it cheaper to immerse to many levels: squares that are wholly immersed are integrated
+  // now.
+  void prepare();
 
  private:
   double size_;
   std::vector<ArcSquare> squares_;
+  std::vector<SectionIntegrals> whole_;  // of each square, once prepared
   std::vector<ClosingLine> closing_;
 };
 
@@ -62,6 +66,7 @@ class StationViews {
                double highest_level);
 
   SectionArea below(double level) const;
+  void prepare();
 
  private:
   // What lies in the plane of the station counts as ahead of it, seen from abaft, and the other way
