@@ -12,8 +12,8 @@ namespace {
 constexpr int kScanned = 8;  // intervals
 constexpr double kSameArea = 1e-12;
 // Of the range: half of the digits, as the area is flat at its maximum.
-constexpr double kSettled = 1e-9;  // of the area: what a step to the top of a parabola gains
-constexpr double kNarrow = 1e-4;
+constexpr double kSettled = 1e-8;  // of the area: what a step to the top of a parabola gains
+constexpr double kNarrow = 1e-5;
 
 // Brent's search for the maximum in (begin, end) around a higher middle: parabolas through the best
 // three stations, golden sections where these do not help.
