@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/equilibrium.h"
 
-#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <stdexcept>
@@ -59,26 +58,6 @@ std::vector<LoadCase> loads_from(const DoubleArray& masses, const DoubleArray& c
   return loads;
 }
 
-void bind_immersion(py::module_& module) {
-  using I = Immersion;
-  py::class_<I>(module, "Immersion", "What the water does to a body in it, in the ship's axes.")
-      .def_property_readonly(
-          "water_normal", [](const I& i) { return i.water.normal; },
-          "(3,) unit vector up; water is where water_normal @ p < water_offset.")
-      .def_property_readonly(
-          "water_offset", [](const I& i) { return i.water.offset; }, "m.")
-      .def_readonly("displaced_volume", &I::volume, "m³.")
-      .def_readonly("centre_of_buoyancy", &I::centre_of_buoyancy, "(3,), m.")
-      .def_readonly("wetted_surface", &I::wetted_surface, "m².")
-      .def_readonly("waterplane_area", &I::waterplane_area, "m².")
-      .def_readonly("centre_of_flotation", &I::centre_of_flotation, "(3,), m.")
-      .def_readonly("waterplane_second", &I::waterplane_second,
-                    "(3, 3), m⁴: second moments of the waterplane about its centre.")
-      .def_readonly("volume_error", &I::volume_error, "Estimated error of integration, m³.")
-      .def_readonly("wetted_surface_error", &I::wetted_surface_error,
-                    "Estimated error of integration, m².");
-}
-
 void bind_results(py::module_& module) {
   py::class_<UnstableRest>(module, "UnstableRest", "A rest that a ship leaves when disturbed.")
       .def_property_readonly(
@@ -123,7 +102,6 @@ void bind_results(py::module_& module) {
 }  // namespace
 
 void bind_equilibrium(py::module_& module) {
-  bind_immersion(module);
   bind_results(module);
   module.def(
       "equilibrium",

@@ -35,7 +35,7 @@ def test_equilibrium_of_a_box(box):
     assert rest.heel == pytest.approx(0, abs=1e-11)
     assert rest.trim < 0
     assert rest.left is None
-    assert rest.immersion.displaced_volume == pytest.approx(320, rel=1e-11)
+    assert rest.immersion.volume == pytest.approx(320, rel=1e-11)
     assert rest.immersion.waterplane_second.shape == (3, 3)
     np.testing.assert_allclose(np.linalg.norm(rest.immersion.water_normal), 1, rtol=1e-14)
     assert abs(rest.volume_residual) < 1e-11 and rest.lever_residual < 1e-9
