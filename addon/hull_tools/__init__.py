@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on's Blender classes, registered in the order in which they need one another."""
 
-from . import handlers, operators, panels, properties
+from . import handlers, operators, overlays, panels, properties
 
-_PARTS = (properties, operators, panels, handlers)
+_PARTS = (properties, operators, panels, overlays, handlers)
 
 
 def register():

@@ -21,7 +21,8 @@ constexpr double kTick = 1.0;
 constexpr double kLeastStepX = 14.0, kLeastStepY = 9.0;  // mm between numbers
 constexpr double kNumberGap = 2.0;
 constexpr double kLeastFineStep = 2.2;  // mm between lines of the fine grid
-constexpr double kRulerGap = 3.0;       // between the frame and the names beside the rulers
+constexpr double kDotShare = 0.03;
+constexpr double kRulerGap = 3.0;  // between the frame and the names beside the rulers
 
 class Extent {
  public:
@@ -68,12 +69,20 @@ PlotRange x_range(const Plot& plot, int axis) {
 }
 
 PlotRange y_range(const Plot& plot) {
+  if (plot.y_axis.range) return *plot.y_axis.range;
   Extent extent;
   for_each_shown_point(plot, [&](int, double, double y) { extent.add(y); });
   for (const PlotLine& line : plot.lines) {
     if (!line.vertical) extent.add(line.at);
   }
-  return widened(extent.range(), plot.y_axis.from_zero || !plot.areas.empty());
+  PlotRange range = widened(extent.range(), plot.y_axis.from_zero || !plot.areas.empty());
+  // The dot at the top of a curve stays clear of the frame.
+  const double dot_room = kDotShare * (range.high - range.low);
+  for (const PlotMarker& marker : plot.markers) {
+    const bool shown = marker.curve < 0 || !plot.curves[marker.curve].guide;
+    if (shown) range.high = std::max(range.high, marker.y + dot_room);
+  }
+  return range;
 }
 
 AxisScale suited_scale(const PlotAxis& axis, const PlotRange& range, int steps) {

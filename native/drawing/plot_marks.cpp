@@ -175,8 +175,12 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
   for (int i = 0; i < static_cast<int>(plot.markers.size()); ++i) {
     const PlotMarker& marker = plot.markers[i];
     if (marker.label.empty() || in_legend.markers.contains(i)) continue;
-    if (!dots[i] ||
-        !put_marker_text(builder, marker.label, ink_of(plot, marker), *dots[i], frame.area)) {
+    if (!dots[i]) {
+      // Who reads the legend learns of a curve's point out of sight, but a guide has its name.
+      const bool guide = marker.curve >= 0 && plot.curves[marker.curve].guide;
+      if (!guide) without.markers.insert(i);
+    } else if (!put_marker_text(builder, marker.label, ink_of(plot, marker), *dots[i],
+                                frame.area)) {
       without.markers.insert(i);
     }
   }

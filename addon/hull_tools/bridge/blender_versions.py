@@ -3,14 +3,17 @@
 
 Creases: up to 3.6 an edge has a property and vertices a layer of their own; from 4.0 on both are
 attributes, `crease_edge` and `crease_vert`. Split normals: up to 4.0 a mesh must ask for them.
+Ready-made shaders lost the "3D_" of their names in 4.0.
 """
 
 import bmesh
 import bpy
+import gpu
 import numpy as np
 
 _CREASES_ARE_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
 _LOOP_TOTAL_IS_WRITABLE = bpy.app.version < (3, 6, 0)
+_SHADERS_ARE_UNPREFIXED = bpy.app.version >= (4, 0, 0)
 _SPLIT_NORMALS_NEED_AUTO_SMOOTH = bpy.app.version < (4, 1, 0)
 
 
@@ -92,3 +95,8 @@ def set_corner_normals(mesh, normals):
 def shader_input(node, *names):
     """The first of these input sockets that a shader node has (they were renamed in 4.0)."""
     return next(node.inputs[name] for name in names if name in node.inputs)
+
+
+def builtin_shader(name):
+    """One of the graphics card's ready-made shaders, by its present name ("SMOOTH_COLOR")."""
+    return gpu.shader.from_builtin(name if _SHADERS_ARE_UNPREFIXED else f"3D_{name}")

@@ -19,6 +19,14 @@ _MOST_METACENTRE = 2.0
 # The largest section's curve in a Bonjean diagram is about so many station spacings wide.
 _BONJEAN_WIDTH = 1.5
 
+# Levers below zero are shown down to so many times the largest, and the end of the tangent when it
+# is not above so many times the largest.
+_MOST_NEGATIVE_LEVER = 0.35
+_MOST_TANGENT = 1.6
+
+# Between two points of a table a curve is drawn with so many parts.
+_FAIR_PARTS = 8
+
 
 def sectional_area_plot(
     x, area, *, title="Sectional area curve", subtitles=(), lcb=None, length_pp=None
@@ -34,10 +42,10 @@ def sectional_area_plot(
     curve = plot.add_curve("Sectional area", x, area)
     if x.size > 1:
         plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")
-    if np.isfinite(area).any():
-        top = int(np.nanargmax(area))
-        label = f"largest {_figures(area[top])} m² at {_figures(x[top])} m"
-        plot.add_marker(x[top], area[top], label, curve=curve)
+    top = _maximum(x, area)
+    if top is not None:
+        label = f"largest {_figures(top[1])} m² at {_figures(top[0])} m"
+        plot.add_marker(*top, label, curve=curve)
     if length_pp is not None:
         for at, label in ((0.0, "AP"), (0.5 * length_pp, "midship"), (length_pp, "FP")):
             plot.add_line(x=at, label=label)
@@ -112,10 +120,11 @@ def hydrostatic_curves_plot(
                 range=_range_of(quantity.scale, drafts, np.array(columns, dtype=float)),
                 from_zero=quantity.scale in _FROM_ZERO,
             )
+        heights, fair_values = _fair(drafts, values)
         plot.add_curve(
             quantity.name,
-            values,
-            drafts,
+            fair_values,
+            heights,
             symbol=quantity.symbol,
             x_axis=axes[quantity.scale],
             style="solid" if number < 8 else "dashed",
@@ -211,22 +220,22 @@ def righting_lever_plot(
     flooding=None,
     areas=(),
 ):
-    """GZ (n,) in m over heel (n,) in rad.
+    """GZ (n,) in m over heel (n,) in rad; between the angles given the curve is interpolated.
 
     gm (m) draws the tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad
     that are marked; areas: (from, to, value), rad and m·rad, are shaded.
     """
     heel, gz = _same_length(heel, gz, "heel", "gz")
-    angles = np.degrees(heel)
+    angles, levers = _fair(np.degrees(heel), gz)
     plot = Plot(title, list(subtitles))
     plot.add_x_axis("Heel φ", "°")
-    plot.set_y_axis("Righting lever GZ", "m", from_zero=True)
-    curve = plot.add_curve("GZ", angles, gz)
+    plot.set_y_axis("Righting lever GZ", "m", range=_righting_range(levers, gm), from_zero=True)
+    curve = plot.add_curve("GZ", angles, levers)
     for start, end, value in areas:
         start_deg, end_deg = np.degrees(start), np.degrees(end)
         label = f"area {start_deg:.4g}° to {end_deg:.4g}°: {value:.4f} m·rad"
         plot.add_area(curve, start_deg, end_deg, label)
-    top = _maximum(angles, gz)
+    top = _maximum(angles, levers)
     if top is not None:
         plot.add_marker(*top, f"max {top[1]:.3f} m at {top[0]:.1f}°", curve=curve)
     if gm is not None:
@@ -268,7 +277,8 @@ def cross_curves_plot(
     for number, heel in enumerate(heels):
         angle = f"{np.degrees(heel):.4g}°"
         style = "solid" if number < 8 else "dashed"
-        plot.add_curve(angle, displacement_t, kn[:, number], symbol=angle, style=style)
+        curve = _fair(displacement_t, kn[:, number])
+        plot.add_curve(f"heel {angle}", *curve, symbol=angle, style=style)
     return plot
 
 
@@ -303,13 +313,42 @@ def _round_number(wanted):
 
 
 def _maximum(x, y):
-    """(x, y) at the top of a curve, by a parabola through the highest point and its neighbours."""
+    """(x, y) of the highest point; None when no number is finite."""
     if not np.isfinite(y).any():
         return None
     top = int(np.nanargmax(y))
-    around = slice(top - 1, top + 2)
-    if 0 < top < y.size - 1 and np.isfinite(y[around]).all() and np.isfinite(x[around]).all():
-        a, b, c = np.polyfit(x[around] - x[top], y[around], 2)
-        if a < 0.0:
-            return float(x[top] - 0.5 * b / a), float(c - 0.25 * b * b / a)
     return float(x[top]), float(y[top])
+
+
+def _fair(t, values):
+    """A smooth curve through values (n,) at rising t (n,): (t, values) of closer points.
+
+    Piecewise cubic, its slope at each point that of the parabola through it and its neighbours.
+    What is not rising, not finite or less than three points is left as it is.
+    """
+    if t.size < 3 or not (np.isfinite(t).all() and np.isfinite(values).all()):
+        return t, values
+    steps = np.diff(t)
+    if not (steps > 0.0).all():
+        return t, values
+    slopes = np.gradient(values, t, edge_order=2)
+    share = np.linspace(0.0, 1.0, _FAIR_PARTS, endpoint=False)[None, :]
+    h, rise = steps[:, None], np.diff(values)[:, None]
+    start, end = slopes[:-1, None] * h, slopes[1:, None] * h
+    between = values[:-1, None] + share * (
+        start + share * (3.0 * rise - 2.0 * start - end + share * (start + end - 2.0 * rise))
+    )
+    places = t[:-1, None] + share * h
+    return np.append(places, t[-1]), np.append(between, values[-1])
+
+
+def _righting_range(gz, gm):
+    """The levers to show: not far below zero, where stability has long vanished."""
+    known = gz[np.isfinite(gz)]
+    high = float(np.max(known, initial=0.0))
+    if high <= 0.0:
+        return None
+    low = max(float(np.min(known)), -_MOST_NEGATIVE_LEVER * high)
+    top = max(1.06 * high, 1.03 * gm if gm is not None and gm < _MOST_TANGENT * high else 0.0)
+    step = _round_number((top - min(low, 0.0)) / 20.0)
+    return (step * np.floor(min(low, 0.0) / step), step * np.ceil(top / step))

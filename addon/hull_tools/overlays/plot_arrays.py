@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plots as arrays for the graphics card: the layout that paper gets, cut into segments and
+triangles. Millimetres from the upper left corner of each plot's card, x to the right, y down."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from mathutils.geometry import tessellate_polygon
+
+from ..bridge import native
+
+MARGIN_MM = 3.0
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Lines of one width: pairs of points (2 n, 2) with their colours (2 n, 4)."""
+
+    width_mm: float
+    points: np.ndarray
+    colours: np.ndarray
+
+
+@dataclass(frozen=True)
+class Triangles:
+    """Triangles as points (3 n, 2) with their colours (3 n, 4)."""
+
+    points: np.ndarray
+    colours: np.ndarray
+
+
+@dataclass
+class PlotArrays:
+    """A plot to be drawn in this order; labels as in hull_native.PlotSheet."""
+
+    width_mm: float
+    height_mm: float
+    areas: Triangles
+    segments: list = field(default_factory=list)
+    patches: Triangles = None
+    labels: list = field(default_factory=list)
+
+
+def arrays_of(plot, width_mm, height_mm):
+    """The arrays of a hull_native.Plot on a card of this size; ValueError as lay_out_plot."""
+    sheet = native.require().lay_out_plot(
+        plot, width_mm=width_mm, height_mm=height_mm, margin_mm=MARGIN_MM
+    )
+    by_width = {}
+    for points, colour, width, dashes in sheet.strokes:
+        pairs = _dashed(points, dashes) if dashes else _pairs(points)
+        by_width.setdefault(width, []).append((pairs, colour))
+    return PlotArrays(
+        width_mm,
+        height_mm,
+        _triangles(sheet.areas),
+        [Segments(width, *_joined(parts)) for width, parts in sorted(by_width.items())],
+        _triangles(sheet.patches),
+        sheet.labels,
+    )
+
+
+def _pairs(points):
+    """The segments of a polyline (n, 2), each as two rows."""
+    return np.repeat(points, 2, axis=0)[1:-1]
+
+
+def _dashed(points, dashes):
+    """The segments of a polyline (n, 2) drawn with lengths of line and gap in turn."""
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(lengths)])
+    period = np.cumsum(dashes)
+    starts = np.arange(0.0, along[-1], period[-1])
+    pairs = []
+    for on, off in ((0.0, period[0]), (period[1], period[2])):
+        for start in starts:
+            low, high = start + on, min(start + off, along[-1])
+            if low >= high:
+                continue
+            inside = along[(along > low) & (along < high)]
+            places = np.concatenate([[low], inside, [high]])
+            pieces = np.column_stack([np.interp(places, along, points[:, axis]) for axis in (0, 1)])
+            pairs.append(_pairs(pieces))
+    return np.concatenate(pairs) if pairs else np.empty((0, 2))
+
+
+def _joined(parts):
+    """(points, colours) of several parts of one colour each."""
+    points = np.concatenate([np.empty((0, 2)), *(own for own, _ in parts)])
+    colours = np.concatenate(
+        [np.empty((0, 4)), *(np.tile(colour, (len(own), 1)) for own, colour in parts)]
+    )
+    return points.astype(np.float32), colours.astype(np.float32)
+
+
+def _triangles(fills):
+    parts = []
+    for points, colour in fills:
+        corners = tessellate_polygon([[(x, y, 0.0) for x, y in points]])
+        parts.append((points[np.array(corners, dtype=int).reshape(-1)], colour))
+    return Triangles(*_joined(parts))

@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plots over the 3D view: cards in a corner, one beside or above the other.
+
+`show` is told which plots are on and where; it makes the arrays, and only when something changed.
+Drawing reads them and nothing else.
+"""
+
+from dataclasses import dataclass
+
+import blf
+import bpy
+import gpu
+from gpu_extras.batch import batch_for_shader
+
+from ..bridge import blender_versions
+from .plot_arrays import arrays_of
+
+# At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
+DOTS_PER_MM = 4.4
+
+_PAPER = (0.97, 0.97, 0.96, 0.96)
+_BORDER = (0.35, 0.35, 0.35, 1.0)
+_LEAST_LINE = 1.0  # dots: thinner lines would fade
+_GAP = 12.0  # dots between cards and to the region's border, at a scale of 1
+
+CORNERS = ("BOTTOM_LEFT", "BOTTOM_RIGHT", "TOP_LEFT", "TOP_RIGHT")
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where the cards are: the corner that they start from, and the size of each."""
+
+    corner: str = "BOTTOM_LEFT"
+    width_mm: float = 125.0
+    height_mm: float = 88.0
+
+    def __post_init__(self):
+        if self.corner not in CORNERS:
+            raise ValueError(f"a corner is one of {', '.join(CORNERS)}, not {self.corner!r}")
+
+
+class _Shown:
+    """What is on now, with the batches made of it at the first drawing."""
+
+    def __init__(self):
+        self.plots = []
+        self.placement = Placement()
+        self.arrays = []
+        self.batches = None
+
+
+_shown = _Shown()
+_handler = None
+
+
+def show(plots, placement=None):
+    """Shows these hull_native.Plot, and no others; an empty list shows none.
+
+    Nothing is done when they and their places are what is shown already. ValueError when one
+    cannot be laid out on a card of that size; what was shown then stays.
+    """
+    plots, placement = list(plots), placement or Placement()
+    if plots == _shown.plots and placement == _shown.placement:
+        return
+    arrays = [arrays_of(plot, placement.width_mm, placement.height_mm) for plot in plots]
+    _shown.plots, _shown.placement, _shown.arrays = plots, placement, arrays
+    _shown.batches = None
+    _redraw()
+
+
+def hide():
+    show([])
+
+
+def shown_arrays():
+    """The PlotArrays being drawn, in order."""
+    return tuple(_shown.arrays)
+
+
+def card_places(sizes, corner, room, gap):
+    """Lower left corners of cards in dots, and one factor by which all are made smaller.
+
+    sizes: (width, height) of each in dots; room: (left, bottom, width, height) of the free part of
+    the region. Cards stand beside one another, in a new row where there is no more room.
+    """
+    left, bottom, room_width, room_height = room
+    factor = 1.0
+    while True:
+        rows, used = _rows([(w * factor, h * factor) for w, h in sizes], room_width, gap)
+        if used[0] <= room_width and used[1] <= room_height:
+            break
+        factor *= 0.9
+        if factor < 0.2:
+            break
+    places = []
+    y = gap
+    for row in rows:
+        x = gap
+        for width, height in row:
+            at_x = left + (room_width - x - width if corner.endswith("RIGHT") else x)
+            at_y = bottom + (room_height - y - height if corner.startswith("TOP") else y)
+            places.append((at_x, at_y))
+            x += width + gap
+        y += max(height for _, height in row) + gap
+    return places, factor
+
+
+def _rows(sizes, room_width, gap):
+    rows, x = [], gap
+    for width, height in sizes:
+        if not rows or x + width + gap > room_width:
+            rows.append([])
+            x = gap
+        rows[-1].append((width, height))
+        x += width + gap
+    widest = max((sum(w + gap for w, _ in row) + gap for row in rows), default=0.0)
+    tall = sum(max(h for _, h in row) + gap for row in rows) + gap
+    return rows, (widest, tall)
+
+
+def _redraw():
+    for window_manager in bpy.data.window_managers:
+        for window in window_manager.windows:
+            for area in window.screen.areas:
+                if area.type == "VIEW_3D":
+                    area.tag_redraw()
+
+
+def _free_room(area, region):
+    """(left, bottom, width, height) of the region that toolbar, sidebar and header leave free."""
+    left, right = 0, region.width
+    bottom, top = 0, region.height
+    for other in area.regions:
+        if other.width <= 1 or other.height <= 1 or other.type == "WINDOW":
+            continue
+        x, y = other.x - region.x, other.y - region.y
+        overlaps = x < region.width and x + other.width > 0 and y < region.height
+        if not overlaps or y + other.height <= 0:
+            continue
+        if other.type in {"TOOLS", "UI"}:
+            if x > region.width / 2:
+                right = min(right, x)
+            else:
+                left = max(left, x + other.width)
+        elif other.type in {"HEADER", "TOOL_HEADER"}:
+            if y > region.height / 2:
+                top = min(top, y)
+            else:
+                bottom = max(bottom, y + other.height)
+    return left, bottom, right - left, top - bottom
+
+
+def _draw():
+    if not _shown.arrays:
+        return
+    context = bpy.context
+    if context.area is None or context.region is None:
+        return
+    if not context.space_data.overlay.show_overlays:
+        return
+    if _shown.batches is None:
+        _shown.batches = [_Batches(arrays) for arrays in _shown.arrays]
+    scale = context.preferences.system.ui_scale
+    dots = DOTS_PER_MM * scale
+    sizes = [(one.width_mm * dots, one.height_mm * dots) for one in _shown.arrays]
+    room = _free_room(context.area, context.region)
+    places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
+    viewport = (context.region.width, context.region.height)
+    blend = gpu.state.blend_get()
+    gpu.state.blend_set("ALPHA")
+    for arrays, batches, place in zip(_shown.arrays, _shown.batches, places):
+        _draw_card(arrays, batches, place, dots * factor, viewport)
+    gpu.state.blend_set(blend)
+
+
+def _draw_card(arrays, batches, place, dots, viewport):
+    with gpu.matrix.push_pop():
+        # Page millimetres, y down, to the dots of the region.
+        gpu.matrix.translate((place[0], place[1] + arrays.height_mm * dots))
+        gpu.matrix.scale((dots, -dots))
+        batches.draw(dots, viewport)
+    for label in arrays.labels:
+        _draw_label(label, arrays.height_mm, place, dots)
+
+
+class _Batches:
+    """One plot's arrays on the graphics card."""
+
+    def __init__(self, arrays):
+        self._fill = blender_versions.builtin_shader("SMOOTH_COLOR")
+        self._line = blender_versions.builtin_shader("POLYLINE_SMOOTH_COLOR")
+        width, height = arrays.width_mm, arrays.height_mm
+        corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+        order = (0, 1, 2, 0, 2, 3)
+        self._card = self._filled([corners[i] for i in order], [_PAPER] * 6)
+        sides = [corners[i] for i in (0, 1, 1, 2, 2, 3, 3, 0)]
+        self._border = self._lined(sides, [_BORDER] * 8)
+        self._areas = self._filled(arrays.areas.points, arrays.areas.colours)
+        self._segments = [
+            (one.width_mm, self._lined(one.points, one.colours)) for one in arrays.segments
+        ]
+        self._patches = self._filled(arrays.patches.points, arrays.patches.colours)
+        knockouts = [label for label in arrays.labels if label["knockout"]]
+        blanks = [corner for label in knockouts for corner in _blank(label)]
+        self._blanks = self._filled(blanks, [(*_PAPER[:3], 1.0)] * len(blanks))
+
+    def draw(self, dots, viewport):
+        self._draw_filled(self._card)
+        self._draw_filled(self._areas)
+        self._line.bind()
+        self._line.uniform_float("viewportSize", viewport)
+        for width, batch in [*self._segments, (0.0, self._border)]:
+            self._line.uniform_float("lineWidth", max(width * dots, _LEAST_LINE))
+            batch.draw(self._line)
+        self._draw_filled(self._patches)
+        self._draw_filled(self._blanks)
+
+    def _draw_filled(self, batch):
+        if batch is not None:
+            batch.draw(self._fill)
+
+    def _filled(self, points, colours):
+        if len(points) == 0:
+            return None
+        return batch_for_shader(self._fill, "TRIS", {"pos": _flat(points), "color": list(colours)})
+
+    def _lined(self, points, colours):
+        return batch_for_shader(self._line, "LINES", {"pos": _flat(points), "color": list(colours)})
+
+
+def _flat(points):
+    return [(float(x), float(y), 0.0) for x, y in points]
+
+
+def _blank(label):
+    """Two triangles that blank the paper beneath a text turned by a multiple of 90 degrees."""
+    (x, y), (half_x, half_y) = label["centre"], label["half"]
+    if abs(label["angle"]) > 0.1:
+        half_x, half_y = half_y, half_x
+    left, right, top, low = x - half_x, x + half_x, y - half_y, y + half_y
+    return [(left, top), (right, top), (right, low), (left, top), (right, low), (left, low)]
+
+
+def _draw_label(label, height_mm, place, dots):
+    (x, y), (half_x, half_y) = label["centre"], label["half"]
+    font = 0
+    blf.size(font, label["size"] * dots)
+    # Blender's typeface is not the paper's: what it sets wider is made to fit.
+    width, _ = blf.dimensions(font, label["text"])
+    if width > 2.0 * half_x * dots > 0.0:
+        blf.size(font, label["size"] * dots * 2.0 * half_x * dots / width)
+        width, _ = blf.dimensions(font, label["text"])
+    begin, base = -0.5 * width, -(half_y - label["descent"]) * dots
+    centre = (place[0] + x * dots, place[1] + (height_mm - y) * dots)
+    blf.color(font, *label["colour"])
+    if abs(label["angle"]) > 0.1:
+        blf.enable(font, blf.ROTATION)
+        blf.rotation(font, -label["angle"])
+        blf.position(font, centre[0] - base, centre[1] + begin, 0.0)
+    else:
+        blf.position(font, centre[0] + begin, centre[1] + base, 0.0)
+    blf.draw(font, label["text"])
+    blf.disable(font, blf.ROTATION)
+
+
+def register():
+    global _handler
+    if not bpy.app.background:
+        _handler = bpy.types.SpaceView3D.draw_handler_add(_draw, (), "WINDOW", "POST_PIXEL")
+
+
+def unregister():
+    global _handler
+    hide()
+    if _handler is not None:
+        bpy.types.SpaceView3D.draw_handler_remove(_handler, "WINDOW")
+        _handler = None
