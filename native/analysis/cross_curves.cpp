@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/weathertight.h"
+
 namespace hull {
 namespace {
 
@@ -34,16 +36,18 @@ void check(const std::vector<double>& volumes, const std::vector<double>& heels,
 std::vector<CrossCurve> cross_curves(const HullBody& body, const std::vector<double>& volumes,
                                      const std::vector<double>& heels,
                                      const CrossCurveOptions& options) {
-  const double whole = greatest_volume(body, Vector3d::UnitZ());
+  const Weathertight closed(body);
+  const double whole = greatest_volume(closed.body(), Vector3d::UnitZ());
   check(volumes, heels, options, whole);
   std::vector<CrossCurve> curves;
   for (double volume : volumes) {
-    const HeelingPath upright(body, volume, whole, Vector3d::Zero(), TrimMode::kFixed, 0.0);
+    const HeelingPath upright(closed.body(), volume, whole, Vector3d::Zero(), TrimMode::kFixed,
+                              0.0);
     CrossCurve curve;
     curve.volume = volume;
     curve.lcg = upright.at(0.0).immersion.centre_of_buoyancy.x();
     const Vector3d gravity(curve.lcg, 0.0, options.assumed_kg);
-    const HeelingPath path(body, volume, whole, gravity, options.trim_mode, options.trim);
+    const HeelingPath path(closed.body(), volume, whole, gravity, options.trim_mode, options.trim);
     for (double heel : heels) {
       const HeeledState& state = path.at(heel);
       // Starboard is (0, -cos, sin) whatever the trim.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/floating_descent.h"
+#include "analysis/weathertight.h"
 
 namespace hull {
 namespace {
@@ -187,14 +188,34 @@ Equilibrium equilibrium(const HullBody& body, const LoadCase& load,
   return std::move(equilibria(body, {load}, options).front());
 }
 
+namespace {
+
+void refuse_flooding(const HullBody& body, Equilibrium& e) {
+  if (e.status == EquilibriumStatus::kSinks || e.status == EquilibriumStatus::kNotConverged) return;
+  const FloodingPoint lowest = body.flooding_point(e.immersion.water.normal);
+  if (lowest.height > e.immersion.water.offset) return;
+  e.status = EquilibriumStatus::kFloods;
+  std::ostringstream words;
+  words << "Floods at x = " << lowest.point.x() << " m, y = " << lowest.point.y()
+        << " m, z = " << lowest.point.z() << " m, which is "
+        << e.immersion.water.offset - lowest.height << " m under water where she would rest.";
+  e.message = words.str();
+}
+
+}  // namespace
+
 std::vector<Equilibrium> equilibria(const HullBody& body, const std::vector<LoadCase>& loads,
                                     const EquilibriumOptions& options) {
   check_start(options.start);
   for (const LoadCase& load : loads) load.displaced_volume();
   if (loads.empty()) return {};
-  const double whole = greatest_volume(body, Vector3d::UnitZ());
+  const Weathertight closed(body);
+  const double whole = greatest_volume(closed.body(), Vector3d::UnitZ());
   std::vector<Equilibrium> results;
-  for (const LoadCase& load : loads) results.push_back(Balance(body, whole, load, options).find());
+  for (const LoadCase& load : loads) {
+    results.push_back(Balance(closed.body(), whole, load, options).find());
+    refuse_flooding(body, results.back());
+  }
   return results;
 }
 

@@ -15,6 +15,7 @@ enum class EquilibriumStatus {
   kStable,        // at rest, and comes back when trimmed or heeled a little
   kNeutral,       // at rest; some turn costs nothing to first order (below 1e-9 of the size as GM)
   kUnstable,      // at rest, but turns over when disturbed
+  kFloods,        // at rest if all were closed, but water comes over an opening there
   kSinks,         // weighs as much as the whole body displaces, or more
   kNotConverged,  // the message says why
 };
@@ -58,8 +59,9 @@ struct Equilibrium {
 
 // The rest of a body under a load, by descent of the potential energy from the start: the minimum
 // at the foot of the slope on which the start lies. Newton's method with exact derivatives
-// (floating_descent.h); converged to 1e-11 of the displaced volume, and of the mesh's size as the
-// lever between weight and buoyancy. Stability is judged in the ways that are free.
+// (floating_descent.h) on the body with all openings closed; converged to 1e-11 of the displaced
+// volume, and of the mesh's size as the lever between weight and buoyancy. Stability is judged in
+// the ways that are free.
 //
 // Throws std::invalid_argument for a load without positive mass, and for a start that is not
 // finite or trimmed by 90° or more.

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
 
 #include "analysis/deck_edge.h"
+#include "analysis/weathertight.h"
 
 namespace hull {
 namespace {
@@ -52,10 +52,15 @@ HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mo
   return HeelingPath(body, volume, whole, load.centre_of_gravity, mode, trim);
 }
 
-std::optional<double> flooding_heel(const HeelingPath& path, const StabilityEdges& edges,
-                                    double to) {
+bool can_flood(const HullBody& body, const StabilityEdges& edges) {
+  return !edges.downflooding_points.empty() ||
+         std::isfinite(body.lowest_opening(Vector3d::UnitZ()));
+}
+
+std::optional<double> flooding_heel(const HeelingPath& path, const HullBody& body,
+                                    const StabilityEdges& edges, double to) {
   const auto lowest = [&](const Vector3d& up) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = body.lowest_opening(up);
     for (const Vector3d& p : edges.downflooding_points) least = std::min(least, up.dot(p));
     return least;
   };
@@ -67,14 +72,15 @@ RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
                                const RightingLeverOptions& options) {
   check(heels, options);
   const DeckEdge deck_edge = deck_edge_of(body, options.edges);
-  const HeelingPath path = heeling_path(body, load, options.trim_mode, options.trim);
+  const Weathertight closed(body);
+  const HeelingPath path = heeling_path(closed.body(), load, options.trim_mode, options.trim);
   RightingLevers result;
   for (double heel : heels) result.states.push_back(path.at(heel));
   result.curve_evaluations = path.evaluations();
   result.gm = path.at(0.0).slope;
   const double last = *std::max_element(heels.begin(), heels.end());
   result.has_deck_edge = !deck_edge.empty();
-  result.has_openings = !options.edges.downflooding_points.empty();
+  result.has_openings = can_flood(body, options.edges);
   if (last > 0.0) {
     result.greatest = greatest_lever(path, 0.0, last);
     result.vanishing_heel = vanishing_heel(path, 0.0, last);
@@ -82,7 +88,7 @@ RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
       result.deck_edge_heel = immersion_heel(
           path, [&](const Vector3d& up) { return deck_edge.lowest(up); }, 0.0, last);
     }
-    if (result.has_openings) result.flooding_heel = flooding_heel(path, options.edges, last);
+    if (result.has_openings) result.flooding_heel = flooding_heel(path, body, options.edges, last);
   }
   for (const auto& [from, to] : options.area_intervals) {
     result.areas.push_back(lever_area(path, from, to, options.area_tolerance));

@@ -44,6 +44,7 @@ struct RightingLevers {
   int evaluations = 0;                               // in all
 };
 
+// Levers are those of the body with all openings closed, beyond the heel that floods her too.
 // Throws std::invalid_argument for a load that is none or sinks the body, heels that are not finite
 // or none, a trim of 90° or more, and where the ship stands on end.
 RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
@@ -53,8 +54,11 @@ RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
 // The path for a load: checks as above.
 HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mode, double trim);
 
-// The first heel, from 0 to `to`, that floods the ship through a point or an opening of the body.
-std::optional<double> flooding_heel(const HeelingPath& path, const StabilityEdges& edges,
-                                    double to);
+// The first heel, from 0 to `to`, that floods the ship through one of the points, or through an
+// opening of `body` that is not closed.
+std::optional<double> flooding_heel(const HeelingPath& path, const HullBody& body,
+                                    const StabilityEdges& edges, double to);
+// Whether there is anything of that kind.
+bool can_flood(const HullBody& body, const StabilityEdges& edges);
 
 }  // namespace hull

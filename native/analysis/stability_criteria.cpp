@@ -7,6 +7,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "analysis/weathertight.h"
+
 namespace hull {
 namespace {
 
@@ -24,11 +26,11 @@ std::string in_degrees(double angle) {
 
 class IntactCriteria {
  public:
-  IntactCriteria(const HeelingPath& path, const StabilityEdges& edges)
+  IntactCriteria(const HeelingPath& path, const HullBody& body, const StabilityEdges& edges)
       : path_(path), reached_(solve_along(path)) {
-    if (reached_ > 0.0) flooding_ = flooding_heel(path, edges, reached_);
+    if (reached_ > 0.0) flooding_ = flooding_heel(path, body, edges, reached_);
     end_ = flooding_.value_or(reached_);
-    if (edges.downflooding_points.empty()) unflooded_ = "No opening is given that floods the ship.";
+    if (!can_flood(body, edges)) unflooded_ = "No opening is given that floods the ship.";
   }
 
   StabilityReport report() {
@@ -138,8 +140,9 @@ class IntactCriteria {
 
 StabilityReport stability_criteria(const HullBody& body, const LoadCase& load,
                                    const StabilityOptions& options) {
-  const HeelingPath path = heeling_path(body, load, options.trim_mode, options.trim);
-  return IntactCriteria(path, options.edges).report();
+  const Weathertight closed(body);
+  const HeelingPath path = heeling_path(closed.body(), load, options.trim_mode, options.trim);
+  return IntactCriteria(path, body, options.edges).report();
 }
 
 }  // namespace hull

@@ -22,6 +22,8 @@ const char* name_of(EquilibriumStatus status) {
       return "neutral";
     case EquilibriumStatus::kUnstable:
       return "unstable";
+    case EquilibriumStatus::kFloods:
+      return "floods";
     case EquilibriumStatus::kSinks:
       return "sinks";
     case EquilibriumStatus::kNotConverged:
@@ -72,7 +74,7 @@ void bind_results(py::module_& module) {
   py::class_<E>(module, "Equilibrium", "A ship at rest under a load, or why there is none.")
       .def_property_readonly(
           "status", [](const E& e) { return name_of(e.status); },
-          "\"stable\", \"neutral\", \"unstable\", \"sinks\" or \"not converged\".")
+          "\"stable\", \"neutral\", \"unstable\", \"floods\", \"sinks\" or \"not converged\".")
       .def_readonly("message", &E::message, "The status as a sentence, with its reason.")
       .def_property_readonly(
           "draft_mean", [](const E& e) { return e.position.draft; }, "m, at draft_at.")

@@ -135,6 +135,19 @@ TEST_F(Equilibria, SinksOrIsNoLoad) {
   EXPECT_THROW(equilibrium(body, load(10.0, 0.0, 2.0), on_end), std::invalid_argument);
 }
 
+TEST_F(Equilibria, FloodsThroughAnOpening) {
+  MeshArrays mesh = testing::barge(testing::box_section(kBeam, kDepth), kLength);
+  mesh.face_sizes.erase(mesh.face_sizes.begin() + 2);  // the deck
+  mesh.face_vertices.erase(mesh.face_vertices.begin() + 8, mesh.face_vertices.begin() + 12);
+  const LimitSurface undecked{ControlMesh(mesh)};
+  const HullBody open(undecked, false, Openings::kOpen);
+  EXPECT_EQ(equilibrium(open, load(10.0, 0.0, 2.5)).status, EquilibriumStatus::kStable);
+  const Equilibrium listing = equilibrium(open, load(10.0, -2.5, 2.5));
+  EXPECT_EQ(listing.status, EquilibriumStatus::kFloods) << listing.message;
+  EXPECT_NE(listing.message.find("y = -4 m, z = 5 m"), std::string::npos) << listing.message;
+  EXPECT_EQ(equilibrium(open, {1000.0, {10.0, 0.0, 2.0}, 1.0}).status, EquilibriumStatus::kSinks);
+}
+
 // Wherever she starts, upside down included, she ends at rest.
 TEST_F(Equilibria, FromAnyStart) {
   std::mt19937 random(41);

@@ -212,6 +212,30 @@ TEST(RightingLevers, FeaturesAreExact) {
   EXPECT_NEAR(area_up_to(-2.0, *both.flooding_heel), barge.wet_area, 1e-9);
 }
 
+// Without a deck: her borders are the deck edge, and where they go under she floods. The levers
+// are those of a decked barge.
+TEST(RightingLevers, OfAnOpenBargeUntilSheFloods) {
+  const Afloat decked = box();
+  MeshArrays mesh = testing::barge(decked.section, Afloat::kLength);
+  mesh.face_sizes.erase(mesh.face_sizes.begin() + 2);
+  mesh.face_vertices.erase(mesh.face_vertices.begin() + 8, mesh.face_vertices.begin() + 12);
+  const LimitSurface surface{ControlMesh(mesh)};
+  const HullBody open(surface, false, Openings::kOpen);
+  const LoadCase load = decked.load(0.0, 3.2);
+  RightingLeverOptions options;
+  options.edges.deck_edge_vertices = {3, 7};  // the starboard one
+  const std::vector<double> heels = heels_to(90.0, 10.0);
+  const RightingLevers with_deck = righting_levers(decked.body, load, heels, options);
+  const RightingLevers without = righting_levers(open, load, heels);
+  EXPECT_FALSE(with_deck.has_openings || with_deck.flooding_heel);
+  ASSERT_TRUE(without.has_openings && without.flooding_heel && without.deck_edge_heel);
+  EXPECT_NEAR(*without.flooding_heel, with_deck.deck_edge_heel.value(), 1e-10);
+  EXPECT_NEAR(*without.deck_edge_heel, with_deck.deck_edge_heel.value(), 1e-10);
+  for (std::size_t i = 0; i < heels.size(); ++i) {
+    EXPECT_NEAR(without.states[i].righting_lever, with_deck.states[i].righting_lever, 1e-10);
+  }
+}
+
 // The count is what makes a curve fast; it does not depend on the machine.
 TEST(RightingLevers, TakeFewImmersionsPerHeel) {
   std::mt19937 random(18);
