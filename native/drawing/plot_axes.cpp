@@ -290,7 +290,7 @@ void draw_x_axes(SheetBuilder& builder, const Plot& plot, const PlotFrame& frame
     numbers.emplace_back(frame.page_x(0, tick), text);
   }
   const std::string name =
-      kind == AxesKind::kSingle ? axis_text(plot.x_axes[0], scale) : "Divisions (see below)";
+      kind == AxesKind::kSingle ? axis_text(plot.x_axes[0], scale) : "Divisions (div)";
   draw_under(builder, frame, name, numbers, right);
 }
 

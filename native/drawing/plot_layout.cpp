@@ -28,7 +28,7 @@ constexpr double kLegendGap = 1.5;
 constexpr double kPaperMargin = 12.0;
 constexpr double kGreatestPlotSide = 5000.0;
 constexpr double kRightOfFrame = 3.0;      // room for half of the last number
-constexpr double kMostLegendShare = 0.35;  // of the height, as long as the diagram is small
+constexpr double kMostLegendShare = 0.5;   // of the height above the axes
 constexpr double kMostRulersShare = 0.45;  // of the height
 constexpr double kMostRulerColumn = 0.40;  // of the width
 
@@ -59,12 +59,13 @@ std::string number_text(double value) {
   return text;
 }
 
-// "Displacement: 500 t a division, from 1000 t".
+// "Δ: 500 t/div from 1000 t".
 std::string division_text(const Plot& plot, const PlotCurve& curve, const AxisScale& scale) {
   const std::string& unit = plot.x_axes[curve.x_axis].unit;
   const std::string after = unit.empty() ? "" : " " + unit;
-  std::string text = curve.name + ": " + number_text(scale.step) + after + " a division";
-  if (scale.low != 0.0) text += ", from " + number_text(scale.low) + after;
+  const std::string& name = curve.symbol.empty() ? curve.name : curve.symbol;
+  std::string text = name + ": " + number_text(scale.step) + after + "/div";
+  if (scale.low != 0.0) text += " from " + number_text(scale.low) + after;
   return text;
 }
 

@@ -21,6 +21,8 @@ DOTS_PER_MM = 4.4
 _PAPER = (0.97, 0.97, 0.96, 0.96)
 _BORDER = (0.35, 0.35, 0.35, 1.0)
 _LEAST_LINE = 1.0  # dots: thinner lines would fade
+_BLANK_MARGIN_MM = 0.25  # as on paper
+_FONT = 0  # Blender's own
 _GAP = 12.0  # dots between cards and to the region's border, at a scale of 1
 
 CORNERS = ("BOTTOM_LEFT", "BOTTOM_RIGHT", "TOP_LEFT", "TOP_RIGHT")
@@ -167,20 +169,21 @@ def _draw():
     places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
     viewport = (context.region.width, context.region.height)
     blend = gpu.state.blend_get()
-    gpu.state.blend_set("ALPHA")
     for arrays, batches, place in zip(_shown.arrays, _shown.batches, places):
         _draw_card(arrays, batches, place, dots * factor, viewport)
     gpu.state.blend_set(blend)
 
 
 def _draw_card(arrays, batches, place, dots, viewport):
+    gpu.state.blend_set("ALPHA")  # texts leave it off
     with gpu.matrix.push_pop():
         # Page millimetres, y down, to the dots of the region.
         gpu.matrix.translate((place[0], place[1] + arrays.height_mm * dots))
         gpu.matrix.scale((dots, -dots))
         batches.draw(dots, viewport)
+    ratio = _typeface_ratio(arrays.labels, dots)
     for label in arrays.labels:
-        _draw_label(label, arrays.height_mm, place, dots)
+        _draw_label(label, arrays.height_mm, place, dots, ratio)
 
 
 class _Batches:
@@ -237,30 +240,45 @@ def _blank(label):
     (x, y), (half_x, half_y) = label["centre"], label["half"]
     if abs(label["angle"]) > 0.1:
         half_x, half_y = half_y, half_x
+    half_x, half_y = half_x + _BLANK_MARGIN_MM, half_y + _BLANK_MARGIN_MM
     left, right, top, low = x - half_x, x + half_x, y - half_y, y + half_y
     return [(left, top), (right, top), (right, low), (left, top), (right, low), (left, low)]
 
 
-def _draw_label(label, height_mm, place, dots):
+def _typeface_ratio(labels, dots):
+    """By what Blender's typeface must be larger to be as wide as the paper's, all in all."""
+    own = 0.0
+    for label in labels:
+        blf.size(_FONT, label["size"] * dots)
+        own += blf.dimensions(_FONT, label["text"])[0]
+    wanted = sum(2.0 * label["half"][0] * dots for label in labels)
+    return min(max(wanted / own, 0.8), 1.2) if own > 0.0 else 1.0
+
+
+def _draw_label(label, height_mm, place, dots, ratio):
     (x, y), (half_x, half_y) = label["centre"], label["half"]
-    font = 0
-    blf.size(font, label["size"] * dots)
-    # Blender's typeface is not the paper's: what it sets wider is made to fit.
-    width, _ = blf.dimensions(font, label["text"])
-    if width > 2.0 * half_x * dots > 0.0:
-        blf.size(font, label["size"] * dots * 2.0 * half_x * dots / width)
-        width, _ = blf.dimensions(font, label["text"])
-    begin, base = -0.5 * width, -(half_y - label["descent"]) * dots
+    size, room = label["size"] * dots * ratio, 2.0 * half_x * dots
+    blf.size(_FONT, size)
+    width = blf.dimensions(_FONT, label["text"])[0]
+    if width > room > 0.0:
+        blf.size(_FONT, size * room / width)
+        width = room
+    # A bold text is wider on paper: it begins where it does there.
+    begin = -0.5 * (room if label["bold"] else width)
+    base = -(half_y - label["descent"]) * dots
     centre = (place[0] + x * dots, place[1] + (height_mm - y) * dots)
-    blf.color(font, *label["colour"])
-    if abs(label["angle"]) > 0.1:
-        blf.enable(font, blf.ROTATION)
-        blf.rotation(font, -label["angle"])
-        blf.position(font, centre[0] - base, centre[1] + begin, 0.0)
-    else:
-        blf.position(font, centre[0] + begin, centre[1] + base, 0.0)
-    blf.draw(font, label["text"])
-    blf.disable(font, blf.ROTATION)
+    blf.color(_FONT, *label["colour"])
+    upwards = abs(label["angle"]) > 0.1
+    if upwards:
+        blf.enable(_FONT, blf.ROTATION)
+        blf.rotation(_FONT, -label["angle"])
+    # Once more beside itself, a text is bold: Blender's interface has no such typeface.
+    for shift in (0.0, 0.5) if label["bold"] else (0.0,):
+        along, above = begin + shift, base
+        at = (-above, along) if upwards else (along, above)
+        blf.position(_FONT, centre[0] + at[0], centre[1] + at[1], 0.0)
+        blf.draw(_FONT, label["text"])
+    blf.disable(_FONT, blf.ROTATION)
 
 
 def register():
