@@ -7,7 +7,6 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/immersed_integrals.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -67,27 +66,6 @@ TEST(Hydrostatics, VolumeGrowsByTheWaterplane) {
     const double above = upright_hydrostatics(surface, draft + kStep, false).displaced_volume;
     const double below = upright_hydrostatics(surface, draft - kStep, false).displaced_volume;
     EXPECT_NEAR((above - below) / (2.0 * kStep), at.waterplane_area, 1e-6) << "trial " << trial;
-  }
-}
-
-// A body and an inclined plane against the turned body and a level plane.
-TEST(Hydrostatics, TurnsWithThePlane) {
-  std::mt19937 random(93);
-  for (int trial = 0; trial < 10; ++trial) {
-    MeshArrays arrays = testing::cube();
-    testing::randomise(arrays, random, 0.3, 0.1, 0.2);
-    const Eigen::AngleAxisd turn(0.4 + 0.1 * trial, Vector3d(1.0, 0.3, 0.2).normalized());
-    MeshArrays turned = arrays;
-    for (auto& p : turned.points) p = turn * p;
-    const Vector3d normal = turn.inverse() * Vector3d::UnitZ();
-    const ImmersedIntegrals a =
-        immersed_integrals(LimitSurface{ControlMesh(arrays)}, {normal, 0.1});
-    const ImmersedIntegrals b =
-        immersed_integrals(LimitSurface{ControlMesh(turned)}, {Vector3d::UnitZ(), 0.1});
-    EXPECT_NEAR(a.flux, b.flux, 1e-12);
-    EXPECT_NEAR(a.projected_area, b.projected_area, 1e-11);
-    EXPECT_NEAR(a.wetted_area, b.wetted_area, 1e-8);
-    EXPECT_LT((turn * a.flux_moment - b.flux_moment).norm(), 1e-12);
   }
 }
 

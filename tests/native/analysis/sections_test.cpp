@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "analysis/feature_curves.h"
-#include "analysis/immersed_integrals.h"
+#include "analysis/hull_body.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -68,7 +68,8 @@ TEST(Sections, EncloseTheWaterplane) {
     expect_on_plane_and_surface(surface, plane, curves);
     for (const SectionCurve& c : curves) EXPECT_TRUE(c.closed) << "trial " << trial;
     // Chords lie within 1e-6 of the curve, so the area within about 1e-6 times its length.
-    EXPECT_NEAR(enclosed_area(curves), immersed_integrals(surface, plane).projected_area, 2e-5)
+    EXPECT_NEAR(enclosed_area(curves), HullBody(surface, false).immersion(plane).waterplane_area,
+                2e-5)
         << "trial " << trial;
   }
 }
