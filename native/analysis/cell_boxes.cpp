@@ -26,7 +26,7 @@ void CellBoxes::add(const LimitSurface& surface, const SurfaceNode& node, int ce
       extend(surface.leaf(node.index));
       break;
     case SurfaceNode::Kind::kCorner:
-      extend(surface.corner(node.index).squares.front());
+      extend(surface.corner(node.index).outer);
       break;
     case SurfaceNode::Kind::kSplit:
       for (const SurfaceNode& child : surface.layout().split(node.index)) {

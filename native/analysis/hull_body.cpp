@@ -136,7 +136,7 @@ void HullBody::update() {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const int corner = static_cast<int>(i);
     const CornerBasis& basis = surface.layout().basis(corner);
-    const std::vector<Vector3d>& points = surface.corner(corner).squares.front();
+    const std::vector<Vector3d>& points = surface.corner(corner).outer;
     place(corners_[i], points.data(), points.size());
     CornerRing ring(basis, surface.corner(corner));
     corners_[i].moments = corner_moments(ring, basis, series(corner), centre_, corner_tolerance_);

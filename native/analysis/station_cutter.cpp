@@ -115,7 +115,7 @@ bool StationCutter::has_flat(double position) const {
     if (all_at(surface.leaf(i), position, tolerance)) return true;
   }
   for (int i = 0; i < surface.layout().corner_count(); ++i) {
-    if (all_at(surface.corner(i).squares.front(), position, tolerance)) return true;
+    if (all_at(surface.corner(i).outer, position, tolerance)) return true;
   }
   return std::any_of(border_.begin(), border_.end(), [&](const BorderEdge& edge) {
     return all_at(edge.points, position, tolerance);

@@ -109,23 +109,25 @@ void CornerBasis::place_segments() {
   }
 }
 
+void CornerBasis::halve(std::vector<Vector3d>& square, std::vector<Vector3d>& refined) const {
+  refine_.multiply(square.data(), refined.data());
+  for (std::size_t i = 0; i < square.size(); ++i) square[i] = refined[next_square_[i]];
+}
+
 void CornerBasis::prepare(CornerPoints& points) const {
-  assert(points.squares.size() == kPlainRings + 1);
-  assert(static_cast<int>(points.squares.front().size()) == point_count());
+  assert(static_cast<int>(points.outer.size()) == point_count());
   points.segments.resize(static_cast<std::size_t>(kPlainRings) * segments_.size());
   std::vector<Vector3d> refined(refine_.count());
+  points.inner = points.outer;
   for (int level = 0; level < kPlainRings; ++level) {
-    refine_.multiply(points.squares[level].data(), refined.data());
-    std::vector<Vector3d>& square = points.squares[level + 1];
-    square.resize(next_square_.size());
-    for (std::size_t i = 0; i < square.size(); ++i) square[i] = refined[next_square_[i]];
+    halve(points.inner, refined);
     for (int s = 0; s < segment_count(); ++s) {
       BicubicPoints& segment = points.segments[level * segment_count() + s];
       for (int i = 0; i < 16; ++i) segment[i] = refined[segment_rows_[s][i]];
     }
   }
   // The row of limit weights, applied to the smallest square for accuracy.
-  const std::vector<Vector3d>& inner = points.squares.back();
+  const std::vector<Vector3d>& inner = points.inner;
   points.limit = inner.front();
   for (Eigen::Index i = 0; i < spectrum_->left.rows(); ++i) {
     points.limit += spectrum_->left(i, 0) * (inner[i] - inner.front());
@@ -133,7 +135,7 @@ void CornerBasis::prepare(CornerPoints& points) const {
 }
 
 EigenCoordinates CornerBasis::eigen_coordinates(const CornerPoints& points) const {
-  const std::vector<Vector3d>& inner = points.squares.back();
+  const std::vector<Vector3d>& inner = points.inner;
   EigenCoordinates result;
   result.rest.resize(point_count(), 3);
   for (int i = 0; i < point_count(); ++i) {
@@ -222,7 +224,12 @@ CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)
     : basis_(basis), points_(points) {}
 
 std::vector<Vector3d> CornerRing::points() const {
-  if (step_ <= kPlainRings) return points_.squares[step_];
+  if (step_ == kPlainRings) return points_.inner;
+  if (step_ < kPlainRings) {
+    std::vector<Vector3d> square = points_.outer, refined(basis_.refine_.count());
+    for (int k = 0; k < step_; ++k) basis_.halve(square, refined);
+    return square;
+  }
   const CornerBasis::Rows values = basis_.right_.lazyProduct(deep_.slow) + deep_.rest;
   std::vector<Vector3d> result;
   result.reserve(values.rows());
@@ -235,7 +242,8 @@ std::vector<Vector3d> CornerRing::points() const {
 BicubicPoints CornerRing::segment_points(int segment) const {
   if (step_ < kPlainRings) return points_.segments[step_ * basis_.segment_count() + segment];
   const RingSegment& s = basis_.segments_[segment];
-  const Eigen::Matrix<double, 16, 3> values = s.slow.lazyProduct(deep_.slow) + s.rows.lazyProduct(deep_.rest);
+  const Eigen::Matrix<double, 16, 3> values =
+      s.slow.lazyProduct(deep_.slow) + s.rows.lazyProduct(deep_.rest);
   BicubicPoints result;
   for (int i = 0; i < 16; ++i) result[i] = points_.limit + values.row(i).transpose();
   return result;

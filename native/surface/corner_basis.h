@@ -29,8 +29,8 @@ inline constexpr int kPlainRings = 4;
 
 // What a surface keeps of one irregular cell.
 struct CornerPoints {
-  std::vector<std::vector<Vector3d>>
-      squares;                          // N control points of [0, 2^-k]², k = 0 … kPlainRings
+  std::vector<Vector3d> outer;          // N control points of [0, 1]² …
+  std::vector<Vector3d> inner;          // … and of [0, 2^-kPlainRings]²
   std::vector<BicubicPoints> segments;  // of ring 1, of ring 2, … of ring kPlainRings
   Vector3d limit;                       // the surface point at (0, 0)
 };
@@ -64,7 +64,7 @@ class CornerBasis {
   int segment_count() const { return static_cast<int>(segments_.size()); }
   const TangentRule& tangent_rule() const { return tangent_; }
 
-  // Computes the rest of `points` from its first square, given with all squares' number right.
+  // Computes the rest of `points` from its outer square.
   void prepare(CornerPoints& points) const;
 
   // Position and derivatives up to `order` at (u, v) in [0, 1]^2; higher ones are left as they are
@@ -84,6 +84,8 @@ class CornerBasis {
   void evaluate_deep(const CornerPoints& points, int level, double u, double v, int order,
                      SurfaceJet& jet) const;
   void advance(EigenCoordinates& coordinates, int steps) const;
+  // Halves a square's points in place; `refined` is room for all rows of refine_.
+  void halve(std::vector<Vector3d>& square, std::vector<Vector3d>& refined) const;
 
   Eigen::MatrixXd A_;
   Eigen::MatrixXd right_;  // slow eigenvectors of A: those of the ring, extended to outer points

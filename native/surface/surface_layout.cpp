@@ -210,10 +210,9 @@ void SurfaceLayout::take_leaf(int leaf, const std::vector<Vector3d>& refined,
 void SurfaceLayout::take_corner(int corner, const std::vector<Vector3d>& refined,
                                 CornerPoints& points) const {
   const Corner& from = corners_[corner];
-  points.squares.resize(kPlainRings + 1);
-  std::vector<Vector3d>& first = points.squares.front();
-  first.clear();
-  for (int i : from.points) first.push_back(refined[i]);
+  points.outer.clear();
+  points.outer.reserve(from.points.size());
+  for (int i : from.points) points.outer.push_back(refined[i]);
   from.basis->prepare(points);
 }
 

@@ -115,8 +115,7 @@ void SurfaceTree::take_pieces(const LimitSurface& surface) {
   }
   for (DeepCorner& deep : deep_corners_) {
     const CornerPoints& points = surface.corner(deep.corner);
-    deep.points.squares.resize(kPlainRings + 1);
-    deep.points.squares.back() = points.squares.back();
+    deep.points.inner = points.inner;
     deep.points.limit = points.limit;
   }
 }
@@ -124,7 +123,7 @@ void SurfaceTree::take_pieces(const LimitSurface& surface) {
 Eigen::AlignedBox3d SurfaceTree::box_of(int item) const {
   if (item < piece_count()) return patches_[item].box();
   Eigen::AlignedBox3d box;
-  for (const Vector3d& p : deep_corners_[item - piece_count()].points.squares.back()) {
+  for (const Vector3d& p : deep_corners_[item - piece_count()].points.inner) {
     box.extend(p);
   }
   return box;

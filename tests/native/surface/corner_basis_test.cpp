@@ -57,11 +57,10 @@ TEST(CornerBasis, AgreesWithPowersOfTheLocalMatrix) {
       plain.row(i) = points[i].transpose();
     }
     CornerPoints prepared;
-    prepared.squares.resize(kPlainRings + 1);
-    prepared.squares.front() = points;
+    prepared.outer = points;
     basis.prepare(prepared);
     // From the square the eigenbasis takes over in, so that it is this that is compared.
-    for (int i = 0; i < n; ++i) plain.row(i) = prepared.squares.back()[i].transpose();
+    for (int i = 0; i < n; ++i) plain.row(i) = prepared.inner[i].transpose();
     CornerRing ring(basis, prepared);
     for (int level = 0; level < kPlainRings; ++level) ring.advance();
     for (int level = kPlainRings; level < 24; ++level) {
