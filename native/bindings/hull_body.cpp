@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "bindings/arrays.h"
 #include "bindings/classes.h"
 
 namespace hull::bindings {
@@ -72,7 +73,8 @@ void bind_hull_body(py::module_& module) {
           [](const HullBody& b) { return b.openings() == Openings::kOpen ? "open" : "closed"; })
       .def(
           "immersion",
-          [](const HullBody& body, const Vector3d& normal, double offset) {
+          [](const HullBody& body, const DoubleArray& up, double offset) {
+            const Vector3d normal = point_from(up, "normal");
             const double length = normal.norm();
             if (!(length > 0.0)) throw std::invalid_argument("normal must not be zero.");
             const py::gil_scoped_release release;
