@@ -99,7 +99,7 @@ def hydrostatic_curves_plot(
     if not rows:
         raise ValueError("Hydrostatic curves need a row of the table at least.")
     if quantities is None:
-        quantities = [q for q in QUANTITIES if all(_get(row, q) is not None for row in rows)]
+        quantities = [q for q in QUANTITIES if _known(rows, q)]
         if any(q.scale == "displacement" for q in quantities):
             quantities = [q for q in quantities if q.scale != "volume"]
     drafts = np.array([row.draft for row in rows], dtype=float)
@@ -134,6 +134,12 @@ def hydrostatic_curves_plot(
     return plot
 
 
+def _known(rows, quantity):
+    """Whether all rows have it, and one at least a number that is not 0: 0 is unknown."""
+    values = [_get(row, quantity) for row in rows]
+    return None not in values and bool((np.isfinite(values) & (np.array(values) != 0.0)).any())
+
+
 def _get(row, quantity):
     try:
         return attrgetter(quantity.attribute)(row)
@@ -143,8 +149,6 @@ def _get(row, quantity):
 
 def _range_of(scale, drafts, columns):
     """The range of an axis (columns: (curves, drafts)), None to show all."""
-    if scale == "coefficient":
-        return (0.0, 1.0)
     if scale not in {"vertical", "metacentre"}:
         return None
     deepest = columns[:, int(np.argmax(drafts))]
@@ -214,6 +218,8 @@ def righting_lever_plot(
     *,
     title="Righting lever curve",
     subtitles=(),
+    slopes=None,
+    greatest=None,
     gm=None,
     vanishing=None,
     deck_edge=None,
@@ -222,11 +228,14 @@ def righting_lever_plot(
 ):
     """GZ (n,) in m over heel (n,) in rad; between the angles given the curve is interpolated.
 
-    gm (m) draws the tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad
+    slopes (n,): dGZ/dheel in m/rad, which the curve then has; otherwise they are estimated.
+    greatest: (heel, lever) in rad and m, by default the top of the curve drawn. gm (m) draws the tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad
     that are marked; areas: (from, to, value), rad and m·rad, are shaded.
     """
     heel, gz = _same_length(heel, gz, "heel", "gz")
-    angles, levers = _fair(np.degrees(heel), gz)
+    if slopes is not None:
+        slopes = np.radians(_same_length(heel, slopes, "heel", "slopes")[1])
+    angles, levers = _fair(np.degrees(heel), gz, slopes)
     plot = Plot(title, list(subtitles))
     plot.add_x_axis("Heel φ", "°")
     plot.set_y_axis("Righting lever GZ", "m", range=_righting_range(levers, gm), from_zero=True)
@@ -236,6 +245,8 @@ def righting_lever_plot(
         label = f"area {start_deg:.4g}° to {end_deg:.4g}°: {value:.4f} m·rad"
         plot.add_area(curve, start_deg, end_deg, label)
     top = _maximum(angles, levers)
+    if greatest is not None:
+        top = (np.degrees(greatest[0]), greatest[1])
     if top is not None:
         plot.add_marker(*top, f"max {top[1]:.3f} m at {top[0]:.1f}°", curve=curve)
     if gm is not None:
@@ -320,10 +331,11 @@ def _maximum(x, y):
     return float(x[top]), float(y[top])
 
 
-def _fair(t, values):
+def _fair(t, values, slopes=None):
     """A smooth curve through values (n,) at rising t (n,): (t, values) of closer points.
 
-    Piecewise cubic, its slope at each point that of the parabola through it and its neighbours.
+    Piecewise cubic; slopes not given are those of the parabola through each point and its
+    neighbours.
     What is not rising, not finite or less than three points is left as it is.
     """
     if t.size < 3 or not (np.isfinite(t).all() and np.isfinite(values).all()):
@@ -331,7 +343,8 @@ def _fair(t, values):
     steps = np.diff(t)
     if not (steps > 0.0).all():
         return t, values
-    slopes = np.gradient(values, t, edge_order=2)
+    if slopes is None or not np.isfinite(slopes).all():
+        slopes = np.gradient(values, t, edge_order=2)
     share = np.linspace(0.0, 1.0, _FAIR_PARTS, endpoint=False)[None, :]
     h, rise = steps[:, None], np.diff(values)[:, None]
     start, end = slopes[:-1, None] * h, slopes[1:, None] * h

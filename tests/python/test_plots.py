@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plots as files: every kind of diagram in every format, its texts, and words on mistakes."""
+
+import math
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree
+from pathlib import Path
+from types import SimpleNamespace
+
+import hull_native as hn
+import hull_native.plots
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
+from hull_io_loader import load_hull_io  # noqa: E402
+
+hull_io = load_hull_io()
+
+DRAFTS = np.linspace(1.0, 5.0, 9)
+
+
+def hydrostatic_rows():
+    shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / "coaster.hull.json"))
+    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    surface = hn.LimitSurface(hn.ControlMesh(*arrays))
+    return [hn.upright_hydrostatics(surface, draft=draft, mirrored=True) for draft in DRAFTS]
+
+
+def hydrostatic_curves():
+    return hn.hydrostatic_curves_plot(hydrostatic_rows(), draft=4.0)
+
+
+def sectional_areas():
+    x = np.linspace(0.0, 70.0, 71)
+    return hn.sectional_area_plot(x, 45.0 * (1.0 - (x / 35.0 - 1.0) ** 4), lcb=35.2, length_pp=70.0)
+
+
+def bonjean():
+    stations = np.linspace(0.0, 70.0, 11)
+    areas = np.outer(1.0 - (stations / 35.0 - 1.0) ** 4, 11.0 * DRAFTS)
+    outline = [np.array([[0.0, 0.0], [70.0, 0.0], [72.0, 6.0]])]
+    return hn.bonjean_plot(stations, DRAFTS, areas, draft=4.0, outline=outline)
+
+
+HEEL = np.radians(np.arange(0, 95, 5))
+
+
+def righting_levers(**more):
+    return hn.righting_lever_plot(HEEL, np.sin(2.0 * HEEL), **more)
+
+
+def full_righting_levers():
+    return righting_levers(
+        gm=2.0,
+        vanishing=math.pi / 2.0,
+        deck_edge=math.radians(22.1),
+        flooding=math.radians(48.0),
+        areas=[(0.0, math.radians(30.0), 0.25)],
+        subtitles=["∇ 2345 m³, KG 4.35 m"],
+    )
+
+
+def cross_curves():
+    displacement = np.linspace(500.0, 3000.0, 6)
+    heels = np.radians([10, 30, 60])
+    return hn.cross_curves_plot(
+        displacement, heels, np.outer(5.0 + 300.0 / displacement, np.sin(heels))
+    )
+
+
+PLOTS = {
+    "hydrostatic": (
+        hydrostatic_curves,
+        ["KMt [m]", "LCF from AP [m]", "Displacement Δ [t]"],
+    ),
+    "sectional": (sectional_areas, ["largest 45 m²", "LCB 35.2 m"]),
+    "bonjean": (bonjean, ["x from the after perpendicular [m]", "area of 50 m²", "T 4 m"]),
+    "levers": (
+        full_righting_levers,
+        ["Heel φ [°]", "max 1.000 m at 45.0°", "area 0° to 30°: 0.2500 m·rad", "∇ 2345 m³"],
+    ),
+    "cross": (cross_curves, ["Displacement Δ [t]", "heel 30°"]),
+}
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+def test_every_plot_in_every_format(kind, tmp_path):
+    make, texts = PLOTS[kind]
+    plot = make()
+    for ending in ("pdf", "svg", "png"):
+        hn.write_plot(plot, tmp_path / f"plot.{ending}")
+    assert (tmp_path / "plot.png").read_bytes().startswith(b"\x89PNG")
+    root = xml.etree.ElementTree.parse(tmp_path / "plot.svg").getroot()
+    assert root.tag.endswith("svg")
+    if shutil.which("pdftotext") is None:
+        pytest.skip("pdftotext is not installed: texts of the PDF not read")
+    done = subprocess.run(
+        ["pdftotext", "-raw", tmp_path / "plot.pdf", "-"], capture_output=True, check=True
+    )
+    # Only blanks may come out different.
+    read = "".join(done.stdout.decode().split())
+    for text in texts:
+        assert text.replace(" ", "") in read
+
+
+def test_the_marked_maximum_is_on_the_curve():
+    labels = [label["text"] for label in sheet_of(righting_levers()).labels]
+    assert any(text.startswith("max 1.000 m") for text in labels)
+    # Between the angles given the curve is interpolated: 0, 40, 80 have their top at 45.
+    coarse = hn.righting_lever_plot(HEEL[::2], np.sin(2.0 * HEEL[::2]))
+    text = next(t["text"] for t in sheet_of(coarse).labels if t["text"].startswith("max"))
+    assert float(text.split()[1]) == pytest.approx(1.0, abs=0.01)
+    assert float(text.split()[-1].rstrip("°")) == pytest.approx(45.0, abs=1.0)
+
+
+def test_given_slopes_and_top_are_kept():
+    coarse = HEEL[::3]
+    plot = hn.righting_lever_plot(
+        coarse, np.sin(2.0 * coarse), slopes=2.0 * np.cos(2.0 * coarse), greatest=(math.pi / 4, 1.0)
+    )
+    assert any(t["text"] == "max 1.000 m at 45.0°" for t in sheet_of(plot).labels)
+    # With its slopes a sine is cubic between 15° steps to h⁴ / 384 times its fourth derivative.
+    fair_angles, fair_levers = hull_native.plots._fair(
+        coarse, np.sin(2.0 * coarse), 2.0 * np.cos(2.0 * coarse)
+    )
+    bound = 16.0 * math.radians(15.0) ** 4 / 384.0
+    assert np.abs(fair_levers - np.sin(2.0 * fair_angles)).max() <= bound
+
+
+def sheet_of(plot):
+    return hn.lay_out_plot(plot, width_mm=120.0, height_mm=85.0)
+
+
+def test_layout_as_arrays():
+    sheet = sheet_of(full_righting_levers())
+    left, top, right, bottom = sheet.diagram
+    assert 0.0 < left < right < 120.0 and 0.0 < top < bottom < 85.0
+    for points, colour, width, dashes in sheet.strokes:
+        assert points.shape[1] == 2 and len(points) >= 2 and width > 0.0
+        assert len(colour) == 4 and len(dashes) in (0, 4)
+    assert len(sheet.areas) == 1
+    assert {"text", "size", "centre", "half", "angle"} <= set(sheet.labels[0])
+
+
+def test_equal_plots_are_equal():
+    assert righting_levers() == righting_levers()
+    assert righting_levers() != righting_levers(gm=1.0)
+
+
+def test_hydrostatics_of_parts_and_without_a_number():
+    rows = [
+        SimpleNamespace(draft=t, kb=0.5 * t, km_transverse=math.inf if t == 0 else 3.0 / t)
+        for t in (0.0, 1.0, 2.0)
+    ]
+    assert hn.hydrostatic_curves_plot(rows).curve_names == ["KB", "KMt"]
+    sheet_of(hn.hydrostatic_curves_plot(rows))
+
+
+def test_mistakes_are_named(tmp_path):
+    with pytest.raises(ValueError, match="row"):
+        hn.hydrostatic_curves_plot([])
+    with pytest.raises(ValueError, match="heel has 3 numbers and gz 2"):
+        hn.righting_lever_plot([0, 1, 2], [0, 1])
+    with pytest.raises(ValueError, match=r"areas must have shape \(2, 3\)"):
+        hn.bonjean_plot([0, 1], [0, 1, 2], np.zeros((3, 2)))
+    with pytest.raises(ValueError, match="kn must have shape"):
+        hn.cross_curves_plot([0, 1], [0, 1, 2], np.zeros((3, 2)))
+    plot = hn.Plot("Empty")
+    with pytest.raises(ValueError, match="no x axis"):
+        hn.write_plot(plot, tmp_path / "a.pdf")
+    plot.add_x_axis("x", "m")
+    with pytest.raises(ValueError, match="style"):
+        plot.add_curve("a", [0, 1], [0, 1], style="wavy")
+    with pytest.raises(ValueError, match="colour"):
+        plot.add_curve("a", [0, 1], [0, 1], colour=(0, 0, 2))
+    with pytest.raises(ValueError, match="either x or y"):
+        plot.add_line(label="nowhere")
+    plot.add_curve("a", [0, 1], [0, 1, 2])
+    with pytest.raises(ValueError, match='curve "a" has 2 x and 3 y'):
+        hn.write_plot(plot, tmp_path / "a.pdf")
+    with pytest.raises(ValueError, match="pdf, .svg or .png"):
+        hn.write_plot(righting_levers(), tmp_path / "a.dwg")
+    with pytest.raises(ValueError, match="A4"):
+        hn.write_plot(righting_levers(), tmp_path / "a.pdf", paper="letter")
+    with pytest.raises(OSError):
+        hn.write_plot(righting_levers(), tmp_path / "missing" / "a.pdf")
+    assert not list(tmp_path.iterdir())
