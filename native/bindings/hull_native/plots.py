@@ -193,6 +193,8 @@ def bonjean_plot(
     plot.set_y_axis("Height above base", "m", from_zero=True)
     for curve in outline:
         curve = np.asarray(curve, dtype=float).reshape(-1, 2)
+        if not np.ptp(curve, axis=0).any():
+            continue  # an edge across the ship
         plot.add_curve("", curve[:, 0], curve[:, 1], colour=(0.55, 0.55, 0.55))
     for number, (x, row, label) in enumerate(zip(stations, areas, labels)):
         colour = _STATION_COLOURS[number % len(_STATION_COLOURS)]
@@ -229,8 +231,9 @@ def righting_lever_plot(
     """GZ (n,) in m over heel (n,) in rad; between the angles given the curve is interpolated.
 
     slopes (n,): dGZ/dheel in m/rad, which the curve then has; otherwise they are estimated.
-    greatest: (heel, lever) in rad and m, by default the top of the curve drawn. gm (m) draws the tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad
-    that are marked; areas: (from, to, value), rad and m·rad, are shaded.
+    greatest: (heel, lever) in rad and m, by default the top of the curve drawn. gm (m) draws the
+    tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad that are marked;
+    areas: (from, to, value), rad and m·rad, are shaded.
     """
     heel, gz = _same_length(heel, gz, "heel", "gz")
     if slopes is not None:
