@@ -7,6 +7,7 @@
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 #include "bindings/places.h"
+#include "surface/parallel_for.h"
 
 namespace hull::bindings {
 namespace {
@@ -32,10 +33,15 @@ struct Curvatures {
 Curvatures curvatures(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
   const Places places = places_from(surface, cells, uv);
   const py::gil_scoped_release release;
+  std::vector<Curvature> each(places.cells.size());
+  constexpr int kAllProcessors = 0;
+  parallel_for(each.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      each[i] = curvature(surface, places.cells[i], places.uv[i].x(), places.uv[i].y());
+    }
+  });
   Curvatures result;
-  for (std::size_t i = 0; i < places.cells.size(); ++i) {
-    result.add(curvature(surface, places.cells[i], places.uv[i].x(), places.uv[i].y()));
-  }
+  for (const Curvature& c : each) result.add(c);
   return result;
 }
 

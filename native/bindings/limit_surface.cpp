@@ -10,6 +10,7 @@
 #include "bindings/classes.h"
 #include "bindings/places.h"
 #include "surface/grid_samples.h"
+#include "surface/parallel_for.h"
 
 namespace hull::bindings {
 
@@ -31,6 +32,8 @@ Places places_from(const LimitSurface& surface, const py::object& cells, const D
 
 namespace {
 
+constexpr int kAllProcessors = 0;
+
 Scheme scheme_from(const std::string& name) {
   if (name == "biermann") return Scheme::kBiermann;
   if (name == "catmull_clark") return Scheme::kCatmullClark;
@@ -50,9 +53,11 @@ py::array_t<double> at_places(const LimitSurface& surface, const py::object& cel
   std::vector<Vector3d> values(places.cells.size());
   {
     const py::gil_scoped_release release;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = function(places.cells[i], places.uv[i].x(), places.uv[i].y());
-    }
+    parallel_for(values.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        values[i] = function(places.cells[i], places.uv[i].x(), places.uv[i].y());
+      }
+    });
   }
   return to_array(values);
 }
@@ -71,12 +76,14 @@ py::tuple evaluate(const LimitSurface& surface, const py::object& cells, const D
                                             std::vector<Vector3d>(places.cells.size()));
   {
     const py::gil_scoped_release release;
-    for (std::size_t i = 0; i < places.cells.size(); ++i) {
-      const SurfaceJet jet =
-          surface.evaluate(places.cells[i], places.uv[i].x(), places.uv[i].y(), order);
+    parallel_for(places.cells.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+      SurfaceJet jet;
       const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
-      for (std::size_t k = 0; k < values.size(); ++k) values[k][i] = *parts[k];
-    }
+      for (std::size_t i = begin; i < end; ++i) {
+        surface.evaluate(places.cells[i], places.uv[i].x(), places.uv[i].y(), order, jet);
+        for (std::size_t k = 0; k < values.size(); ++k) values[k][i] = *parts[k];
+      }
+    });
   }
   py::tuple result(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) result[k] = to_array(values[k]);
@@ -87,7 +94,7 @@ py::tuple evaluate_on_grid(const LimitSurface& surface, int n, int derivatives) 
   GridSamples samples;
   {
     const py::gil_scoped_release release;
-    evaluate_grid(surface, n, derivatives, samples);
+    evaluate_grid(surface, n, derivatives, samples, kAllProcessors);
   }
   std::vector<const std::vector<Vector3d>*> parts{&samples.points};
   if (derivatives > 0) parts.insert(parts.end(), {&samples.du, &samples.dv});
@@ -107,7 +114,9 @@ void bind_limit_surface(py::module_& module) {
       "The exact limit surface of a control mesh: a function of a cell and (u, v) in [0, 1]^2.\n\n"
       "Cells come in the order (face of the control mesh, corner of that face); (0, 0) is at the "
       "corner, (1, 0) halfway along the edge to the next corner, (1, 1) at the face's centre. "
-      "Positions are exact to about 1e-14 of the mesh's size.")
+      "Positions are exact to about 1e-14 of the mesh's size. Large arrays of places are shared "
+      "out "
+      "among the processors, which does not change the results.")
       .def(py::init([](const ControlMesh& mesh, const std::string& scheme) {
              const Scheme chosen = scheme_from(scheme);
              const py::gil_scoped_release release;
