@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files made from a hull as it is now: STEP, lines plan, table of hydrostatics."""
+"""Files made from a hull as it is now: STEP, lines plan, tables and plots of its analyses."""
 
-from . import hull_state, hydrostatics, lines, native, units
+from dataclasses import replace
+
+from . import afloat, analyses, hull_state, hydrostatics, lines, native, tables, units
 from .files import replacing
-
-_TABLE_ROWS = 10
 
 
 def _up_to_date(obj, scene):
-    """The hull's surface; ValueError with the reason when the mesh has none as it is."""
+    """The hull's HullState; ValueError with the reason when the mesh has no surface as it is."""
     state = hull_state.refresh(obj, scene)
     if state.status:
         raise ValueError(state.status)
-    return state.surface
+    return state
 
 
 class StepExport:
@@ -22,7 +22,7 @@ class StepExport:
     """
 
     def __init__(self, obj, scene, path):
-        self._surface = _up_to_date(obj, scene)
+        self._surface = _up_to_date(obj, scene).surface
         self._path = path
         self._name = obj.name
         self._mirrored = obj.hull.half
@@ -50,7 +50,8 @@ def export_step(obj, scene, path):
 
 def export_lines_drawing(obj, scene, path):
     """Draws body plan, profile and half-breadth plan; SVG, PDF or PNG by the name's ending."""
-    surface = _up_to_date(obj, scene)
+    state = _up_to_date(obj, scene)
+    surface = state.surface
     scale = units.metres_per_unit(scene)
     where = lines.planes(obj.hull, surface.mesh.points, scale)
     length = units.as_typed(obj.hull.length_pp) * scale
@@ -64,11 +65,11 @@ def export_lines_drawing(obj, scene, path):
         draft=units.as_typed(obj.hull.draft) * scale or None,
         length=length or None,
         title=obj.name,
-        particulars=_particulars(obj.hull, surface, scale),
+        particulars=_particulars(obj.hull, state.body, scale),
     )
 
 
-def _particulars(settings, surface, scale):
+def _particulars(settings, body, scale):
     """Pairs (name, value) for the title block; what is not given is left out."""
     given = {
         "Length between perpendiculars": settings.length_pp,
@@ -80,9 +81,8 @@ def _particulars(settings, surface, scale):
         (name, f"{units.as_typed(value) * scale:.2f} m") for name, value in given.items() if value
     ]
     try:
-        draft = units.as_typed(settings.draft) * scale
-        water_density = units.as_typed(settings.water_density)
-        found = hydrostatics.upright(surface, draft, settings.half, water_density)
+        where = replace(afloat.afloat(settings, scale), trim_m=0.0, heel=0.0)
+        found = hydrostatics.at(body, where)
     except ValueError:
         return pairs  # afloat at no such draft: the drawing is good without
     pairs.append(("Displaced volume", f"{found.displaced_volume:.1f} m³"))
@@ -90,17 +90,14 @@ def _particulars(settings, surface, scale):
     return pairs
 
 
-def export_hydrostatics(obj, scene, path):
-    """Writes hydrostatics at ten equal steps of draft up to the hull's draft as CSV."""
-    surface = _up_to_date(obj, scene)
-    draft = units.as_typed(obj.hull.draft) * units.metres_per_unit(scene)
-    water_density = units.as_typed(obj.hull.water_density)
-    rows = []
-    for step in range(1, _TABLE_ROWS + 1):
-        at = draft * step / _TABLE_ROWS
-        try:
-            rows.append(hydrostatics.upright(surface, at, obj.hull.half, water_density))
-        except ValueError:
-            if step == _TABLE_ROWS:
-                raise
-    hydrostatics.write_table(path, rows)
+def export_table(obj, scene, name, path):
+    """Writes the table of one of analyses.ANALYSES as CSV."""
+    result = analyses.result_of(obj, scene, name)
+    analysis = analyses.ANALYSES[name]
+    tables.write_table(path, analysis.header(result), analysis.rows(result))
+
+
+def export_plot(obj, scene, name, path):
+    """Draws one of analyses.PLOTTED on paper; SVG, PDF or PNG by the file name's ending."""
+    result = analyses.result_of(obj, scene, name)
+    native.require().write_plot(analyses.PLOTTED[name].plot(result, obj.name), path)

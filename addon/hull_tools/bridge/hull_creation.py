@@ -68,7 +68,8 @@ def _copy_particulars(settings, hull, scale):
 
 
 def _fill_particulars(obj):
-    """Particulars not given are the extent of the mesh; the draft is a guess at six tenths."""
+    """Particulars not given are the extent of the mesh; draft and KG are guesses, six tenths of the
+    depth."""
     settings = obj.hull
     points = mesh_arrays.read_mesh(obj.data).points
     if not len(points):
@@ -83,6 +84,8 @@ def _fill_particulars(obj):
     for name, value in extent.items():
         if getattr(settings, name) <= 0.0:
             setattr(settings, name, value)
+    if settings.loading.kg <= 0.0:
+        settings.loading.kg = 0.6 * settings.depth
 
 
 def _fill_spacings(settings):

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import (
+    afloat,
     hull_objects,
     hydrostatics,
     lines,
@@ -31,15 +32,18 @@ class HullState:
     """Results of one hull, for panels to show.
 
     status: why the surface is not up to date, or "". hydrostatics: Hydrostatics or None, and then
-    hydrostatics_status says why. keys: what each result was computed from.
+    hydrostatics_status says why. body: the hull_native.HullBody of `surface`. analyses: see
+    bridge.analyses. keys: what each result was computed from.
     """
 
     status: str = ""
     remarks: list = field(default_factory=list)
     check: mesh_check.MeshCheck = mesh_check.MeshCheck()
     surface: object = None
+    body: object = None
     hydrostatics: object = None
     hydrostatics_status: str = ""
+    analyses: dict = field(default_factory=dict)
     keys: dict = field(default_factory=dict)
 
 
@@ -75,7 +79,8 @@ def _refresh(obj, scene, state):
     scale = units.metres_per_unit(scene)
     geometry_key = _update_surface(obj, state, scale)
     _show_surface(obj, state, scale, geometry_key)
-    _update_hydrostatics(obj, state, scale, geometry_key)
+    _update_body(obj, state, geometry_key)
+    _update_hydrostatics(obj, state, scale)
     _show_lines(obj, state, scale, geometry_key)
 
 
@@ -139,17 +144,24 @@ def _show_lines(obj, state, scale, geometry_key):
         state.keys["shown lines"] = key
 
 
-def _update_hydrostatics(obj, state, scale, geometry_key):
+def _update_body(obj, state, geometry_key):
     settings = obj.hull
-    draft = units.as_typed(settings.draft) * scale
-    water_density = units.as_typed(settings.water_density)
-    key = (geometry_key, draft, water_density)
+    key = (geometry_key, settings.deck_closed)
+    if state.keys.get("body") != key:
+        openings = "closed" if settings.deck_closed else "open"
+        state.body = native.require().HullBody(
+            state.surface, mirrored=settings.half, openings=openings
+        )
+        state.keys["body"] = key
+
+
+def _update_hydrostatics(obj, state, scale):
+    where = afloat.afloat(obj.hull, scale)
+    key = (state.keys["body"], where)
     if state.keys.get("hydrostatics") == key:
         return
     try:
-        state.hydrostatics = hydrostatics.upright(
-            state.surface, draft, settings.half, water_density
-        )
+        state.hydrostatics = hydrostatics.at(state.body, where)
         state.hydrostatics_status = ""
     except ValueError as error:
         state.hydrostatics = None

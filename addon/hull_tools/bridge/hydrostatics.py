@@ -1,67 +1,156 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Upright hydrostatics of a surface, with the names and units of the panel and of the table."""
+"""Hydrostatics of a floating body, with the names and units of the panel and of the table."""
 
-import csv
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
+from types import SimpleNamespace
 
 from . import native
-from .files import replacing
+
+# Volumes from depths and from breadths that differ by more than this part are no rounding.
+_CLOSED_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
-class Hydrostatics:
-    """Metres, m², m³ and tonnes; both sides; LCB and LCF from the after perpendicular."""
+class Quantity:
+    """A number of hydrostatics: where it is in hull_native.Particulars, and how it is named.
 
-    draft: float
-    displaced_volume: float
-    displacement_t: float
-    lcb: float
-    kb: float
-    lcf: float
-    waterplane_area: float
-    wetted_surface: float
-    kmt: float
+    name: of the value in Hydrostatics. title: in tables. unit: as units.format_value takes it.
+    """
+
+    group: str
+    name: str
+    label: str
+    title: str
+    unit: str
+    path: str
 
 
-TABLE_HEADER = (
-    "draft [m]",
-    "displaced volume [m3]",
-    "displacement [t]",
-    "LCB from AP [m]",
-    "KB [m]",
-    "LCF from AP [m]",
-    "waterplane area [m2]",
-    "wetted surface [m2]",
-    "KMt [m]",
+def _quantities():
+    for group, rows in _GROUPS.items():
+        for name, label, title, unit, path in rows:
+            yield Quantity(group, name, label, title, unit, path or name)
+
+
+_COEFFICIENTS = (
+    ("block", "Cb", "Cb"),
+    ("prismatic", "Cp", "Cp"),
+    ("midship", "Cm", "Cm"),
+    ("waterplane", "Cwp", "Cwp"),
+    ("vertical_prismatic", "Cvp", "Cvp"),
 )
 
 
-def upright(surface, draft, half, water_density):
-    """Hydrostatics of a hull_native.LimitSurface at a draft in m, in water of so many t/m³.
-
-    ValueError when the hull does not reach the water or does not rise out of it.
-    """
-    found = native.require().upright_hydrostatics(surface, draft=draft, mirrored=half)
-    volume = found.displaced_volume
-    if volume <= 0.0:
-        raise ValueError(f"Nothing is under water at a draft of {draft:.3f} m")
-    return Hydrostatics(
-        draft,
-        volume,
-        volume * water_density,
-        found.lcb,
-        found.kb,
-        found.lcf,
-        found.waterplane_area,
-        found.wetted_surface,
-        found.km_transverse,
+def _coefficients(of, what):
+    return tuple(
+        (f"{of}_{name}", label, f"{title} {what}", "", f"{of}.{name}")
+        for name, label, title in _COEFFICIENTS
     )
 
 
-def write_table(path, rows):
-    """Hydrostatics as CSV, one row each, units in the header; `path` is replaced only when done."""
-    with replacing(path) as beside, open(beside, "w", newline="", encoding="utf-8") as stream:
-        table = csv.writer(stream)
-        table.writerow(TABLE_HEADER)
-        for row in rows:
-            table.writerow([f"{value:.10g}" for value in astuple(row)])
+# name, label in the panel, title in tables, unit, path in Particulars if it is not the name.
+_GROUPS = {
+    "Displacement": (
+        ("displaced_volume", "Volume ∇", "displaced volume", "m3", ""),
+        ("displacement_t", "Displacement Δ", "displacement", "t", ""),
+        ("wetted_surface", "Wetted surface", "wetted surface", "m2", ""),
+        ("tpc", "Immersion TPC", "TPC", "t/cm", ""),
+        ("mtc", "Trim moment MTC", "MTC (with BMl)", "t m/cm", ""),
+    ),
+    "Centres": (
+        ("lcb", "LCB from AP", "LCB from AP", "m", ""),
+        ("lcb_percent", "LCB from midship", "LCB forward of midship", "%", ""),
+        ("tcb", "TCB to port", "TCB to port", "m", ""),
+        ("kb", "KB", "KB", "m", ""),
+        ("lateral_area", "Lateral area", "lateral area", "m2", ""),
+        ("lateral_x", "Its centre from AP", "lateral area's centre from AP", "m", ""),
+        ("lateral_z", "Its centre's height", "lateral area's centre above base", "m", ""),
+    ),
+    "Waterplane": (
+        ("waterplane_area", "Area", "waterplane area", "m2", ""),
+        ("lcf", "LCF from AP", "LCF from AP", "m", ""),
+        ("lcf_percent", "LCF from midship", "LCF forward of midship", "%", ""),
+        ("tcf", "TCF to port", "TCF to port", "m", ""),
+        ("inertia_transverse", "I transverse", "waterplane I transverse", "m4",
+         "waterplane_inertia_transverse"),
+        ("inertia_longitudinal", "I longitudinal", "waterplane I longitudinal", "m4",
+         "waterplane_inertia_longitudinal"),
+        ("half_angle_of_entrance", "Half entrance", "half angle of entrance", "deg", ""),
+        ("entrance_chord_angle", "Chord entrance", "entrance chord angle", "deg", ""),
+    ),
+    "Stability": (
+        ("bmt", "BMt", "BMt", "m", "bm_transverse"),
+        ("bml", "BMl", "BMl", "m", "bm_longitudinal"),
+        ("kmt", "KMt", "KMt", "m", "km_transverse"),
+        ("kml", "KMl", "KMl", "m", "km_longitudinal"),
+    ),
+    "Actual dimensions": (
+        ("waterline_length", "Lwl", "Lwl", "m", ""),
+        ("waterline_beam", "Bwl", "Bwl", "m", ""),
+        ("immersed_length", "Immersed length", "immersed length", "m", ""),
+        ("immersed_beam", "Immersed beam", "immersed beam", "m", ""),
+        ("immersed_draught", "Immersed draught", "immersed draught", "m", ""),
+        ("midship_area", "Midship section", "midship section area", "m2", "midship_section.area"),
+        ("largest_area", "Largest section", "largest section area", "m2", "largest_section.area"),
+        ("largest_x", "It is at, from AP", "largest section from AP", "m",
+         "largest_section.position"),
+    ),
+    "Coefficients, project": _coefficients("project", "on project dimensions"),
+    "Coefficients, actual": _coefficients("immersed", "on immersed dimensions"),
+}  # fmt: skip
+
+QUANTITIES = tuple(_quantities())
+GROUPS = tuple(_GROUPS)
+
+
+class Hydrostatics(SimpleNamespace):
+    """draft, draft_aft and draft_forward, trim (m), heel (rad), and the values of QUANTITIES, in
+    metres, radians and tonnes, by their names; both sides. remark: a sentence, or ""."""
+
+
+def at(body, where):
+    """Hydrostatics of a hull_native.HullBody that lies as an Afloat says.
+
+    ValueError when nothing is under water, when the body floods, or faces are turned.
+    """
+    return described(particulars(body, where), where)
+
+
+def particulars(body, where):
+    """The hull_native.Particulars; ValueError as `at`."""
+    found = native.require().hydrostatics(body, **where.position(), **where.project())
+    if found.displaced_volume <= 0.0:
+        raise ValueError(f"Nothing is under water at a draft of {where.draft:.3f} m")
+    return found
+
+
+def described(found, where):
+    """Hydrostatics of hull_native.Particulars."""
+    values = {quantity.name: _value(found, quantity.path) for quantity in QUANTITIES}
+    return Hydrostatics(
+        draft=where.draft,
+        draft_aft=where.draft + 0.5 * where.trim_m,
+        draft_forward=where.draft - 0.5 * where.trim_m,
+        trim=where.trim_m,
+        heel=where.heel,
+        remark=_remark(found, where),
+        **values,
+    )
+
+
+def _value(found, path):
+    for name in path.split("."):
+        found = getattr(found, name)
+    return found
+
+
+def _remark(found, where):
+    """Whether the shell is open in a way that no closing rule covers; known of upright ones."""
+    if where.heel != 0.0 or where.trim_m != 0.0:
+        return ""
+    volume, other = found.displaced_volume, found.volume_from_breadths
+    if abs(volume - other) <= _CLOSED_TOLERANCE * volume:
+        return ""
+    return (
+        f"The shell is not closed below the water: from breadths the volume is {other:.6g} m³, "
+        f"not {volume:.6g} m³"
+    )

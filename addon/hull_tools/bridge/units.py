@@ -5,11 +5,33 @@ Blender's own length is the "unit"; `metres_per_unit` of the scene turns it into
 unit system (NONE) a unit is a metre.
 """
 
-_METRES_PER_FOOT = 0.3048
-_TONNES_PER_LONG_TON = 1.0160469088
+from math import degrees
 
-_IMPERIAL_SYMBOLS = {1: "ft", 2: "ft²", 3: "ft³"}
-_METRIC_SYMBOLS = {1: "m", 2: "m²", 3: "m³"}
+_FOOT = 0.3048
+_INCH = 0.0254
+_LONG_TON = 1.0160469088
+
+# By the unit of tables: what the panels write, and for the imperial system the size of its unit.
+_METRIC_SYMBOLS = {
+    "m": "m",
+    "m2": "m²",
+    "m3": "m³",
+    "m4": "m⁴",
+    "t": "t",
+    "t/cm": "t/cm",
+    "t m/cm": "t·m/cm",
+    "m rad": "m·rad",
+}
+_IMPERIAL = {
+    "m": (_FOOT, "ft"),
+    "m2": (_FOOT**2, "ft²"),
+    "m3": (_FOOT**3, "ft³"),
+    "m4": (_FOOT**4, "ft⁴"),
+    "t": (_LONG_TON, "LT"),
+    "t/cm": (_LONG_TON * 0.01 / _INCH, "LT/in"),
+    "t m/cm": (_LONG_TON * _FOOT * 0.01 / _INCH, "LT·ft/in"),
+    "m rad": (_FOOT, "ft·rad"),
+}
 
 
 def metres_per_unit(scene):
@@ -22,21 +44,27 @@ def as_typed(value):
     return float(f"{value:.7g}")
 
 
-def format_length(scene, metres, power=1):
-    """A length (power 1), area (2) or volume (3) given in m, m², m³, as text with its unit."""
-    if scene.unit_settings.system == "IMPERIAL":
-        return f"{_digits(metres / _METRES_PER_FOOT**power)} {_IMPERIAL_SYMBOLS[power]}"
-    return f"{_digits(metres)} {_METRIC_SYMBOLS[power]}"
+def format_value(scene, value, unit):
+    """A number in one of the units of tables, as text with its unit in the scene's system.
 
-
-def format_mass(scene, tonnes):
-    """A mass given in tonnes, as text: t, or long tons in the imperial system."""
+    "deg": radians, shown in degrees. "%" and "": as they are. None: not known.
+    """
+    if value is None:
+        return "–"
+    if unit == "deg":
+        return f"{degrees(value):.2f}°"
+    if unit == "%":
+        return f"{value:.2f} %"
+    if not unit:
+        return f"{value:.4f}" if value else "–"
     if scene.unit_settings.system == "IMPERIAL":
-        return f"{_digits(tonnes / _TONNES_PER_LONG_TON)} LT"
-    return f"{_digits(tonnes)} t"
+        size, symbol = _IMPERIAL[unit]
+        return f"{_digits(value / size)} {symbol}"
+    return f"{_digits(value)} {_METRIC_SYMBOLS[unit]}"
 
 
 def _digits(value):
-    """Three decimals up to a thousand, fewer above: seven figures at most, as tables print them."""
-    decimals = 3 if abs(value) < 1e3 else 2 if abs(value) < 1e4 else 1
-    return f"{value:.{decimals}f}"
+    """Three decimals up to a thousand, fewer above, as tables print them."""
+    decimals = 3 if abs(value) < 1e3 else 2 if abs(value) < 1e4 else 1 if abs(value) < 1e5 else 0
+    text = f"{value:.{decimals}f}"
+    return text[1:] if text.startswith("-") and not text.strip("-0.") else text

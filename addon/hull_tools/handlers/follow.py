@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surface, lines and hydrostatics follow the control mesh and its settings."""
+"""Surface, lines, hydrostatics and plots follow the control mesh and its settings."""
 
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import hull_objects, hull_state
-
-forget_all = hull_state.forget_all
+from ..bridge import hull_objects, hull_state, live_analyses
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False
 
 
-def _follow(hulls, scene):
+def forget_all():
+    live_analyses.stop()
+    hull_state.forget_all()
+
+
+def _follow(hulls, scene, view_layer):
     global _is_following
     if _is_following:
         return
@@ -20,6 +23,7 @@ def _follow(hulls, scene):
     try:
         for hull in hulls:
             hull_state.refresh(hull, scene)
+        live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)
     finally:
         _is_following = False
 
@@ -32,18 +36,18 @@ def after_update(scene, depsgraph):
         if isinstance(update.id, bpy.types.Object)
         and (update.is_updated_geometry or update.is_updated_transform)
     }
-    _follow(hull_objects.hulls(changed), scene)
+    _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
 
 
 @persistent
 def after_undo(scene, *unused):
     """Undo restores shown objects from another moment than what was computed last."""
     hull_state.forget_all()
-    _follow(hull_objects.hulls(scene.objects), scene)
+    _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
 
 
 @persistent
 def after_load(*unused):
-    hull_state.forget_all()
+    forget_all()
     for scene in bpy.data.scenes:
-        _follow(hull_objects.hulls(scene.objects), scene)
+        _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)

@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import check_mesh, export_hull, export_step, import_hull, make_hull, tag_mesh
+from . import check_mesh, export_hull, export_step, import_hull, loading_lists, make_hull, tag_mesh
 
 _CLASSES = (
     *make_hull.CLASSES,
@@ -12,6 +12,7 @@ _CLASSES = (
     *import_hull.CLASSES,
     *export_hull.CLASSES,
     *export_step.CLASSES,
+    *loading_lists.CLASSES,
 )
 
 

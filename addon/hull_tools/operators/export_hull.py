@@ -2,10 +2,10 @@
 """A hull's drawings and tables for others; and what all its exports have in common."""
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from ..bridge import exports, hull_objects
+from ..bridge import analyses, exports, hull_objects
 from .shared import has_hull, native_is_there, reporting_errors
 
 
@@ -18,8 +18,13 @@ class ExportHull(ExportHelper):
         if not self.properties.is_property_set("filepath"):
             folder = bpy.path.abspath("//")
             name = bpy.path.clean_name(hull_objects.hull_of(context.object).name)
+            name += self.name_part()
             self.filepath = bpy.path.ensure_ext(folder + name, self.filename_ext)
         return super().invoke(context, event)
+
+    def name_part(self):
+        """What stands between the hull's name and the ending."""
+        return ""
 
 
 class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
@@ -42,7 +47,7 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
 
 
 class HULL_OT_export_hydrostatics(bpy.types.Operator, ExportHull):
-    """Write a table of hydrostatics over drafts up to the hull's as CSV"""
+    """Write the table of hydrostatics over drafts and trims as CSV"""
 
     bl_idname = "hull.export_hydrostatics"
     bl_label = "Export Hydrostatics"
@@ -54,8 +59,58 @@ class HULL_OT_export_hydrostatics(bpy.types.Operator, ExportHull):
     @reporting_errors
     def execute(self, context):
         hull = hull_objects.hull_of(context.object)
-        exports.export_hydrostatics(hull, context.scene, self.filepath)
+        exports.export_table(hull, context.scene, "hydrostatic_table", self.filepath)
         self.report({"INFO"}, "Table of hydrostatics written")
+        return {"FINISHED"}
+
+
+def _analysis_items(modules):
+    return tuple((name, module.LABEL, "") for name, module in modules.items())
+
+
+class ExportAnalysis(ExportHull):
+    """What the exports of tables and plots have in common; files are named after both."""
+
+    def name_part(self):
+        return f"-{self.analysis}"
+
+
+class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
+    """Write a table as CSV, which a spreadsheet opens"""
+
+    bl_idname = "hull.export_table"
+    bl_label = "Export Table"
+    bl_options = {"REGISTER"}
+
+    filename_ext = ".csv"
+    filter_glob: StringProperty(default="*.csv", options={"HIDDEN"})
+    analysis: EnumProperty(name="Table", items=_analysis_items(analyses.ANALYSES))
+
+    @reporting_errors
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        exports.export_table(hull, context.scene, self.analysis, self.filepath)
+        self.report({"INFO"}, f"{analyses.ANALYSES[self.analysis].LABEL}: table written")
+        return {"FINISHED"}
+
+
+class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis):
+    """Draw a plot on paper as PDF, SVG or PNG"""
+
+    bl_idname = "hull.export_plot"
+    bl_label = "Export Plot"
+    bl_options = {"REGISTER"}
+
+    filename_ext = ".pdf"
+    check_extension = None
+    filter_glob: StringProperty(default="*.pdf;*.svg;*.png", options={"HIDDEN"})
+    analysis: EnumProperty(name="Plot", items=_analysis_items(analyses.PLOTTED))
+
+    @reporting_errors
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        exports.export_plot(hull, context.scene, self.analysis, self.filepath)
+        self.report({"INFO"}, f"{analyses.ANALYSES[self.analysis].LABEL}: plot written")
         return {"FINISHED"}
 
 
@@ -64,6 +119,13 @@ def draw_export_menu(self, context):
     layout.operator("hull.export_step", text="Hull surface (.step)")
     layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.svg, .pdf, .png)")
     layout.operator(HULL_OT_export_hydrostatics.bl_idname, text="Hull hydrostatics (.csv)")
+    layout.operator_menu_enum("hull.export_table", "analysis", text="Hull table (.csv)")
+    layout.operator_menu_enum("hull.export_plot", "analysis", text="Hull plot (.pdf, .svg, .png)")
 
 
-CLASSES = (HULL_OT_export_lines, HULL_OT_export_hydrostatics)
+CLASSES = (
+    HULL_OT_export_lines,
+    HULL_OT_export_hydrostatics,
+    HULL_OT_export_table,
+    HULL_OT_export_plot,
+)

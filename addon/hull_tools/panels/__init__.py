@@ -3,9 +3,9 @@
 
 import bpy
 
-from . import hull, results, shown
+from . import hull, results, shown, stability
 
-_CLASSES = (*hull.CLASSES, *results.CLASSES, *shown.CLASSES)
+_CLASSES = (*hull.CLASSES, *results.CLASSES, *stability.CLASSES, *shown.CLASSES)
 
 
 def register():

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What was computed of the hull."""
+"""Hydrostatics at the draft, trim and heel of the sliders, and their table."""
 
 import bpy
 
-from ..bridge import hull_objects, hull_state
-from ..bridge.units import format_length, format_mass
-from .shared import HullPanel, label_value, label_wrapped
+from ..bridge import hull_objects, hull_state, hydrostatics
+from ..bridge.units import format_value
+from .shared import HullPanel, export_buttons, label_value, label_wrapped
+
+# Open from the start; the others unfold.
+_OPEN_GROUPS = {"Displacement", "Centres", "Stability"}
+
+
+def _state(context):
+    hull = hull_objects.hull_of(context.object)
+    return hull, hull_state.state_of(hull)
 
 
 class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
@@ -13,7 +21,11 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
 
     def draw(self, context):
         layout = self.layout
-        state = hull_state.state_of(hull_objects.hull_of(context.object))
+        hull, state = _state(context)
+        column = layout.column(align=True)
+        for name in ("draft", "trim", "heel"):
+            column.prop(hull.hull, name)
+        layout.prop(hull.hull, "deck_closed")
         if state is None:
             return
         found = state.hydrostatics
@@ -22,19 +34,67 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
                 layout, context, state.hydrostatics_status or "No surface yet", icon="INFO"
             )
             return
-        scene = context.scene
+        if found.remark:
+            label_wrapped(layout, context, found.remark, icon="ERROR")
         column = layout.column(align=True)
         column.scale_y = 0.8
-        label_value(column, "Draft", format_length(scene, found.draft))
-        label_value(column, "Volume", format_length(scene, found.displaced_volume, 3))
-        label_value(column, "Displacement", format_mass(scene, found.displacement_t))
-        label_value(column, "LCB", format_length(scene, found.lcb))
-        label_value(column, "KB", format_length(scene, found.kb))
-        label_value(column, "KMt", format_length(scene, found.kmt))
-        label_value(column, "LCF", format_length(scene, found.lcf))
-        label_value(column, "Waterplane", format_length(scene, found.waterplane_area, 2))
-        label_value(column, "Wetted", format_length(scene, found.wetted_surface, 2))
-        layout.operator("hull.export_hydrostatics", text="Export Table", icon="EXPORT")
+        scene = context.scene
+        label_value(column, "Draft aft", format_value(scene, found.draft_aft, "m"))
+        label_value(column, "Draft forward", format_value(scene, found.draft_forward, "m"))
 
 
-CLASSES = (HULL_PT_hydrostatics,)
+class _GroupPanel(HullPanel):
+    """The numbers of one group of hydrostatics."""
+
+    bl_parent_id = "HULL_PT_hydrostatics"
+
+    @classmethod
+    def poll(cls, context):
+        if not super().poll(context):
+            return False
+        _, state = _state(context)
+        return state is not None and state.hydrostatics is not None
+
+    def draw(self, context):
+        hull, state = _state(context)
+        column = self.layout.column(align=True)
+        column.scale_y = 0.8
+        if self.bl_label == "Coefficients, project":
+            column.label(text="On Lpp, beam, draft and the section at Lpp/2")
+        elif self.bl_label == "Coefficients, actual":
+            column.label(text="On immersed dimensions, the largest section")
+        for quantity in hydrostatics.QUANTITIES:
+            if quantity.group == self.bl_label:
+                value = getattr(state.hydrostatics, quantity.name)
+                label_value(
+                    column, quantity.label, format_value(context.scene, value, quantity.unit)
+                )
+
+
+def _group_panel(group):
+    name = group.lower().replace(", ", "_").replace(" ", "_")
+    options = set() if group in _OPEN_GROUPS else {"DEFAULT_CLOSED"}
+    contents = {"bl_label": group, "bl_options": options}
+    return type(f"HULL_PT_hydrostatics_{name}", (_GroupPanel, bpy.types.Panel), contents)
+
+
+class HULL_PT_hydrostatic_table(HullPanel, bpy.types.Panel):
+    bl_label = "Table over Drafts"
+    bl_parent_id = "HULL_PT_hydrostatics"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        table = hull_objects.hull_of(context.object).hull.table
+        column = layout.column(align=True)
+        for name in ("draft_from", "draft_to", "draft_step"):
+            column.prop(table, name)
+        layout.prop(table, "trims")
+        export_buttons(layout, "hydrostatic_table")
+
+
+CLASSES = (
+    HULL_PT_hydrostatics,
+    *(_group_panel(group) for group in hydrostatics.GROUPS),
+    HULL_PT_hydrostatic_table,
+)

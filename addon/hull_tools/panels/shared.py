@@ -3,7 +3,7 @@
 
 import textwrap
 
-from ..bridge import hull_objects
+from ..bridge import analyses, hull_objects
 
 # What the tabs, the margins of panel and box and an icon leave of the sidebar's width, in points,
 # and the width of a letter of the interface's font on average.
@@ -42,3 +42,11 @@ def label_value(layout, name, value):
     right = split.row()
     right.alignment = "RIGHT"
     right.label(text=value)
+
+
+def export_buttons(layout, analysis):
+    """The buttons that write the table, and the plot if there is one, of an analysis."""
+    row = layout.row(align=True)
+    row.operator("hull.export_table", text="Table", icon="EXPORT").analysis = analysis
+    if analysis in analyses.PLOTTED:
+        row.operator("hull.export_plot", text="Plot", icon="EXPORT").analysis = analysis

@@ -5,6 +5,8 @@ Lengths are in Blender's units, like the mesh: the scene's unit scale makes metr
 Only what the user decides is here; results are kept by bridge.hull_state.
 """
 
+from math import radians
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -16,23 +18,8 @@ from bpy.props import (
     StringProperty,
 )
 
-
-def _changed(settings, context):
-    """Blender tells handlers of changes made in the window by itself, but not of a script's."""
-    settings.id_data.update_tag(refresh={"DATA"})
-
-
-def _length(name, description, default=0.0, minimum=0.0):
-    return FloatProperty(
-        name=name,
-        description=description,
-        default=default,
-        min=minimum,
-        unit="LENGTH",
-        subtype="DISTANCE",
-        precision=5,
-        update=_changed,
-    )
+from . import output_settings, stability_settings
+from .shared import angle, changed, length
 
 
 class HullLayer(bpy.types.PropertyGroup):
@@ -43,7 +30,7 @@ class HullLayer(bpy.types.PropertyGroup):
         name="Shell",
         description="The layer's faces belong to the hull's shell: surface, hydrostatics, STEP",
         default=True,
-        update=_changed,
+        update=changed,
     )
 
 
@@ -55,14 +42,14 @@ class HullSettings(bpy.types.PropertyGroup):
         name="Half hull",
         description="The mesh is the port half (y ≥ 0) and is mirrored on the centre plane",
         default=True,
-        update=_changed,
+        update=changed,
     )
     source: StringProperty(name="Source", description="Where the hull comes from")
 
-    length_pp: _length("Lpp", "Length between perpendiculars; stations divide it")
-    beam: _length("Beam", "Moulded breadth")
-    draft: _length("Draft", "Height of the waterline over the baseline z = 0")
-    depth: _length("Depth", "Moulded depth")
+    length_pp: length("Lpp", "Length between perpendiculars; stations divide it")
+    beam: length("Beam", "Moulded breadth")
+    draft: length("Draft", "Height of the water over the baseline z = 0, amidships")
+    depth: length("Depth", "Moulded depth")
     water_density: FloatProperty(
         name="Density t/m³",
         description="Density of the water in t/m³: 1.025 in the sea, 1.000 in a river",
@@ -71,7 +58,21 @@ class HullSettings(bpy.types.PropertyGroup):
         max=2.0,
         precision=4,
         step=0.1,
-        update=_changed,
+        update=changed,
+    )
+
+    trim: length(
+        "Trim",
+        "Draft at the after perpendicular less that at the forward one: positive by the stern",
+        minimum=None,
+    )
+    heel: angle("Heel", "Positive to starboard", 0.0, radians(-180.0), radians(180.0))
+    deck_closed: BoolProperty(
+        name="Deck closed",
+        description="Openings count as closed weathertight. Else the hull floods where the water "
+        "rises above one, and has no hydrostatics then",
+        default=True,
+        update=changed,
     )
 
     scheme: EnumProperty(
@@ -81,7 +82,7 @@ class HullSettings(bpy.types.PropertyGroup):
             ("biermann", "Biermann", "Smooth at knuckles: modified weights beside creases"),
             ("catmull_clark", "Catmull–Clark", "As Blender's Subdivision Surface modifier"),
         ),
-        update=_changed,
+        update=changed,
     )
     samples: IntProperty(
         name="Samples",
@@ -90,7 +91,7 @@ class HullSettings(bpy.types.PropertyGroup):
         min=1,
         max=32,
         soft_max=12,
-        update=_changed,
+        update=changed,
     )
     station_count: IntProperty(
         name="Stations",
@@ -99,17 +100,21 @@ class HullSettings(bpy.types.PropertyGroup):
         default=20,
         min=0,
         max=200,
-        update=_changed,
+        update=changed,
     )
-    waterline_spacing: _length("Waterlines", "Distance between waterlines; 0 draws none")
-    buttock_spacing: _length("Buttocks", "Distance between buttocks; 0 draws none")
+    waterline_spacing: length("Waterlines", "Distance between waterlines; 0 draws none")
+    buttock_spacing: length("Buttocks", "Distance between buttocks; 0 draws none")
 
     surface_object: PointerProperty(name="Surface", type=bpy.types.Object)
     lines_object: PointerProperty(name="Lines", type=bpy.types.Object)
     layers: CollectionProperty(type=HullLayer)
 
+    loading: PointerProperty(type=stability_settings.HullLoading)
+    table: PointerProperty(type=output_settings.HullTable)
+    plots: PointerProperty(type=output_settings.HullPlots)
 
-CLASSES = (HullLayer, HullSettings)
+
+CLASSES = (*stability_settings.CLASSES, *output_settings.CLASSES, HullLayer, HullSettings)
 
 
 def register():

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hydrostatics over drafts and trims: table, and curves of even keel or the first trim."""
+
+from dataclasses import dataclass, replace
+from math import degrees
+
+from .. import afloat, hydrostatics, native
+from ..units import as_typed
+from .ranges import numbers, stepped
+
+LABEL = "Hydrostatics"
+IS_LIVE = False
+
+_DEFAULT_ROWS = 10
+
+
+@dataclass(frozen=True)
+class Inputs:
+    drafts: tuple  # m
+    trims: tuple  # m
+    where: afloat.Afloat
+
+
+@dataclass(frozen=True)
+class Result:
+    """particulars and hydrostatics of each row, all drafts of the first trim before the next."""
+
+    particulars: list
+    hydrostatics: list
+    inputs: Inputs
+
+
+def inputs(settings, metres_per_unit):
+    table = settings.table
+    where = replace(afloat.afloat(settings, metres_per_unit).upright(), trim_m=0.0)
+    first = as_typed(table.draft_from) * metres_per_unit
+    last = as_typed(table.draft_to) * metres_per_unit or where.draft
+    step = as_typed(table.draft_step) * metres_per_unit or (last - first) / _DEFAULT_ROWS
+    if not last > first:
+        raise ValueError(f"The table's last draft, {last:g} m, must be greater than its first")
+    if first == 0.0:  # nothing is under water
+        drafts = stepped(step, last, step, "drafts") if last > step else (last,)
+    else:
+        drafts = stepped(first, last, step, "drafts")
+    trims = numbers(table.trims, "Trims") or (0.0,)
+    for trim in trims:
+        replace(where, trim_m=trim).trim  # refused here rather than in the middle
+    return Inputs(drafts, trims, where)
+
+
+def compute(body, given):
+    """Rows for the drafts at which something is under water; ValueError if there are none."""
+    hull_native = native.require()
+    found, described = [], []
+    for trim_m in given.trims:
+        where = replace(given.where, trim_m=trim_m)
+        for particulars in hull_native.hydrostatic_table(
+            body, drafts=given.drafts, trims=[where.trim], **where.project()
+        ):
+            if particulars.displaced_volume > 0.0:
+                at = replace(where, draft=particulars.draft)
+                found.append(particulars)
+                described.append(hydrostatics.described(particulars, at))
+    if not found:
+        raise ValueError(f"Nothing is under water up to a draft of {given.drafts[-1]:.3f} m")
+    return Result(found, described, given)
+
+
+_POSITION = (
+    ("draft [m]", "draft"),
+    ("draft aft [m]", "draft_aft"),
+    ("draft forward [m]", "draft_forward"),
+    ("trim by the stern [m]", "trim"),
+)
+_UNIT_NAMES = {"": "-", "%": "% of Lpp"}
+
+
+def header(result):
+    return [title for title, _ in _POSITION] + [
+        f"{quantity.title} [{_UNIT_NAMES.get(quantity.unit, quantity.unit)}]"
+        for quantity in hydrostatics.QUANTITIES
+    ]
+
+
+def rows(result):
+    for row in result.hydrostatics:
+        yield [getattr(row, name) for _, name in _POSITION] + [
+            _in_unit(getattr(row, quantity.name), quantity.unit)
+            for quantity in hydrostatics.QUANTITIES
+        ]
+
+
+def _in_unit(value, unit):
+    return degrees(value) if unit == "deg" else value
+
+
+def plot(result, name):
+    trim_m = result.inputs.trims[0]
+    count = sum(row.trim == trim_m for row in result.hydrostatics)
+    at = "even keel" if trim_m == 0.0 else f"trim {trim_m:g} m by the stern"
+    density = f"water {result.inputs.where.water_density:g} t/m³"
+    return native.require().hydrostatic_curves_plot(
+        result.particulars[:count],
+        subtitles=[f"{name}, {at}, {density}"],
+        draft=result.inputs.where.draft,
+    )

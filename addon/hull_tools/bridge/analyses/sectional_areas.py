@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sectional area curve at the draft, trim and heel of the hydrostatics."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import afloat, hydrostatics, native
+
+LABEL = "Sectional areas"
+IS_LIVE = True
+
+_STATIONS = 81
+# The ends are cut so much of the length inside the hull, where a transom still has its area.
+_END_SHARE = 1e-6
+
+
+@dataclass(frozen=True)
+class Result:
+    areas: object  # hull_native.SectionAreas
+    lcb: float
+    where: afloat.Afloat
+
+
+def inputs(settings, metres_per_unit):
+    return afloat.afloat(settings, metres_per_unit)
+
+
+def compute(body, where):
+    found = hydrostatics.particulars(body, where)
+    low, high = _reach(body, found)
+    margin = _END_SHARE * (high - low)
+    stations = np.linspace(low + margin, high - margin, _STATIONS)
+    areas = native.require().section_areas(body, stations, **where.position())
+    return Result(areas, found.lcb, where)
+
+
+def _reach(body, found):
+    """The stations between which something may be under water."""
+    points = body.surface.mesh.points[:, 0]
+    if found.waterline_forward <= found.waterline_aft:
+        return points.min(), points.max()
+    # The immersed shell reaches beyond the waterline at a bulb or a counter.
+    beyond = max(found.immersed_length - found.waterline_length, 0.0)
+    low = max(points.min(), found.waterline_aft - beyond)
+    high = min(points.max(), found.waterline_forward + beyond)
+    return low, high
+
+
+def header(result):
+    return [
+        "x from AP [m]",
+        "area [m2]",
+        "centroid y [m]",
+        "centroid z [m]",
+        "girth [m]",
+        "breadth at water [m]",
+    ]
+
+
+def rows(result):
+    found = result.areas
+    return np.column_stack(
+        [
+            found.positions,
+            found.areas,
+            found.centroids[:, 1:],
+            found.girths,
+            found.breadths,
+        ]
+    ).tolist()
+
+
+def plot(result, name):
+    where, found = result.where, result.areas
+    at = f"{name}, draft {where.draft:.3f} m"
+    if where.trim_m:
+        at += f", trim {where.trim_m:.3f} m by the stern"
+    if where.heel:
+        at += f", heel {np.degrees(where.heel):.1f}°"
+    return native.require().sectional_area_plot(
+        found.positions,
+        found.areas,
+        subtitles=[at],
+        lcb=result.lcb,
+        length_pp=where.length_pp or None,
+    )

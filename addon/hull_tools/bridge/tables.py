@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables as CSV files that a spreadsheet opens: commas, decimal points, units in the header."""
+
+import csv
+import io
+
+from .files import replacing
+
+
+def write_table(path, header, rows):
+    """`path` is replaced only when all is written. None is an empty cell.
+
+    Only a table with names beyond ASCII begins with a mark, by which spreadsheets know UTF-8.
+    """
+    text = io.StringIO(newline="")
+    table = csv.writer(text)
+    table.writerow(header)
+    for row in rows:
+        table.writerow([_cell(value) for value in row])
+    content = text.getvalue()
+    encoding = "utf-8" if content.isascii() else "utf-8-sig"
+    with replacing(path) as beside, open(beside, "w", newline="", encoding=encoding) as stream:
+        stream.write(content)
+
+
+def _cell(value):
+    if value is None or isinstance(value, str):
+        return value
+    return f"{value:.10g}"

@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stability of a load, the criteria, equilibrium of load cases."""
+
+from math import degrees
+
+import bpy
+
+from ..bridge import analyses, hull_objects, live_analyses
+from ..bridge.units import format_value
+from .shared import HullPanel, export_buttons, label_value, label_wrapped
+
+_OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
+_REST_ICONS = {"stable": "CHECKMARK", "neutral": "INFO", "unstable": "ERROR"}
+
+
+def _result(layout, context, name):
+    """The result of an analysis to be shown, or None and what is to be said instead."""
+    hull = hull_objects.hull_of(context.object)
+    outcome = live_analyses.latest(hull, context.scene, name)
+    if outcome is None:
+        layout.label(text="…")
+    elif outcome.result is None:
+        label_wrapped(layout, context, outcome.message, icon="INFO")
+    else:
+        return outcome.result
+    return None
+
+
+def _degrees(angle):
+    return f"{degrees(angle):.4g}°"
+
+
+class HULL_PT_stability(HullPanel, bpy.types.Panel):
+    bl_label = "Stability"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        loading = hull_objects.hull_of(context.object).hull.loading
+        self._draw_load(layout, loading)
+        layout.separator()
+        result = _result(layout, context, "righting_levers")
+        if result is not None:
+            self._draw_levers(layout, context.scene, result)
+        export_buttons(layout, "righting_levers")
+
+    def _draw_load(self, layout, loading):
+        layout.prop(loading, "use_displacement")
+        column = layout.column(align=True)
+        if not loading.use_displacement:
+            column.prop(loading, "mass_t")
+        column.prop(loading, "kg")
+        layout.prop(loading, "use_lcb")
+        if not loading.use_lcb:
+            layout.prop(loading, "lcg")
+        layout.prop(loading, "free_trim")
+        row = layout.row(align=True)
+        row.prop(loading, "heel_greatest", text="Heels to")
+        row.prop(loading, "heel_step")
+
+    def _draw_levers(self, layout, scene, result):
+        found, load = result.levers, result.load
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+
+        def line(name, value, unit):
+            label_value(column, name, format_value(scene, value, unit))
+
+        line("Mass", load.mass_t, "t")
+        line("LCG", load.lcg, "m")
+        line("GM", found.gm, "m")
+        at_end = " (end of range)" if found.greatest_lever_at_end else ""
+        line("Greatest GZ", found.greatest_lever, "m")
+        line(f"at{at_end}", found.greatest_lever_heel, "deg")
+        line("Vanishing at", found.vanishing_heel, "deg")
+        line("Deck edge at", found.deck_edge_heel, "deg")
+        line("Flooding at", found.flooding_heel, "deg")
+        for start, end, area in result.areas():
+            span = f"{_degrees(start)} to {_degrees(end)}"
+            line(f"Area {span}", area, "m rad")
+
+
+class HULL_PT_levers(HullPanel, bpy.types.Panel):
+    bl_label = "Table of GZ"
+    bl_parent_id = "HULL_PT_stability"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        result = _result(self.layout, context, "righting_levers")
+        if result is None:
+            return
+        column = self.layout.column(align=True)
+        column.scale_y = 0.8
+        for heel, lever in zip(result.levers.heels, result.levers.levers):
+            label_value(column, _degrees(heel), format_value(context.scene, lever, "m"))
+
+
+class HULL_PT_criteria(HullPanel, bpy.types.Panel):
+    """2008 IS Code, Part A, 2.2"""
+
+    bl_label = "IS Code Criteria"
+    bl_parent_id = "HULL_PT_stability"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        report = _result(layout, context, "criteria")
+        if report is None:
+            return
+        notes = []
+        for one in report.criteria:
+            column = layout.column(align=True)
+            column.scale_y = 0.8
+            text = f"{one.paragraph}  {one.name}"
+            label_wrapped(column, context, text, icon=_OUTCOME_ICONS[one.outcome])
+            label_value(column, f"      {one.outcome}", self._comparison(context.scene, one))
+            if one.note and one.note not in notes:
+                notes.append(one.note)
+        for note in notes:
+            label_wrapped(layout, context, note, icon="INFO")
+        layout.label(text="All are met" if report.passes else "Not all are met")
+        export_buttons(layout, "criteria")
+
+    def _comparison(self, scene, one):
+        unit = {"rad": "deg", "m·rad": "m rad"}.get(one.unit, one.unit)
+        value, limit = (format_value(scene, number, unit) for number in (one.value, one.limit))
+        return f"{value}, least {limit}"
+
+
+class HULL_UL_named(bpy.types.UIList):
+    """Load cases or openings by their names."""
+
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        layout.prop(item, "name", text="", emboss=False, icon_value=icon)
+
+
+def _draw_list(layout, loading, entries, active, kind):
+    row = layout.row()
+    row.template_list("HULL_UL_named", entries, loading, entries, loading, active, rows=3)
+    column = row.column(align=True)
+    column.operator(f"hull.add_{kind}", text="", icon="ADD")
+    column.operator(f"hull.remove_{kind}", text="", icon="REMOVE")
+    chosen = getattr(loading, entries)
+    index = getattr(loading, active)
+    return chosen[index] if 0 <= index < len(chosen) else None
+
+
+class HULL_PT_flooding_points(HullPanel, bpy.types.Panel):
+    bl_label = "Openings"
+    bl_parent_id = "HULL_PT_stability"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        loading = hull_objects.hull_of(context.object).hull.loading
+        point = _draw_list(
+            self.layout, loading, "flooding_points", "active_flooding_point", "flooding_point"
+        )
+        if point is not None:
+            self.layout.column(align=True).prop(point, "position")
+
+
+class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
+    bl_label = "Load Cases"
+    bl_parent_id = "HULL_PT_stability"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        loading = hull_objects.hull_of(context.object).hull.loading
+        case = _draw_list(layout, loading, "load_cases", "active_load_case", "load_case")
+        if case is None:
+            return
+        column = layout.column(align=True)
+        for name in ("mass_t", "lcg", "tcg", "vcg"):
+            column.prop(case, name)
+        rests = _result(layout, context, "load_cases")
+        if rests is None:
+            return
+        index = loading.active_load_case
+        if index < len(rests):
+            self._draw_rest(layout, context, rests[index])
+        export_buttons(layout, "load_cases")
+
+    def _draw_rest(self, layout, context, rest):
+        icon = _REST_ICONS.get(rest.status, "CANCEL")
+        label_wrapped(layout, context, rest.message or "Floats, stable", icon=icon)
+        if rest.draft_mean is None:
+            return
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+        for name, value, unit in (
+            ("Mean draft", rest.draft_mean, "m"),
+            ("Draft aft", rest.draft_aft, "m"),
+            ("Draft forward", rest.draft_forward, "m"),
+            ("Trim by the stern", rest.trim, "m"),
+            ("Heel to starboard", rest.heel, "deg"),
+            ("GM", rest.gm, "m"),
+        ):
+            label_value(column, name, format_value(context.scene, value, unit))
+
+
+class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
+    bl_label = "Cross Curves KN"
+    bl_parent_id = "HULL_PT_stability"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        loading = hull_objects.hull_of(context.object).hull.loading
+        column = self.layout.column(align=True)
+        for name in ("least_t", "greatest_t", "displacement_count"):
+            column.prop(loading, name)
+        export_buttons(self.layout, "cross_curves")
+
+
+class HULL_PT_plots(HullPanel, bpy.types.Panel):
+    """Plots over the 3D view, and their files"""
+
+    bl_label = "Plots"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        plots = hull.hull.plots
+        for name in analyses.PLOTTED:
+            row = layout.row(align=True)
+            row.prop(plots, name)
+            row.operator("hull.export_table", text="", icon="SPREADSHEET").analysis = name
+            row.operator("hull.export_plot", text="", icon="EXPORT").analysis = name
+            if getattr(plots, name):
+                self._draw_reason(layout, context, hull, name)
+        layout.prop(plots, "corner", text="")
+
+    def _draw_reason(self, layout, context, hull, name):
+        outcome = live_analyses.latest(hull, context.scene, name)
+        if outcome is not None and outcome.message:
+            label_wrapped(layout, context, outcome.message, icon="INFO")
+
+
+CLASSES = (
+    HULL_UL_named,
+    HULL_PT_stability,
+    HULL_PT_levers,
+    HULL_PT_criteria,
+    HULL_PT_flooding_points,
+    HULL_PT_load_cases,
+    HULL_PT_cross_curves,
+    HULL_PT_plots,
+)

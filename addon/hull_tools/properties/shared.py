@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the groups of properties have in common."""
+
+from bpy.props import FloatProperty
+
+
+def changed(settings, context):
+    """Blender tells handlers of changes made in the window by itself, but not of a script's."""
+    settings.id_data.update_tag(refresh={"DATA"})
+
+
+def length(name, description, default=0.0, minimum=0.0):
+    """A length in the scene's units; `minimum` None for one that may be negative."""
+    bounds = {} if minimum is None else {"min": minimum}
+    return FloatProperty(
+        name=name,
+        description=description,
+        default=default,
+        unit="LENGTH",
+        subtype="DISTANCE",
+        precision=5,
+        update=changed,
+        **bounds,
+    )
+
+
+def mass(name, description):
+    return FloatProperty(
+        name=name, description=description, min=0.0, precision=3, step=100, update=changed
+    )
+
+
+def angle(name, description, default, minimum, maximum):
+    """Radians, shown in degrees."""
+    return FloatProperty(
+        name=name,
+        description=description,
+        default=default,
+        min=minimum,
+        max=maximum,
+        unit="ROTATION",
+        subtype="ANGLE",
+        precision=3,
+        step=100,
+        update=changed,
+    )
