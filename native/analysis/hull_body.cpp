@@ -227,6 +227,15 @@ HullBody::Wet HullBody::wet_part(const Plane& water) const {
   return wet;
 }
 
+ShellMoments HullBody::shell_moments() const {
+  ShellMoments sum;
+  for (const Part& leaf : leaves_) sum += leaf.moments;
+  for (const Part& corner : corners_) sum += corner.moments;
+  sum = moved(sum, centre_);
+  if (mirrored_) sum += hull::mirrored(sum);
+  return sum;
+}
+
 FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
   FloodingPoint lowest{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
   if (openings_ == Openings::kClosed) return lowest;

@@ -45,6 +45,9 @@ class HullBody {
   // What closes the shell, on the modelled side.
   const std::vector<ClosingSpan>& closings() const { return closings_; }
 
+  // Of the whole shell without closings, both sides, about the origin.
+  ShellMoments shell_moments() const;
+
   // Of both sides; the wetted surface without closings. Throws std::invalid_argument if the plane
   // is not finite, if the water rises above an opening that is not closed ("floods at …"), and if
   // the faces of a body are turned inwards.

@@ -71,6 +71,14 @@ void bind_hull_body(py::module_& module) {
       .def_property_readonly(
           "openings",
           [](const HullBody& b) { return b.openings() == Openings::kOpen ? "open" : "closed"; })
+      .def_property_readonly(
+          "shell_area", [](const HullBody& b) { return b.shell_moments().area; },
+          "m², of the whole shell without closings, both sides.")
+      .def_property_readonly(
+          "shell_flux_forms",
+          [](const HullBody& b) -> Vector3d { return b.shell_moments().first.diagonal(); },
+          "(3,), m³: the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) through the whole shell "
+          "without closings; each is the volume of a closed shell.")
       .def(
           "immersion",
           [](const HullBody& body, const DoubleArray& up, double offset) {
