@@ -51,31 +51,31 @@ def _coefficients(of, what):
 _GROUPS = {
     "Displacement": (
         ("displaced_volume", "Volume ∇", "displaced volume", "m3", ""),
-        ("displacement_t", "Displacement Δ", "displacement", "t", ""),
-        ("wetted_surface", "Wetted surface", "wetted surface", "m2", ""),
-        ("tpc", "Immersion TPC", "TPC", "t/cm", ""),
-        ("mtc", "Trim moment MTC", "MTC (with BMl)", "t m/cm", ""),
+        ("displacement_t", "Mass Δ", "displacement", "t", ""),
+        ("wetted_surface", "Wetted area", "wetted surface", "m2", ""),
+        ("tpc", "TPC", "TPC", "t/cm", ""),
+        ("mtc", "MTC", "MTC (with BMl)", "t m/cm", ""),
     ),
     "Centres": (
-        ("lcb", "LCB from AP", "LCB from AP", "m", ""),
-        ("lcb_percent", "LCB from midship", "LCB forward of midship", "%", ""),
-        ("tcb", "TCB to port", "TCB to port", "m", ""),
+        ("lcb", "LCB", "LCB from AP", "m", ""),
+        ("lcb_percent", "LCB of Lpp", "LCB forward of midship", "%", ""),
+        ("tcb", "TCB", "TCB to port", "m", ""),
         ("kb", "KB", "KB", "m", ""),
         ("lateral_area", "Lateral area", "lateral area", "m2", ""),
-        ("lateral_x", "Its centre from AP", "lateral area's centre from AP", "m", ""),
-        ("lateral_z", "Its centre's height", "lateral area's centre above base", "m", ""),
+        ("lateral_x", "Its x", "lateral area's centre from AP", "m", ""),
+        ("lateral_z", "Its z", "lateral area's centre above base", "m", ""),
     ),
     "Waterplane": (
         ("waterplane_area", "Area", "waterplane area", "m2", ""),
-        ("lcf", "LCF from AP", "LCF from AP", "m", ""),
-        ("lcf_percent", "LCF from midship", "LCF forward of midship", "%", ""),
-        ("tcf", "TCF to port", "TCF to port", "m", ""),
-        ("inertia_transverse", "I transverse", "waterplane I transverse", "m4",
+        ("lcf", "LCF", "LCF from AP", "m", ""),
+        ("lcf_percent", "LCF of Lpp", "LCF forward of midship", "%", ""),
+        ("tcf", "TCF", "TCF to port", "m", ""),
+        ("inertia_transverse", "I transv.", "waterplane I transverse", "m4",
          "waterplane_inertia_transverse"),
-        ("inertia_longitudinal", "I longitudinal", "waterplane I longitudinal", "m4",
+        ("inertia_longitudinal", "I longit.", "waterplane I longitudinal", "m4",
          "waterplane_inertia_longitudinal"),
-        ("half_angle_of_entrance", "Half entrance", "half angle of entrance", "deg", ""),
-        ("entrance_chord_angle", "Chord entrance", "entrance chord angle", "deg", ""),
+        ("half_angle_of_entrance", "Entrance ½", "half angle of entrance", "deg", ""),
+        ("entrance_chord_angle", "Entr. chord", "entrance chord angle", "deg", ""),
     ),
     "Stability": (
         ("bmt", "BMt", "BMt", "m", "bm_transverse"),
@@ -86,17 +86,24 @@ _GROUPS = {
     "Actual dimensions": (
         ("waterline_length", "Lwl", "Lwl", "m", ""),
         ("waterline_beam", "Bwl", "Bwl", "m", ""),
-        ("immersed_length", "Immersed length", "immersed length", "m", ""),
-        ("immersed_beam", "Immersed beam", "immersed beam", "m", ""),
-        ("immersed_draught", "Immersed draught", "immersed draught", "m", ""),
-        ("midship_area", "Midship section", "midship section area", "m2", "midship_section.area"),
-        ("largest_area", "Largest section", "largest section area", "m2", "largest_section.area"),
-        ("largest_x", "It is at, from AP", "largest section from AP", "m",
+        ("immersed_length", "Length", "immersed length", "m", ""),
+        ("immersed_beam", "Beam", "immersed beam", "m", ""),
+        ("immersed_draught", "Draught", "immersed draught", "m", ""),
+        ("midship_area", "Midship area", "midship section area", "m2", "midship_section.area"),
+        ("largest_area", "Largest area", "largest section area", "m2", "largest_section.area"),
+        ("largest_x", "Its x", "largest section from AP", "m",
          "largest_section.position"),
     ),
     "Coefficients, project": _coefficients("project", "on project dimensions"),
     "Coefficients, actual": _coefficients("immersed", "on immersed dimensions"),
 }  # fmt: skip
+
+GROUP_NOTES = {
+    "Centres": "x from AP, y to port, z from base; % forward of midship",
+    "Actual dimensions": "Of the waterline (wl) and of all that is immersed",
+    "Coefficients, project": "On Lpp, beam, draft and the section at Lpp/2",
+    "Coefficients, actual": "On immersed length, beam, draught and the largest section",
+}
 
 QUANTITIES = tuple(_quantities())
 GROUPS = tuple(_GROUPS)
@@ -104,7 +111,8 @@ GROUPS = tuple(_GROUPS)
 
 class Hydrostatics(SimpleNamespace):
     """draft, draft_aft and draft_forward, trim (m), heel (rad), and the values of QUANTITIES, in
-    metres, radians and tonnes, by their names; both sides. remark: a sentence, or ""."""
+    metres, radians and tonnes, by their names; both sides. What is undefined is None. remark: a
+    sentence, or ""."""
 
 
 def at(body, where):
@@ -125,7 +133,7 @@ def particulars(body, where):
 
 def described(found, where):
     """Hydrostatics of hull_native.Particulars."""
-    values = {quantity.name: _value(found, quantity.path) for quantity in QUANTITIES}
+    values = {quantity.name: _value(found, quantity, where) for quantity in QUANTITIES}
     return Hydrostatics(
         draft=where.draft,
         draft_aft=where.draft + 0.5 * where.trim_m,
@@ -137,10 +145,14 @@ def described(found, where):
     )
 
 
-def _value(found, path):
-    for name in path.split("."):
-        found = getattr(found, name)
-    return found
+def _value(found, quantity, where):
+    """A number of hull_native.Particulars, None where 0 there stands for undefined."""
+    value = found
+    for name in quantity.path.split("."):
+        value = getattr(value, name)
+    needs_length = quantity.unit == "%" or quantity.name in ("mtc", "midship_area")
+    is_undefined = quantity.unit in ("", "deg") and value == 0.0
+    return None if is_undefined or (needs_length and where.length_pp <= 0.0) else value
 
 
 def _remark(found, where):

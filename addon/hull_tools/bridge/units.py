@@ -56,7 +56,7 @@ def format_value(scene, value, unit):
     if unit == "%":
         return f"{value:.2f} %"
     if not unit:
-        return f"{value:.4f}" if value else "–"
+        return f"{value:.4f}"
     if scene.unit_settings.system == "IMPERIAL":
         size, symbol = _IMPERIAL[unit]
         return f"{_digits(value / size)} {symbol}"

@@ -57,12 +57,11 @@ class _GroupPanel(HullPanel):
 
     def draw(self, context):
         hull, state = _state(context)
+        note = hydrostatics.GROUP_NOTES.get(self.bl_label)
+        if note:
+            label_wrapped(self.layout, context, note)
         column = self.layout.column(align=True)
         column.scale_y = 0.8
-        if self.bl_label == "Coefficients, project":
-            column.label(text="On Lpp, beam, draft and the section at Lpp/2")
-        elif self.bl_label == "Coefficients, actual":
-            column.label(text="On immersed dimensions, the largest section")
         for quantity in hydrostatics.QUANTITIES:
             if quantity.group == self.bl_label:
                 value = getattr(state.hydrostatics, quantity.name)

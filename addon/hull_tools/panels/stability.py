@@ -69,15 +69,14 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         line("Mass", load.mass_t, "t")
         line("LCG", load.lcg, "m")
         line("GM", found.gm, "m")
-        at_end = " (end of range)" if found.greatest_lever_at_end else ""
+        at_end = " (last)" if found.greatest_lever_at_end else ""
         line("Greatest GZ", found.greatest_lever, "m")
-        line(f"at{at_end}", found.greatest_lever_heel, "deg")
+        line(f"– at heel{at_end}", found.greatest_lever_heel, "deg")
         line("Vanishing at", found.vanishing_heel, "deg")
         line("Deck edge at", found.deck_edge_heel, "deg")
         line("Flooding at", found.flooding_heel, "deg")
         for start, end, area in result.areas():
-            span = f"{_degrees(start)} to {_degrees(end)}"
-            line(f"Area {span}", area, "m rad")
+            line(f"Area {degrees(start):.3g}–{_degrees(end)}", area, "m rad")
 
 
 class HULL_PT_levers(HullPanel, bpy.types.Panel):
@@ -111,9 +110,10 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
         for one in report.criteria:
             column = layout.column(align=True)
             column.scale_y = 0.8
-            text = f"{one.paragraph}  {one.name}"
+            text = f"{one.paragraph} {one.outcome}: {one.name}"
             label_wrapped(column, context, text, icon=_OUTCOME_ICONS[one.outcome])
-            label_value(column, f"      {one.outcome}", self._comparison(context.scene, one))
+            value, limit = self._numbers(context.scene, one)
+            label_value(column, f"      {value}", f"≥ {limit}")
             if one.note and one.note not in notes:
                 notes.append(one.note)
         for note in notes:
@@ -121,10 +121,10 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
         layout.label(text="All are met" if report.passes else "Not all are met")
         export_buttons(layout, "criteria")
 
-    def _comparison(self, scene, one):
+    def _numbers(self, scene, one):
+        """Value and limit as texts."""
         unit = {"rad": "deg", "m·rad": "m rad"}.get(one.unit, one.unit)
-        value, limit = (format_value(scene, number, unit) for number in (one.value, one.limit))
-        return f"{value}, least {limit}"
+        return (format_value(scene, number, unit) for number in (one.value, one.limit))
 
 
 class HULL_UL_named(bpy.types.UIList):
@@ -192,8 +192,8 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
             ("Mean draft", rest.draft_mean, "m"),
             ("Draft aft", rest.draft_aft, "m"),
             ("Draft forward", rest.draft_forward, "m"),
-            ("Trim by the stern", rest.trim, "m"),
-            ("Heel to starboard", rest.heel, "deg"),
+            ("Trim", rest.trim, "m"),
+            ("Heel", rest.heel, "deg"),
             ("GM", rest.gm, "m"),
         ):
             label_value(column, name, format_value(context.scene, value, unit))

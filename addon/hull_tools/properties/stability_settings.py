@@ -40,7 +40,7 @@ class HullLoading(bpy.types.PropertyGroup):
     """The load whose stability is looked at, and the load cases whose equilibrium is."""
 
     use_displacement: BoolProperty(
-        name="As afloat",
+        name="Mass as afloat",
         description="The mass is the displacement at the draft and trim of the hydrostatics",
         default=True,
         update=changed,
@@ -65,8 +65,10 @@ class HullLoading(bpy.types.PropertyGroup):
         "To", "Greatest heel of the righting levers", radians(90.0), radians(5.0), radians(180.0)
     )
     heel_step: angle("Step", "Between heels", radians(5.0), radians(0.5), radians(45.0))
-    least_t: mass("From t", "Least displacement of the cross curves; 0: a quarter of the load")
-    greatest_t: mass("To t", "Greatest displacement of the cross curves; 0: 5/4 of the load")
+    least_t: mass("Least Δ t", "Least displacement of the cross curves; 0: a quarter of the load")
+    greatest_t: mass(
+        "Greatest Δ t", "Greatest displacement of the cross curves; 0: 5/4 of the load"
+    )
     displacement_count: IntProperty(
         name="Displacements",
         description="How many displacements the cross curves have",

@@ -4,6 +4,8 @@
 from dataclasses import dataclass, replace
 from math import degrees
 
+import numpy as np
+
 from .. import afloat, hydrostatics, native
 from ..units import as_typed
 from .ranges import numbers, stepped
@@ -12,6 +14,7 @@ LABEL = "Hydrostatics"
 IS_LIVE = False
 
 _DEFAULT_ROWS = 10
+_CURVE_ROWS = 40  # of the plot, whatever the table's step
 
 
 @dataclass(frozen=True)
@@ -23,10 +26,11 @@ class Inputs:
 
 @dataclass(frozen=True)
 class Result:
-    """particulars and hydrostatics of each row, all drafts of the first trim before the next."""
+    """hydrostatics of each row, all drafts of the first trim before the next; curves: hull_native's
+    Particulars of the first trim at close drafts."""
 
-    particulars: list
     hydrostatics: list
+    curves: list
     inputs: Inputs
 
 
@@ -50,20 +54,24 @@ def inputs(settings, metres_per_unit):
 
 def compute(body, given):
     """Rows for the drafts at which something is under water; ValueError if there are none."""
-    hull_native = native.require()
-    found, described = [], []
+    described = []
     for trim_m in given.trims:
         where = replace(given.where, trim_m=trim_m)
-        for particulars in hull_native.hydrostatic_table(
-            body, drafts=given.drafts, trims=[where.trim], **where.project()
-        ):
-            if particulars.displaced_volume > 0.0:
-                at = replace(where, draft=particulars.draft)
-                found.append(particulars)
-                described.append(hydrostatics.described(particulars, at))
-    if not found:
+        for found in _afloat(body, where, given.drafts):
+            described.append(hydrostatics.described(found, replace(where, draft=found.draft)))
+    if not described:
         raise ValueError(f"Nothing is under water up to a draft of {given.drafts[-1]:.3f} m")
-    return Result(found, described, given)
+    close = np.linspace(given.drafts[0], given.drafts[-1], _CURVE_ROWS)
+    first_trim = replace(given.where, trim_m=given.trims[0])
+    return Result(described, _afloat(body, first_trim, close), given)
+
+
+def _afloat(body, where, drafts):
+    """hull_native.Particulars at those of the drafts at which something is under water."""
+    rows = native.require().hydrostatic_table(
+        body, drafts=drafts, trims=[where.trim], **where.project()
+    )
+    return [row for row in rows if row.displaced_volume > 0.0]
 
 
 _POSITION = (
@@ -91,16 +99,15 @@ def rows(result):
 
 
 def _in_unit(value, unit):
-    return degrees(value) if unit == "deg" else value
+    return degrees(value) if unit == "deg" and value is not None else value
 
 
 def plot(result, name):
     trim_m = result.inputs.trims[0]
-    count = sum(row.trim == trim_m for row in result.hydrostatics)
     at = "even keel" if trim_m == 0.0 else f"trim {trim_m:g} m by the stern"
     density = f"water {result.inputs.where.water_density:g} t/m³"
     return native.require().hydrostatic_curves_plot(
-        result.particulars[:count],
+        result.curves,
         subtitles=[f"{name}, {at}, {density}"],
         draft=result.inputs.where.draft,
     )

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plots over the 3D view: those of the active hull, as its switches and its shape say."""
+
+import addon_utils
+import bpy
+import pytest
+from addon_under_test import add_hull, make_active, module_name, part, state_of
+
+
+def shown():
+    return part("overlays.plots").shown_arrays()
+
+
+def with_plot(name="sectional_areas"):
+    hull = add_hull()
+    setattr(hull.hull.plots, name, True)
+    bpy.context.view_layer.update()
+    return hull
+
+
+@pytest.fixture(autouse=True)
+def nothing_shown():
+    yield
+    part("bridge.live_analyses").stop()
+
+
+def test_a_switch_shows_a_plot_and_hides_it():
+    hull = with_plot()
+    assert len(shown()) == 1
+    texts = {label["text"] for label in shown()[0].labels}
+    assert "Sectional area curve" in texts
+    hull.hull.plots.sectional_areas = False
+    bpy.context.view_layer.update()
+    assert not shown()
+
+
+def test_a_quick_plot_follows_the_mesh():
+    hull = with_plot()
+    before = shown()
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    assert len(shown()) == 1 and shown()[0] is not before[0]
+
+
+def test_a_plot_that_takes_time_comes_when_it_was_computed():
+    hull = with_plot("righting_levers")
+    assert not shown()  # in the background nobody waits for it
+    part("bridge.analyses").outcome_of(hull, bpy.context.scene, "righting_levers")
+    hull.update_tag()
+    bpy.context.view_layer.update()
+    assert len(shown()) == 1
+
+
+def test_only_the_active_hull_shows_plots():
+    hull = with_plot()
+    empty = bpy.data.objects.new("empty", None)
+    bpy.context.collection.objects.link(empty)
+    make_active(empty)
+    hull.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    assert not shown()
+    make_active(hull.hull.surface_object)
+    hull.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    assert len(shown()) == 1
+
+
+def test_a_hull_with_nothing_under_water_shows_no_plot():
+    hull = with_plot()
+    for vertex in hull.data.vertices:
+        vertex.co.z += 10.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    assert not shown()
+    outcome, _ = part("bridge.analyses").last_outcome(hull, bpy.context.scene, "sectional_areas")
+    assert "Nothing is under water" in outcome.message
+    assert not state_of(hull).status
+
+
+def test_a_new_file_shows_none():
+    with_plot()
+    bpy.ops.wm.read_homefile(use_empty=True)
+    assert not shown()
+
+
+def test_an_addon_that_is_off_shows_none():
+    with_plot()
+    name = module_name()
+    viewers = part("bridge.live_analyses").plot_viewers
+    addon_utils.disable(name)
+    try:
+        assert not viewers
+    finally:
+        addon_utils.enable(name, default_set=True)
+    assert len(part("bridge.live_analyses").plot_viewers) == 1
