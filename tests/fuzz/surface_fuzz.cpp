@@ -9,9 +9,12 @@
 
 #include "analysis/feature_curves.h"
 #include "mesh_from_bytes.h"
+#include "surface/closest_point.h"
+#include "surface/crease_curves.h"
 #include "surface/curvature.h"
 #include "surface/grid_samples.h"
 #include "surface/pieces.h"
+#include "surface/ray_hits.h"
 #include "surface/tessellation.h"
 
 namespace hull::fuzz {
@@ -129,12 +132,53 @@ void check_samples(const LimitSurface& surface, const Bounds& bounds) {
   for (const auto& quad : net.quads) {
     for (int point : quad) require(bounds.holds(net.points.at(point)), "tessellations are bounded");
   }
-  for (const auto& normals : net.corner_normals) {
-    for (const Vector3d& normal : normals) require(unit_or_zero(normal), "normals of corners");
+  for (const Vector3d& normal : net.normals) require(unit_or_zero(normal), "normals of corners");
+  for (const auto& corners : net.corner_normals) {
+    for (int normal : corners) require(normal < static_cast<int>(net.normals.size()), "in range");
   }
   for (const FeatureCurve& curve : feature_curves(surface, 4)) {
     for (const Vector3d& p : curve.points) require(bounds.holds(p), "creases are bounded");
   }
+}
+
+void check_creases(const LimitSurface& surface, const Bounds& bounds) {
+  for (const CreaseCurve& curve : crease_curves(surface)) {
+    for (double part : {0.0, 0.37, 1.0}) {
+      const double t = part * curve.edge_count();
+      const Vector3d p = curve.evaluate(t, 1).point;
+      for (const CellPlace& place : {curve.left(t), curve.right(t)}) {
+        if (place.cell < 0) continue;
+        const Vector3d of_surface = surface.position(place.cell, place.u, place.v);
+        require((p - of_surface).norm() <= 10.0 * bounds.tolerance + curve.dart_error(),
+                "creases lie on the surface");
+      }
+    }
+  }
+}
+
+// A probe anywhere around, and a ray from it to a place of the surface.
+void check_queries(const LimitSurface& surface, const Bounds& bounds, ByteReader& bytes) {
+  const SurfaceTree tree(surface);
+  const double size = bounds.box.diagonal().norm();
+  Vector3d probe = bounds.box.center();
+  for (double& x : probe) x += size * (bytes.byte() - 128) / 128.0;
+  const ClosestPoint foot = closest_point(tree, probe);
+  require(foot.cell >= 0, "there is a closest point");
+  const Vector3d there = surface.position(foot.cell, foot.u, foot.v);
+  const double tolerance = 10.0 * bounds.tolerance;
+  require(std::abs((probe - foot.point).norm() - foot.distance) <= tolerance, "distance of a foot");
+  require((there - foot.point).norm() <= 1e-9 * size + tolerance, "a foot is on the surface");
+  const int cell = bytes.below(surface.cell_count());
+  const double u = bytes.byte() / 255.0, v = bytes.byte() / 255.0;
+  const Vector3d target = surface.position(cell, u, v);
+  const double reach = (target - probe).norm();
+  require(foot.distance <= reach + foot.gap + tolerance, "no point is nearer than the closest");
+  if (reach < 1e-3 * size || size == 0.0) return;
+  const Vector3d direction = (target - probe) / reach;
+  const auto hit = first_ray_hit(tree, {probe, direction});
+  const double slope = std::abs(surface.normal(cell, u, v).dot(direction));
+  if (slope > 0.1) require(hit && hit->t <= reach + 10.0 * tolerance, "a ray hits what it aims at");
+  if (hit) require(bounds.box.exteriorDistance(hit->point) <= 1e-9 * size, "hits are bounded");
 }
 
 void check_surface(const ControlMesh& mesh, Scheme scheme, ByteReader& bytes) {
@@ -154,6 +198,8 @@ void check_surface(const ControlMesh& mesh, Scheme scheme, ByteReader& bytes) {
   check_sides(surface, bounds);
   check_pieces(surface, bounds);
   check_samples(surface, bounds);
+  check_creases(surface, bounds);
+  check_queries(surface, bounds, bytes);
 
   std::vector<Vector3d> moved = mesh.points();
   for (Vector3d& p : moved) p *= 0.5;
