@@ -3,7 +3,8 @@
 
 blender --background --python-exit-code 1 --python demo.py -- FILE FOLDER
 
-Makes hydrostatics.csv, lines.svg, hull.step, render.png and hull.blend.
+Makes hydrostatics.csv, plots of sectional areas, hydrostatic curves and righting levers, lines.svg,
+hull.step, render.png and hull.blend.
 """
 
 import sys
@@ -19,6 +20,12 @@ from enabled_addon import part  # noqa: E402
 
 # Fine enough that a facet of the surface shows nowhere in the picture.
 RENDER_SAMPLES_PER_CELL = 8
+
+PLOTS = {
+    "sectional_areas.svg": "sectional_areas",
+    "hydrostatic_curves.svg": "hydrostatic_table",
+    "righting_levers.svg": "righting_levers",
+}
 
 
 class Progress:
@@ -60,6 +67,16 @@ def describe(hull):
         )
 
 
+def draw_plots(hull, folder):
+    """A plot that this hull has not, such as levers of one that sinks, is told of and left out."""
+    for file_name, analysis in PLOTS.items():
+        path = str(folder / file_name)
+        try:
+            part("bridge.exports").export_plot(hull, bpy.context.scene, analysis, path)
+        except ValueError as error:
+            print(f"no {file_name}: {error} ", end="")
+
+
 def render(hull, path):
     hull.hull.samples = RENDER_SAMPLES_PER_CELL
     part("bridge.hull_state").refresh(hull, bpy.context.scene)
@@ -76,14 +93,15 @@ def save(path):
 
 def make(source, folder):
     exports = part("bridge.exports")
-    step = Progress(6)
+    step = Progress(7)
     hull = step(f"reading {source.name}", lambda: load(source))
     describe(hull)
     scene = bpy.context.scene
     table, drawing, solid = (
         str(folder / name) for name in ("hydrostatics.csv", "lines.svg", "hull.step")
     )
-    step("hydrostatics.csv", lambda: exports.export_hydrostatics(hull, scene, table))
+    step("hydrostatics.csv", lambda: exports.export_table(hull, scene, "hydrostatic_table", table))
+    step("plots", lambda: draw_plots(hull, folder))
     step("lines.svg", lambda: exports.export_lines_drawing(hull, scene, drawing))
     patches = step("hull.step", lambda: exports.export_step(hull, scene, solid))
     print(f"      at most {1e3 * patches.largest_distance:.3g} mm from the exact surface")

@@ -10,7 +10,6 @@ from ..bridge.units import format_value
 from .shared import HullPanel, export_buttons, label_value, label_wrapped
 
 _OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
-_REST_ICONS = {"stable": "CHECKMARK", "neutral": "INFO", "unstable": "ERROR"}
 
 
 def _result(layout, context, name):
@@ -127,16 +126,36 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
         return (format_value(scene, number, unit) for number in (one.value, one.limit))
 
 
-class HULL_UL_named(bpy.types.UIList):
-    """Load cases or openings by their names."""
-
+class HULL_UL_flooding_points(bpy.types.UIList):
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
         layout.prop(item, "name", text="", emboss=False, icon_value=icon)
 
 
+def _rest_icon(rest):
+    """Whether the ship floats, floats but not as she was meant to, or does not."""
+    if rest.draft_mean is None:
+        return "CANCEL"
+    return "ERROR" if rest.message else "CHECKMARK"
+
+
+class HULL_UL_load_cases(bpy.types.UIList):
+    """Names, and the mean drafts as far as they are known."""
+
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        outcome, is_current = analyses.last_outcome(data.id_data, context.scene, "load_cases")
+        rests = outcome.result if is_current and outcome is not None else None
+        if rests is None or index >= len(rests):
+            layout.prop(item, "name", text="", emboss=False)
+            return
+        rest = rests[index]
+        layout.prop(item, "name", text="", emboss=False, icon=_rest_icon(rest))
+        if rest.draft_mean is not None:
+            layout.label(text=format_value(context.scene, rest.draft_mean, "m"))
+
+
 def _draw_list(layout, loading, entries, active, kind):
     row = layout.row()
-    row.template_list("HULL_UL_named", entries, loading, entries, loading, active, rows=3)
+    row.template_list(f"HULL_UL_{entries}", "", loading, entries, loading, active, rows=3)
     column = row.column(align=True)
     column.operator(f"hull.add_{kind}", text="", icon="ADD")
     column.operator(f"hull.remove_{kind}", text="", icon="REMOVE")
@@ -182,8 +201,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         export_buttons(layout, "load_cases")
 
     def _draw_rest(self, layout, context, rest):
-        icon = _REST_ICONS.get(rest.status, "CANCEL")
-        label_wrapped(layout, context, rest.message or "Floats, stable", icon=icon)
+        label_wrapped(layout, context, rest.message or "Floats, stable", icon=_rest_icon(rest))
         if rest.draft_mean is None:
             return
         column = layout.column(align=True)
@@ -238,7 +256,8 @@ class HULL_PT_plots(HullPanel, bpy.types.Panel):
 
 
 CLASSES = (
-    HULL_UL_named,
+    HULL_UL_flooding_points,
+    HULL_UL_load_cases,
     HULL_PT_stability,
     HULL_PT_levers,
     HULL_PT_criteria,
