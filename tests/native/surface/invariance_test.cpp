@@ -8,6 +8,7 @@
 #include <random>
 
 #include "surface/grid_samples.h"
+#include "surface/parallel_for.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -139,6 +140,29 @@ TEST(Invariance, NumberOfThreads) {
     EXPECT_EQ(one.dv, many.dv);
     EXPECT_EQ(one.duv, many.duv);
   }
+}
+
+// Surfaces built at the same time with the same bases are those built one after the other.
+TEST(Invariance, ThreadsSharingBases) {
+  std::mt19937 random(kSeed + 5);
+  std::vector<ControlMesh> meshes;
+  for (int i = 0; i < 24; ++i) meshes.emplace_back(testing::random_mesh(random, 12));
+  const auto build = [&meshes](int threads) {
+    const auto cache = std::make_shared<BasisCache>();
+    std::vector<Vector3d> points(meshes.size());
+    parallel_for(
+        meshes.size(), threads,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            const LimitSurface surface(meshes[i], Scheme::kBiermann, cache);
+            points[i] = surface.position(surface.cell_count() - 1, 0.01, 0.02);
+          }
+        },
+        /*grain=*/1);
+    return points;
+  };
+  const std::vector<Vector3d> one_after_the_other = build(1);
+  for (int trial = 0; trial < 5; ++trial) EXPECT_EQ(build(4), one_after_the_other);
 }
 
 // Shared sides at the greatest valence that meshes may have.
