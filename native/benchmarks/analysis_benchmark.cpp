@@ -2,7 +2,6 @@
 // What a designer waits for after moving a point. One thread, a half hull of 140 points.
 #include <benchmark/benchmark.h>
 
-#include "analysis/hydrostatics.h"
 #include "analysis/sections.h"
 #include "benchmarks/half_hull.h"
 #include "surface/tessellation.h"
@@ -12,12 +11,6 @@ namespace {
 const hull::LimitSurface& surface() {
   static const hull::LimitSurface built{hull::ControlMesh(hull::benchmarks::half_hull())};
   return built;
-}
-
-void BM_UprightHydrostatics(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(hull::upright_hydrostatics(surface(), 6.0, true));
-  }
 }
 
 // 21 stations, 11 waterlines, 7 buttocks to 1 mm.
@@ -42,7 +35,6 @@ void BM_Tessellate(benchmark::State& state) {
   }
 }
 
-BENCHMARK(BM_UprightHydrostatics)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Lines)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Tessellate)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 

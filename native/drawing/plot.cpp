@@ -11,7 +11,9 @@ namespace {
 constexpr double kLargest = 1e100;
 
 std::string quoted(const std::string& kind, const std::string& name, std::size_t index) {
-  return kind + (name.empty() ? " " + std::to_string(index) : " \"" + name + "\"");
+  std::string words = kind;
+  if (name.empty()) return words.append(" ").append(std::to_string(index));
+  return words.append(" \"").append(name).append("\"");
 }
 
 [[noreturn]] void refuse(const std::string& what) {

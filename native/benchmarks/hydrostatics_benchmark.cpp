@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hydrostatics and stability of a half hull of 140 points, one thread, beside what triangles of an
+// accuracy of 1e-6 take for the volume alone, and Open CASCADE for that of the exported patches.
+#include <benchmark/benchmark.h>
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/hydrostatics.h"
+#include "analysis/righting_levers.h"
+#include "benchmarks/half_hull.h"
+#include "benchmarks/ratio_report.h"
+#include "conversion/flat_patches.h"
+#include "conversion/per_cell.h"
+#include "exchange/brep_shape.h"
+#include "surface/grid_samples.h"
+
+namespace {
+
+using hull::HullBody;
+using hull::LimitSurface;
+using hull::Vector3d;
+
+constexpr double kDraft = 6.0;
+constexpr hull::ProjectDimensions kProject{100.0, 18.0, kDraft};
+
+const hull::ControlMesh& control_mesh() {
+  static const hull::ControlMesh mesh(hull::benchmarks::half_hull());
+  return mesh;
+}
+
+const LimitSurface& surface() {
+  static const LimitSurface built(control_mesh());
+  return built;
+}
+
+const HullBody& body() {
+  static const HullBody built(surface(), true);
+  return built;
+}
+
+// Another draft each time, near enough for the same work.
+double next_draft() {
+  static int count = 0;
+  return kDraft + 1e-3 * (++count % 100);
+}
+
+void BM_Immersion(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(body().immersion({Vector3d::UnitZ(), next_draft()}));
+  }
+}
+
+void BM_Particulars(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(hull::hydrostatics(body(), {next_draft()}, kProject));
+  }
+}
+
+void BM_ParticularsAfterSetPoints(benchmark::State& state) {
+  LimitSurface moving(control_mesh());
+  HullBody following(moving, true);
+  for (auto _ : state) {
+    moving.set_points(control_mesh().points());
+    following.update();
+    benchmark::DoNotOptimize(hull::hydrostatics(following, {kDraft}, kProject));
+  }
+}
+
+void BM_VolumeAfterSetPoints(benchmark::State& state) {
+  LimitSurface moving(control_mesh());
+  HullBody following(moving, true);
+  for (auto _ : state) {
+    moving.set_points(control_mesh().points());
+    following.update();
+    benchmark::DoNotOptimize(following.immersion({Vector3d::UnitZ(), kDraft}));
+  }
+}
+
+void BM_RightingLevers(benchmark::State& state) {
+  std::vector<double> heels;
+  for (int i = 0; i < 19; ++i) heels.push_back(std::numbers::pi / 180.0 * 5.0 * i);
+  const hull::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
+  const hull::LoadCase load{upright.volume * 1.025, {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
+  for (auto _ : state) benchmark::DoNotOptimize(hull::righting_levers(body(), load, heels));
+}
+
+// Volume below z = draft of the prisms between a triangle's part above -infinity and the water.
+double prism_volume(const Vector3d* corners, double draft) {
+  // The polygon left of the triangle below the water.
+  Vector3d kept[4];
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d &a = corners[i], &b = corners[(i + 1) % 3];
+    const double ha = a.z() - draft, hb = b.z() - draft;
+    if (ha < 0.0) kept[count++] = a;
+    if ((ha < 0.0) != (hb < 0.0)) kept[count++] = a + (b - a) * (ha / (ha - hb));
+  }
+  double volume = 0.0;
+  for (int i = 1; i + 1 < count; ++i) {
+    const Vector3d &a = kept[0], &b = kept[i], &c = kept[i + 1];
+    const double area =
+        0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+    volume += area * ((a.z() + b.z() + c.z()) / 3.0 - draft);
+  }
+  return volume;
+}
+
+double triangulated_volume(const hull::GridSamples& samples, int cells, double draft) {
+  double volume = 0.0;
+  for (int cell = 0; cell < cells; ++cell) {
+    for (int i = 0; i < samples.n; ++i) {
+      for (int j = 0; j < samples.n; ++j) {
+        const Vector3d& a = samples.points[samples.index(cell, i, j)];
+        const Vector3d& b = samples.points[samples.index(cell, i + 1, j)];
+        const Vector3d& c = samples.points[samples.index(cell, i + 1, j + 1)];
+        const Vector3d& d = samples.points[samples.index(cell, i, j + 1)];
+        const Vector3d lower[] = {a, b, c}, upper[] = {a, c, d};
+        volume += prism_volume(lower, draft) + prism_volume(upper, draft);
+      }
+    }
+  }
+  return 2.0 * volume;
+}
+
+// Divisions of a cell's side that make the triangles' volume right to 1e-6.
+int fine_enough() {
+  const double exact = body().immersion({Vector3d::UnitZ(), kDraft}).volume;
+  for (int n = 8; n < 256; n += 8) {
+    const double volume =
+        triangulated_volume(hull::evaluate_grid(surface(), n, 0), surface().cell_count(), kDraft);
+    if (std::abs(volume - exact) <= 1e-6 * exact) return n;
+  }
+  return 256;
+}
+
+void BM_TriangulatedVolume(benchmark::State& state) {
+  static const int n = fine_enough();
+  hull::GridSamples samples;
+  for (auto _ : state) {
+    hull::evaluate_grid(surface(), n, 0, samples);
+    benchmark::DoNotOptimize(triangulated_volume(samples, surface().cell_count(), kDraft));
+  }
+  state.counters["triangles"] = 2.0 * surface().cell_count() * n * n;
+}
+
+// Of the whole shell: Open CASCADE would have to cut it by the water first.
+void BM_OpenCascadeVolume(benchmark::State& state) {
+  const hull::PatchSet patches = hull::fit_per_cell(surface());
+  const TopoDS_Shape shape =
+      hull::make_brep_shape(hull::without_flat_patches(patches).patches).shape;
+  for (auto _ : state) {
+    GProp_GProps volume;
+    BRepGProp::VolumeProperties(shape, volume);
+    benchmark::DoNotOptimize(volume.Mass());
+  }
+}
+
+BENCHMARK(BM_Immersion)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Particulars)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ParticularsAfterSetPoints)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_VolumeAfterSetPoints)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_RightingLevers)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_TriangulatedVolume)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_OpenCascadeVolume)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return hull::benchmarks::run_and_compare(
+      argc, argv,
+      {{"volume to 1e-6 by triangles, points moved", "BM_VolumeAfterSetPoints",
+        "BM_TriangulatedVolume", 20.0},
+       {"volume of the shell by Open CASCADE", "BM_VolumeAfterSetPoints", "BM_OpenCascadeVolume"}},
+      {{"all particulars at a new draft", "BM_Particulars", 1.0},
+       {"all particulars after set_points", "BM_ParticularsAfterSetPoints", 1.5},
+       {"19 righting levers, free trim", "BM_RightingLevers", 100.0}});
+}
