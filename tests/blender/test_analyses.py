@@ -202,6 +202,18 @@ def test_openings_flood_on_both_sides():
     assert not bpy.ops.hull.remove_flooding_point.poll()
 
 
+def test_an_open_deck_floods_where_its_edge_comes_under_water():
+    hull = afloat_box()
+    hull.hull.deck_closed = False
+    levers = result_of(hull, "righting_levers").levers
+    assert levers.deck_edge_heel is not None
+    assert levers.flooding_heel == pytest.approx(levers.deck_edge_heel, rel=1e-9)
+    hull.hull.deck_closed = True
+    closed = result_of(hull, "righting_levers").levers
+    assert closed.flooding_heel is None
+    assert closed.deck_edge_heel == pytest.approx(levers.deck_edge_heel, rel=1e-9)
+
+
 def test_criteria_are_those_of_the_native_function():
     hull = afloat_box()
     report = result_of(hull, "criteria")

@@ -94,3 +94,12 @@ def test_an_addon_that_is_off_shows_none():
     finally:
         addon_utils.enable(name, default_set=True)
     assert len(part("bridge.live_analyses").plot_viewers) == 1
+
+
+def test_what_was_asked_for_is_computed_and_shown():
+    hull = with_plot("cross_curves")
+    live, scene = part("bridge.live_analyses"), bpy.context.scene
+    assert live.latest(hull, scene, "cross_curves") is None
+    live.compute([(hull.name, "cross_curves"), ("a hull that was deleted", "criteria")])
+    assert live.latest(hull, scene, "cross_curves").result is not None
+    assert len(shown()) == 1

@@ -78,6 +78,11 @@ def _request(obj, name):
 def _compute_wanted():
     wanted = sorted(_wanted)
     _wanted.clear()
+    compute(wanted)
+
+
+def compute(wanted):
+    """Computes pairs (name of a hull in the scene, analysis) and shows what is switched on."""
     scene = bpy.context.scene
     for object_name, name in wanted:
         obj = scene.objects.get(object_name)

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panels say, read from a layout that writes down texts; the background has no window."""
+
+from types import FunctionType, MethodType, SimpleNamespace
+
+import bpy
+import pytest
+from addon_under_test import add_hull, part
+
+
+class Notebook:
+    """Stands for a layout and its parts; texts, properties and operators are noted in order."""
+
+    def __init__(self, noted=None):
+        self.noted = [] if noted is None else noted
+
+    def _part(self, *unused, **more_unused):
+        return Notebook(self.noted)
+
+    row = column = split = box = _part
+
+    def separator(self):
+        pass
+
+    def label(self, text="", icon="NONE"):
+        self.noted.append(text)
+
+    def prop(self, data, name, **unused):
+        assert name in data.bl_rna.properties
+        self.noted.append(f"property {name}")
+
+    def operator(self, idname, **unused):
+        self.noted.append(f"operator {idname}")
+        return SimpleNamespace()
+
+    def operator_menu_enum(self, idname, name, **unused):
+        self.noted.append(f"operator {idname}")
+
+    def template_list(self, list_type, identifier, data, name, active_data, active, **unused):
+        assert hasattr(bpy.types, list_type)
+        self.noted.append(f"list of {len(getattr(data, name))} at {getattr(active_data, active)}")
+
+
+class Drawn:
+    """Stands for an instance of a panel's class, which only Blender can make."""
+
+    def __init__(self, cls):
+        self._cls = cls
+        self.layout = Notebook()
+
+    def __getattr__(self, name):
+        value = getattr(self._cls, name)
+        return MethodType(value, self) if isinstance(value, FunctionType) else value
+
+
+def context():
+    return SimpleNamespace(
+        object=bpy.context.object,
+        scene=bpy.context.scene,
+        region=SimpleNamespace(width=4000),
+        # Without a window Blender's own scale is 0.
+        preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),
+    )
+
+
+def texts():
+    """All that the panels that are there say, by the name of the panel's class."""
+    panels, now = part("panels")._CLASSES, context()
+    said = {}
+    for cls in panels:
+        if issubclass(cls, bpy.types.Panel) and (not hasattr(cls, "poll") or cls.poll(now)):
+            drawn = Drawn(cls)
+            drawn.draw(now)
+            said[cls.__name__] = drawn.layout.noted
+    return said
+
+
+def compute_all(hull):
+    analyses = part("bridge.analyses").ANALYSES
+    part("bridge.live_analyses").compute([(hull.name, name) for name in analyses])
+
+
+@pytest.fixture
+def hull():
+    hull = add_hull()
+    hull.hull.draft = 1.0
+    hull.hull.loading.kg = 1.2
+    bpy.context.view_layer.update()
+    return hull
+
+
+def value_after(noted, name):
+    return noted[noted.index(name) + 1]
+
+
+def test_hydrostatics_with_units(hull):
+    said = texts()
+    assert value_after(said["HULL_PT_hydrostatics_displacement"], "Volume ∇") == "40.000 m³"
+    assert value_after(said["HULL_PT_hydrostatics_stability"], "KMt") == "1.833 m"
+    assert value_after(said["HULL_PT_hydrostatics_coefficients_project"], "Cb") == "1.0000"
+    assert value_after(said["HULL_PT_hydrostatics_waterplane"], "Entrance ½") == "90.00°"
+
+
+def test_stability_says_nothing_before_it_was_computed(hull):
+    assert "…" in texts()["HULL_PT_stability"]
+    compute_all(hull)
+    said = texts()
+    assert value_after(said["HULL_PT_stability"], "GM") == "0.633 m"
+    assert any(
+        "All are met" == text or "Not all are met" == text for text in said["HULL_PT_criteria"]
+    )
+    assert any(text.startswith("2.2.4 pass") for text in said["HULL_PT_criteria"])
+
+
+def test_load_cases(hull):
+    bpy.ops.hull.add_load_case()
+    compute_all(hull)
+    said = texts()["HULL_PT_load_cases"]
+    assert "list of 1 at 0" in said and "Floats, stable" in said
+    assert value_after(said, "Mean draft") == "1.000 m"
+
+
+def test_a_flooded_hull_is_a_quiet_line(hull):
+    hull.hull.deck_closed = False
+    hull.hull.heel = 1.2
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    said = texts()
+    assert "floods at" in " ".join(said["HULL_PT_hydrostatics"])
+    assert "HULL_PT_hydrostatics_centres" not in said
+
+
+def test_a_load_that_sinks_is_a_quiet_line(hull):
+    hull.hull.loading.use_displacement = False
+    hull.hull.loading.mass_t = 1e4
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    said = texts()
+    for name in ("HULL_PT_stability", "HULL_PT_levers", "HULL_PT_criteria"):
+        assert "inks" in " ".join(said[name])
+
+
+def test_panels_of_a_hull_of_which_nothing_is_known(hull):
+    part("bridge.hull_state").forget_all()
+    assert "HULL_PT_hydrostatics" in texts()
+
+
+def test_without_a_hull_there_are_only_beginnings():
+    assert "HULL_PT_stability" not in texts()
