@@ -105,7 +105,9 @@ void take_buoyancy(const HullBody& body, const Immersion& immersion, double wate
   p.wetted_surface = immersion.wetted_surface;
   p.wetted_surface_error = immersion.wetted_surface_error;
   const double size = body.surface().mesh().size();
-  if (immersion.volume < -1e-9 * size * immersion.wetted_surface) {
+  const double least_area =
+      1e-9 * size * size;  // less is rounding, of a bottom in the water's plane
+  if (immersion.volume < -1e-9 * size * (immersion.wetted_surface + least_area)) {
     throw std::invalid_argument(
         "The displaced volume is negative: the faces are turned inwards. Turn them outwards, into "
         "the water.");

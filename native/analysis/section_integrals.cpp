@@ -54,7 +54,7 @@ void integrate(const ArcSquare& square, double begin, double end, double size, i
   sum += part;
 }
 
-// The u between begin and end where b passes level; b - level has different signs there.
+// The u between begin and end where b passes level; one of them is below it, the other not.
 double level_crossing(const ArcSquare& square, double begin, double end, double level) {
   double f_begin = arc_point(square, begin).b - level;
   double f_end = arc_point(square, end).b - level;
@@ -64,7 +64,7 @@ double level_crossing(const ArcSquare& square, double begin, double end, double 
     if (!(t > begin && t < end)) t = 0.5 * (begin + end);
     const double f = arc_point(square, t).b - level;
     if (f == 0.0) return t;
-    if ((f > 0.0) == (f_begin > 0.0)) {
+    if ((f < 0.0) == (f_begin < 0.0)) {  // an end at the very level is not below
       if (t - begin < 1e-15) return t;
       begin = t;
       f_begin = f;

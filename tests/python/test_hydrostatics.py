@@ -67,11 +67,12 @@ def test_section_areas_of_a_trimmed_box(box):
 
 
 def test_bonjean_curves_of_a_box(box):
-    curves = hn.bonjean(box, stations=[5.0, 20.0, 50.0], drafts=[0.0, 1.0, 2.0, 6.0])
-    assert curves.areas.shape == (3, 4)
-    np.testing.assert_allclose(curves.areas[1], [0.0, 8.0, 16.0, 40.0], atol=1e-12)
+    curves = hn.bonjean(box, stations=[5.0, 20.0, 50.0], drafts=[0.0, 1.0, 2.0, 5.0, 6.0])
+    assert curves.areas.shape == (3, 5)
+    # 5 m is the very depth: the water is in the plane of the deck.
+    np.testing.assert_allclose(curves.areas[1], [0.0, 8.0, 16.0, 40.0, 40.0], atol=1e-12)
     np.testing.assert_allclose(curves.areas[2], 0.0)
-    np.testing.assert_allclose(curves.centroids[0, :, 2], [0.0, 0.5, 1.0, 2.5], atol=1e-12)
+    np.testing.assert_allclose(curves.centroids[0, :, 2], [0.0, 0.5, 1.0, 2.5, 2.5], atol=1e-12)
     assert curves.stations.tolist() == [5.0, 20.0, 50.0]
 
 
