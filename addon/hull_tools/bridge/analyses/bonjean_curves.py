@@ -12,6 +12,9 @@ LABEL = "Bonjean curves"
 IS_LIVE = False
 
 _DRAFTS = 20
+# Stations at the hull's ends are cut so much of her length inside: in the plane of a transom there
+# is no telling what belongs to the station.
+_END_SHARE = 1e-6
 # In the plot so many stations stand apart from one another.
 _MOST_PLOTTED = 21
 
@@ -45,8 +48,18 @@ def inputs(settings, metres_per_unit):
 
 
 def compute(body, given):
-    curves = native.require().bonjean(body, stations=given.stations, drafts=given.drafts)
+    low, high = np.sort(body.surface.mesh.points[:, 0])[[0, -1]]
+    margin = _END_SHARE * (high - low)
+    stations = [_inside(x, low, high, margin) for x in given.stations]
+    curves = native.require().bonjean(body, stations=stations, drafts=given.drafts)
     return Result(curves, given)
+
+
+def _inside(x, low, high, margin):
+    """x, or where it is an end of the hull the place a margin inside."""
+    if abs(x - low) < margin:
+        return low + margin
+    return high - margin if abs(x - high) < margin else x
 
 
 def header(result):
@@ -56,7 +69,7 @@ def header(result):
 
 def rows(result):
     found = result.curves
-    for i, x in enumerate(found.stations):
+    for i, x in enumerate(result.inputs.stations):
         for j, draft in enumerate(found.drafts):
             yield [i, x, draft, found.areas[i, j], found.centroids[i, j, 2], found.girths[i, j],
                    found.breadths[i, j]]  # fmt: skip
