@@ -10,10 +10,9 @@ namespace hull::bindings {
 
 void bind_feature_curves(py::module_& module) {
   py::class_<FeatureCurve>(module, "FeatureCurve", "A chain of creases or borders as a curve.")
-      .def_property_readonly("kind",
-                             [](const FeatureCurve& c) {
-                               return c.kind == CreaseKind::kBorder ? "border" : "crease";
-                             })
+      .def_property_readonly(
+          "kind",
+          [](const FeatureCurve& c) { return c.kind == CreaseKind::kBorder ? "border" : "crease"; })
       .def_property_readonly(
           "vertices", [](const FeatureCurve& c) { return to_array(c.vertices); },
           "(k,) the chain's control points.")

@@ -26,8 +26,8 @@ Tessellation tessellate(const LimitSurface& surface, int n);
 // As many as it takes for every point of the surface to be within `chord_tolerance`, m, of its
 // quadrilateral, whichever way that is cut into triangles: nu x nv in each cell, rows of cells
 // divided alike. Throws std::invalid_argument, naming a tolerance that would do, where that takes
-// more than 256 divisions of a cell, or 2^24 quadrilaterals. Divisions go with the reciprocal of the
-// tolerance's square root; beside irregular points, where lines of equal u or v bend within the
+// more than 256 divisions of a cell, or 2^24 quadrilaterals. Divisions go with the reciprocal of
+// the tolerance's square root; beside irregular points, where lines of equal u or v bend within the
 // surface at every scale, with the reciprocal of the tolerance once that is small.
 Tessellation tessellate_to_tolerance(const LimitSurface& surface, double chord_tolerance);
 
