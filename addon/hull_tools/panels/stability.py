@@ -112,7 +112,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
             text = f"{one.paragraph} {one.outcome}: {one.name}"
             label_wrapped(column, context, text, icon=_OUTCOME_ICONS[one.outcome])
             value, limit = self._numbers(context.scene, one)
-            label_value(column, f"      {value}", f"≥ {limit}")
+            label_value(column, value, f"≥ {limit}")
             if one.note and one.note not in notes:
                 notes.append(one.note)
         for note in notes:

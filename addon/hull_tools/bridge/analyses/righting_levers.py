@@ -15,6 +15,8 @@ IS_LIVE = False
 # The intervals whose areas the intact stability code asks for.
 _INTERVALS_DEG = ((0.0, 30.0), (0.0, 40.0), (30.0, 40.0))
 
+_AREA_TOLERANCE = 1e-5  # m·rad, finer than is shown; the criteria have their own
+
 
 @dataclass(frozen=True)
 class Inputs:
@@ -58,6 +60,7 @@ def compute(body, given):
         heels=given.heels,
         downflooding_points=given.load.flooding_points or None,
         area_intervals=given.intervals,
+        area_tolerance=_AREA_TOLERANCE,
     )
     return Result(levers, load, given)
 
