@@ -168,9 +168,10 @@ TEST(Invariance, ThreadsSharingBases) {
 // Shared sides at the greatest valence that meshes may have.
 TEST(Invariance, GreatestValence) {
   std::mt19937 random(kSeed + 4);
+  const auto cache = std::make_shared<BasisCache>();
   for (MeshArrays arrays : {testing::double_pyramid(kMaxValence), testing::prism(kMaxValence)}) {
     testing::randomise(arrays, random, 0.0, 0.0, 0.2);
-    const LimitSurface surface{ControlMesh(arrays)};
+    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
     const Topology& cells = surface.cells();
     for (int h = 0; h < cells.half_edge_count(); ++h) {
       if ((h & 3) != 0) continue;  // side v = 0, which is side u = 0 of the neighbour's cell
