@@ -27,4 +27,13 @@ struct ClosingSpan {
 // open transoms and the ends of cut bodies, are taken for closed; all others are open.
 std::vector<ClosingSpan> closing_spans(const LimitSurface& surface, bool mirrored);
 
+// The lowest point at which water can flow in.
+struct FloodingPoint {
+  double height;  // along the direction asked for, m; infinite if there is none
+  Vector3d point;
+};
+
+// The lowest point of a Bézier cubic along `up`.
+FloodingPoint lowest_point(const std::array<Vector3d, 4>& cubic, const Vector3d& up);
+
 }  // namespace hull

@@ -22,39 +22,6 @@ constexpr double kNoVolume = 1e-9;        // times the area: what an open sheet 
 constexpr double kAtEdge = 1e-9;          // water at an opening's edge does not flow in
 constexpr double kSmallestCorner = 1e-9;  // beyond it a corner cut by the water is left out
 
-// What water does to a body whose shell has these moments below it, all about one origin.
-Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
-  const Vector3d& e = water.normal;
-  const double d = water.offset;
-  const double area = wet.normal.dot(e);                          // ∫ e·n
-  const Vector3d first = wet.first * e;                           // ∫ p e·n
-  const Eigen::Matrix3d second = wet.second_along(e);             // ∫ p pᵀ e·n
-  const double height = e.dot(first) - d * area;                  // ∫ h e·n
-  const Vector3d height_first = second * e - d * first;           // ∫ p h e·n
-  const double height_square = e.dot(height_first) - d * height;  // ∫ h² e·n
-
-  Immersion result;
-  result.water = water;
-  result.volume = height;
-  if (height > 0.0) {
-    result.centre_of_buoyancy = (height_first - 0.5 * height_square * e) / height;
-  }
-  result.wetted_surface = wet.area;
-  result.waterplane_area = -area;
-  if (area < 0.0) {
-    // Of the waterplane's points q = p - h e.
-    const Vector3d moment = e * height - first;
-    const Eigen::Matrix3d about_origin = height_first * e.transpose() +
-                                         e * height_first.transpose() - second -
-                                         e * e.transpose() * height_square;
-    result.centre_of_flotation = moment / -area;
-    result.waterplane_second = about_origin - moment * result.centre_of_flotation.transpose();
-  }
-  result.volume_error = wet.cut_error;
-  result.wetted_surface_error = wet.area_error;
-  return result;
-}
-
 // Closings are no part of the wetted surface.
 ShellMoments without_area(ShellMoments moments) {
   moments.area = moments.area_error = 0.0;
@@ -71,23 +38,6 @@ Box box_of(const Vector3d* points, std::size_t count) {
     box = {box.low.cwiseMin(points[i]), box.high.cwiseMax(points[i])};
   }
   return box;
-}
-
-// The lowest point of a Bézier cubic: an end, or where its height has no slope.
-FloodingPoint lowest_on(const std::array<Vector3d, 4>& c, const Vector3d& up) {
-  const double h[] = {up.dot(c[0]), up.dot(c[1]), up.dot(c[2]), up.dot(c[3])};
-  // A third of the derivative: a + b t + d t².
-  const double a = h[1] - h[0], b = 2.0 * (h[2] - 2.0 * h[1] + h[0]);
-  const double d = h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0];
-  const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * d));
-  FloodingPoint lowest{h[0], c[0]};
-  for (double t : {1.0, (-b + root) / (2.0 * d), (-b - root) / (2.0 * d), -a / b}) {
-    if (!(t > 0.0 && t <= 1.0)) continue;
-    const double s = 1.0 - t;
-    const Vector3d p = s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3]);
-    if (up.dot(p) < lowest.height) lowest = {up.dot(p), p};
-  }
-  return lowest;
 }
 
 Plane mirror_image(const Plane& plane) {
@@ -243,7 +193,7 @@ FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
     if (mirror.y() < 0.0 && !mirrored_) break;
     for (const ClosingSpan& span : closings_) {
       if (!span.open) continue;
-      const FloodingPoint point = lowest_on(span.border, up.cwiseProduct(mirror));
+      const FloodingPoint point = lowest_point(span.border, up.cwiseProduct(mirror));
       if (point.height < lowest.height) {
         lowest = {point.height, point.point.cwiseProduct(mirror)};
       }

@@ -18,12 +18,6 @@ namespace hull {
 // water in, or are covered, as by a weathertight deck.
 enum class Openings { kOpen, kClosed };
 
-// The lowest point at which water can flow in.
-struct FloodingPoint {
-  double height;  // along the direction asked for, m; infinite if there is none
-  Vector3d point;
-};
-
 // A limit surface as the shell of a floating body, for many waters: what does not depend on the
 // water is computed once. Its bodies, if they are several, add up.
 //

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/plane_cut.h"
+#include "analysis/shell_moments.h"
 
 namespace hull {
 
@@ -21,5 +22,10 @@ struct Immersion {
   double volume_error = 0.0;               // estimates of the quadrature's errors, m³, m²
   double wetted_surface_error = 0.0;
 };
+
+// From the moments of what is below the water of a closed body's shell, about the origin. The flux
+// forms, of the shell without closings, are left at zero. For accuracy the origin should be near
+// the water's surface.
+Immersion immersion_of(const ShellMoments& wet, const Plane& water);
 
 }  // namespace hull
