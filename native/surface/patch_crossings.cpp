@@ -180,7 +180,15 @@ HULL_WIDE PatchCrossings::Outcome PatchCrossings::try_single(const BezierPatch& 
     const double to_u = std::clamp(u + du, 0.0, 1.0), to_v = std::clamp(v + dv, 0.0, 1.0);
     const bool settled = std::abs(to_u - u) <= 1e-15 && std::abs(to_v - v) <= 1e-15;
     if (settled) {
-      if (std::hypot(jet.point[0], jet.point[1]) > tolerance_) return Outcome::kNone;
+      const double off = std::hypot(jet.point[0], jet.point[1]);
+      if (off > tolerance_) {
+        // Held back at a side, F is at its least, g not: off can be more than the least by the
+        // condition of W.
+        const double condition = (xu * xu + xv * xv + yu * yu + yv * yv) / std::abs(determinant);
+        if (off > 4.0 * condition * tolerance_ || !find_on_sides(patch, u, v, jet)) {
+          return Outcome::kNone;
+        }
+      }
       // dz along the ray per distance from it: (z_u, z_v) J⁻¹.
       const double xy = jet.du[0] * jet.dv[1] - jet.dv[0] * jet.du[1];
       const double zx = (jet.du[2] * jet.dv[1] - jet.dv[2] * jet.du[1]) / xy;
@@ -231,6 +239,31 @@ bool PatchCrossings::try_stretch(const BezierPatch& patch, const Part& part) {
   return true;
 }
 
+// The place on a side that is nearest to the axis, looked for from (u, v): whether it is within the
+// tolerance. Then that is (u, v), and `jet` the one there.
+bool PatchCrossings::find_on_sides(const BezierPatch& patch, double& u, double& v,
+                                   SurfaceJet& jet) const {
+  for (int side = 0; side < 4; ++side) {
+    const bool along_u = side < 2;
+    const double fixed = side & 1;
+    double t = along_u ? u : v;
+    for (int step = 0; step < kMostSteps; ++step) {
+      evaluate_first(patch, along_u ? t : fixed, along_u ? fixed : t, jet);
+      const Eigen::Vector2d g = jet.point.head<2>();
+      if (g.norm() <= tolerance_) {
+        u = along_u ? t : fixed;
+        v = along_u ? fixed : t;
+        return true;
+      }
+      const Eigen::Vector2d d = (along_u ? jet.du : jet.dv).head<2>();
+      const double to = std::clamp(t - g.dot(d) / d.squaredNorm(), 0.0, 1.0);
+      if (!(std::abs(to - t) > 1e-15)) break;  // nor go on where d vanishes
+      t = to;
+    }
+  }
+  return false;
+}
+
 // The place of a small part that is nearest to the axis, by Gauss–Newton steps with some damping;
 // counts if it is within the tolerance.
 void PatchCrossings::try_touching(const BezierPatch& patch, const Part& part) {
@@ -249,6 +282,10 @@ void PatchCrossings::try_touching(const BezierPatch& patch, const Part& part) {
     if (!(determinant > 0.0)) return;
     u = std::clamp(u + (f * b - h * a) / determinant, 0.0, 1.0);
     v = std::clamp(v + (f * a - e * b) / determinant, 0.0, 1.0);
+  }
+  // Steps that end at a side need not end at its nearest place.
+  if (find_on_sides(patch, u, v, jet)) {
+    crossings_.push_back({jet.point[2], part.u + part.du * u, part.v + part.dv * v, kInfinity});
   }
 }
 

@@ -51,6 +51,7 @@ class PatchCrossings {
   Outcome try_single(const BezierPatch& patch, const Part& part);
   bool try_stretch(const BezierPatch& patch, const Part& part);
   void try_touching(const BezierPatch& patch, const Part& part);
+  bool find_on_sides(const BezierPatch& patch, double& u, double& v, SurfaceJet& jet) const;
   void split(const BezierPatch& patch, const Part& part);
 
   double tolerance_, touching_, z_min_, z_max_;

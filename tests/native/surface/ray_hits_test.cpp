@@ -182,6 +182,36 @@ TEST(RayHits, OfFoldedCellsAreAsManyAsThoseOfSmallTriangles) {
   EXPECT_GE(most, 7u);
 }
 
+// A border point far away: lines of equal u and of equal v run nearly alike there, so that a place
+// beside the axis by rounding alone is far beside it in u and v.
+TEST(RayHits, AtBordersOfNarrowCells) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed + 7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (double away : {30.0, 1e3, 1e4, 1e5}) {
+    MeshArrays mesh = testing::grid(1, 2);
+    mesh.points[0] = {-away, -2.0, -2.0};
+    mesh.points[3] = {-1.5, 1.8, -2.0};
+    const LimitSurface surface{ControlMesh(mesh)};
+    const SurfaceTree tree(surface);
+    const Topology& cells = surface.cells();
+    for (int h = 0; h < cells.half_edge_count(); ++h) {
+      if (cells.twin(h) >= 0) continue;
+      for (double t : {0.0, 1e-3, unit(random)}) {
+        const Eigen::Vector2d uv = on_side(h & 3, t);
+        const Vector3d aim = surface.position(h / 4, uv.x(), uv.y());
+        for (int i = 0; i < 100; ++i) {
+          const Vector3d direction = random_direction(random);
+          if (std::abs(surface.normal(h / 4, uv.x(), uv.y()).dot(direction)) < 0.1) continue;
+          const Ray ray{aim - away * unit(random) * direction, direction};
+          ASSERT_LT(nearest(all_ray_hits(tree, ray), aim), 1e-6 * tree.error_size())
+              << "away " << away << ", half-edge " << h << " at " << t << ", ray " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(RayHits, OfABoxAreThoseOfTheClosedForm) {
   const Vector3d low(0.0, -2.0, 0.0), high(5.0, 2.0, 3.0);
   const SurfaceTree tree{LimitSurface(ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
