@@ -64,13 +64,11 @@ double crossing(const BezierCubic& column) {
 
 Breaks crossing_breaks(const BezierBicubic& height) {
   Breaks breaks;
-  breaks.push_back(0.0);
-  breaks.push_back(1.0);
+  breaks.insert(0.0);
+  breaks.insert(1.0);
   for (double v : {0.0, 1.0}) {
-    for (double root : sign_changes(height.along_u(v))) breaks.push_back(root);
+    for (double root : sign_changes(height.along_u(v))) breaks.insert(root);
   }
-  std::sort(breaks.begin(), breaks.end());
-  breaks.resize(std::unique(breaks.begin(), breaks.end()) - breaks.begin());
   return breaks;
 }
 

@@ -79,9 +79,14 @@ def rows(result):
 
 def plot(result, name):
     found = result.levers
+    greatest = None
+    if found.greatest_lever is not None:
+        greatest = (found.greatest_lever_heel, found.greatest_lever)
     return native.require().righting_lever_plot(
         found.heels,
         found.levers,
+        slopes=found.slopes,
+        greatest=greatest,
         subtitles=[loads.describe(result.load, result.inputs.load, name)],
         gm=found.gm,
         vanishing=found.vanishing_heel,
