@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/border_edges.h"
+
 namespace hull {
 namespace {
 
@@ -19,38 +21,12 @@ struct BorderLoop {
   std::vector<int> cells;    // of each
 };
 
-// The side of a cell that is half-edge h, a cubic even at irregular points.
-Cubic side_curve(const LimitSurface& surface, int h) {
-  const auto at = [&](double t) {
-    switch (h % 4) {
-      case 0:
-        return surface.position(h / 4, t, 0.0);
-      case 1:
-        return surface.position(h / 4, 1.0, t);
-      case 2:
-        return surface.position(h / 4, 1.0 - t, 1.0);
-      default:
-        return surface.position(h / 4, 0.0, 1.0 - t);
-    }
-  };
-  const Vector3d p0 = at(0.0), p1 = at(1.0 / 3.0), p2 = at(2.0 / 3.0), p3 = at(1.0);
-  return {p0, (-5.0 * p0 + 18.0 * p1 - 9.0 * p2 + 2.0 * p3) / 6.0,
-          (2.0 * p0 - 9.0 * p1 + 18.0 * p2 - 5.0 * p3) / 6.0, p3};
-}
-
 std::vector<BorderLoop> border_loops(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
-  std::vector<char> used(cells.half_edge_count(), 0);
   std::vector<BorderLoop> loops;
-  for (int first = 0; first < cells.half_edge_count(); ++first) {
-    if (cells.twin(first) >= 0 || used[first]) continue;
-    BorderLoop& loop = loops.emplace_back();
-    for (int h = first; !used[h];) {
-      used[h] = 1;
-      loop.spans.push_back(side_curve(surface, h));
-      loop.cells.push_back(h / 4);
-      for (h = cells.next(h); cells.twin(h) >= 0;) h = cells.next(cells.twin(h));
-    }
+  for (const BorderEdge& edge : border_edges(surface)) {
+    if (edge.loop == static_cast<int>(loops.size())) loops.emplace_back();
+    loops.back().spans.push_back(edge.points);
+    loops.back().cells.push_back(edge.half_edge / 4);
   }
   return loops;
 }
