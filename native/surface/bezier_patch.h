@@ -45,4 +45,22 @@ PatchShape shape_of(const BezierPatch& patch);
 // derivatives allow, as the first ones do not let it grow. False says nothing.
 bool is_least(const BezierPatch& patch, const PatchShape& shape, const Vector3d& r);
 
+// A rectangle [u, u + du] x [v, v + dv] of a patch's domain.
+struct PatchPart {
+  double u = 0.0, v = 0.0, du = 1.0, dv = 1.0;
+
+  // The lower (i = 0) or upper (1) half across u (axis = 0) or v (1), as BezierPatch::split() cuts.
+  PatchPart half(int axis, int i) const {
+    PatchPart part = *this;
+    if (axis == 0) {
+      part.du *= 0.5;
+      part.u += i * part.du;
+    } else {
+      part.dv *= 0.5;
+      part.v += i * part.dv;
+    }
+    return part;
+  }
+};
+
 }  // namespace hull

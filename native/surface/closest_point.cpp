@@ -21,9 +21,7 @@ constexpr double kNoSide = 1e-9;
 constexpr int kMostSteps = 30;
 
 // A rectangle of a piece's (u, v).
-struct Part {
-  double u = 0.0, v = 0.0, du = 1.0, dv = 1.0;
-};
+using Part = PatchPart;
 
 // Squared distances to the four boxes of a node.
 inline void box_distances(const SurfaceTree::Node& node, const Vector3d& p, double* squares) {
@@ -279,14 +277,7 @@ class Search {
         (shapes[1].centre - p_).squaredNorm() < (shapes[0].centre - p_).squaredNorm();
     for (int i : {nearer, 1 - nearer}) {
       count_part();
-      Part half = part;
-      if (axis == 0) {
-        half.du *= 0.5;
-        half.u += i * half.du;
-      } else {
-        half.dv *= 0.5;
-        half.v += i * half.dv;
-      }
+      const Part half = part.half(axis, i);
       if (!settle(halves[i], shapes[i], place, half)) split(halves[i], shapes[i], place, half);
     }
   }

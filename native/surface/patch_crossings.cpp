@@ -301,15 +301,7 @@ void PatchCrossings::split(const BezierPatch& patch, const Part& part) {
   BezierPatch halves[2];
   patch.split(axis, halves[0], halves[1]);
   for (int i = 0; i < 2; ++i) {
-    Part half = part;
-    if (axis == 0) {
-      half.du *= 0.5;
-      half.u += i * half.du;
-    } else {
-      half.dv *= 0.5;
-      half.v += i * half.dv;
-    }
-    find(halves[i], half);
+    find(halves[i], part.half(axis, i));
   }
 }
 

@@ -41,9 +41,7 @@ class PatchCrossings {
   void set_z_max(double z_max) { z_max_ = z_max; }
 
  private:
-  struct Part {
-    double u = 0.0, v = 0.0, du = 1.0, dv = 1.0;
-  };
+  using Part = PatchPart;
   enum class Outcome { kNone, kOne, kUnknown };
 
   void find(const BezierPatch& patch, const Part& part);
