@@ -2,7 +2,7 @@
 // What a designer waits for after moving a point. One thread, a half hull of 140 points.
 #include <benchmark/benchmark.h>
 
-#include "analysis/sections.h"
+#include "analysis/sections/sections.h"
 #include "benchmarks/half_hull.h"
 #include "surface/tessellation.h"
 

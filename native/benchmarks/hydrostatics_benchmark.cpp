@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/hydrostatics.h"
-#include "analysis/righting_levers.h"
+#include "analysis/hydrostatics/hydrostatics.h"
+#include "analysis/stability/righting_levers.h"
 #include "benchmarks/half_hull.h"
 #include "benchmarks/ratio_report.h"
 #include "conversion/flat_patches.h"

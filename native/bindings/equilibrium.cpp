@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/equilibrium.h"
+#include "analysis/stability/equilibrium.h"
 
 #include <pybind11/stl.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/feature_curves.h"
+#include "analysis/sections/feature_curves.h"
 
 #include <pybind11/stl.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/hull_body.h"
+#include "analysis/immersion/hull_body.h"
 
 #include <pybind11/eigen.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/hydrostatics.h"
+#include "analysis/hydrostatics/hydrostatics.h"
 
 #include <pybind11/stl.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/section_areas.h"
+#include "analysis/stations/section_areas.h"
 
 #include <pybind11/stl.h>
 
-#include "analysis/bonjean.h"
+#include "analysis/stations/bonjean.h"
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/sections.h"
+#include "analysis/sections/sections.h"
 
 #include <pybind11/stl.h>
 

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "analysis/cross_curves.h"
-#include "analysis/floating_position.h"
-#include "analysis/righting_levers.h"
-#include "analysis/stability_criteria.h"
+#include "analysis/immersion/floating_position.h"
+#include "analysis/stability/cross_curves.h"
+#include "analysis/stability/righting_levers.h"
+#include "analysis/stability/stability_criteria.h"
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 

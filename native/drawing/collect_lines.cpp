@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "analysis/feature_curves.h"
-#include "analysis/sections.h"
+#include "analysis/sections/feature_curves.h"
+#include "analysis/sections/sections.h"
 #include "drawing/canvas.h"
 #include "drawing/ship_curve.h"
 

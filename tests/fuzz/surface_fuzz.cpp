@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "analysis/feature_curves.h"
+#include "analysis/sections/feature_curves.h"
 #include "mesh_from_bytes.h"
 #include "surface/closest_point.h"
 #include "surface/crease_curves.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/equilibrium.h"
+#include "analysis/stability/equilibrium.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/floating_descent.h"
+#include "analysis/stability/floating_descent.h"
 #include "barges.h"
 
 namespace hull {

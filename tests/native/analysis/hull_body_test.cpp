@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/hull_body.h"
+#include "analysis/immersion/hull_body.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/floating_position.h"
+#include "analysis/immersion/floating_position.h"
 #include "test_meshes.h"
 
 namespace hull {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/gauss.h"
+#include "analysis/arithmetic/gauss.h"
 #include "test_meshes.h"
 
 namespace hull::testing {

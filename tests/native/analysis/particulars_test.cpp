@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/hydrostatics.h"
+#include "analysis/hydrostatics/hydrostatics.h"
 #include "natural_hull.h"
 
 namespace hull {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/righting_levers.h"
+#include "analysis/stability/righting_levers.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/cross_curves.h"
-#include "analysis/floating_position.h"
-#include "analysis/gauss.h"
+#include "analysis/arithmetic/gauss.h"
+#include "analysis/immersion/floating_position.h"
+#include "analysis/stability/cross_curves.h"
 #include "barges.h"
 
 namespace hull {

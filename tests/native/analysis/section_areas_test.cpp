@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/section_areas.h"
+#include "analysis/stations/section_areas.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/bonjean.h"
-#include "analysis/gauss.h"
+#include "analysis/arithmetic/gauss.h"
+#include "analysis/stations/bonjean.h"
 #include "natural_hull.h"
 
 namespace hull {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/sections.h"
+#include "analysis/sections/sections.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <stdexcept>
 
-#include "analysis/feature_curves.h"
-#include "analysis/hull_body.h"
+#include "analysis/immersion/hull_body.h"
+#include "analysis/sections/feature_curves.h"
 #include "test_meshes.h"
 
 namespace hull {

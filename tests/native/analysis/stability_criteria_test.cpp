@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/stability_criteria.h"
+#include "analysis/stability/stability_criteria.h"
 
 #include <gtest/gtest.h>
 

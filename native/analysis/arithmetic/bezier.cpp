@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/arithmetic/bezier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hull {
+namespace {
+
+// The two halves of a cubic (de Casteljau at 1/2).
+std::array<BezierCubic, 2> halves(const BezierCubic& c) {
+  const double ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), cd = 0.5 * (c[2] + c[3]);
+  const double abc = 0.5 * (ab + bc), bcd = 0.5 * (bc + cd), middle = 0.5 * (abc + bcd);
+  return {BezierCubic{c[0], ab, abc, middle}, BezierCubic{middle, bcd, cd, c[3]}};
+}
+
+int count_sign_changes(const BezierCubic& c) {
+  int changes = 0;
+  for (int i = 0; i < 3; ++i) changes += (c[i] >= 0.0) != (c[i + 1] >= 0.0);
+  return changes;
+}
+
+// The root of a cubic with one sign change, by bisection sped up by secants (Illinois).
+double bracketed_root(const BezierCubic& c) {
+  double low = 0.0, high = 1.0, f_low = c[0], f_high = c[3];
+  int side = 0;
+  for (int i = 0; i < 200 && high - low > 0.0; ++i) {
+    double t = low + (high - low) * (f_low / (f_low - f_high));
+    if (!(t > low && t < high)) t = 0.5 * (low + high);
+    if (!(t > low && t < high)) break;
+    const double f = evaluate(c, t);
+    if (f == 0.0) return t;
+    if ((f >= 0.0) == (f_low >= 0.0)) {
+      low = t;
+      f_low = f;
+      if (side == -1) f_high *= 0.5;
+      side = -1;
+    } else {
+      high = t;
+      f_high = f;
+      if (side == 1) f_low *= 0.5;
+      side = 1;
+    }
+    if (high - low <= 4.0 * std::numeric_limits<double>::epsilon()) break;
+  }
+  return std::abs(f_low) < std::abs(f_high) ? low : high;
+}
+
+void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots) {
+  const int changes = count_sign_changes(c);
+  if (changes == 0 || roots.full()) return;
+  if (changes == 1) {
+    roots.push_back(begin + size * bracketed_root(c));
+    return;
+  }
+  if (size < 1e-13) {
+    if ((c[0] >= 0.0) != (c[3] >= 0.0)) roots.push_back(begin + 0.5 * size);
+    return;
+  }
+  const std::array<BezierCubic, 2> parts = halves(c);
+  collect_roots(parts[0], begin, 0.5 * size, roots);
+  collect_roots(parts[1], begin + 0.5 * size, 0.5 * size, roots);
+}
+
+BezierCubic bezier_from_bspline(double p0, double p1, double p2, double p3) {
+  return {(p0 + 4.0 * p1 + p2) / 6.0, (2.0 * p1 + p2) / 3.0, (p1 + 2.0 * p2) / 3.0,
+          (p1 + 4.0 * p2 + p3) / 6.0};
+}
+
+}  // namespace
+
+double evaluate(const BezierCubic& c, double t) {
+  const double s = 1.0 - t;
+  return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3]);
+}
+
+Roots sign_changes(const BezierCubic& cubic) {
+  Roots roots;
+  collect_roots(cubic, 0.0, 1.0, roots);
+  return roots;
+}
+
+BezierBicubic BezierBicubic::from_bspline(const std::array<double, 16>& p) {
+  std::array<double, 16> rows, result;
+  for (int j = 0; j < 4; ++j) {
+    const BezierCubic row = bezier_from_bspline(p[4 * j], p[4 * j + 1], p[4 * j + 2], p[4 * j + 3]);
+    for (int i = 0; i < 4; ++i) rows[4 * j + i] = row[i];
+  }
+  for (int i = 0; i < 4; ++i) {
+    const BezierCubic column = bezier_from_bspline(rows[i], rows[4 + i], rows[8 + i], rows[12 + i]);
+    for (int j = 0; j < 4; ++j) result[4 * j + i] = column[j];
+  }
+  return BezierBicubic(result);
+}
+
+double BezierBicubic::value(double u, double v) const { return evaluate(along_v(u), v); }
+
+double BezierBicubic::lowest() const { return *std::min_element(c_.begin(), c_.end()); }
+double BezierBicubic::highest() const { return *std::max_element(c_.begin(), c_.end()); }
+
+BezierCubic BezierBicubic::along_v(double u) const {
+  BezierCubic cubic;
+  for (int j = 0; j < 4; ++j) {
+    cubic[j] = evaluate({c_[4 * j], c_[4 * j + 1], c_[4 * j + 2], c_[4 * j + 3]}, u);
+  }
+  return cubic;
+}
+
+BezierCubic BezierBicubic::along_u(double v) const {
+  BezierCubic cubic;
+  for (int i = 0; i < 4; ++i) cubic[i] = evaluate({c_[i], c_[4 + i], c_[8 + i], c_[12 + i]}, v);
+  return cubic;
+}
+
+std::array<double, 2> BezierBicubic::slope_bounds_v() const {
+  std::array<double, 2> bounds{c_[4] - c_[0], c_[4] - c_[0]};
+  for (int k = 0; k < 12; ++k) {
+    const double difference = c_[k + 4] - c_[k];
+    bounds = {std::min(bounds[0], difference), std::max(bounds[1], difference)};
+  }
+  return bounds;
+}
+
+std::array<double, 2> BezierBicubic::slope_bounds_u() const {
+  return transposed().slope_bounds_v();
+}
+
+BezierBicubic BezierBicubic::transposed() const {
+  BezierBicubic result;
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) result.c_[4 * j + i] = c_[4 * i + j];
+  }
+  return result;
+}
+
+BezierBicubic BezierBicubic::quarter(int i, int j) const {
+  BezierBicubic half, result;
+  for (int k = 0; k < 4; ++k) {
+    const BezierCubic row = halves({c_[4 * k], c_[4 * k + 1], c_[4 * k + 2], c_[4 * k + 3]})[i];
+    for (int a = 0; a < 4; ++a) half.c_[4 * k + a] = row[a];
+  }
+  for (int a = 0; a < 4; ++a) {
+    const BezierCubic column =
+        halves({half.c_[a], half.c_[4 + a], half.c_[8 + a], half.c_[12 + a]})[j];
+    for (int k = 0; k < 4; ++k) result.c_[4 * k + a] = column[k];
+  }
+  return result;
+}
+
+}  // namespace hull

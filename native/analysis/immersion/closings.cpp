@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/immersion/closings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/sections/border_edges.h"
+
+namespace hull {
+namespace {
+
+// Of the mesh's size: what lies in a plane, of models with single-precision coordinates too.
+constexpr double kInPlane = 1e-6;
+// Of the square of a loop's extent: a projection without area.
+constexpr double kNoArea = 1e-9;
+
+using Cubic = std::array<Vector3d, 4>;  // Bézier points
+
+struct BorderLoop {
+  std::vector<Cubic> spans;  // in the surface's direction
+  std::vector<int> cells;    // of each
+};
+
+std::vector<BorderLoop> border_loops(const LimitSurface& surface) {
+  std::vector<BorderLoop> loops;
+  for (const BorderEdge& edge : border_edges(surface)) {
+    if (edge.loop == static_cast<int>(loops.size())) loops.emplace_back();
+    loops.back().spans.push_back(edge.points);
+    loops.back().cells.push_back(edge.half_edge / 4);
+  }
+  return loops;
+}
+
+// ∮ (z dx - x dz) / 2 of the Bézier cubics; exact (Farin 2002, area under a Bézier curve).
+double area_on_centre_plane(const BorderLoop& loop) {
+  const auto cross = [](const Vector3d& a, const Vector3d& b) {
+    return a.z() * b.x() - a.x() * b.z();
+  };
+  double area = 0.0;
+  for (const Cubic& c : loop.spans) {
+    area += (6.0 * cross(c[0], c[1]) + 3.0 * cross(c[0], c[2]) + cross(c[0], c[3]) +
+             3.0 * cross(c[1], c[2]) + 3.0 * cross(c[1], c[3]) + 6.0 * cross(c[2], c[3])) /
+            20.0;
+  }
+  return area;
+}
+
+struct Extent {
+  Vector3d low, high;
+};
+
+template <class Spans>
+Extent extent_of(const Spans& spans) {
+  Extent extent{spans[0][0], spans[0][0]};
+  for (const Cubic& cubic : spans) {
+    for (const Vector3d& p : cubic) {
+      extent.low = extent.low.cwiseMin(p);
+      extent.high = extent.high.cwiseMax(p);
+    }
+  }
+  return extent;
+}
+
+// Centroid of the loop's curve, by length of its control polygons.
+Vector3d centroid(const BorderLoop& loop) {
+  Vector3d moment = Vector3d::Zero();
+  double length = 0.0;
+  for (const Cubic& c : loop.spans) {
+    for (int i = 0; i < 3; ++i) {
+      const double l = (c[i + 1] - c[i]).norm();
+      moment += 0.5 * l * (c[i] + c[i + 1]);
+      length += l;
+    }
+  }
+  return length > 0.0 ? Vector3d(moment / length) : loop.spans[0][0];
+}
+
+Cubic bspline_from_bezier(const Cubic& b) {
+  return {6.0 * b[0] - 7.0 * b[1] + 2.0 * b[2], 2.0 * b[1] - b[2], 2.0 * b[2] - b[1],
+          2.0 * b[1] - 7.0 * b[2] + 6.0 * b[3]};
+}
+
+// The ruled surface from the border, run through against the surface's direction, to `target`.
+BicubicPoints ruled(const Cubic& border, const Cubic& target) {
+  const Cubic near = bspline_from_bezier({border[3], border[2], border[1], border[0]});
+  const Cubic far = bspline_from_bezier({target[3], target[2], target[1], target[0]});
+  BicubicPoints points;
+  for (int b = 0; b < 4; ++b) {
+    // Coefficients -1, 0, 1, 2 make the straight line from 0 to 1.
+    for (int a = 0; a < 4; ++a) points[4 * b + a] = near[a] + (b - 1) * (far[a] - near[a]);
+  }
+  return points;
+}
+
+Cubic athwartships(const Cubic& border, double y) {
+  Cubic target = border;
+  for (Vector3d& p : target) p.y() = y;
+  return target;
+}
+
+bool is_transverse(const Extent& extent, double size) {
+  return extent.high.x() - extent.low.x() <= kInPlane * size;
+}
+
+}  // namespace
+
+std::vector<ClosingSpan> closing_spans(const LimitSurface& surface, bool mirrored) {
+  const double size = surface.mesh().size();
+  std::vector<ClosingSpan> result;
+  for (const BorderLoop& loop : border_loops(surface)) {
+    const Extent extent = extent_of(loop.spans);
+    const double diagonal = (extent.high - extent.low).norm();
+    const bool at_centre = mirrored && extent.low.y() <= kInPlane * size;
+    const bool across =
+        at_centre || std::abs(area_on_centre_plane(loop)) <= kNoArea * diagonal * diagonal;
+    const Vector3d apex = centroid(loop);
+    const double y = at_centre ? 0.0 : apex.y();
+    for (std::size_t i = 0; i < loop.spans.size(); ++i) {
+      const Cubic& border = loop.spans[i];
+      const Extent own = extent_of(std::array<Cubic, 1>{border});
+      const bool in_centre_plane =
+          at_centre && std::max(-own.low.y(), own.high.y()) <= kInPlane * size;
+      const Cubic target = across ? athwartships(border, y) : Cubic{apex, apex, apex, apex};
+      const bool transverse = is_transverse(across ? own : extent, size);
+      result.push_back(
+          {loop.cells[i], ruled(border, target), border, !transverse && !in_centre_plane});
+    }
+  }
+  return result;
+}
+
+// An end, or where the height has no slope.
+FloodingPoint lowest_point(const std::array<Vector3d, 4>& c, const Vector3d& up) {
+  const double h[] = {up.dot(c[0]), up.dot(c[1]), up.dot(c[2]), up.dot(c[3])};
+  // A third of the derivative: a + b t + d t².
+  const double a = h[1] - h[0], b = 2.0 * (h[2] - 2.0 * h[1] + h[0]);
+  const double d = h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0];
+  const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * d));
+  FloodingPoint lowest{h[0], c[0]};
+  for (double t : {1.0, (-b + root) / (2.0 * d), (-b - root) / (2.0 * d), -a / b}) {
+    if (!(t > 0.0 && t <= 1.0)) continue;
+    const double s = 1.0 - t;
+    const Vector3d p = s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3]);
+    if (up.dot(p) < lowest.height) lowest = {up.dot(p), p};
+  }
+  return lowest;
+}
+
+}  // namespace hull

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "analysis/immersion/shell_moments.h"
+#include "surface/bicubic.h"
+
+namespace hull {
+
+// Points of a surface with normals times their quadrature weights.
+struct ShellNodes {
+  static constexpr int kCapacity = 64;
+  alignas(32) std::array<double, kCapacity> x, y, z, nx, ny, nz;  // the first `count` are set
+  int count = 0;
+
+  void add(const Vector3d& p, const Vector3d& n);
+};
+
+// Adds the nodes' share to the moments, but for the error estimates.
+void add_nodes(ShellNodes& nodes, ShellMoments& sum);
+
+// A square [u, u + size] x [v, v + size] of a bicubic span, positions counted from `origin`.
+struct SpanSquare {
+  const BicubicPoints& points;
+  Vector3d origin = Vector3d::Zero();
+  double u = 0.0, v = 0.0, size = 1.0;
+};
+
+// Number of Gauss nodes in each direction. The highest polynomial integrand, a second moment, has
+// degree 3 + 3 + 5 = 11 in u and in v: six are exact. Five are exact for volumes (degree 8), and
+// serve for small pieces.
+enum class SpanRule { kExact = 6, kSmall = 5 };
+
+// Moments of the square. The area, not polynomial, is refined until its estimated error is below
+// area_tolerance.
+ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance);
+
+}  // namespace hull

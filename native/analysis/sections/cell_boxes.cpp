@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/sections/cell_boxes.h"
+
+#include <limits>
+
+namespace hull {
+
+CellBoxes::CellBoxes(const LimitSurface& surface)
+    : low_(surface.cell_count(), Vector3d::Constant(std::numeric_limits<double>::infinity())),
+      high_(surface.cell_count(), Vector3d::Constant(-std::numeric_limits<double>::infinity())) {
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    add(surface, surface.layout().root(cell), cell);
+  }
+}
+
+void CellBoxes::add(const LimitSurface& surface, const SurfaceNode& node, int cell) {
+  Vector3d low = low_[cell], high = high_[cell];
+  const auto extend = [&](const auto& points) {
+    for (const Vector3d& p : points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  };
+  switch (node.kind) {
+    case SurfaceNode::Kind::kLeaf:
+      extend(surface.leaf(node.index));
+      break;
+    case SurfaceNode::Kind::kCorner:
+      extend(surface.corner(node.index).outer);
+      break;
+    case SurfaceNode::Kind::kSplit:
+      for (const SurfaceNode& child : surface.layout().split(node.index)) {
+        add(surface, child, cell);
+      }
+      return;
+  }
+  low_[cell] = low;
+  high_[cell] = high;
+}
+
+}  // namespace hull

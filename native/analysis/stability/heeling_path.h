@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "analysis/stability/floating_descent.h"
+
+namespace hull {
+
+enum class TrimMode {
+  kFree,   // weight and buoyancy are kept above one another lengthwise
+  kFixed,  // the trim is held
+};
+
+// A heeled body at its displacement.
+struct HeeledState {
+  double heel = 0.0, trim = 0.0;  // rad
+  double righting_lever = 0.0;    // GZ = (B - G)·starboard, m: positive rights a heel > 0
+  double slope = 0.0;             // dGZ/dheel along the path, m/rad
+  Immersion immersion;
+  double trim_slope = 0.0;                // dtrim/dheel
+  double depth = 0.0, depth_slope = 0.0;  // m, m/rad: the water over the path's middle point
+  int evaluations = 0;                    // immersions computed for this state
+};
+
+// Righting levers of a body at one displacement as a function of the heel, at any heel. Each state
+// is solved by Newton's method from what its solved neighbours say, and kept.
+//
+// Heeling by dφ at the trim θ costs the energy ∇ GZ cos θ dφ (times density and gravity).
+class HeelingPath {
+ public:
+  // REQUIRES: 0 < volume < whole_volume, which greatest_volume() gives; `trim` below 90°: held, or
+  // the first guess. `body` must outlive the path, and not be updated.
+  HeelingPath(const HullBody& body, double volume, double whole_volume,
+              const Vector3d& centre_of_gravity, TrimMode mode, double trim = 0.0);
+
+  // None if the ship stands on end at this heel (|trim| reaches 90°), or does not settle for want
+  // of a waterplane.
+  const HeeledState* find(double heel) const;
+  // The same, but throws std::invalid_argument if there is none.
+  const HeeledState& at(double heel) const;
+
+  const std::map<double, HeeledState>& solved() const { return states_; }
+  double volume() const { return task_.volume; }
+  const HullBody& body() const { return body_; }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  struct Guess {
+    double trim, offset;
+  };
+  Guess guess(double heel) const;
+  Guess first_guess(double heel, double trim) const;
+  std::optional<HeeledState> solve(double heel) const;
+  void add_slopes(HeeledState& state) const;
+
+  const HullBody& body_;
+  double whole_volume_;
+  FloatingTask task_;
+  double first_trim_;
+  Vector3d middle_;
+  mutable std::map<double, HeeledState> states_;
+  mutable int evaluations_ = 0;
+};
+
+// ∫ GZ dheel between two angles, m·rad, to an estimated error below `tolerance`; the integral to a
+// smaller angle is negative.
+double lever_area(const HeelingPath& path, double from, double to, double tolerance);
+
+}  // namespace hull

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/stations/largest_section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace hull {
+namespace {
+
+constexpr int kScanned = 8;  // intervals
+constexpr double kSameArea = 1e-12;
+// Of the range: half of the digits, as the area is flat at its maximum.
+constexpr double kSettled = 1e-8;  // of the area: what a step to the top of a parabola gains
+constexpr double kNarrow = 1e-5;
+
+// Brent's search for the maximum in (begin, end) around a higher middle: parabolas through the best
+// three stations, golden sections where these do not help.
+SectionArea refine_largest(const StationCutter& cutter, const Plane& water, const SectionArea& left,
+                           SectionArea best, const SectionArea& right, double tolerance) {
+  constexpr double kGolden = 0.381966011250105;
+  double begin = left.position, end = right.position;
+  const bool left_is_second = left.area > right.area;
+  SectionArea second = left_is_second ? left : right, third = left_is_second ? right : left;
+  double step = end - begin, before = step;
+  for (int i = 0; i < 60; ++i) {
+    const double x = best.position, middle = 0.5 * (begin + end);
+    if (std::abs(x - middle) <= 2.0 * tolerance - 0.5 * (end - begin)) break;
+    bool parabola = false;
+    if (std::abs(before) > tolerance) {
+      const double r = (x - second.position) * (third.area - best.area);
+      double q = (x - third.position) * (second.area - best.area);
+      double p = (x - third.position) * q - (x - second.position) * r;
+      q = 2.0 * (q - r);
+      if (q > 0.0) p = -p;
+      q = std::abs(q);
+      if (std::abs(p) < std::abs(0.5 * q * before) && p > q * (begin - x) && p < q * (end - x)) {
+        before = step;
+        step = p / q;
+        parabola = true;
+      }
+    }
+    if (!parabola) {
+      before = (x < middle ? end : begin) - x;
+      step = kGolden * before;
+    }
+    const double to = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
+    const SectionArea tried = immersed_station(cutter, to, water);
+    const bool settled = parabola && std::abs(tried.area - best.area) <= kSettled * best.area;
+    if (tried.area >= best.area) {
+      (to < x ? end : begin) = x;
+      third = second;
+      second = best;
+      best = tried;
+    } else {
+      (to < x ? begin : end) = to;
+      if (tried.area >= second.area || second.position == x) {
+        third = second;
+        second = tried;
+      } else if (tried.area >= third.area || third.position == x ||
+                 third.position == second.position) {
+        third = tried;
+      }
+    }
+    if (settled) break;
+  }
+  return best;
+}
+
+// Of x, from the boxes of the cells that reach into the water on either side.
+std::array<double, 2> immersed_range(const StationCutter& cutter, const Plane& water) {
+  const CellBoxes& boxes = cutter.boxes();
+  const Vector3d mirrored = water.normal.cwiseProduct(Vector3d(1.0, -1.0, 1.0));
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
+  for (int cell = 0; cell < boxes.size(); ++cell) {
+    const bool wet = boxes.least(cell, water.normal) < water.offset ||
+                     (cutter.body().mirrored() && boxes.least(cell, mirrored) < water.offset);
+    if (!wet) continue;
+    range = {std::min(range[0], boxes.low(cell).x()), std::max(range[1], boxes.high(cell).x())};
+  }
+  return range;
+}
+
+}  // namespace
+
+SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
+  const auto [begin, end] = immersed_range(cutter, water);
+  if (!(end > begin)) return {};
+  std::vector<SectionArea> scan;
+  for (int i = 0; i <= kScanned; ++i) {
+    scan.push_back(immersed_station(cutter, begin + (end - begin) * i / kScanned, water));
+  }
+  // From the middle outwards, so that the nearest of equals is kept.
+  int best = kScanned / 2;
+  for (int k = 1; k <= kScanned / 2; ++k) {
+    for (int i : {kScanned / 2 - k, kScanned / 2 + k}) {
+      if (scan[i].area > scan[best].area * (1.0 + kSameArea)) best = i;
+    }
+  }
+  const int left = std::max(best - 1, 0), right = std::min(best + 1, kScanned);
+  const bool level = scan[left].area >= scan[best].area * (1.0 - kSameArea) &&
+                     scan[right].area >= scan[best].area * (1.0 - kSameArea);
+  if (level) return scan[best];
+  return refine_largest(cutter, water, scan[left], scan[best], scan[right],
+                        kNarrow * (end - begin));
+}
+
+}  // namespace hull

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/stations/section_integrals.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "analysis/arithmetic/gauss.h"
+
+namespace hull {
+namespace {
+
+constexpr int kCoarseNodes = 4, kFineNodes = 8;
+constexpr int kDeepestClip = 12;
+constexpr int kDeepestArc = 12;
+// Where the two rules differ by less than this times size² the finer one is taken; its own error is
+// about the square of the difference, relative to the arc's share.
+constexpr double kRulesAgree = 1e-9;
+
+SectionIntegrals quadrature(const ArcSquare& square, double begin, double end,
+                            const GaussRule& rule) {
+  SectionIntegrals sum;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const ArcPoint p = arc_point(square, begin + (end - begin) * rule.nodes[k]);
+    const double weight = rule.weights[k];
+    sum.area += weight * p.a * p.db;
+    sum.moment_a += weight * 0.5 * p.a * p.a * p.db;
+    sum.moment_b += weight * p.a * p.b * p.db;
+    sum.girth += weight * std::sqrt(p.da * p.da + p.db * p.db);
+    sum.breadth += weight * p.da;
+  }
+  const double width = (end - begin) * square.sign;
+  sum.area *= width;
+  sum.moment_a *= width;
+  sum.moment_b *= width;
+  sum.girth *= end - begin;
+  sum.breadth *= width;
+  return sum;
+}
+
+void integrate(const ArcSquare& square, double begin, double end, double size, int depth,
+               SectionIntegrals& sum) {
+  static const GaussRule coarse = gauss_rule(kCoarseNodes), fine = gauss_rule(kFineNodes);
+  SectionIntegrals part = quadrature(square, begin, end, fine);
+  const SectionIntegrals check = quadrature(square, begin, end, coarse);
+  const double off =
+      std::max(std::abs(part.area - check.area), size * 1e-2 * std::abs(part.girth - check.girth));
+  if (off > kRulesAgree * size * size && depth < kDeepestArc) {
+    const double middle = 0.5 * (begin + end);
+    integrate(square, begin, middle, size, depth + 1, sum);
+    integrate(square, middle, end, size, depth + 1, sum);
+    return;
+  }
+  part.error = off * std::min(1.0, std::sqrt(off) / size);
+  sum += part;
+}
+
+// The u between begin and end where b passes level; one of them is below it, the other not.
+double level_crossing(const ArcSquare& square, double begin, double end, double level) {
+  double f_begin = arc_point(square, begin).b - level;
+  double f_end = arc_point(square, end).b - level;
+  int side = 0;
+  for (int i = 0; i < 100 && end - begin > 1e-15; ++i) {
+    double t = begin + (end - begin) * (f_begin / (f_begin - f_end));
+    if (!(t > begin && t < end)) t = 0.5 * (begin + end);
+    const double f = arc_point(square, t).b - level;
+    if (f == 0.0) return t;
+    if ((f < 0.0) == (f_begin < 0.0)) {  // an end at the very level is not below
+      if (t - begin < 1e-15) return t;
+      begin = t;
+      f_begin = f;
+      if (side == -1) f_end *= 0.5;
+      side = -1;
+    } else {
+      if (end - t < 1e-15) return t;
+      end = t;
+      f_end = f;
+      if (side == 1) f_begin *= 0.5;
+      side = 1;
+    }
+  }
+  return 0.5 * (begin + end);
+}
+
+void clip(const ArcSquare& square, double level, double size, int depth, SectionIntegrals& sum) {
+  if (lowest(square.b) >= level) return;
+  if (highest(square.b) < level) {
+    for_each_stretch(
+        square, [&](double begin, double end) { integrate(square, begin, end, size, 0, sum); });
+    return;
+  }
+  if (depth == kDeepestClip || is_monotonic(square)) {
+    for_each_stretch(square, [&](double begin, double end) {
+      const bool begin_wet = arc_point(square, begin).b < level;
+      const bool end_wet = arc_point(square, end).b < level;
+      if (begin_wet && end_wet) return integrate(square, begin, end, size, 0, sum);
+      if (!begin_wet && !end_wet) return;
+      const double at = level_crossing(square, begin, end, level);
+      integrate(square, begin_wet ? begin : at, begin_wet ? at : end, size, 0, sum);
+    });
+    return;
+  }
+  std::array<ArcSquare, 2> sides;
+  halve_u(square.h, sides[0].h, sides[1].h);
+  halve_u(square.a, sides[0].a, sides[1].a);
+  halve_u(square.b, sides[0].b, sides[1].b);
+  for (const ArcSquare& side : sides) {
+    std::array<ArcSquare, 2> quarters;
+    halve_v(side.h, quarters[0].h, quarters[1].h);
+    halve_v(side.a, quarters[0].a, quarters[1].a);
+    halve_v(side.b, quarters[0].b, quarters[1].b);
+    for (ArcSquare& quarter : quarters) {
+      if (lowest(quarter.h) >= 0.0 || highest(quarter.h) < 0.0) continue;
+      quarter.sign = square.sign;
+      clip(quarter, level, size, depth + 1, sum);
+    }
+  }
+}
+
+}  // namespace
+
+SectionFrame SectionFrame::above_water(const Plane& plane, const Plane& water) {
+  const Vector3d& normal = plane.normal;
+  const Vector3d up = (water.normal - water.normal.dot(normal) * normal).normalized();
+  const Vector3d foot = plane.offset * normal;
+  const Vector3d origin =
+      foot + up * ((water.offset - water.normal.dot(foot)) / water.normal.dot(up));
+  return {plane, origin, up.cross(normal), up};
+}
+
+SectionFrame SectionFrame::mirrored() const {
+  const Vector3d mirror(1.0, -1.0, 1.0);
+  // A mirrored pair of axes turns the other way round; reversing one makes up for it.
+  return {plane, origin.cwiseProduct(mirror), -across.cwiseProduct(mirror),
+          up.cwiseProduct(mirror)};
+}
+
+SectionIntegrals& SectionIntegrals::operator+=(const SectionIntegrals& other) {
+  area += other.area;
+  moment_a += other.moment_a;
+  moment_b += other.moment_b;
+  girth += other.girth;
+  breadth += other.breadth;
+  error += other.error;
+  return *this;
+}
+
+void add_arcs(const ArcSquare& square, double level, double size, SectionIntegrals& sum) {
+  clip(square, level, size, 0, sum);
+}
+
+void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum) {
+  if (b0 >= level && b1 >= level) return;
+  if (b0 >= level) {
+    a0 += (a1 - a0) * (level - b0) / (b1 - b0);
+    b0 = level;
+  } else if (b1 >= level) {
+    a1 += (a0 - a1) * (level - b1) / (b0 - b1);
+    b1 = level;
+  }
+  const double da = a1 - a0, db = b1 - b0;
+  sum.area += 0.5 * (a0 + a1) * db;
+  sum.moment_a += (a0 * a0 + a0 * a1 + a1 * a1) / 6.0 * db;
+  sum.moment_b += (a0 * b0 + 0.5 * (a0 * db + b0 * da) + da * db / 3.0) * db;
+  sum.breadth += da;
+}
+
+}  // namespace hull

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/stations/station_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hull {
+namespace {
+
+using section_internal::kZeroHeight;
+
+// A point where a border crosses the plane of a section.
+struct BorderCrossing {
+  int loop;
+  Vector3d point;
+  bool ends_outline;  // or begins it
+};
+
+std::vector<BorderCrossing> border_crossings(const std::vector<BorderEdge>& border,
+                                             const Plane& plane, double tolerance) {
+  std::vector<BorderCrossing> crossings;
+  for (const BorderEdge& edge : border) {
+    BezierCubic height = edge.along(plane.normal, plane.offset);
+    for (double& h : height) h = std::abs(h) < tolerance ? 0.0 : h;
+    bool below = height[0] < 0.0;
+    for (double t : sign_changes(height)) {
+      const Vector3d point(evaluate(edge.along(Vector3d::UnitX(), 0.0), t),
+                           evaluate(edge.along(Vector3d::UnitY(), 0.0), t),
+                           evaluate(edge.along(Vector3d::UnitZ(), 0.0), t));
+      // With the shell on the border's left, the outline arrives where the border rises.
+      crossings.push_back({edge.loop, point, below});
+      below = !below;
+    }
+  }
+  return crossings;
+}
+
+ClosingLine line_between(const SectionFrame& frame, const Vector3d& from, const Vector3d& to) {
+  return {frame.across.dot(from - frame.origin), frame.up.dot(from - frame.origin),
+          frame.across.dot(to - frame.origin), frame.up.dot(to - frame.origin)};
+}
+
+ClosingLine line_to_centre_plane(const SectionFrame& frame, const BorderCrossing& crossing) {
+  const Vector3d foot(crossing.point.x(), 0.0, crossing.point.z());
+  return crossing.ends_outline ? line_between(frame, crossing.point, foot)
+                               : line_between(frame, foot, crossing.point);
+}
+
+// Crossings of one opening, from side to side, are taken in pairs: an opening is bounded by two.
+std::vector<ClosingLine> lines_across(const SectionFrame& frame,
+                                      std::vector<BorderCrossing> crossings) {
+  std::sort(crossings.begin(), crossings.end(), [](const auto& x, const auto& y) {
+    return x.loop != y.loop ? x.loop < y.loop : x.point.y() < y.point.y();
+  });
+  std::vector<ClosingLine> lines;
+  for (std::size_t i = 0; i + 1 < crossings.size();) {
+    const BorderCrossing &a = crossings[i], &b = crossings[i + 1];
+    if (a.loop != b.loop || a.ends_outline == b.ends_outline) {
+      ++i;
+      continue;
+    }
+    lines.push_back(a.ends_outline ? line_between(frame, a.point, b.point)
+                                   : line_between(frame, b.point, a.point));
+    i += 2;
+  }
+  return lines;
+}
+
+template <class Points>
+bool all_at(const Points& points, double position, double tolerance) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Vector3d& p) { return std::abs(p.x() - position) < tolerance; });
+}
+
+}  // namespace
+
+SectionOutline::SectionOutline(const LimitSurface& surface, const CellBoxes& boxes,
+                               const SectionFrame& frame, std::vector<ClosingLine> closing,
+                               double highest_level)
+    : size_(surface.mesh().size()), closing_(std::move(closing)) {
+  for_each_arc(surface, boxes, frame, highest_level,
+               [this](const ArcSquare& square) { squares_.push_back(square); });
+}
+
+SectionIntegrals SectionOutline::below(double level) const {
+  SectionIntegrals sum;
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    if (!whole_.empty() && highest(squares_[i].b) < level) {
+      sum += whole_[i];
+    } else {
+      add_arcs(squares_[i], level, size_, sum);
+    }
+  }
+  for (const ClosingLine& line : closing_) {
+    add_line(line.a0, line.b0, line.a1, line.b1, level, sum);
+  }
+  return sum;
+}
+
+void SectionOutline::prepare() {
+  whole_.assign(squares_.size(), {});
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    add_arcs(squares_[i], std::numeric_limits<double>::infinity(), size_, whole_[i]);
+  }
+}
+
+StationCutter::StationCutter(const HullBody& body)
+    : body_(&body), boxes_(body.surface()), border_(border_edges(body.surface())) {}
+
+bool StationCutter::has_flat(double position) const {
+  const LimitSurface& surface = body_->surface();
+  const double tolerance = kZeroHeight * surface.mesh().size();
+  for (int i = 0; i < surface.layout().leaf_count(); ++i) {
+    if (all_at(surface.leaf(i), position, tolerance)) return true;
+  }
+  for (int i = 0; i < surface.layout().corner_count(); ++i) {
+    if (all_at(surface.corner(i).outer, position, tolerance)) return true;
+  }
+  return std::any_of(border_.begin(), border_.end(), [&](const BorderEdge& edge) {
+    return all_at(edge.points, position, tolerance);
+  });
+}
+
+SectionOutline StationCutter::outline(const SectionFrame& frame, double highest_level) const {
+  return {body_->surface(), boxes_, frame, closing_lines(frame), highest_level};
+}
+
+std::vector<ClosingLine> StationCutter::closing_lines(const SectionFrame& frame) const {
+  const double tolerance = kZeroHeight * body_->surface().mesh().size();
+  std::vector<BorderCrossing> crossings = border_crossings(border_, frame.plane, tolerance);
+  if (!body_->mirrored()) return lines_across(frame, std::move(crossings));
+  std::vector<ClosingLine> lines;
+  for (const BorderCrossing& crossing : crossings) {
+    lines.push_back(line_to_centre_plane(frame, crossing));
+  }
+  return lines;
+}
+
+StationViews::StationViews(const StationCutter& cutter, double position, const Plane& water,
+                           double highest_level)
+    : position_(position), doubled_(cutter.body().mirrored() && water.normal.y() == 0.0) {
+  const auto add_view = [&](const Plane& plane) {
+    const SectionFrame frame = SectionFrame::above_water(plane, water);
+    View view{frame, {cutter.outline(frame, highest_level)}};
+    if (cutter.body().mirrored() && !doubled_) {
+      view.sides.push_back(cutter.outline(frame.mirrored(), highest_level));
+    }
+    views_.push_back(std::move(view));
+  };
+  add_view({Vector3d::UnitX(), position});
+  if (cutter.has_flat(position)) add_view({-Vector3d::UnitX(), -position});
+}
+
+void StationViews::prepare() {
+  for (View& view : views_) {
+    for (SectionOutline& side : view.sides) side.prepare();
+  }
+}
+
+SectionArea StationViews::below(double level) const {
+  SectionArea largest = below(views_.front(), level);
+  for (std::size_t i = 1; i < views_.size(); ++i) {
+    const SectionArea other = below(views_[i], level);
+    if (other.area > largest.area) largest = other;
+  }
+  return largest;
+}
+
+SectionArea StationViews::below(const View& view, double level) const {
+  SectionIntegrals sum = view.sides.front().below(level);
+  if (doubled_ || view.sides.size() > 1) {
+    SectionIntegrals other = doubled_ ? sum : view.sides.back().below(level);
+    other.moment_a = -other.moment_a;
+    sum += other;
+  }
+  SectionArea result;
+  result.position = position_;
+  result.area = sum.area;
+  if (sum.area > 0.0) {
+    result.centroid = view.frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
+  }
+  result.girth = sum.girth;
+  result.breadth = sum.breadth;
+  result.area_error = sum.error;
+  return result;
+}
+
+SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water) {
+  return StationViews(cutter, position, water, 0.0).below(0.0);
+}
+
+}  // namespace hull

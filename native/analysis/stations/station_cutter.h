@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/immersion/hull_body.h"
+#include "analysis/sections/border_edges.h"
+#include "analysis/stations/section_areas.h"
+#include "analysis/stations/section_integrals.h"
+
+namespace hull {
+
+// A straight line that closes a section between borders, in a frame's coordinates.
+struct ClosingLine {
+  double a0, b0, a1, b1;
+};
+
+// The outline of one side's section by a plane, cut once and then immersed to any level.
+class SectionOutline {
+ public:
+  // For levels up to `highest_level`.
+  SectionOutline(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
+                 std::vector<ClosingLine> closing, double highest_level);
+
+  SectionIntegrals below(double level) const;
+  // Makes it cheaper to immerse to many levels: squares that are wholly immersed are integrated
+  // now.
+  void prepare();
+
+ private:
+  double size_;
+  std::vector<ArcSquare> squares_;
+  std::vector<SectionIntegrals> whole_;  // of each square, once prepared
+  std::vector<ClosingLine> closing_;
+};
+
+// Cuts stations out of a body. `body` must outlive it, and it does not follow body.update().
+class StationCutter {
+ public:
+  explicit StationCutter(const HullBody& body);
+
+  // Whether a flat of the shell, or a border, lies in the plane x = position: areas may jump there.
+  bool has_flat(double position) const;
+
+  // The port side's outline, or that of the whole where the body is modelled whole. `frame` is that
+  // of a plane across x, seen from either side.
+  SectionOutline outline(const SectionFrame& frame, double highest_level) const;
+
+  const HullBody& body() const { return *body_; }
+  const CellBoxes& boxes() const { return boxes_; }
+  const std::vector<BorderEdge>& border() const { return border_; }
+
+ private:
+  std::vector<ClosingLine> closing_lines(const SectionFrame& frame) const;
+
+  const HullBody* body_;
+  CellBoxes boxes_;
+  std::vector<BorderEdge> border_;
+};
+
+// A station of both sides, cut once and then immersed to any level above (or below) a water's
+// surface, straight up within the station.
+class StationViews {
+ public:
+  StationViews(const StationCutter& cutter, double position, const Plane& water,
+               double highest_level);
+
+  SectionArea below(double level) const;
+  void prepare();
+
+ private:
+  // What lies in the plane of the station counts as ahead of it, seen from abaft, and the other way
+  // round: one view has what is abaft of a jump, the other what is ahead.
+  struct View {
+    SectionFrame frame;
+    std::vector<SectionOutline> sides;  // the second in mirrored coordinates
+  };
+  SectionArea below(const View& view, double level) const;
+
+  double position_;
+  bool doubled_;  // the other side's integrals are those of the first
+  std::vector<View> views_;
+};
+
+// Both sides of the station in the given water.
+SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water);
+
+}  // namespace hull
