@@ -22,7 +22,7 @@ class StepExport:
     """
 
     def __init__(self, obj, scene, path):
-        self._surface = _up_to_date(obj, scene).surface
+        self._source = _up_to_date(obj, scene).source
         self._path = path
         self._name = obj.name
         self._mirrored = obj.hull.half
@@ -35,7 +35,7 @@ class StepExport:
     def run(self):
         """Writes the hull as one shell; returns the PatchSet with its report of the distance."""
         hull_native = native.require()
-        patches = hull_native.fit_per_cell(self._surface)
+        patches = hull_native.fit_per_cell(self._source.new_surface())
         with replacing(self._path) as beside:
             hull_native.write_step(patches, beside, name=self._name, mirrored=self._mirrored)
             if self._is_cancelled:

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What was computed of each hull, and the one function that brings it up to date.
 
-`refresh` reads the control mesh and does only what the changes since the last time ask for. A mesh
-under construction that has errors leaves the last good surface and says so in `status`.
-Results are kept by the object's name; they hold nothing of Blender's, so undo cannot harm them.
+`refresh` reads the control mesh and does only what the changes since the last time ask for: points
+that moved are handed to the surface and the body that are there. A mesh under construction that has
+errors leaves the last good surface and says so in `status`.
+
+Results are kept by the object's address, which stays when the object is renamed; they hold nothing
+of Blender's and know what they were computed from, so that undo cannot harm them.
 """
 
 from dataclasses import dataclass, field
 
+import bpy
 import numpy as np
 
 from . import (
@@ -19,6 +23,7 @@ from . import (
     mesh_arrays,
     mesh_check,
     native,
+    ship,
     shown_objects,
     surface_object,
     units,
@@ -26,43 +31,76 @@ from . import (
 
 _states = {}
 
+_SHOWN_KEYS = ("shown surface", "shown faces", "normals", "shown lines")
+
 
 @dataclass
 class HullState:
     """Results of one hull, for panels to show.
 
     status: why the surface is not up to date, or "". hydrostatics: Hydrostatics or None, and then
-    hydrostatics_status says why. body: the hull_native.HullBody of `surface`. analyses: see
-    bridge.analyses. keys: what each result was computed from.
+    hydrostatics_status says why. body: the hull_native.HullBody of `surface`; both change with the
+    next edit, so that only `source`, the ship.ShipSource of both, is for threads. analyses: see
+    bridge.analyses. keys: what each result was computed from. name: the object's.
     """
 
+    name: str
     status: str = ""
     remarks: list = field(default_factory=list)
     check: mesh_check.MeshCheck = mesh_check.MeshCheck()
     surface: object = None
     body: object = None
+    source: object = None
     hydrostatics: object = None
     hydrostatics_status: str = ""
     analyses: dict = field(default_factory=dict)
     keys: dict = field(default_factory=dict)
 
+    @property
+    def ship(self):
+        """The ship.Ship that follows the edits."""
+        return ship.Ship(self.body, self.source.deck_edge)
+
 
 def state_of(obj):
     """The HullState of a hull, None when nothing was computed yet."""
-    return _states.get(obj.name_full)
+    return _states.get(obj.as_pointer())
 
 
 def forget(obj):
-    _states.pop(obj.name_full, None)
+    _states.pop(obj.as_pointer(), None)
 
 
 def forget_all():
     _states.clear()
 
 
+def forget_shown():
+    """Forgets what surface and lines objects show, after they changed by themselves."""
+    for state in _states.values():
+        for key in _SHOWN_KEYS:
+            state.keys.pop(key, None)
+
+
+def forget_deleted():
+    """Forgets what is no hull any longer."""
+    if all(_is_there(address, state.name) for address, state in _states.items()):
+        return
+    hulls = {obj.as_pointer() for obj in hull_objects.hulls(bpy.data.objects)}
+    for address in _states.keys() - hulls:
+        del _states[address]
+
+
+def _is_there(address, name):
+    """Whether a hull is at this address still; found quickly by the name it had."""
+    obj = bpy.data.objects.get(name)
+    return obj is not None and obj.as_pointer() == address and hull_objects.is_hull(obj)
+
+
 def refresh(obj, scene):
     """Brings surface, lines, check and hydrostatics of a hull up to date; returns its HullState."""
-    state = _states.setdefault(obj.name_full, HullState())
+    state = _states.setdefault(obj.as_pointer(), HullState(obj.name))
+    state.name = obj.name
     try:
         _refresh(obj, scene, state)
         state.status = ""
@@ -77,28 +115,54 @@ def _refresh(obj, scene, state):
         raise ValueError(reason)
     state.remarks = hull_objects.remarks(obj)
     scale = units.metres_per_unit(scene)
-    geometry_key = _update_surface(obj, state, scale)
+    geometry_key = _update_ship(obj, state, scale)
     _show_surface(obj, state, scale, geometry_key)
-    _update_body(obj, state, geometry_key)
     _update_hydrostatics(obj, state, scale)
     _show_lines(obj, state, scale, geometry_key)
 
 
-def _update_surface(obj, state, scale):
-    """The key of the state's surface; ValueError with the first error of a mesh that has any."""
+def _update_ship(obj, state, scale):
+    """Brings surface, body and source up to date; returns the key of the surface.
+
+    ValueError with the first error of a mesh that has any.
+    """
     settings = obj.hull
     data = mesh_arrays.read_mesh(obj.data)
     excluded = hull_objects.excluded_slots(obj)
-    key = (data.digest(), scale, excluded, settings.half, settings.scheme)
-    if state.keys.get("surface") != key:
+    topology_key = (data.topology_digest(), excluded, settings.half, settings.scheme)
+    geometry_key = (topology_key, data.points_digest(), scale)
+    marks = np.packbits(data.deck_edges).tobytes()
+    openings = "closed" if settings.deck_closed else "open"
+    key = (geometry_key, openings, marks)
+    if state.keys.get("ship") != key:
         control = mesh_arrays.control_arrays(data, scale, excluded)
         state.check, mesh = mesh_check.check_control_mesh(data, control, settings.half)
         if mesh is not None:
-            state.surface = native.require().LimitSurface(mesh, settings.scheme)
-        state.keys["surface"] = key
+            deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
+            source = ship.ShipSource(control, settings.scheme, settings.half, openings, deck_edge)
+            _make_body(state, mesh, source, topology_key, geometry_key)
+        state.keys["ship"] = key
     if state.check.errors:
         raise ValueError(state.check.errors[0].message)
-    return key
+    return geometry_key
+
+
+def _make_body(state, mesh, source, topology_key, geometry_key):
+    """Surface and body of a source: those that are there where only points have moved."""
+    surface, body = state.surface, state.body
+    has_moved = state.keys.get("geometry") != geometry_key
+    if surface is None or state.keys.get("topology") != topology_key:
+        surface, body = native.require().LimitSurface(mesh, source.scheme), None
+    elif has_moved:
+        state.keys.pop("geometry", None)
+        state.body = None  # until it has the points that the surface has
+        surface.set_points(source.control.points)
+    if body is None or body.openings != source.openings:
+        body = source.new_body(surface)
+    elif has_moved:
+        body.update()
+    state.surface, state.body, state.source = surface, body, source
+    state.keys.update(topology=topology_key, geometry=geometry_key)
 
 
 def _show_surface(obj, state, scale, geometry_key):
@@ -112,19 +176,19 @@ def _show_surface(obj, state, scale, geometry_key):
     is_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
     if state.keys.get("shown surface") == place_key and not is_due:
         return
-    points, quads, normals = surface_object.surface_arrays(
-        state.surface.tessellate(settings.samples), settings.half
-    )
-    topology_key = (surface_object.topology_of(quads), shown.name_full)
-    if state.keys.get("shown topology") == topology_key and len(mesh.vertices) == len(points):
+    tessellation = state.surface.tessellate(settings.samples)
+    points, shared = surface_object.surface_points(tessellation, settings.half)
+    faces_key = (geometry_key[0], settings.samples, shown.name_full, shared.tobytes())
+    has_faces = state.keys.get("shown faces") == faces_key and len(mesh.vertices) == len(points)
+    if has_faces:
         surface_object.move_surface(mesh, points, scale)
-    else:
-        surface_object.write_surface(mesh, points, quads, scale)
-        is_due = True
-    if is_due:
+    if is_due or not has_faces:
+        quads, normals = surface_object.surface_faces(tessellation, shared)
+        if not has_faces:
+            surface_object.write_surface(mesh, points, quads, scale)
         surface_object.write_normals(mesh, normals)
         state.keys["normals"] = place_key
-    state.keys["shown topology"] = topology_key
+    state.keys["shown faces"] = faces_key
     state.keys["shown surface"] = place_key
 
 
@@ -144,20 +208,9 @@ def _show_lines(obj, state, scale, geometry_key):
         state.keys["shown lines"] = key
 
 
-def _update_body(obj, state, geometry_key):
-    settings = obj.hull
-    key = (geometry_key, settings.deck_closed)
-    if state.keys.get("body") != key:
-        openings = "closed" if settings.deck_closed else "open"
-        state.body = native.require().HullBody(
-            state.surface, mirrored=settings.half, openings=openings
-        )
-        state.keys["body"] = key
-
-
 def _update_hydrostatics(obj, state, scale):
     where = afloat.afloat(obj.hull, scale)
-    key = (state.keys["body"], where)
+    key = (state.keys["ship"], where)
     if state.keys.get("hydrostatics") == key:
         return
     try:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import bmesh
 import numpy as np
 
-from . import blender_versions
+from . import blender_versions, edge_marks
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,8 @@ class MeshData:
     """A whole Blender mesh; indices are Blender's.
 
     points (n, 3) float32 in Blender's units; edges (e, 2); edge_creases (e,); vertex_creases (n,);
-    face_sizes (f,); face_vertices (sum of face_sizes,); face_slots (f,) material slots.
+    face_sizes (f,); face_vertices (sum of face_sizes,); face_slots (f,) material slots;
+    deck_edges (e,) whether an edge is marked as deck edge.
     """
 
     points: np.ndarray
@@ -30,14 +31,31 @@ class MeshData:
     face_sizes: np.ndarray
     face_vertices: np.ndarray
     face_slots: np.ndarray
+    deck_edges: np.ndarray
 
-    def digest(self):
-        """Equal for equal meshes."""
-        state = hashlib.blake2b(digest_size=16)
-        for array in vars(self).values():
-            state.update(len(array).to_bytes(8, "little"))
-            state.update(np.ascontiguousarray(array).data)
-        return state.digest()
+    def topology_digest(self):
+        """Equal for meshes that differ by the places of their points, and by marks, only."""
+        return _digest(
+            np.array(len(self.points)),
+            self.edges,
+            self.edge_creases,
+            self.vertex_creases,
+            self.face_sizes,
+            self.face_vertices,
+            self.face_slots,
+        )
+
+    def points_digest(self):
+        """Equal for equal points."""
+        return _digest(self.points)
+
+
+def _digest(*arrays):
+    state = hashlib.blake2b(digest_size=16)
+    for array in arrays:
+        state.update(array.size.to_bytes(8, "little"))
+        state.update(np.ascontiguousarray(array).data)
+    return state.digest()
 
 
 @dataclass(frozen=True)
@@ -45,7 +63,8 @@ class ControlArrays:
     """The shell of a hull as hull_native.ControlMesh takes it, points in metres.
 
     vertex_ids (n,) and face_ids (f,) are the Blender indices of its points and faces. A vertex
-    without a face of the shell is left out, and so is the crease of an edge without one.
+    without a face of the shell is left out, and so are crease and mark of an edge without one.
+    deck_edge (k, 2): the points of the edges that are marked as deck edge.
     """
 
     points: np.ndarray
@@ -55,6 +74,7 @@ class ControlArrays:
     corners: np.ndarray
     vertex_ids: np.ndarray
     face_ids: np.ndarray
+    deck_edge: np.ndarray
 
     def arguments(self):
         return self.points, self.face_sizes, self.face_vertices, self.creases, self.corners
@@ -84,6 +104,7 @@ def _read_stored_mesh(mesh):
         face_sizes,
         face_vertices,
         face_slots,
+        edge_marks.stored_marks(mesh),
     )
 
 
@@ -104,6 +125,7 @@ def _read_edit_mesh(mesh):
         np.array([len(loop) for loop in face_loops], dtype=np.int32),
         np.array([index for loop in face_loops for index in loop], dtype=np.int32),
         np.array([face.material_index for face in bm.faces], dtype=np.int32),
+        edge_marks.edited_marks(bm),
     )
 
 
@@ -118,18 +140,22 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
     new_index = np.full(len(data.points), -1, dtype=np.int32)
     new_index[vertex_ids] = np.arange(len(vertex_ids), dtype=np.int32)
 
-    crease_edges = data.edges[data.edge_creases >= 1.0]
-    on_shell = np.isin(_edge_keys(crease_edges), _face_edge_keys(face_sizes, face_vertices))
+    shell_edges = _face_edge_keys(face_sizes, face_vertices)
+
+    def on_shell(edges):
+        return new_index[edges[np.isin(_edge_keys(edges), shell_edges)]]
+
     corner_ids = np.flatnonzero(data.vertex_creases >= 1.0)
     corners = new_index[corner_ids]
     return ControlArrays(
         data.points[vertex_ids].astype(np.float64) * metres_per_unit,
         face_sizes,
         new_index[face_vertices],
-        new_index[crease_edges[on_shell]],
+        on_shell(data.edges[data.edge_creases >= 1.0]),
         corners[corners >= 0],
         vertex_ids,
         np.flatnonzero(in_shell),
+        on_shell(data.edges[data.deck_edges]),
     )
 
 
@@ -166,13 +192,17 @@ def write_faces(mesh, points, face_sizes, face_vertices):
     mesh.update(calc_edges=True)
 
 
-def write_tags(mesh, creases, corners):
-    """Tags creases (k, 2) vertex pairs and corners (m,) vertices of a mesh without tags.
+def write_tags(mesh, creases, corners, deck_edge=()):
+    """Tags creases (k, 2) vertex pairs, corners (m,) vertices and the deck edge (l, 2) of a mesh
+    without tags.
 
-    A crease between two vertices that no edge joins is left out: files may name such.
+    What is between two vertices that no edge joins is left out: files may name such.
     """
     edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
     mesh.edges.foreach_get("vertices", edges.reshape(-1))
-    crease_edges = np.flatnonzero(np.isin(_edge_keys(edges), _edge_keys(creases)))
+    keys = _edge_keys(edges)
+    crease_edges = np.flatnonzero(np.isin(keys, _edge_keys(creases)))
     if len(crease_edges) or len(corners):
         blender_versions.set_creases(mesh, crease_edges, corners)
+    if len(deck_edge):
+        edge_marks.store_marks(mesh, np.isin(keys, _edge_keys(deck_edge)))

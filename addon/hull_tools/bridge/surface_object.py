@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The surface as a Blender mesh: exact points, exact normals, both sides of a half hull."""
 
-import hashlib
-
 import numpy as np
 
 from . import blender_versions, materials, mesh_arrays
@@ -12,29 +10,30 @@ from . import blender_versions, materials, mesh_arrays
 _CENTRE_PLANE_TOLERANCE = 1e-9
 
 
-def surface_arrays(tessellation, half):
-    """(points (n, 3) in metres, quads (k, 4), corner normals (k, 4, 3)) of the whole hull."""
-    points, quads = tessellation.points, tessellation.quads
-    normals = tessellation.corner_normals
+def surface_points(tessellation, half):
+    """(points (n, 3) in metres of the whole hull, (k,) which of the modelled ones are shared by both
+    sides)."""
+    points = tessellation.points
     if not half:
-        return points, quads, normals
-    on_plane = np.abs(points[:, 1]) <= _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max()
-    points = np.where(on_plane[:, None], points * [1.0, 0.0, 1.0], points)
-    mirror_of = np.arange(len(points))
-    mirror_of[~on_plane] = len(points) + np.arange(np.count_nonzero(~on_plane))
-    off_plane = ~on_plane[quads].all(axis=1)
+        return points, np.ones(len(points), dtype=bool)
+    size = (points.max(axis=0) - points.min(axis=0)).max()
+    on_plane = np.abs(points[:, 1]) <= _CENTRE_PLANE_TOLERANCE * size
+    points[on_plane, 1] = 0.0
+    return np.concatenate([points, points[~on_plane] * [1.0, -1.0, 1.0]]), on_plane
+
+
+def surface_faces(tessellation, shared):
+    """(quads (k, 4), corner normals (k, 4, 3)) between surface_points, of which so many are
+    shared."""
+    quads, normals = tessellation.quads, tessellation.corner_normals
+    mirror_of = np.arange(len(shared))
+    mirror_of[~shared] = len(shared) + np.arange(np.count_nonzero(~shared))
+    on_one_side = ~shared[quads].all(axis=1)
     turned = slice(None, None, -1)
-    flip = np.array([1.0, -1.0, 1.0])
     return (
-        np.concatenate([points, points[~on_plane] * flip]),
-        np.concatenate([quads, mirror_of[quads[off_plane]][:, turned]]),
-        np.concatenate([normals, normals[off_plane][:, turned] * flip]),
+        np.concatenate([quads, mirror_of[quads[on_one_side]][:, turned]]),
+        np.concatenate([normals, normals[on_one_side][:, turned] * [1.0, -1.0, 1.0]]),
     )
-
-
-def topology_of(quads):
-    """Equal for surfaces that differ by the places of their points only."""
-    return hashlib.blake2b(np.ascontiguousarray(quads).data, digest_size=16).digest()
 
 
 def write_surface(mesh, points, quads, metres_per_unit):

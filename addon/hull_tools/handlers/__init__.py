@@ -9,6 +9,7 @@ _HANDLERS = {
     "depsgraph_update_post": follow.after_update,
     "undo_post": follow.after_undo,
     "redo_post": follow.after_undo,
+    "load_pre": follow.before_load,
     "load_post": follow.after_load,
 }
 

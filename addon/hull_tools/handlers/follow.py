@@ -28,6 +28,11 @@ def _follow(hulls, scene, view_layer):
         _is_following = False
 
 
+def _follow_all():
+    for scene in bpy.data.scenes:
+        _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
+
+
 @persistent
 def after_update(scene, depsgraph):
     changed = {
@@ -36,18 +41,24 @@ def after_update(scene, depsgraph):
         if isinstance(update.id, bpy.types.Object)
         and (update.is_updated_geometry or update.is_updated_transform)
     }
+    hull_state.forget_deleted()
     _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
 
 
 @persistent
-def after_undo(scene, *unused):
+def after_undo(*unused):
     """Undo restores shown objects from another moment than what was computed last."""
-    hull_state.forget_all()
-    _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
+    hull_state.forget_deleted()
+    hull_state.forget_shown()
+    _follow_all()
+
+
+@persistent
+def before_load(*unused):
+    forget_all()
 
 
 @persistent
 def after_load(*unused):
     forget_all()
-    for scene in bpy.data.scenes:
-        _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
+    _follow_all()

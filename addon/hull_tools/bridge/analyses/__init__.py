@@ -4,8 +4,8 @@
 Each module here is one analysis:
   LABEL           its name for people
   IS_LIVE         whether it is quick enough to follow every change while it is shown
-  inputs          (Object.hull, metres per unit) → what it depends on beside the body; hashable
-  compute         (hull_native.HullBody, inputs) → its result
+  inputs          (Object.hull, metres per unit) → what it depends on beside the ship; hashable
+  compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread
   header, rows    (result) → its table: names with units, and rows of numbers and texts
   plot            (result, name of the hull) → hull_native.Plot; absent where nothing is drawn
 What a user can get wrong raises ValueError in `inputs` and `compute`.
@@ -49,7 +49,7 @@ class Outcome:
 def key_of(obj, state, scene, name):
     """What an analysis depends on now; ValueError when its inputs are wrong."""
     scale = units.metres_per_unit(scene)
-    return (state.keys["body"], ANALYSES[name].inputs(obj.hull, scale))
+    return (state.keys["ship"], ANALYSES[name].inputs(obj.hull, scale))
 
 
 def last_outcome(obj, scene, name):
@@ -75,12 +75,21 @@ def outcome_of(obj, scene, name):
     if is_current:
         return outcome or Outcome(message=state.status)
     key = key_of(obj, state, scene, name)
-    try:
-        outcome = Outcome(ANALYSES[name].compute(state.body, key[1]))
-    except ValueError as error:
-        outcome = Outcome(message=str(error))
-    state.analyses[name] = (key, outcome)
+    outcome = computed(name, state.ship, key)
+    keep(state, name, key, outcome)
     return outcome
+
+
+def computed(name, ship, key):
+    """The Outcome of an analysis of a ship.Ship, by its key_of. For any thread."""
+    try:
+        return Outcome(ANALYSES[name].compute(ship, key[1]))
+    except ValueError as error:
+        return Outcome(message=str(error))
+
+
+def keep(state, name, key, outcome):
+    state.analyses[name] = (key, outcome)
 
 
 def result_of(obj, scene, name):

@@ -47,11 +47,11 @@ def inputs(settings, metres_per_unit):
     )
 
 
-def compute(body, given):
-    low, high = np.sort(body.surface.mesh.points[:, 0])[[0, -1]]
+def compute(ship, given):
+    low, high = np.sort(ship.body.surface.mesh.points[:, 0])[[0, -1]]
     margin = _END_SHARE * (high - low)
     stations = [_inside(x, low, high, margin) for x in given.stations]
-    curves = native.require().bonjean(body, stations=stations, drafts=given.drafts)
+    curves = native.require().bonjean(ship.body, stations=stations, drafts=given.drafts)
     return Result(curves, given)
 
 

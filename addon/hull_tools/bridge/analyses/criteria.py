@@ -14,11 +14,11 @@ def inputs(settings, metres_per_unit):
     return loads.load_inputs(settings, metres_per_unit)
 
 
-def compute(body, given):
+def compute(ship, given):
     """A hull_native.StabilityReport."""
-    load = loads.load(body, given)
+    load = loads.load(ship.body, given)
     return native.require().stability_criteria(
-        body, **load.arguments(given), downflooding_points=given.flooding_points or None
+        ship.body, **load.arguments(given), downflooding_points=given.flooding_points or None
     )
 
 

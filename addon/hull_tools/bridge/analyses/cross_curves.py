@@ -49,10 +49,10 @@ def inputs(settings, metres_per_unit):
     )
 
 
-def compute(body, given):
-    displacements = np.linspace(*_range(body, given), given.count)
+def compute(ship, given):
+    displacements = np.linspace(*_range(ship.body, given), given.count)
     curves = native.require().cross_curves(
-        body,
+        ship.body,
         displacements_t=displacements,
         heels=given.heels,
         water_density=given.load.where.water_density,

@@ -52,18 +52,18 @@ def inputs(settings, metres_per_unit):
     return Inputs(drafts, trims, where)
 
 
-def compute(body, given):
+def compute(ship, given):
     """Rows for the drafts at which something is under water; ValueError if there are none."""
     described = []
     for trim_m in given.trims:
         where = replace(given.where, trim_m=trim_m)
-        for found in _afloat(body, where, given.drafts):
+        for found in _afloat(ship.body, where, given.drafts):
             described.append(hydrostatics.described(found, replace(where, draft=found.draft)))
     if not described:
         raise ValueError(f"Nothing is under water up to a draft of {given.drafts[-1]:.3f} m")
     close = np.linspace(given.drafts[0], given.drafts[-1], _CURVE_ROWS)
     first_trim = replace(given.where, trim_m=given.trims[0])
-    return Result(described, _afloat(body, first_trim, close), given)
+    return Result(described, _afloat(ship.body, first_trim, close), given)
 
 
 def _afloat(body, where, drafts):

@@ -56,9 +56,9 @@ def inputs(settings, metres_per_unit):
     return Inputs(cases, afloat.afloat(settings, metres_per_unit).upright())
 
 
-def compute(body, given):
+def compute(ship, given):
     """A Rest of each case."""
-    return [_rest(body, case, given.where) for case in given.cases]
+    return [_rest(ship.body, case, given.where) for case in given.cases]
 
 
 def _rest(body, case, where):

@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 from math import degrees, radians
 
-from .. import native
+from .. import deck_edge, native
 from ..afloat import as_typed_angle
 from . import loads
 from .ranges import stepped
@@ -52,13 +52,15 @@ def inputs(settings, metres_per_unit):
     return Inputs(loads.load_inputs(settings, metres_per_unit), heels, intervals)
 
 
-def compute(body, given):
+def compute(ship, given):
+    body = ship.body
     load = loads.load(body, given.load)
     levers = native.require().righting_levers(
         body,
         **load.arguments(given.load),
         heels=given.heels,
         downflooding_points=given.load.flooding_points or None,
+        deck_edge=deck_edge.points_of(body.surface, ship.deck_edge),
         area_intervals=given.intervals,
         area_tolerance=_AREA_TOLERANCE,
     )

@@ -26,7 +26,8 @@ def inputs(settings, metres_per_unit):
     return afloat.afloat(settings, metres_per_unit)
 
 
-def compute(body, where):
+def compute(ship, where):
+    body = ship.body
     found = hydrostatics.particulars(body, where)
     low, high = _reach(body, found)
     margin = _END_SHARE * (high - low)

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What hydrostatics and stability are computed of: surface, floating body, and what is marked."""
+
+from dataclasses import dataclass
+
+from . import native
+from .mesh_arrays import ControlArrays
+
+
+@dataclass(frozen=True, eq=False)
+class Ship:
+    """body: hull_native.HullBody; its surface is that of the hull. deck_edge: pairs of the surface's
+    control points whose edges are marked; without any the borders along the ship are meant."""
+
+    body: object
+    deck_edge: tuple
+
+
+@dataclass(frozen=True, eq=False)
+class ShipSource:
+    """All that a Ship is made of. It never changes: a thread may hold it while the hull is edited.
+
+    openings: as hull_native.HullBody takes them.
+    """
+
+    control: ControlArrays
+    scheme: str
+    half: bool
+    openings: str
+    deck_edge: tuple
+
+    def new_surface(self):
+        """A hull_native.LimitSurface of the caller's own."""
+        hull_native = native.require()
+        return hull_native.LimitSurface(
+            hull_native.ControlMesh(*self.control.arguments()), self.scheme
+        )
+
+    def new_ship(self):
+        return Ship(self.new_body(self.new_surface()), self.deck_edge)
+
+    def new_body(self, surface):
+        """The hull_native.HullBody of a surface of these control points."""
+        return native.require().HullBody(surface, mirrored=self.half, openings=self.openings)
