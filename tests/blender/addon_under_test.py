@@ -57,6 +57,15 @@ def state_of(obj):
     return part("bridge.hull_state").state_of(obj)
 
 
+def compute(wanted):
+    """Has pairs (name of a hull, analysis) computed in the thread, and waits for all of them."""
+    live, worker = part("bridge.live_analyses"), part("bridge.worker")
+    live.begin(wanted)
+    worker.finish()
+    live.take_finished()
+    assert not worker.is_busy()
+
+
 def mesh_points(obj):
     """Points (n, 3) of an object's mesh, as stored."""
     import numpy as np

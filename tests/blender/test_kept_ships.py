@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surface and body are kept from edit to edit; their numbers are those of fresh ones all the same."""
+"""Surface and body are kept from edit to edit, and yet their numbers are those of fresh ones."""
 
 import random
 
@@ -129,8 +129,8 @@ def test_undo_and_redo_of_moves_and_tags():
     move(hull, choice)
     push()
     assert len(set(volumes)) == 4
-    for step, volume in ((bpy.ops.ed.undo, 2), (bpy.ops.ed.undo, 1), (bpy.ops.ed.undo, 0),
-                         (bpy.ops.ed.redo, 1), (bpy.ops.ed.redo, 2), (bpy.ops.ed.redo, 3)):  # fmt: skip
+    back, forth = bpy.ops.ed.undo, bpy.ops.ed.redo
+    for step, volume in zip((back, back, back, forth, forth, forth), (2, 1, 0, 1, 2, 3)):
         step()
         hull = bpy.data.objects[name]
         assert_is_fresh(hull)

@@ -4,7 +4,7 @@
 import addon_utils
 import bpy
 import pytest
-from addon_under_test import add_hull, make_active, module_name, part, state_of
+from addon_under_test import add_hull, compute, make_active, module_name, part, state_of
 
 
 def shown():
@@ -99,7 +99,8 @@ def test_an_addon_that_is_off_shows_none():
 def test_what_was_asked_for_is_computed_and_shown():
     hull = with_plot("cross_curves")
     live, scene = part("bridge.live_analyses"), bpy.context.scene
-    assert live.latest(hull, scene, "cross_curves") is None
-    live.compute([(hull.name, "cross_curves"), ("a hull that was deleted", "criteria")])
-    assert live.latest(hull, scene, "cross_curves").result is not None
+    assert live.latest(hull, scene, "cross_curves") == (None, False)
+    compute([(hull.name, "cross_curves"), ("a hull that was deleted", "criteria")])
+    outcome, is_current = live.latest(hull, scene, "cross_curves")
+    assert outcome.result is not None and is_current
     assert len(shown()) == 1

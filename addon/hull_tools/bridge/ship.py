@@ -2,6 +2,7 @@
 """What hydrostatics and stability are computed of: surface, floating body, and what is marked."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from . import native
 from .mesh_arrays import ControlArrays
@@ -9,8 +10,8 @@ from .mesh_arrays import ControlArrays
 
 @dataclass(frozen=True, eq=False)
 class Ship:
-    """body: hull_native.HullBody; its surface is that of the hull. deck_edge: pairs of the surface's
-    control points whose edges are marked; without any the borders along the ship are meant."""
+    """body: hull_native.HullBody; its surface is that of the hull. deck_edge: the edges that are
+    marked, pairs of the surface's control points; without any the borders along the ship."""
 
     body: object
     deck_edge: tuple
@@ -18,7 +19,7 @@ class Ship:
 
 @dataclass(frozen=True, eq=False)
 class ShipSource:
-    """All that a Ship is made of. It never changes: a thread may hold it while the hull is edited.
+    """All that a Ship is made of. It never changes: a thread may have it while the hull is edited.
 
     openings: as hull_native.HullBody takes them.
     """
@@ -38,6 +39,11 @@ class ShipSource:
 
     def new_ship(self):
         return Ship(self.new_body(self.new_surface()), self.deck_edge)
+
+    @cached_property
+    def ship(self):
+        """A Ship that no edit reaches; for one thread at a time."""
+        return self.new_ship()
 
     def new_body(self, surface):
         """The hull_native.HullBody of a surface of these control points."""

@@ -11,8 +11,8 @@ _CENTRE_PLANE_TOLERANCE = 1e-9
 
 
 def surface_points(tessellation, half):
-    """(points (n, 3) in metres of the whole hull, (k,) which of the modelled ones are shared by both
-    sides)."""
+    """(points (n, 3) in metres of the whole hull, (k,) which of the modelled ones both sides
+    share)."""
     points = tessellation.points
     if not half:
         return points, np.ones(len(points), dtype=bool)

@@ -7,7 +7,8 @@ from . import plots
 
 
 def _view(shown, corner):
-    plots.show(shown, plots.Placement(corner=corner))
+    outdated = {index for index, one in enumerate(shown) if not one.is_current}
+    plots.show([one.plot for one in shown], plots.Placement(corner=corner), outdated)
 
 
 def register():

@@ -19,7 +19,9 @@ from .plot_arrays import arrays_of
 DOTS_PER_MM = 4.4
 
 _PAPER = (0.97, 0.97, 0.96, 0.96)
+_VEIL = (*_PAPER[:3], 0.6)
 _BORDER = (0.35, 0.35, 0.35, 1.0)
+_NOTE, _NOTE_MM = "computing …", 2.5  # over a pale card
 _LEAST_LINE = 1.0  # dots: thinner lines would fade
 _BLANK_MARGIN_MM = 0.25  # as on paper
 _FONT = 0  # Blender's own
@@ -47,6 +49,7 @@ class _Shown:
     def __init__(self):
         self.plots = []
         self.placement = Placement()
+        self.outdated = frozenset()
         self.arrays = []
         self.batches = None
 
@@ -55,17 +58,23 @@ _shown = _Shown()
 _handler = None
 
 
-def show(plots, placement=None):
+def show(plots, placement=None, outdated=()):
     """Shows these hull_native.Plot, and no others; an empty list shows none.
 
-    Nothing is done when they and their places are what is shown already. ValueError when one
+    outdated: indices of those that a newer one is computed for; they are drawn pale. Nothing is
+    done when they and their places are what is shown already. ValueError when one
     cannot be laid out on a card of that size; what was shown then stays.
     """
     plots, placement = list(plots), placement or Placement()
+    outdated = frozenset(outdated)
     if plots == _shown.plots and placement == _shown.placement:
+        if outdated != _shown.outdated:
+            _shown.outdated = outdated
+            _redraw()
         return
     arrays = [arrays_of(plot, placement.width_mm, placement.height_mm) for plot in plots]
     _shown.plots, _shown.placement, _shown.arrays = plots, placement, arrays
+    _shown.outdated = outdated
     _shown.batches = None
     _redraw()
 
@@ -77,6 +86,11 @@ def hide():
 def shown_arrays():
     """The PlotArrays being drawn, in order."""
     return tuple(_shown.arrays)
+
+
+def shown_outdated():
+    """Indices of those of them that are drawn pale."""
+    return _shown.outdated
 
 
 def card_places(sizes, corner, room, gap):
@@ -169,8 +183,11 @@ def _draw():
     places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
     viewport = (context.region.width, context.region.height)
     blend = gpu.state.blend_get()
-    for arrays, batches, place in zip(_shown.arrays, _shown.batches, places):
-        _draw_card(arrays, batches, place, dots * factor, viewport)
+    for index, place in enumerate(places):
+        batches = _shown.batches[index]
+        _draw_card(_shown.arrays[index], batches, place, dots * factor, viewport)
+        if index in _shown.outdated:
+            _draw_veil(_shown.arrays[index], batches, place, dots * factor)
     gpu.state.blend_set(blend)
 
 
@@ -186,6 +203,21 @@ def _draw_card(arrays, batches, place, dots, viewport):
         _draw_label(label, arrays.height_mm, place, dots, ratio)
 
 
+def _draw_veil(arrays, batches, place, dots):
+    """Makes a card pale and says why, in its upper right corner."""
+    gpu.state.blend_set("ALPHA")
+    with gpu.matrix.push_pop():
+        gpu.matrix.translate((place[0], place[1] + arrays.height_mm * dots))
+        gpu.matrix.scale((dots, -dots))
+        batches.draw_veil()
+    blf.size(_FONT, _NOTE_MM * dots)
+    width, _ = blf.dimensions(_FONT, _NOTE)
+    right, top = place[0] + arrays.width_mm * dots, place[1] + arrays.height_mm * dots
+    blf.color(_FONT, *_BORDER)
+    blf.position(_FONT, right - width - _NOTE_MM * dots, top - 2.0 * _NOTE_MM * dots, 0.0)
+    blf.draw(_FONT, _NOTE)
+
+
 class _Batches:
     """One plot's arrays on the graphics card."""
 
@@ -196,6 +228,7 @@ class _Batches:
         corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
         order = (0, 1, 2, 0, 2, 3)
         self._card = self._filled([corners[i] for i in order], [_PAPER] * 6)
+        self._veil = self._filled([corners[i] for i in order], [_VEIL] * 6)
         sides = [corners[i] for i in (0, 1, 1, 2, 2, 3, 3, 0)]
         self._border = self._lined(sides, [_BORDER] * 8)
         self._areas = self._filled(arrays.areas.points, arrays.areas.colours)
@@ -217,6 +250,9 @@ class _Batches:
             batch.draw(self._line)
         self._draw_filled(self._patches)
         self._draw_filled(self._blanks)
+
+    def draw_veil(self):
+        self._draw_filled(self._veil)
 
     def _draw_filled(self, batch):
         if batch is not None:

@@ -13,16 +13,19 @@ _OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTI
 
 
 def _result(layout, context, name):
-    """The result of an analysis to be shown, or None and what is to be said instead."""
+    """(the result of an analysis, where to show it) below a heading, pale while a newer one is
+    computed; (None, there) and what is to be said instead."""
     hull = hull_objects.hull_of(context.object)
-    outcome = live_analyses.latest(hull, context.scene, name)
+    outcome, is_current = live_analyses.latest(hull, context.scene, name)
+    heading = analyses.ANALYSES[name].LABEL
+    layout.label(text=heading if is_current else f"{heading}: computing …")
+    place = layout.column()
+    place.active = is_current
     if outcome is None:
-        layout.label(text="…")
-    elif outcome.result is None:
-        label_wrapped(layout, context, outcome.message, icon="INFO")
-    else:
-        return outcome.result
-    return None
+        return None, place
+    if outcome.result is None:
+        label_wrapped(place, context, outcome.message, icon="INFO")
+    return outcome.result, place
 
 
 def _degrees(angle):
@@ -38,9 +41,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         loading = hull_objects.hull_of(context.object).hull.loading
         self._draw_load(layout, loading)
         layout.separator()
-        result = _result(layout, context, "righting_levers")
+        result, place = _result(layout, context, "righting_levers")
         if result is not None:
-            self._draw_levers(layout, context.scene, result)
+            self._draw_levers(place, context.scene, result)
         export_buttons(layout, "righting_levers")
 
     def _draw_load(self, layout, loading):
@@ -84,10 +87,10 @@ class HULL_PT_levers(HullPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        result = _result(self.layout, context, "righting_levers")
+        result, place = _result(self.layout, context, "righting_levers")
         if result is None:
             return
-        column = self.layout.column(align=True)
+        column = place.column(align=True)
         column.scale_y = 0.8
         for heel, lever in zip(result.levers.heels, result.levers.levers):
             label_value(column, _degrees(heel), format_value(context.scene, lever, "m"))
@@ -101,8 +104,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        layout = self.layout
-        report = _result(layout, context, "criteria")
+        report, layout = _result(self.layout, context, "criteria")
         if report is None:
             return
         notes = []
@@ -118,7 +120,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
         for note in notes:
             label_wrapped(layout, context, note, icon="INFO")
         layout.label(text="All are met" if report.passes else "Not all are met")
-        export_buttons(layout, "criteria")
+        export_buttons(self.layout, "criteria")
 
     def _numbers(self, scene, one):
         """Value and limit as texts."""
@@ -192,12 +194,12 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("mass_t", "lcg", "tcg", "vcg"):
             column.prop(case, name)
-        rests = _result(layout, context, "load_cases")
+        rests, place = _result(layout, context, "load_cases")
         if rests is None:
             return
         index = loading.active_load_case
         if index < len(rests):
-            self._draw_rest(layout, context, rests[index])
+            self._draw_rest(place, context, rests[index])
         export_buttons(layout, "load_cases")
 
     def _draw_rest(self, layout, context, rest):
@@ -250,8 +252,10 @@ class HULL_PT_plots(HullPanel, bpy.types.Panel):
         layout.prop(plots, "corner", text="")
 
     def _draw_reason(self, layout, context, hull, name):
-        outcome = live_analyses.latest(hull, context.scene, name)
-        if outcome is not None and outcome.message:
+        outcome, is_current = live_analyses.latest(hull, context.scene, name)
+        if not is_current:
+            layout.label(text="Computing …")
+        elif outcome is not None and outcome.message:
             label_wrapped(layout, context, outcome.message, icon="INFO")
 
 

@@ -46,10 +46,11 @@ class Outcome:
     message: str = ""
 
 
-def key_of(obj, state, scene, name):
-    """What an analysis depends on now; ValueError when its inputs are wrong."""
+def key_of(obj, scene, name):
+    """What an analysis of a hull that has a body depends on now; ValueError when its inputs are
+    wrong."""
     scale = units.metres_per_unit(scene)
-    return (state.keys["ship"], ANALYSES[name].inputs(obj.hull, scale))
+    return (hull_state.state_of(obj).keys["ship"], ANALYSES[name].inputs(obj.hull, scale))
 
 
 def last_outcome(obj, scene, name):
@@ -61,7 +62,7 @@ def last_outcome(obj, scene, name):
     if state.status:  # the mesh has errors: what there was stays
         return outcome, True
     try:
-        return outcome, stored_key == key_of(obj, state, scene, name)
+        return outcome, stored_key == key_of(obj, scene, name)
     except ValueError as error:
         return Outcome(message=str(error)), True
 
@@ -74,7 +75,7 @@ def outcome_of(obj, scene, name):
     outcome, is_current = last_outcome(obj, scene, name)
     if is_current:
         return outcome or Outcome(message=state.status)
-    key = key_of(obj, state, scene, name)
+    key = key_of(obj, scene, name)
     outcome = computed(name, state.ship, key)
     keep(state, name, key, outcome)
     return outcome

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Work done in a thread, one piece after the other, while Blender goes on.
+
+The pieces know nothing of Blender. Their results wait until they are fetched, so that only the main
+thread ever touches what Blender and the add-on keep.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+
+_jobs = []  # (what for, Future) in the order in which they were asked for
+_pool = None
+
+
+def ask(purpose, work):
+    """Has `work()` done; a piece for the same purpose that has not begun is dropped for it.
+
+    One that has begun cannot be stopped: its result comes before the new one's.
+    """
+    global _pool
+    if _pool is None:
+        _pool = ThreadPoolExecutor(1, thread_name_prefix="hull analysis")
+    _jobs[:] = [job for job in _jobs if job[0] != purpose or not job[1].cancel()]
+    _jobs.append((purpose, _pool.submit(work)))
+
+
+def fetch():
+    """The results that have come since the last time, in order; raises what the work raised."""
+    while _jobs and _jobs[0][1].done():
+        _, done = _jobs.pop(0)
+        yield done.result()
+
+
+def is_busy():
+    """Whether there is work that was not fetched."""
+    return bool(_jobs)
+
+
+def finish():
+    """Waits until all work is done, without fetching it."""
+    for _, job in list(_jobs):
+        job.exception()
+
+
+def stop():
+    """Drops all work; when this returns nothing runs."""
+    global _pool
+    pool, _pool = _pool, None
+    _jobs.clear()
+    if pool is not None:
+        pool.shutdown(wait=True, cancel_futures=True)
