@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Analyses in a thread: of the hull as it was, for a panel to show, and gone when they should be."""
+"""Analyses in a thread: of the hull as it was when asked for, and gone when they should be."""
 
 import threading
 

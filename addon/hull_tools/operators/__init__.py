@@ -3,11 +3,21 @@
 
 import bpy
 
-from . import check_mesh, export_hull, export_step, import_hull, loading_lists, make_hull, tag_mesh
+from . import (
+    check_mesh,
+    deck_edge,
+    export_hull,
+    export_step,
+    import_hull,
+    loading_lists,
+    make_hull,
+    tag_mesh,
+)
 
 _CLASSES = (
     *make_hull.CLASSES,
     *tag_mesh.CLASSES,
+    *deck_edge.CLASSES,
     *check_mesh.CLASSES,
     *import_hull.CLASSES,
     *export_hull.CLASSES,

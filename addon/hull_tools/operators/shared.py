@@ -40,6 +40,13 @@ def has_hull(cls, context):
     return True
 
 
+def in_mesh_edit_mode(cls, context):
+    if context.mode != "EDIT_MESH":
+        cls.poll_message_set("Enter edit mode first (Tab)")
+        return False
+    return True
+
+
 def in_object_mode(cls, context):
     if context.mode != "OBJECT":
         cls.poll_message_set("Leave edit mode first (Tab)")

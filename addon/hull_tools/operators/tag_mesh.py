@@ -5,14 +5,7 @@ import bmesh
 import bpy
 
 from ..bridge import blender_versions
-from .shared import reporting_errors
-
-
-def _in_mesh_edit_mode(cls, context):
-    if context.mode != "EDIT_MESH":
-        cls.poll_message_set("Enter edit mode first (Tab)")
-        return False
-    return True
+from .shared import in_mesh_edit_mode, reporting_errors
 
 
 def _tag_selection(context, edge_value, vertex_value, nothing_selected):
@@ -43,16 +36,18 @@ def _set_selected(elements, layer, value):
     return len(selected)
 
 
-class HULL_OT_tag_crease(bpy.types.Operator):
+class TagOperator:
+    @classmethod
+    def poll(cls, context):
+        return in_mesh_edit_mode(cls, context)
+
+
+class HULL_OT_tag_crease(bpy.types.Operator, TagOperator):
     """Make the selected edges creases: knuckles of the surface"""
 
     bl_idname = "hull.tag_crease"
     bl_label = "Crease"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context):
-        return _in_mesh_edit_mode(cls, context)
 
     @reporting_errors
     def execute(self, context):
@@ -60,16 +55,12 @@ class HULL_OT_tag_crease(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class HULL_OT_tag_corner(bpy.types.Operator):
+class HULL_OT_tag_corner(bpy.types.Operator, TagOperator):
     """Make the selected points corners: the surface passes through them with a kink"""
 
     bl_idname = "hull.tag_corner"
     bl_label = "Corner"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context):
-        return _in_mesh_edit_mode(cls, context)
 
     @reporting_errors
     def execute(self, context):
@@ -77,16 +68,12 @@ class HULL_OT_tag_corner(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class HULL_OT_tag_smooth(bpy.types.Operator):
+class HULL_OT_tag_smooth(bpy.types.Operator, TagOperator):
     """Make the selected edges and points smooth: no crease, no corner"""
 
     bl_idname = "hull.tag_smooth"
     bl_label = "Smooth"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context):
-        return _in_mesh_edit_mode(cls, context)
 
     @reporting_errors
     def execute(self, context):

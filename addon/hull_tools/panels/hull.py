@@ -47,7 +47,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
 
 
 class HULL_PT_tags(HullTab, bpy.types.Panel):
-    """Creases and corners, in edit mode of any mesh"""
+    """Creases and corners, in edit mode of any mesh; the deck edge of a hull"""
 
     bl_label = "Edges and Points"
     bl_context = "mesh_edit"
@@ -57,6 +57,12 @@ class HULL_PT_tags(HullTab, bpy.types.Panel):
         column.operator("hull.tag_crease", icon="MOD_EDGESPLIT")
         column.operator("hull.tag_corner", icon="VERTEXSEL")
         column.operator("hull.tag_smooth", icon="MESH_CIRCLE")
+        if hull_objects.hull_of(context.object) is None:
+            return
+        row = self.layout.row(align=True)
+        row.operator("hull.mark_deck_edge", text="Deck Edge", icon="MARKER")
+        row.operator("hull.select_deck_edge", text="", icon="RESTRICT_SELECT_OFF")
+        row.operator("hull.clear_deck_edge", text="", icon="X")
 
 
 class HULL_PT_check(HullPanel, bpy.types.Panel):

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The deck edge is marked in edit mode of a hull, and found again."""
+
+import bpy
+
+from ..bridge import deck_edge, hull_objects
+from .shared import has_hull, in_mesh_edit_mode, native_is_there, reporting_errors
+
+
+class DeckEdgeOperator:
+    @classmethod
+    def poll(cls, context):
+        return native_is_there(cls) and in_mesh_edit_mode(cls, context) and has_hull(cls, context)
+
+
+class HULL_OT_mark_deck_edge(bpy.types.Operator, DeckEdgeOperator):
+    """Make the creases and borders of the selected edges, from end to end, the deck edge: the angle
+    at which it comes under water is told with the righting levers"""
+
+    bl_idname = "hull.mark_deck_edge"
+    bl_label = "Mark as Deck Edge"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @reporting_errors
+    def execute(self, context):
+        count = deck_edge.mark(hull_objects.hull_of(context.object), context.scene)
+        self.report({"INFO"}, f"The deck edge has {count} edges")
+        return {"FINISHED"}
+
+
+class HULL_OT_clear_deck_edge(bpy.types.Operator, DeckEdgeOperator):
+    """Take the marks of the deck edge away: it is the borders along the ship again"""
+
+    bl_idname = "hull.clear_deck_edge"
+    bl_label = "Clear Deck Edge"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @reporting_errors
+    def execute(self, context):
+        deck_edge.clear(hull_objects.hull_of(context.object))
+        return {"FINISHED"}
+
+
+class HULL_OT_select_deck_edge(bpy.types.Operator, DeckEdgeOperator):
+    """Select the edges that are marked as deck edge, and no others"""
+
+    bl_idname = "hull.select_deck_edge"
+    bl_label = "Select Deck Edge"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @reporting_errors
+    def execute(self, context):
+        context.tool_settings.mesh_select_mode = (False, True, False)
+        if not deck_edge.select(hull_objects.hull_of(context.object)):
+            raise ValueError("No edge is marked: the deck edge is the borders along the ship")
+        return {"FINISHED"}
+
+
+CLASSES = (HULL_OT_mark_deck_edge, HULL_OT_clear_deck_edge, HULL_OT_select_deck_edge)

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The deck edge that a designer marks: stored with the mesh, counted in the righting levers."""
+
+from math import atan
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, make_active, part, state_of
+
+RAIL = 2.0  # of the box with bulwarks: the deck's edge, a knuckle in her sides
+DRAFT = 1.0
+
+
+def add_bulwark_box(name="bulwarks"):
+    """The port half of a box whose deck meets the sides below their upper border."""
+    levels = (0.0, RAIL, DEPTH)
+    points = [(x, y, z) for x in (0.0, LENGTH) for y in (0.0, HALF_BREADTH) for z in levels]
+    faces = [(0, 3, 9, 6)]  # bottom
+    for low in (0, 1):
+        faces += [
+            (3 + low, 4 + low, 10 + low, 9 + low),  # side
+            (low, low + 1, low + 4, low + 3),  # aft
+            (6 + low, 9 + low, 10 + low, 7 + low),  # forward
+        ]
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(points, [], faces)
+    part("bridge.blender_versions").set_creases(mesh, range(len(mesh.edges)), [])
+    box = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(box)
+    make_active(box)
+    assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
+    assert not state_of(box).check.problems
+    box.hull.draft, box.hull.loading.kg = DRAFT, 1.2
+    bpy.context.view_layer.update()
+    return box
+
+
+def select_edges(hull, *pairs):
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    bm = bmesh.from_edit_mesh(hull.data)
+    wanted = [set(pair) for pair in pairs]
+    for edge in bm.edges:
+        edge.select_set({vertex.index for vertex in edge.verts} in wanted)
+    bm.select_flush_mode()
+    bmesh.update_edit_mesh(hull.data)
+
+
+def mark(hull, *pairs):
+    select_edges(hull, *pairs)
+    assert bpy.ops.hull.mark_deck_edge() == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+
+
+def marked(hull):
+    marks = part("bridge.edge_marks").stored_marks(hull.data)
+    return {tuple(sorted(hull.data.edges[i].vertices)) for i in np.flatnonzero(marks)}
+
+
+def deck_edge_heel(hull):
+    result = part("bridge.analyses").result_of(hull, bpy.context.scene, "righting_levers")
+    return result.levers.deck_edge_heel
+
+
+SIDE = (4, 10)  # the knuckle along the side, at RAIL
+
+
+def test_without_a_mark_it_is_the_border():
+    hull = add_bulwark_box()
+    # The water turns about the centre line until the bilge comes out: at 26.6°, when the rail
+    # of a box this deep is far above it.
+    assert deck_edge_heel(hull) > atan((RAIL - DRAFT) / HALF_BREADTH)
+    assert state_of(hull).source.deck_edge == ()
+
+
+def test_the_marked_crease_counts():
+    hull = add_bulwark_box()
+    mark(hull, SIDE)
+    assert marked(hull) == {SIDE}
+    # At this heel the bilge just comes out, and the water still turns about the centre line.
+    assert deck_edge_heel(hull) == pytest.approx(atan((RAIL - DRAFT) / HALF_BREADTH), rel=1e-9)
+
+
+def test_a_crease_is_marked_from_end_to_end():
+    hull = add_bulwark_box()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    points = np.array([vertex.co for vertex in hull.data.vertices])
+    rail = np.flatnonzero((points[:, 2] == RAIL) & (points[:, 1] == HALF_BREADTH))
+    edges = {tuple(sorted(e.vertices)) for e in hull.data.edges if set(e.vertices) <= set(rail)}
+    assert len(edges) == 2
+    mark(hull, next(iter(edges)))
+    assert marked(hull) == edges
+    assert deck_edge_heel(hull) == pytest.approx(atan(0.5), rel=1e-9)
+
+
+def test_a_division_divides_the_mark():
+    hull = add_bulwark_box()
+    mark(hull, SIDE)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    assert len(marked(hull)) == 2
+    assert deck_edge_heel(hull) == pytest.approx(atan(0.5), rel=1e-9)
+
+
+def test_a_mark_changes_no_surface_but_the_levers():
+    hull = add_bulwark_box()
+    before = deck_edge_heel(hull)
+    surface, body = state_of(hull).surface, state_of(hull).body
+    mark(hull, SIDE)
+    assert state_of(hull).surface is surface and state_of(hull).body is body
+    after = deck_edge_heel(hull)
+    assert after < before
+    select_edges(hull)
+    assert bpy.ops.hull.clear_deck_edge() == {"FINISHED"}
+    assert deck_edge_heel(hull) == before
+    assert bpy.ops.object.mode_set(mode="OBJECT") == {"FINISHED"} and not marked(hull)
+
+
+def test_a_mark_replaces_the_one_before_and_can_be_selected():
+    hull = add_bulwark_box()
+    border = (5, 11)
+    mark(hull, border)
+    mark(hull, SIDE)
+    assert marked(hull) == {SIDE}
+    select_edges(hull, border)
+    assert bpy.ops.hull.select_deck_edge() == {"FINISHED"}
+    bm = bmesh.from_edit_mesh(hull.data)
+    selected = [{vertex.index for vertex in edge.verts} for edge in bm.edges if edge.select]
+    assert selected == [set(SIDE)]
+
+
+def test_what_cannot_be_marked_says_why():
+    hull = add_bulwark_box()
+    select_edges(hull)
+    with pytest.raises(RuntimeError, match="Select edges"):
+        bpy.ops.hull.mark_deck_edge()
+    with pytest.raises(RuntimeError, match="No edge is marked"):
+        bpy.ops.hull.select_deck_edge()
+    select_edges(hull, SIDE)
+    bpy.ops.hull.tag_smooth()
+    select_edges(hull, SIDE)
+    with pytest.raises(RuntimeError, match="1 of the 1 selected edges are neither crease"):
+        bpy.ops.hull.mark_deck_edge()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert not bpy.ops.hull.mark_deck_edge.poll()
+
+
+def test_a_mark_on_a_crease_that_was_smoothed_is_told():
+    hull = add_bulwark_box()
+    mark(hull, SIDE)
+    select_edges(hull, SIDE)
+    bpy.ops.hull.tag_smooth()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    with pytest.raises(ValueError, match="1 of the 1 edges marked as deck edge"):
+        deck_edge_heel(hull)
+
+
+def test_marks_survive_saving_copying_and_undo(tmp_path):
+    hull = add_bulwark_box()
+    bpy.ops.ed.undo_push(message="no mark")
+    mark(hull, SIDE)
+    bpy.ops.ed.undo_push(message="marked")
+    bpy.ops.ed.undo()
+    hull = bpy.data.objects["bulwarks"]
+    assert not marked(hull) and state_of(hull).source.deck_edge == ()
+    bpy.ops.ed.redo()
+    hull = bpy.data.objects["bulwarks"]
+    assert marked(hull) == {SIDE} and len(state_of(hull).source.deck_edge) == 1
+    make_active(hull)
+    bpy.ops.object.duplicate()
+    copy = bpy.context.object
+    assert copy != hull and marked(copy) == {SIDE}
+    path = str(tmp_path / "marks.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.read_homefile(use_empty=True)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    assert marked(bpy.data.objects["bulwarks"]) == {SIDE}
+    assert deck_edge_heel(bpy.data.objects["bulwarks"]) == pytest.approx(atan(0.5), rel=1e-9)
