@@ -6,9 +6,7 @@
 #include "surface/wide_code.h"
 
 namespace hull {
-namespace {
 
-// The root in [0, 1] of a cubic that rises or falls; the nearer end if there is none.
 double monotonic_root(const double* c) {
   if ((c[0] >= 0.0) == (c[3] >= 0.0)) return std::abs(c[0]) < std::abs(c[3]) ? 0.0 : 1.0;
   const double p1 = 3.0 * (c[1] - c[0]), p2 = 3.0 * (c[0] - 2.0 * c[1] + c[2]);
@@ -27,8 +25,6 @@ double monotonic_root(const double* c) {
   }
   return t;
 }
-
-}  // namespace
 
 HULL_WIDE ArcPoint arc_point(const ArcSquare& square, double u) {
   const BernsteinBasis at_u(u);

@@ -2,174 +2,197 @@
 #include "analysis/sections/section_arcs.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
+
+#include "analysis/sections/arc_sampling.h"
+#include "analysis/sections/arc_square.h"
 
 namespace hull {
 namespace {
 
-constexpr int kDeepestSample = 10;  // up to 1025 points an arc
+// A place on a piece, and the jets there.
+struct Place {
+  double u, v;
+  SurfaceJet jet;
+  HeightJet g;
+};
 
-// The crossing of one cut square as a curve over its u (after the exchange, if swapped).
-class Crossing {
+class PieceArcs {
  public:
-  Crossing(const SurfacePiece& piece, const CutSquare& square) : piece_(piece), square_(square) {}
+  PieceArcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
+            double chord_tolerance, SectionParts& parts)
+      : piece_(piece),
+        height_(height),
+        normal_(plane.normal),
+        chord_tolerance_(chord_tolerance),
+        parts_(parts) {}
 
-  SectionPoint at(double u) const {
-    const double v = std::clamp(crossing(square_.height, u), 0.0, 1.0);
-    const double s = square_.u + square_.size * (square_.swapped ? v : u);
-    const double t = square_.v + square_.size * (square_.swapped ? u : v);
-    const Eigen::Vector2d uv(piece_.u + piece_.size * s, piece_.v + piece_.size * t);
-    return {evaluate_bicubic(piece_.points, s, t, 0).point, piece_.cell,
-            uv.cwiseMax(0.0).cwiseMin(1.0)};
+  void add_simple(const NetSquare& square, bool swapped);
+  void add_tangled(const NetSquare& square);
+
+  SectionPoint point(double u, double v) const {
+    Place place;
+    return point(u, v, place);
+  }
+  SectionPoint point(double u, double v, Place& place) const {
+    place.u = u;
+    place.v = v;
+    evaluate_bicubic(piece_.points, u, v, 2, place.jet);
+    if (height_.divided) {
+      place.g = height_jet(height_.net, u, v);
+    } else {
+      const SurfaceJet& jet = place.jet;
+      place.g = {normal_.dot(jet.du), normal_.dot(jet.dv), normal_.dot(jet.duu),
+                 normal_.dot(jet.duv), normal_.dot(jet.dvv)};
+    }
+    SectionPoint p;
+    p.point = place.jet.point;
+    p.cell = piece_.cell;
+    p.uv = {piece_.u + piece_.size * u, piece_.v + piece_.size * v};
+    set_course(place.jet, place.g, normal_, p);
+    return p;
   }
 
  private:
+  void close_arc(std::size_t first);
+
   const SurfacePiece& piece_;
-  const CutSquare& square_;
+  const HeightNet& height_;
+  const Vector3d& normal_;
+  double chord_tolerance_;
+  SectionParts& parts_;
 };
 
-double distance_to_chord(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d chord = b - a;
-  const double length2 = chord.squaredNorm();
-  if (length2 == 0.0) return (p - a).norm();
-  const double t = std::clamp((p - a).dot(chord) / length2, 0.0, 1.0);
-  return (p - a - t * chord).norm();
-}
+// The zeros of a simple square as a curve over its u (after the exchange, if swapped).
+class Crossing {
+ public:
+  Crossing(const PieceArcs& piece, const NetSquare& square, bool swapped)
+      : piece_(piece), square_(square), swapped_(swapped) {}
 
-// Appends the points after `a` up to and including `b`.
-void sample(const Crossing& curve, double u_a, const SectionPoint& a, double u_b,
-            const SectionPoint& b, double tolerance, int depth, SectionArc& arc) {
-  // Three inner points, so that an S-shaped arc is not taken for a straight one.
-  const double u_m = 0.5 * (u_a + u_b);
-  const SectionPoint m = curve.at(u_m);
-  double off = distance_to_chord(m.point, a.point, b.point);
-  for (double t : {0.25, 0.75}) {
-    off = std::max(off, distance_to_chord(curve.at(u_a + t * (u_b - u_a)).point, a.point, b.point));
+  ArcSample at(double t) const {
+    const Column column(square_.net, BernsteinBasis(t));
+    return at(t, monotonic_root(column.c));
   }
-  if (off <= tolerance || depth == kDeepestSample) {
-    arc.push_back(b);
-    return;
+  ArcSample at(double t, double across) const {
+    const double u = square_.u + square_.size * (swapped_ ? across : t);
+    const double v = square_.v + square_.size * (swapped_ ? t : across);
+    Place place;
+    ArcSample sample{piece_.point(u, v, place), Vector3d::Zero()};
+    const auto slope = [](double along, double over) { return over != 0.0 ? -along / over : 0.0; };
+    sample.d1 =
+        square_.size * (swapped_ ? place.jet.dv + slope(place.g.v, place.g.u) * place.jet.du
+                                 : place.jet.du + slope(place.g.u, place.g.v) * place.jet.dv);
+    return sample;
   }
-  sample(curve, u_a, a, u_m, m, tolerance, depth + 1, arc);
-  sample(curve, u_m, m, u_b, b, tolerance, depth + 1, arc);
-}
 
-void add_arcs(const SurfacePiece& piece, const CutSquare& square, double chord_tolerance,
-              std::vector<SectionArc>& arcs) {
-  const Breaks breaks = crossing_breaks(square.height);
-  const Crossing curve(piece, square);
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    const BezierCubic column = square.height.along_v(0.5 * (breaks[k] + breaks[k + 1]));
-    if ((column[0] < 0.0) == (column[3] < 0.0)) continue;
-    SectionArc arc{curve.at(breaks[k])};
-    sample(curve, breaks[k], arc.front(), breaks[k + 1], curve.at(breaks[k + 1]), chord_tolerance,
-           0, arc);
-    arcs.push_back(std::move(arc));
-  }
-}
+ private:
+  const PieceArcs& piece_;
+  const NetSquare& square_;
+  bool swapped_;
+};
 
-// One end of an arc: index 2 * arc, + 1 for the last point.
+// Where zeros enter or leave a simple square.
 struct End {
-  Vector3d point;
-  int index;
+  double t, across;  // across < 0: inside, to be found
+  bool operator<(const End& other) const { return t < other.t; }
+  bool operator==(const End& other) const { return t == other.t; }
 };
+using Ends = SmallList<End, 8>;
 
-struct Meeting {
-  double distance;
-  int a, b;
-};
-
-// For each end the one it is joined to, or -1.
-std::vector<int> match_ends(const std::vector<SectionArc>& arcs, double tolerance) {
-  std::vector<End> ends;
-  for (int i = 0; i < static_cast<int>(arcs.size()); ++i) {
-    ends.push_back({arcs[i].front().point, 2 * i});
-    ends.push_back({arcs[i].back().point, 2 * i + 1});
-  }
-  // Along a direction that no usual plane is square to, few ends share a coordinate.
-  const Vector3d along = Vector3d(0.61, 0.53, 0.59).normalized();
-  std::sort(ends.begin(), ends.end(),
-            [&](const End& x, const End& y) { return along.dot(x.point) < along.dot(y.point); });
-  std::vector<Meeting> meetings;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (std::size_t j = i + 1; j < ends.size(); ++j) {
-      if (along.dot(ends[j].point - ends[i].point) > tolerance) break;
-      const double distance = (ends[i].point - ends[j].point).norm();
-      if (distance <= tolerance) meetings.push_back({distance, ends[i].index, ends[j].index});
+Ends ends_of(const BezierNet& net) {
+  Ends ends;
+  for (const double across : {0.0, 1.0}) {
+    const double* row = net.data() + (across > 0.0 ? 12 : 0);
+    if (row[0] >= 0.0 && row[1] >= 0.0 && row[2] >= 0.0 && row[3] >= 0.0) continue;
+    if (row[0] < 0.0 && row[1] < 0.0 && row[2] < 0.0 && row[3] < 0.0) continue;
+    for (const double t : sign_changes({row[0], row[1], row[2], row[3]})) {
+      ends.insert({t, across});
     }
   }
-  std::sort(meetings.begin(), meetings.end(), [](const Meeting& x, const Meeting& y) {
-    return std::tie(x.distance, x.a, x.b) < std::tie(y.distance, y.a, y.b);
-  });
-  std::vector<int> partner(2 * arcs.size(), -1);
-  for (const Meeting& m : meetings) {
-    if (partner[m.a] >= 0 || partner[m.b] >= 0) continue;
-    partner[m.a] = m.b;
-    partner[m.b] = m.a;
-  }
-  return partner;
+  if (ends.empty() || ends.front().t > 0.0) ends.insert({0.0, -1.0});
+  if (ends[ends.size() - 1].t < 1.0) ends.insert({1.0, -1.0});
+  return ends;
 }
 
-double length_of(const SectionArc& arc) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < arc.size(); ++i) length += (arc[i].point - arc[i - 1].point).norm();
-  return length;
+void PieceArcs::add_simple(const NetSquare& square, bool swapped) {
+  const BezierNet& net = square.net;
+  const Crossing curve(*this, square, swapped);
+  const auto at_end = [&](const End& end) {
+    return end.across < 0.0 ? curve.at(end.t) : curve.at(end.t, end.across);
+  };
+  const Ends ends = ends_of(net);
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double middle = 0.5 * (ends[k].t + ends[k + 1].t);
+    const Column column(net, BernsteinBasis(middle));
+    // Between two ends there is a zero for all t or for none.
+    if ((column.c[0] < 0.0) == (column.c[3] < 0.0)) continue;
+    const std::size_t first = parts_.points.size();
+    sample_arc(curve, ends[k].t, at_end(ends[k]), ends[k + 1].t, at_end(ends[k + 1]),
+               chord_tolerance_, parts_.points);
+    const bool rises = column.c[3] > column.c[0];
+    // Its tangents already are those of the right direction.
+    if (rises == swapped) {
+      std::reverse(parts_.points.begin() + static_cast<std::ptrdiff_t>(first), parts_.points.end());
+    }
+    close_arc(first);
+  }
+}
+
+void PieceArcs::add_tangled(const NetSquare& square) {
+  const SideCrossings crossings = side_crossings(square.net);
+  for (const auto& [enters, leaves] : pair_crossings(square.net, crossings)) {
+    const std::size_t first = parts_.points.size();
+    for (const int i : {enters, leaves}) {
+      parts_.points.push_back(
+          point(square.u + square.size * crossings[i].u, square.v + square.size * crossings[i].v));
+    }
+    close_arc(first);
+  }
+}
+
+// Where the course is not defined, that of the chord is taken.
+void PieceArcs::close_arc(std::size_t first) {
+  std::vector<SectionPoint>& points = parts_.points;
+  const std::size_t last = points.size();
+  for (std::size_t i = first; i < last; ++i) {
+    if (!points[i].tangent.isZero(0.0)) continue;
+    const Vector3d chord = i + 1 < last ? Vector3d(points[i + 1].point - points[i].point)
+                                        : Vector3d(points[i].point - points[i - 1].point);
+    if (chord.norm() > 0.0) points[i].tangent = chord.normalized();
+  }
+  parts_.arcs.push_back(
+      {static_cast<int>(first), static_cast<int>(last), SectionArc::Sense::kDirected, false});
 }
 
 }  // namespace
 
-std::vector<SectionArc> section_arcs(const SurfacePiece& piece, const Plane& plane,
-                                     double zero_tolerance, double chord_tolerance) {
-  std::vector<SectionArc> arcs;
-  const BezierBicubic height = heights(piece.points, plane, zero_tolerance);
-  cut_piece(height, [&](const CutSquare& square) {
-    if (square.side == CutSquare::Side::kCut) add_arcs(piece, square, chord_tolerance, arcs);
-  });
-  return arcs;
+void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane_normal,
+                SectionPoint& p) {
+  const double steepness = g.u * g.u + g.v * g.v;
+  if (steepness == 0.0) return;
+  const double wu = g.v, wv = -g.u;
+  const Vector3d d1 = wu * jet.du + wv * jet.dv;
+  const double speed = d1.norm();
+  if (!(speed > 1e-12 * std::sqrt(steepness) * (jet.du.norm() + jet.dv.norm()))) return;
+  p.tangent = d1 / speed;
+  // The second derivative of (u, v) along the gradient keeps g at zero.
+  const double bend = -(g.uu * wu * wu + 2.0 * g.uv * wu * wv + g.vv * wv * wv) / steepness;
+  const Vector3d d2 = wu * wu * jet.duu + 2.0 * wu * wv * jet.duv + wv * wv * jet.dvv +
+                      bend * (g.u * jet.du + g.v * jet.dv);
+  p.curvature = plane_normal.dot(d1.cross(d2)) / (speed * speed * speed);
 }
 
-std::vector<JoinedArcs> join_arcs(const std::vector<SectionArc>& all, double tolerance) {
-  // Arcs that only nick a square's corner would be joined to themselves.
-  std::vector<SectionArc> arcs;
-  for (const SectionArc& arc : all) {
-    if (length_of(arc) > tolerance) arcs.push_back(arc);
+void add_section_arcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
+                      double chord_tolerance, NetCut& cut, SectionParts& parts) {
+  cut.divide(height.net);
+  PieceArcs arcs(piece, height, plane, chord_tolerance, parts);
+  for (const NetCut::Part& part : cut.parts) {
+    if (part.shape == NetCut::Shape::kTangled) {
+      arcs.add_tangled(part.square);
+    } else {
+      arcs.add_simple(part.square, part.shape == NetCut::Shape::kSimpleSwapped);
+    }
   }
-  const std::vector<int> partner = match_ends(arcs, tolerance);
-  std::vector<char> used(arcs.size(), 0);
-  std::vector<JoinedArcs> curves;
-  for (int i = 0; i < static_cast<int>(arcs.size()); ++i) {
-    if (used[i]) continue;
-    // Back to the beginning of the curve, or round to where we are.
-    int begin = 2 * i;
-    while (partner[begin] >= 0) {
-      const int before = partner[begin] ^ 1;
-      begin = before;
-      if (before == 2 * i) break;
-    }
-    JoinedArcs curve{{}, {}, partner[begin] >= 0};
-    for (int end = begin; !used[end / 2];) {
-      used[end / 2] = 1;
-      SectionArc arc = arcs[end / 2];
-      if (end & 1) std::reverse(arc.begin(), arc.end());
-      const std::size_t joint = curve.points.size();
-      if (joint > 0) {
-        curve.joints.push_back(static_cast<int>(joint) - 1);
-        curve.points.insert(curve.points.end(), arc.begin() + 1, arc.end());
-      } else {
-        curve.points = std::move(arc);
-      }
-      const int next = partner[end ^ 1];
-      if (next < 0) break;
-      end = next;
-    }
-    if (curve.closed) {
-      curve.points.back() = curve.points.front();
-      curve.joints.push_back(static_cast<int>(curve.points.size()) - 1);
-    }
-    curves.push_back(std::move(curve));
-  }
-  return curves;
 }
 
 }  // namespace hull

@@ -1,32 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
-#include "analysis/sections/plane_cut.h"
+#include "analysis/sections/height_net.h"
+#include "analysis/sections/net_cut.h"
+#include "analysis/sections/section_point.h"
 
 namespace hull {
 
-// A point of a section and where it lies.
-struct SectionPoint {
-  Vector3d point;
-  int cell;
-  Eigen::Vector2d uv;
-};
+// The tangent and the signed curvature of a section where it runs in direction (w_u, w_v) of the
+// parameters, along which g(u, v) = 0 to second order; g is the height, or what is left of it. With
+// w = (g_v, -g_u) what is above is on the left. Sets both in `p`; leaves them zero where the
+// surface or g has no direction there.
+void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane_normal,
+                SectionPoint& p);
 
-// A part of a section within one simply cut square: both ends lie on the square's border.
-using SectionArc = std::vector<SectionPoint>;
-
-// The arcs of a piece, sampled so that no chord is further than `chord_tolerance` from the curve.
-std::vector<SectionArc> section_arcs(const SurfacePiece& piece, const Plane& plane,
-                                     double zero_tolerance, double chord_tolerance);
-
-// Joins arcs end to end where ends lie within `tolerance` of each other, nearest first.
-struct JoinedArcs {
-  std::vector<SectionPoint> points;
-  std::vector<int> joints;  // indices of points where two arcs met
-  bool closed;              // the first point is repeated at the end
-};
-std::vector<JoinedArcs> join_arcs(const std::vector<SectionArc>& arcs, double tolerance);
+// Adds the arcs of a piece but for sides that lie in the plane, sampled so that no chord is further
+// than `chord_tolerance` from the curve. `cut` is room to work in.
+void add_section_arcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
+                      double chord_tolerance, NetCut& cut, SectionParts& parts);
 
 }  // namespace hull

@@ -4,72 +4,164 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/sections/cell_boxes.h"
+#include "analysis/sections/plane_sides.h"
 #include "analysis/sections/section_arcs.h"
+#include "analysis/sections/section_curves.h"
 
 namespace hull {
 namespace {
 
-// Of the mesh's size: heights below are rounding, ends of arcs closer than that are one point, and
-// squares at irregular knots smaller than that are left out.
+// Of the mesh's size: heights below are rounding, and squares at irregular knots smaller than that
+// are not looked into.
 constexpr double kZeroHeight = 1e-13;
-constexpr double kSamePoint = 1e-8;
-constexpr double kSmallestCorner = 1e-10;
+constexpr double kSmallestCorner = 1e-9;
+constexpr double kFlat = 1e-10;
+// Squares and pieces at irregular knots are taken for flat down to this part of a cell. Smaller
+// ones lie near the plane because they are small.
+constexpr double kSmallestFlat = 1.0 / 32.0;
 
-bool on_crease(const Topology& cells, const SectionPoint& p) {
-  const double u = p.uv.x(), v = p.uv.y();
-  const int h = 4 * p.cell;
-  return (v == 0.0 && cells.is_crease(h)) || (u == 1.0 && cells.is_crease(h + 1)) ||
-         (v == 1.0 && cells.is_crease(h + 2)) || (u == 0.0 && cells.is_crease(h + 3));
+void check(const std::vector<Plane>& planes, const SectionOptions& options) {
+  for (const Plane& plane : planes) {
+    if (!std::isfinite(plane.offset)) {
+      throw std::invalid_argument("The position of a section must be a finite number.");
+    }
+    if (!(std::abs(plane.normal.norm() - 1.0) < 1e-9)) {
+      throw std::invalid_argument("The normal of a section's plane must be of unit length.");
+    }
+  }
+  if (!(options.chord_tolerance > 0.0)) {
+    throw std::invalid_argument("The chord tolerance of a section must be positive.");
+  }
+  if (options.flat_tolerance && !(*options.flat_tolerance >= 0.0)) {
+    throw std::invalid_argument("The flat tolerance of a section must not be negative.");
+  }
 }
 
-SectionCurve to_curve(const Topology& cells, const JoinedArcs& joined) {
-  SectionCurve curve;
-  curve.closed = joined.closed;
-  for (const SectionPoint& p : joined.points) {
-    curve.points.push_back(p.point);
-    curve.cells.push_back(p.cell);
-    curve.uv.push_back(p.uv);
+// Cuts one surface by plane after plane.
+class Cutter {
+ public:
+  Cutter(const LimitSurface& surface, const SectionOptions& options)
+      : surface_(surface),
+        size_(surface.mesh().size()),
+        chord_tolerance_(options.chord_tolerance),
+        heights_{kZeroHeight * size_,
+                 std::max(options.flat_tolerance.value_or(kFlat * size_), kZeroHeight * size_)} {}
+
+  std::vector<SectionCurve> cut(const CellBoxes& boxes, const Plane& plane) {
+    parts_.clear();
+    PlaneSides sides(surface_, plane);
+    const double low = plane.offset - heights_.flat, high = plane.offset + heights_.flat;
+    const auto descend = [&](const CornerSquare& square) { return wants(square, plane, sides); };
+    const auto take = [&](const SurfacePiece& piece) { add_piece(piece, plane, sides); };
+    for (int cell = 0; cell < surface_.cell_count(); ++cell) {
+      if (boxes.least(cell, plane.normal) > high || boxes.most(cell, plane.normal) < low) continue;
+      for_each_piece(surface_, cell, descend, take);
+    }
+    if (!sides.empty()) sides.add_arcs(chord_tolerance_, parts_);
+    return section_curves(surface_, parts_);
   }
-  for (int joint : joined.joints) {
-    if (on_crease(cells, joined.points[joint])) curve.knuckles.push_back(joint);
+
+ private:
+  bool wants(const CornerSquare& square, const Plane& plane, PlaneSides& sides);
+  void add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides& sides);
+  void add_spot(const CornerSquare& square, const Plane& plane, double radius);
+
+  const LimitSurface& surface_;
+  double size_;
+  double chord_tolerance_;
+  HeightTolerances heights_;
+  SectionParts parts_;
+  NetCut net_cut_;
+};
+
+bool Cutter::wants(const CornerSquare& square, const Plane& plane, PlaneSides& sides) {
+  const auto [lowest, highest] = height_range(square, plane);
+  if (lowest > heights_.flat || highest < -heights_.flat) return false;
+  if (lowest >= -heights_.flat && highest <= heights_.flat) {
+    if (square.size >= kSmallestFlat) {
+      sides.add_flat(square.cell, {square.u, square.v, square.size});
+    } else {
+      add_spot(square, plane, square.extent());
+    }
+    return false;
   }
-  return curve;
+  const double extent = square.extent();
+  if (extent > kSmallestCorner * size_) return true;
+  add_spot(square, plane, extent);
+  return false;
+}
+
+void Cutter::add_spot(const CornerSquare& square, const Plane& plane, double radius) {
+  SectionPoint knot;
+  knot.point = square.ring.limit();
+  knot.cell = square.cell;
+  // The knot is the corner of the square that it shares with its node; the others are regular.
+  for (const double u : {square.u, square.u + square.size}) {
+    for (const double v : {square.v, square.v + square.size}) {
+      if (surface_.is_irregular_knot(square.cell, u, v)) knot.uv = {u, v};
+    }
+  }
+  parts_.spots.push_back({knot, 2.0 * radius, plane.height(knot.point)});
+}
+
+void Cutter::add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides& sides) {
+  double low = plane.height(piece.points[0]), high = low;
+  for (int i = 1; i < 16; ++i) {
+    const double height = plane.height(piece.points[i]);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  if (low > heights_.flat || high < -heights_.flat) return;
+  const HeightNet height = height_net(piece.points, plane, heights_);
+  if (height.flat) {
+    if (piece.size >= kSmallestFlat) sides.add_flat(piece.cell, {piece.u, piece.v, piece.size});
+    return;
+  }
+  if (height.divided) {
+    for (int side = 0; side < 4; ++side) {
+      if (!height.in_plane[side]) continue;
+      sides.add_side(piece.cell, {piece.u, piece.v, piece.size}, side, height.along(side));
+    }
+  }
+  add_section_arcs(piece, height, plane, chord_tolerance_, net_cut_, parts_);
 }
 
 }  // namespace
 
+Plane plane_across(Axis axis, double position) {
+  return {Vector3d::Unit(static_cast<int>(axis)), position};
+}
+
+Plane diagonal_plane(double height, double angle) {
+  return {Vector3d(0.0, std::sin(angle), std::cos(angle)), height * std::cos(angle)};
+}
+
+std::vector<std::vector<SectionCurve>> sections(const LimitSurface& surface,
+                                                const std::vector<Plane>& planes,
+                                                const SectionOptions& options) {
+  check(planes, options);
+  const CellBoxes boxes(surface);
+  Cutter cutter(surface, options);
+  std::vector<std::vector<SectionCurve>> result;
+  result.reserve(planes.size());
+  for (const Plane& plane : planes) result.push_back(cutter.cut(boxes, plane));
+  return result;
+}
+
+std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plane,
+                                  const SectionOptions& options) {
+  return std::move(sections(surface, {plane}, options).front());
+}
+
 std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plane,
                                   double chord_tolerance) {
-  if (!std::isfinite(plane.offset) || !plane.normal.allFinite()) {
-    throw std::invalid_argument("The position of a section must be a finite number.");
-  }
-  if (!(chord_tolerance > 0.0)) {
-    throw std::invalid_argument("The chord tolerance of a section must be positive.");
-  }
-  const double size = surface.mesh().size();
-  const auto descend = [&](const CornerSquare& square) {
-    const auto [lowest, highest] = height_range(square, plane);
-    if (lowest >= -kZeroHeight * size || highest < 0.0) return false;
-    return square.extent() > kSmallestCorner * size;
-  };
-  std::vector<SectionArc> arcs;
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    for_each_piece(surface, cell, descend, [&](const SurfacePiece& piece) {
-      std::vector<SectionArc> found =
-          section_arcs(piece, plane, kZeroHeight * size, chord_tolerance);
-      std::move(found.begin(), found.end(), std::back_inserter(arcs));
-    });
-  }
-  std::vector<SectionCurve> curves;
-  for (const JoinedArcs& joined : join_arcs(arcs, kSamePoint * size)) {
-    curves.push_back(to_curve(surface.cells(), joined));
-  }
-  return curves;
+  return section(surface, plane, SectionOptions{chord_tolerance, {}});
 }
 
 std::vector<SectionCurve> section(const LimitSurface& surface, Axis axis, double position,
                                   double chord_tolerance) {
-  return section(surface, Plane{Vector3d::Unit(static_cast<int>(axis)), position}, chord_tolerance);
+  return section(surface, plane_across(axis, position), chord_tolerance);
 }
 
 }  // namespace hull

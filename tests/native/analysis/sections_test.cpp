@@ -47,10 +47,16 @@ TEST(Sections, OfABox) {
   EXPECT_NEAR(enclosed_area(curves), 40.0, 1e-12);
 }
 
-// A plane that a face lies in has no section there.
-TEST(Sections, LeaveOutWhatLiesInThePlane) {
+// Of a face in the plane, the border; beyond the body nothing.
+TEST(Sections, OfABoxInThePlaneOfAFace) {
   const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
-  EXPECT_TRUE(section(box, Axis::kZ, 0.0, 1e-3).empty());
+  for (const double z : {0.0, 3.0}) {
+    const std::vector<SectionCurve> curves = section(box, Axis::kZ, z, 1e-3);
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_TRUE(curves[0].closed);
+    EXPECT_EQ(curves[0].knuckles.size(), 4u);
+    EXPECT_NEAR(enclosed_area(curves), 40.0, 1e-12);
+  }
   EXPECT_TRUE(section(box, Axis::kZ, 3.5, 1e-3).empty());
 }
 

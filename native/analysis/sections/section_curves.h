@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "analysis/sections/section_point.h"
+#include "analysis/sections/sections.h"
+
+namespace hull {
+
+// The parts of a section joined to curves.
+std::vector<SectionCurve> section_curves(const LimitSurface& surface, const SectionParts& parts);
+
+}  // namespace hull
