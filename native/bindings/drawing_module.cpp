@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bindings/arrays.h"
@@ -18,6 +19,36 @@
 
 namespace py = pybind11;
 
+namespace hull::bindings {
+namespace {
+
+// Pairs of name and value.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+std::vector<Particular> particulars_from(const Rows& rows) {
+  std::vector<Particular> particulars;
+  for (const auto& [name, value] : rows) particulars.push_back({name, value});
+  return particulars;
+}
+
+// "A3", or width and height in mm.
+using PaperName = std::variant<std::string, std::pair<double, double>>;
+
+PaperSize sheet_from(const PaperName& paper) {
+  if (const auto* name = std::get_if<std::string>(&paper)) return paper_size(paper_from(*name));
+  const auto& [width, height] = std::get<std::pair<double, double>>(paper);
+  return own_paper_size(width, height);
+}
+
+DxfUnit dxf_unit_from(const std::string& name) {
+  if (name == "m") return DxfUnit::kMetre;
+  if (name == "mm") return DxfUnit::kMillimetre;
+  throw std::invalid_argument("dxf_unit is \"m\" or \"mm\", not \"" + name + "\".");
+}
+
+}  // namespace
+}  // namespace hull::bindings
+
 PYBIND11_MODULE(_drawing, module) {
   using namespace hull::bindings;
   module.doc() = "Drawings on paper, by way of Cairo.";
@@ -25,39 +56,40 @@ PYBIND11_MODULE(_drawing, module) {
   bind_plot(module);
 
   module.def(
-      "write_lines_drawing",
+      "write_lines_plan",
       [](const hull::LimitSurface& surface, const std::filesystem::path& path,
          const DoubleArray& stations, const DoubleArray& waterlines, const DoubleArray& buttocks,
-         bool mirrored, const std::optional<double>& draft, const std::optional<double>& length,
-         const std::optional<double>& station_spacing, const std::string& title,
-         const std::vector<std::pair<std::string, std::string>>& particulars,
-         const std::string& paper) {
+         const std::vector<std::pair<double, double>>& diagonals, bool mirrored,
+         const std::optional<double>& draft, const std::optional<double>& length,
+         const std::optional<double>& station_spacing, const std::optional<double>& frame_spacing,
+         bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
+         const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
+         const std::optional<double>& chord_tolerance) {
         hull::LinesOptions options;
         options.stations = numbers_from(stations, "stations");
         options.waterlines = numbers_from(waterlines, "waterlines");
         options.buttocks = numbers_from(buttocks, "buttocks");
+        for (const auto& [height, angle] : diagonals) options.diagonals.push_back({height, angle});
         options.mirrored = mirrored;
         options.draft = draft;
         options.length = length;
         options.station_spacing = station_spacing;
+        options.frame_spacing = frame_spacing;
+        options.offsets = offsets;
         options.title = title;
-        for (const auto& [name, value] : particulars) options.particulars.push_back({name, value});
-        options.paper = paper_from(paper);
+        options.title_rows = particulars_from(title_rows);
+        options.particulars = particulars_from(particulars);
+        options.paper = sheet_from(paper);
+        options.scale_denominator = scale;
+        options.dxf_unit = dxf_unit_from(dxf_unit);
+        options.chord_tolerance = chord_tolerance;
         const py::gil_scoped_release release;
         hull::write_lines_drawing(surface, options, path.string());
       },
       py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("stations"),
-      py::arg("waterlines"), py::arg("buttocks"), py::arg("mirrored"),
-      py::arg("draft") = py::none(), py::arg("length") = py::none(),
-      py::arg("station_spacing") = py::none(), py::arg("title") = "",
-      py::arg("particulars") = std::vector<std::pair<std::string, std::string>>{},
-      py::arg("paper") = "A3",
-      "Draw body plan, profile and half-breadth plan at one scale on one sheet; the ending of path "
-      "chooses PDF, SVG or PNG. stations (x), waterlines (z) and buttocks (y >= 0) are (n,) "
-      "positions in m, in any order. mirrored: the surface is the half y >= 0. draft (m) adds the "
-      "design waterline, length (m, between perpendiculars from x = 0) AP and FP. A station is "
-      "numbered by its x in units of station_spacing (m; default: the stations' distance, where "
-      "all are multiples of it). particulars: up to 16 pairs (name, value) of texts for the title "
-      "block. paper: \"A4\" to \"A0\". Raises ValueError if nothing can be drawn, OSError if the "
-      "file can't be written; one of the same name is then untouched.");
+      py::arg("waterlines"), py::arg("buttocks"), py::arg("diagonals"), py::arg("mirrored"),
+      py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
+      py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
+      py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("chord_tolerance"),
+      "What write_lines_drawing does with all positions in m and all options given.");
 }

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   bind_section_areas(module);
   bind_equilibrium(module);
   bind_stability(module);
+  bind_offset_table(module);
   bind_sections(module);
   bind_patch_set(module);
 }

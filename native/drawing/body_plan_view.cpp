@@ -18,7 +18,8 @@ using Hand = int;
 constexpr Hand kAft = -1;
 constexpr Hand kFore = +1;
 
-constexpr double kSameEnd = 1.2;  // mm: sections that end nearer than this share one label
+constexpr double kTraceOverhang = 3.0;  // mm: of diagonals beyond the hull
+constexpr double kSameEnd = 1.2;        // mm: sections that end nearer than this share one label
 
 // The upper end of a section on the page and what is written there.
 struct SectionEnd {
@@ -36,12 +37,8 @@ struct Section {
   std::vector<PlacedCurve> curves;
 };
 
-PagePath end_view(const View& view, const ShipCurve& curve, Hand hand) {
-  PagePath path;
-  for (const Eigen::Vector3d& point : curve) {
-    path.push_back(view.to_page(hand * point.y(), point.z()));
-  }
-  return path;
+Projection end_view(const View& view, Hand hand) {
+  return projection(view, {0.0, static_cast<double>(hand), 0.0}, {0.0, 0.0, 1.0});
 }
 
 GridBox grid_of(const View& view, const HullExtents& extents) {
@@ -76,10 +73,10 @@ void draw_split(SheetBuilder& builder, const View& view, const Pen& pen,
   for (const ShipCurve& curve : curves) {
     for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
       for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, Side::kBelow)) {
-        builder.draw_curve(pen, end_view(view, aft, kAft));
+        draw_ship_curve(builder, pen, end_view(view, kAft), aft);
       }
       for (const ShipCurve& fore : part_of_curve(part, 0, extents.midship, Side::kAbove)) {
-        builder.draw_curve(pen, end_view(view, fore, kFore));
+        draw_ship_curve(builder, pen, end_view(view, kFore), fore);
       }
     }
   }
@@ -105,10 +102,11 @@ std::vector<Section> draw_sections(SheetBuilder& builder, const View& view,
   for (const NamedCurves& station : drawing.stations) {
     // A midship station is on both hands.
     if (hand * (station.position - extents.midship) < -same || station.curves.empty()) continue;
+    const bool midship = std::abs(station.position - extents.midship) <= same;
+    const Pen& pen = midship ? pens::kMidshipSection : kStationLines.pen;
     Section& section = sections.emplace_back(Section{station.label, {}});
     for (const ShipCurve& curve : station.curves) {
-      PagePath path = end_view(view, curve, hand);
-      section.curves.push_back({path, builder.draw_curve(kStationLines.pen, path)});
+      section.curves.push_back(draw_ship_curve(builder, pen, end_view(view, hand), curve));
     }
   }
   return sections;
@@ -175,6 +173,33 @@ void label_sections(SheetBuilder& builder, const View& view, const std::vector<S
   }
 }
 
+// The straight traces of the diagonals, from the centre line to beyond the hull.
+void draw_diagonals(SheetBuilder& builder, const View& view, const LinesDrawing& drawing) {
+  for (const NamedDiagonal& member : drawing.diagonals) {
+    double reach = 0.0;
+    for (const ShipCurve& curve : member.curves) {
+      for (const Eigen::Vector3d& point : curve.points) reach = std::max(reach, point.y());
+    }
+    if (reach <= 0.0) continue;
+    const double angle = member.diagonal.angle;
+    const TextStyle style{.size = 2.4, .ink = kDiagonalLines.ink, .knockout = true};
+    const Vector2d start = view.to_page(0.0, member.diagonal.height);
+    for (const Hand hand : {kAft, kFore}) {
+      const Vector2d along(hand * std::cos(angle), std::sin(angle));
+      const Vector2d end = start + (view.scale * reach / std::cos(angle) + kTraceOverhang) * along;
+      builder.draw(pens::kDiagonalTrace, {start, end});
+      const Vector2d half = SheetBuilder::text_box(member.label, style, {0.0, 0.0}).half;
+      for (const double distance : {0.4, 1.5, 3.0, -4.0, -6.0}) {
+        const OrientedBox box =
+            SheetBuilder::text_box(member.label, style, end + (half.x() + distance) * along);
+        if (!builder.has_room(box, 0.2, view.bounds)) continue;
+        builder.put_text(member.label, style, box);
+        break;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
@@ -188,6 +213,7 @@ void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing&
   const std::vector<Section> fore = draw_sections(builder, view, drawing, extents, kFore);
   draw_split(builder, view, pens::kKnuckle, drawing.knuckles, extents);
   draw_split(builder, view, pens::kOutline, drawing.outlines, extents);
+  draw_diagonals(builder, view, drawing);
   label_sections(builder, view, aft, extents, kAft);
   label_sections(builder, view, fore, extents, kFore);
 }

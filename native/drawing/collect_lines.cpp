@@ -4,24 +4,34 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 
-#include "analysis/sections/feature_curves.h"
+#include "analysis/offsets/offset_table.h"
 #include "analysis/sections/sections.h"
-#include "drawing/canvas.h"
+#include "drawing/hull_extents.h"
 #include "drawing/ship_curve.h"
+#include "drawing/ship_spline.h"
+#include "surface/crease_curves.h"
 
 namespace hull {
 
 namespace {
 
-// Of the mesh's size: 0.02 mm on a sheet of A3, a tenth of a thin line.
-constexpr double kChordTolerance = 5e-5;
+// On paper, mm: a tenth of a thin line.
+constexpr double kPaperTolerance = 0.02;
 constexpr double kSamePosition = 1e-6;
 // Of the mesh's size: how far to starboard the centre line of a half hull may lie by its modelling.
 constexpr double kCentreLineSlack = 1e-3;
+constexpr int kStepsPerEdge = 16;  // of knuckles and borders
 
 std::vector<double> in_order(std::vector<double> positions, const std::string& kind, double same) {
+  if (positions.size() > kMostOffsetPositions) {
+    std::string message = std::to_string(positions.size()) + " " + kind;
+    throw std::invalid_argument(message +
+                                "s are more than a lines plan can show: space them wider");
+  }
   for (const double position : positions) {
     if (!std::isfinite(position)) {
       throw std::invalid_argument("A " + kind + "'s position is not a finite number");
@@ -58,13 +68,7 @@ double off_grid(double x, double spacing) {
 
 // The spacing by which sorted stations are numbered; 0 if they are to be counted.
 double numbering_of(const std::vector<double>& stations, const std::optional<double>& given) {
-  if (given) {
-    if (!(*given > 0.0) || !std::isfinite(*given)) {
-      throw std::invalid_argument("The station spacing must be above zero, not " +
-                                  metres(*given, 3));
-    }
-    return *given;
-  }
+  if (given) return *given;
   if (stations.size() < 2) return 0.0;
   double smallest = stations[1] - stations[0];
   for (std::size_t i = 2; i < stations.size(); ++i) {
@@ -88,11 +92,23 @@ void number_stations(std::vector<NamedCurves>& stations, double spacing) {
   }
 }
 
+void check_spacing(const std::optional<double>& value, const std::string& name) {
+  if (value && (!(*value > 0.0) || !std::isfinite(*value))) {
+    throw std::invalid_argument("The " + name + " must be above zero, not " + metres(*value, 3));
+  }
+}
+
 // The parts of the curve to port of y = 0. Points less than `slack` to starboard are taken for
 // points of the centre plane.
 void add_port_half(std::vector<ShipCurve>& curves, ShipCurve curve, double slack) {
-  for (Vector3d& point : curve) {
+  const auto to_centre_plane = [slack](Vector3d& point) {
     if (point.y() < 0.0 && point.y() >= -slack) point.y() = 0.0;
+  };
+  for (Vector3d& point : curve.points) to_centre_plane(point);
+  if (curve.spline) {
+    std::vector<Vector3d> points = curve.spline->points();
+    for (Vector3d& point : points) to_centre_plane(point);
+    curve.spline = CubicSpline(std::move(points), curve.spline->knots());
   }
   for (ShipCurve& part : part_of_curve(curve, 1, 0.0, Side::kAbove)) {
     curves.push_back(std::move(part));
@@ -113,32 +129,55 @@ double inwards(const LimitSurface& surface, int axis, double position) {
   return position + std::clamp(middle - position, -step, step);
 }
 
-std::vector<ShipCurve> cut(const LimitSurface& surface, Axis axis, double position) {
-  const int coordinate = static_cast<int>(axis);
-  const double size = surface.mesh().size();
-  const double where = inwards(surface, coordinate, position);
-  std::vector<ShipCurve> curves;
-  for (SectionCurve& branch : section(surface, axis, where, kChordTolerance * size)) {
-    for (Vector3d& point : branch.points) point[coordinate] = position;
-    add_port_half(curves, branch.points, kSamePosition * size);
-  }
-  return curves;
-}
+// The surface with what all its lines are cut by.
+class Cutter {
+ public:
+  Cutter(const LimitSurface& surface, double chord_tolerance)
+      : surface_(surface), chord_tolerance_(chord_tolerance), size_(surface.mesh().size()) {}
 
-std::vector<NamedCurves> cut_all(const LimitSurface& surface, Axis axis,
-                                 const std::vector<double>& positions) {
-  const int decimals = decimals_of(positions);
-  std::vector<NamedCurves> family;
-  for (const double position : positions) {
-    family.push_back({position, metres(position, decimals), cut(surface, axis, position)});
-  }
-  return family;
-}
+  double same() const { return kSamePosition * size_; }
 
-void mark_design_waterline(const LimitSurface& surface, std::vector<NamedCurves>& waterlines,
-                           double draft, double same) {
+  // To port, exactly at the position.
+  std::vector<ShipCurve> cut(Axis axis, double position) const {
+    const int coordinate = static_cast<int>(axis);
+    const double where = inwards(surface_, coordinate, position);
+    std::vector<ShipCurve> curves;
+    for (SectionCurve& branch : section(surface_, axis, where, chord_tolerance_)) {
+      for (Vector3d& point : branch.points) point[coordinate] = position;
+      add_port_half(curves, {std::move(branch.points), std::nullopt}, same());
+    }
+    return curves;
+  }
+
+  std::vector<ShipCurve> cut(const Diagonal& diagonal) const {
+    const Vector3d normal(0.0, std::sin(diagonal.angle), std::cos(diagonal.angle));
+    const Plane plane{normal, normal.z() * diagonal.height};
+    std::vector<ShipCurve> curves;
+    for (SectionCurve& branch : section(surface_, plane, chord_tolerance_)) {
+      add_port_half(curves, {std::move(branch.points), std::nullopt}, same());
+    }
+    return curves;
+  }
+
+  std::vector<NamedCurves> cut_all(Axis axis, const std::vector<double>& positions) const {
+    const int decimals = decimals_of(positions);
+    std::vector<NamedCurves> family;
+    for (const double position : positions) {
+      family.push_back({position, metres(position, decimals), cut(axis, position)});
+    }
+    return family;
+  }
+
+ private:
+  const LimitSurface& surface_;
+  double chord_tolerance_, size_;
+};
+
+// The waterlines in order of their heights, with the design waterline among them.
+void mark_design_waterline(const Cutter& cutter, std::vector<NamedCurves>& waterlines,
+                           double draft) {
   const auto is_same = [&](const NamedCurves& line) {
-    return std::abs(line.position - draft) <= same;
+    return std::abs(line.position - draft) <= cutter.same();
   };
   const auto found = std::find_if(waterlines.begin(), waterlines.end(), is_same);
   if (found != waterlines.end()) {
@@ -147,27 +186,89 @@ void mark_design_waterline(const LimitSurface& surface, std::vector<NamedCurves>
     return;
   }
   waterlines.push_back(
-      {draft, "DWL " + metres(draft, decimals_of({draft})), cut(surface, Axis::kZ, draft)});
+      {draft, "DWL " + metres(draft, decimals_of({draft})), cutter.cut(Axis::kZ, draft)});
+}
+
+std::vector<NamedDiagonal> cut_diagonals(const Cutter& cutter,
+                                         const std::vector<Diagonal>& diagonals) {
+  std::vector<NamedDiagonal> named;
+  for (const Diagonal& diagonal : diagonals) {
+    if (!std::isfinite(diagonal.height) || !(diagonal.angle >= 0.0) ||
+        !(diagonal.angle < 0.5 * std::numbers::pi - 1e-6)) {
+      throw std::invalid_argument("A diagonal at the height " + metres(diagonal.height, 3) +
+                                  " needs an angle from 0 to below 90 degrees");
+    }
+    std::string label = "D" + std::to_string(named.size() + 1);
+    named.push_back({diagonal, std::move(label), cutter.cut(diagonal)});
+  }
+  std::erase_if(named, [](const NamedDiagonal& member) { return member.curves.empty(); });
+  return named;
+}
+
+ShipCurve ship_curve(const CreaseCurve& crease) {
+  const CubicSpline& spline = crease.spline();
+  ShipCurve curve{{}, part_of_spline(spline, spline.begin(), spline.end())};
+  const int steps = crease.edge_count() * kStepsPerEdge;
+  for (int i = 0; i <= steps; ++i) {
+    curve.points.push_back(crease.evaluate(static_cast<double>(i) / kStepsPerEdge, 0).point);
+  }
+  if (crease.closed()) curve.points.back() = curve.points.front();
+  return curve;
 }
 
 void add_features(const LimitSurface& surface, bool mirrored, LinesDrawing& drawing) {
   const double slack = (mirrored ? kCentreLineSlack : kSamePosition) * surface.mesh().size();
-  for (const FeatureCurve& feature : feature_curves(surface)) {
-    const bool border = feature.kind == CreaseKind::kBorder;
-    add_port_half(border ? drawing.outlines : drawing.knuckles, feature.points, slack);
+  for (const CreaseCurve& crease : crease_curves(surface)) {
+    const bool border = crease.kind() == CreaseKind::kBorder;
+    add_port_half(border ? drawing.outlines : drawing.knuckles, ship_curve(crease), slack);
   }
+}
+
+// Lines beyond what the views show would only have rows in the table.
+void leave_out_beyond(LinesDrawing& drawing, double same) {
+  const HullExtents extents = hull_extents(drawing);
+  const auto leave_out = [same](std::vector<NamedCurves>& family, double low, double high) {
+    std::erase_if(family, [&](const NamedCurves& member) {
+      return member.position < low - same || member.position > high + same;
+    });
+  };
+  leave_out(drawing.stations, extents.aft, extents.fore);
+  leave_out(drawing.waterlines, extents.bottom, extents.top);
+  leave_out(drawing.buttocks, 0.0, extents.breadth);
+}
+
+OffsetTable offsets_of(const LimitSurface& surface, const LinesDrawing& drawing) {
+  const auto positions = [](const std::vector<NamedCurves>& family) {
+    std::vector<double> all;
+    for (const NamedCurves& member : family) all.push_back(member.position);
+    return all;
+  };
+  std::vector<double> buttocks = positions(drawing.buttocks);
+  buttocks.insert(buttocks.begin(), 0.0);
+  return offset_table(surface, positions(drawing.stations), positions(drawing.waterlines),
+                      buttocks);
 }
 
 }  // namespace
 
 LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options) {
-  const double same = kSamePosition * surface.mesh().size();
+  const double size = surface.mesh().size();
+  check_spacing(options.chord_tolerance, "chord tolerance");
+  check_spacing(options.frame_spacing, "frame spacing");
+  check_spacing(options.station_spacing, "station spacing");
+  const double paper = std::max(options.paper.width, options.paper.height);
+  const Cutter cutter(surface, options.chord_tolerance.value_or(kPaperTolerance / paper * size));
   LinesDrawing drawing;
   drawing.title = options.title;
+  drawing.title_rows = options.title_rows;
   drawing.particulars = options.particulars;
   drawing.draft = options.draft;
   drawing.length = options.length;
+  drawing.frame_spacing = options.frame_spacing;
   drawing.paper = options.paper;
+  drawing.scale_denominator = options.scale_denominator;
+  drawing.dxf_unit = options.dxf_unit;
+  const double same = cutter.same();
   const std::vector<double> stations = in_order(options.stations, "station", same);
   const std::vector<double> waterlines = in_order(options.waterlines, "waterline", same);
   std::vector<double> buttocks = in_order(options.buttocks, "buttock", same);
@@ -180,24 +281,29 @@ LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& opti
   if (options.draft && !std::isfinite(*options.draft)) {
     throw std::invalid_argument("The draft is not a finite number");
   }
-  drawing.stations = cut_all(surface, Axis::kX, stations);
+  drawing.stations = cutter.cut_all(Axis::kX, stations);
   number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
-  drawing.waterlines = cut_all(surface, Axis::kZ, waterlines);
-  if (options.draft) mark_design_waterline(surface, drawing.waterlines, *options.draft, same);
-  drawing.buttocks = cut_all(surface, Axis::kY, buttocks);
+  drawing.waterlines = cutter.cut_all(Axis::kZ, waterlines);
+  if (options.draft) mark_design_waterline(cutter, drawing.waterlines, *options.draft);
+  drawing.buttocks = cutter.cut_all(Axis::kY, buttocks);
+  drawing.diagonals = cut_diagonals(cutter, options.diagonals);
   if (!options.mirrored) {
-    for (ShipCurve& curve : cut(surface, Axis::kY, 0.0)) {
-      drawing.outlines.push_back(std::move(curve));
-    }
+    for (ShipCurve& curve : cutter.cut(Axis::kY, 0.0)) drawing.outlines.push_back(std::move(curve));
   }
   add_features(surface, options.mirrored, drawing);
+  leave_out_beyond(drawing, same);
+  if (options.offsets) drawing.offsets = offsets_of(surface, drawing);
   return drawing;
 }
 
 void write_lines_drawing(const LimitSurface& surface, const LinesOptions& options,
                          const std::string& path) {
-  check_drawing_path(path);
-  write_lines_drawing(collect_lines(surface, options), path);
+  check_lines_path(path);
+  LinesOptions chosen = options;
+  if (is_dxf_path(path) && !chosen.chord_tolerance) {
+    chosen.chord_tolerance = kDxfTolerance * surface.mesh().size();
+  }
+  write_lines_drawing(collect_lines(surface, chosen), path);
 }
 
 }  // namespace hull

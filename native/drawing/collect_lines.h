@@ -12,32 +12,43 @@
 namespace hull {
 
 struct LinesOptions {
-  std::vector<double> stations;    // x, m
-  std::vector<double> waterlines;  // z, m
-  std::vector<double> buttocks;    // y, m, not below zero; 0 is the outline anyway
-  bool mirrored = true;            // the surface is the half y >= 0
+  std::vector<double> stations;     // x, m
+  std::vector<double> waterlines;   // z, m
+  std::vector<double> buttocks;     // y, m, not below zero; 0 is the outline anyway
+  std::vector<Diagonal> diagonals;  // named D1, D2, ... in this order
+  bool mirrored = true;             // the surface is the half y >= 0
   std::optional<double> draft;   // a waterline at this z is added and drawn as the design waterline
   std::optional<double> length;  // between perpendiculars, from x = 0
   // A station's number is its x in units of this, so that 0 is the after perpendicular and half
   // stations read 0.5. Without it the smallest distance of two stations, if all are multiples of
   // it; else they are counted from 0, from aft.
   std::optional<double> station_spacing;
+  std::optional<double> frame_spacing;  // m; draws the frames, frame 0 at x = 0
+  bool offsets = true;                  // draws the table of offsets
   std::string title;
-  std::vector<Particular> particulars;
-  Paper paper = Paper::kA3;
+  std::vector<Particular> title_rows, particulars;
+  PaperSize paper = paper_size(Paper::kA3);
+  std::optional<double> scale_denominator;  // 100 for 1:100; without it the largest that fits
+  DxfUnit dxf_unit = DxfUnit::kMetre;
+  // m; without it as fine as the paper can show.
+  std::optional<double> chord_tolerance;
 };
 
 // Cuts the surface at every position (in any order, repeated ones once) and adds its borders and
-// knuckles. Of a whole hull the port half is taken, with its section by the centre plane as
-// outline. Curves are as fine as the paper can show. Where a flat part of the hull lies in a plane,
-// its edge is drawn.
+// knuckles, and the table of offsets. Of a whole hull the port half is taken, with its section by
+// the centre plane as outline. Where a flat part of the hull lies in a plane, its edge is drawn.
+// Lines beyond the hull and its perpendiculars are left out.
 //
-// Throws std::invalid_argument for a position, draft or length that is not finite, a negative
-// buttock and a station spacing that is not above zero.
+// Throws as lay_out_lines of the curves, and std::invalid_argument for a position, draft or length
+// that is not finite, a negative buttock, more than kMostOffsetPositions of a kind, a diagonal's
+// angle that is not from 0 to below 90 degrees, and a station spacing, frame spacing or tolerance
+// that is not above zero.
 LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options);
 
-// The two steps at once; a wrong file name is refused before anything is computed. Throws as
-// collect_lines and write_lines_drawing (lines_drawing.h).
+// The two steps at once; a wrong file name is refused before anything is computed. A DXF file has
+// curves to kDxfTolerance of the hull's size. Throws as collect_lines and write_lines_drawing
+// (lines_drawing.h).
+inline constexpr double kDxfTolerance = 1e-5;
 void write_lines_drawing(const LimitSurface& surface, const LinesOptions& options,
                          const std::string& path);
 

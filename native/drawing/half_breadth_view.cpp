@@ -7,14 +7,9 @@ namespace hull {
 
 namespace {
 
-PagePath top_view(const View& view, const ShipCurve& curve) {
-  PagePath path;
-  for (const Eigen::Vector3d& point : curve) path.push_back(view.to_page(point.x(), point.y()));
-  return path;
-}
-
 GridBox grid_of(const View& view, const HullExtents& extents) {
-  GridBox grid(view.to_page(extents.aft, extents.breadth), view.to_page(extents.fore, 0.0));
+  GridBox grid(view.to_page(extents.aft, extents.breadth),
+               view.to_page(extents.fore, -extents.diagonals));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
   grid.max() += Eigen::Vector2d::Constant(kOverhang);
   return grid;
@@ -45,13 +40,42 @@ void draw_grid(SheetBuilder& builder, const View& view, const GridBox& grid,
 }
 
 // What lies in the centre plane is the centre line, which is drawn already.
-void draw_off_centre(SheetBuilder& builder, const View& view, const Pen& pen,
+void draw_off_centre(SheetBuilder& builder, const View& view, const Pen& pen, const Projection& top,
                      const std::vector<ShipCurve>& curves) {
   for (const ShipCurve& curve : curves) {
     for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
-      builder.draw_curve(pen, top_view(view, part));
+      draw_ship_curve(builder, pen, top, part);
     }
   }
+}
+
+using Placed = std::vector<std::vector<PlacedCurve>>;
+
+Placed draw_waterlines(SheetBuilder& builder, const Projection& top, const LinesDrawing& drawing) {
+  Placed waterlines;
+  for (const NamedCurves& waterline : drawing.waterlines) {
+    std::vector<PlacedCurve>& placed = waterlines.emplace_back();
+    const bool design = is_design_waterline(drawing, waterline);
+    const Pen& pen = design ? pens::kLoadWaterline : kWaterlineLines.pen;
+    for (const ShipCurve& curve : waterline.curves) {
+      placed.push_back(draw_ship_curve(builder, pen, top, curve));
+    }
+  }
+  return waterlines;
+}
+
+// Below the centre line, at their distance from it in their planes.
+Placed draw_diagonals(SheetBuilder& builder, const View& view, const LinesDrawing& drawing) {
+  Placed diagonals;
+  for (const NamedDiagonal& member : drawing.diagonals) {
+    std::vector<PlacedCurve>& placed = diagonals.emplace_back();
+    const double stretch = expanded(member.diagonal, {0.0, 1.0, 0.0});
+    const Projection flat = projection(view, {1.0, 0.0, 0.0}, {0.0, -stretch, 0.0});
+    for (const ShipCurve& curve : member.curves) {
+      placed.push_back(draw_ship_curve(builder, kDiagonalLines.pen, flat, curve));
+    }
+  }
+  return diagonals;
 }
 
 }  // namespace
@@ -59,27 +83,27 @@ void draw_off_centre(SheetBuilder& builder, const View& view, const Pen& pen,
 void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                        const HullExtents& extents) {
   const GridBox grid = grid_of(view, extents);
-  draw_caption(builder, view, "Half-breadth plan");
+  const bool has_diagonals = extents.diagonals > 0.0;
+  draw_caption(builder, view,
+               has_diagonals ? "Half-breadth plan, diagonals expanded" : "Half-breadth plan");
   draw_grid(builder, view, grid, drawing, extents);
+  draw_perpendiculars(builder, view, grid, drawing, extents, false);
 
-  std::vector<std::vector<PlacedCurve>> waterlines;
-  for (const NamedCurves& waterline : drawing.waterlines) {
-    std::vector<PlacedCurve>& placed = waterlines.emplace_back();
-    const bool design = is_design_waterline(drawing, waterline);
-    for (const ShipCurve& curve : waterline.curves) {
-      PagePath path = top_view(view, curve);
-      const Pen& pen = design ? pens::kLoadWaterline : kWaterlineLines.pen;
-      placed.push_back({path, builder.draw_curve(pen, path)});
-    }
-  }
-  draw_off_centre(builder, view, pens::kKnuckle, drawing.knuckles);
-  draw_off_centre(builder, view, pens::kOutline, drawing.outlines);
+  const Projection top = projection(view, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
+  const Placed waterlines = draw_waterlines(builder, top, drawing);
+  draw_off_centre(builder, view, pens::kKnuckle, top, drawing.knuckles);
+  draw_off_centre(builder, view, pens::kOutline, top, drawing.outlines);
+  const Placed diagonals = draw_diagonals(builder, view, drawing);
 
   const double length = extents.fore - extents.aft;
   const std::vector<double> wanted = {view.to_page(extents.aft + 0.85 * length, 0.0).x(),
                                       view.to_page(extents.aft + 0.15 * length, 0.0).x()};
   for (std::size_t i = 0; i < waterlines.size(); ++i) {
     label_on_curve(builder, view, waterlines[i], drawing.waterlines[i].label, kWaterlineLines.ink,
+                   wanted);
+  }
+  for (std::size_t i = 0; i < diagonals.size(); ++i) {
+    label_on_curve(builder, view, diagonals[i], drawing.diagonals[i].label, kDiagonalLines.ink,
                    wanted);
   }
 }

@@ -6,8 +6,8 @@
 // and `write_lines_drawing` writes the result as a file.
 //
 // The drawing follows the trade: the bow to the right, the half-breadth plan below the profile and
-// in line with it, the body plan with the fore sections right and the after sections left of the
-// centre line, midship sections on both sides.
+// in line with it, diagonals expanded below its centre line, the body plan with the fore sections
+// right and the after sections left of the centre line, midship sections on both sides.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,17 +15,31 @@
 #include <string>
 #include <vector>
 
+#include "analysis/offsets/offset_table.h"
 #include "drawing/lines_sheet.h"
 #include "drawing/paper.h"
+#include "drawing/ship_curve.h"
+#include "exchange/dxf_file.h"
 
 namespace hull {
-
-using ShipCurve = std::vector<Eigen::Vector3d>;
 
 // The curves in which one plane cuts the hull.
 struct NamedCurves {
   double position;    // x of a station, z of a waterline, y of a buttock
   std::string label;  // "7", "2.0 m"
+  std::vector<ShipCurve> curves;
+};
+
+// A plane along the ship that meets the centre plane at the height z and falls away from it, to
+// both sides, by `angle` below the horizontal (radians).
+struct Diagonal {
+  double height;
+  double angle;
+};
+
+struct NamedDiagonal {
+  Diagonal diagonal;
+  std::string label;  // "D1"
   std::vector<ShipCurve> curves;
 };
 
@@ -37,8 +51,10 @@ struct Particular {
 // Only the half y >= 0 is drawn; curves must be on it.
 struct LinesDrawing {
   std::string title;
+  std::vector<Particular> title_rows;   // below the title: drawn by, date; at most kMostTitleRows
   std::vector<Particular> particulars;  // at most kMostParticulars
   std::vector<NamedCurves> stations, waterlines, buttocks;
+  std::vector<NamedDiagonal> diagonals;
   std::vector<ShipCurve>
       outlines;  // borders: stem, keel, sheer; the centre contour of a whole hull
   std::vector<ShipCurve> knuckles;
@@ -47,21 +63,38 @@ struct LinesDrawing {
   // Between perpendiculars, from x = 0: draws AP and FP, and midship is at its half. Without it
   // midship is halfway between the hull's ends.
   std::optional<double> length;
-  Paper paper = Paper::kA3;
+  // Draws the frames below the profile, from frame 0 at x = 0.
+  std::optional<double> frame_spacing;
+  // Drawn as a table; its stations, waterlines and buttocks are those above in the same order, but
+  // for a buttock 0 before the others, which is the centre line.
+  std::optional<OffsetTable> offsets;
+  PaperSize paper = paper_size(Paper::kA3);
+  // 100 for 1:100; without it the largest usual scale that fits.
+  std::optional<double> scale_denominator;
+  DxfUnit dxf_unit = DxfUnit::kMetre;  // of a DXF file, which is at true size
 };
 
 inline constexpr std::size_t kMostParticulars = 16;
+inline constexpr std::size_t kMostTitleRows = 8;
 
-// The largest usual scale at which the three views and the title block fit the paper, and
-// everything in its place. On the sheet no two labels overlap and nothing lies outside the frame;
-// where lines are so close that their labels would, some go without.
+// The three views, the table of offsets and the title block on the paper: at the scale given, or
+// the largest usual one at which all fits. On the sheet no two labels overlap and nothing lies
+// outside the frame; where lines are so close that their labels would, some go without.
 //
 // Throws std::invalid_argument when there is no curve to draw, a coordinate or position is not
-// finite, a curve has less than two points, there are too many particulars, or the hull is longer
-// than 100 km or shorter than a millimetre.
+// finite, a curve has less than two points, there are too many particulars, the hull is longer
+// than 100 km or shorter than a millimetre; when the scale given or the table is too large for the
+// paper; and when lines of a kind would be nearer to one another than half a millimetre on average.
 LinesSheet lay_out_lines(const LinesDrawing& drawing);
 
-// Lays out and writes. Throws as lay_out_lines and write_sheet (canvas.h).
+// Lays out and writes. The extension of `path` chooses PDF, SVG, PNG (canvas.h) or DXF
+// (lines_dxf.h). Throws as lay_out_lines, write_sheet and write_lines_dxf.
 void write_lines_drawing(const LinesDrawing& drawing, const std::string& path);
+
+// Throws std::invalid_argument unless the extension of `path` is one of these.
+void check_lines_path(const std::string& path);
+
+// Whether it is that of DXF.
+bool is_dxf_path(const std::string& path);
 
 }  // namespace hull

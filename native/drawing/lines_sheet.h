@@ -24,6 +24,8 @@ struct LinesSheet : Sheet {
   double scale_denominator;  // 200 for 1:200
   Eigen::AlignedBox2d frame;
   Eigen::AlignedBox2d title_block;
+  Eigen::AlignedBox2d table;  // of offsets; empty without one
+  int table_form = 0;         // which of the table's forms (offsets_block.h) has found its place
   View profile, half_breadth, body_plan;
 };
 

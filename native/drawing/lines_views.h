@@ -9,17 +9,17 @@
 namespace hull {
 
 // Seen from starboard: x to the right, z up. Buttocks, outlines and knuckles as curves; stations
-// and waterlines as straight lines; base line and perpendiculars.
+// and waterlines as straight lines; base line and perpendiculars, the scale of frames.
 void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                   const HullExtents& extents);
 
 // The port half seen from above: x to the right, y up. Waterlines, outlines and knuckles as curves;
-// stations and buttocks as straight lines.
+// stations and buttocks as straight lines; below the centre line the diagonals, expanded.
 void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                        const HullExtents& extents);
 
 // The after half sections to the left of the centre line, the fore ones to the right, z up;
-// waterlines and buttocks as straight lines.
+// waterlines, buttocks and diagonals as straight lines.
 void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                     const HullExtents& extents);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Usual papers.
+// Usual papers, and others.
 #pragma once
 
 #include <string>
@@ -14,5 +14,9 @@ struct PaperSize {
 };
 
 PaperSize paper_size(Paper paper);
+
+// A sheet of one's own, named "600 × 400 mm". Throws std::invalid_argument unless both sides are
+// between 100 mm and 10 m.
+PaperSize own_paper_size(double width, double height);
 
 }  // namespace hull

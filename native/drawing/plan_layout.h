@@ -3,23 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "drawing/lines_drawing.h"
+#include "drawing/hull_extents.h"
+#include "drawing/lines_sheet.h"
+#include "drawing/paper.h"
 
 namespace hull {
-
-// The box in ship axes that every view shows, in metres; breadth is measured from the centre plane.
-struct HullExtents {
-  double aft, fore;
-  double breadth;
-  double bottom, top;
-  double midship;
-};
-
-// The extents of all curves, with the base line and the perpendiculars where they are near the
-// hull. Throws as lay_out_lines.
-HullExtents hull_extents(const LinesDrawing& drawing);
 
 // Room kept around the hull itself in its views, in millimetres.
 inline constexpr double kOverhang = 4.0;  // grid lines beyond the hull
@@ -27,20 +19,30 @@ inline constexpr double kSideOverhang =
     9.0;                                  // the same at the sides of the body plan: station labels
 inline constexpr double kFanRow = 9.0;    // above the body plan: more station labels
 inline constexpr double kLabelRow = 5.0;  // a row of labels above or below the grid
+inline constexpr double kFrameRow = 6.5;  // the scale of frames, below the labels of the profile
 inline constexpr double kCaptionRow = 7.0;  // the name of the view
 inline constexpr double kColumnGap = 1.0;   // between a grid line's end and its label
 
 // Outlines and knuckles nearer to the centre plane than this, mm, are the centre line itself.
 inline constexpr double kOffCentre = 0.05;
 
-// An empty sheet: paper, frame, scale, views and title block. `label_column` is the width of the
-// widest label at the ends of horizontal grid lines.
+struct PlanNeeds {
+  HullExtents extents;
+  PaperSize paper;
+  std::optional<double> scale_denominator;  // the one wanted
+  double label_column;                      // width of the widest label beside a grid, mm
+  bool has_frames;
+  Eigen::Vector2d title_block;
+  // The sizes of the forms that the table of offsets can take; none without a table.
+  std::vector<Eigen::Vector2d> tables;
+};
+
+// An empty sheet: paper, frame, scale, views, table and title block.
 //
-// Of the usual scales (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 8 times a power of ten) it is the
-// largest at which everything fits, either with the three views one above the other, or with the
-// body plan beside the profile on one base line.
-LinesSheet choose_layout(const HullExtents& extents, Paper paper, double label_column,
-                         const Eigen::Vector2d& title_block);
+// Of the usual scales (1, 2, 2.5, 5 times a power of ten) it is the largest at which everything
+// fits in one of the arrangements of plan_arrangements.h; or the one wanted. Throws
+// std::invalid_argument with the remedy if it does not fit.
+LinesSheet choose_layout(const PlanNeeds& needs);
 
 // "1:200", or "5:1" for an enlargement.
 std::string scale_text(double denominator);

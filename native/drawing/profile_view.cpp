@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing/frame_scale.h"
 #include "drawing/lines_views.h"
 #include "drawing/view_parts.h"
 
 namespace hull {
 
 namespace {
-
-PagePath side_view(const View& view, const ShipCurve& curve) {
-  PagePath path;
-  for (const Eigen::Vector3d& point : curve) path.push_back(view.to_page(point.x(), point.z()));
-  return path;
-}
 
 GridBox grid_of(const View& view, const HullExtents& extents) {
   GridBox grid(view.to_page(extents.aft, extents.top), view.to_page(extents.fore, extents.bottom));
@@ -31,22 +26,6 @@ void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
   label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
 }
 
-void draw_perpendiculars(SheetBuilder& builder, const View& view, const GridBox& grid,
-                         const LinesDrawing& drawing, const HullExtents& extents) {
-  if (!drawing.length) return;
-  std::vector<Tick> ticks;
-  const auto add = [&](double x, const std::string& name) {
-    if (x < extents.aft || x > extents.fore) return;
-    const double page_x = view.to_page(x, 0.0).x();
-    draw_vertical(builder, pens::kPerpendicular, grid, page_x);
-    ticks.push_back({page_x, name, inks::kBlack, true});
-  };
-  add(0.0, "AP");
-  add(extents.midship, "Midship");
-  add(*drawing.length, "FP");
-  label_verticals(builder, view, std::move(ticks), grid.min().y() - 0.5 * kLabelRow);
-}
-
 }  // namespace
 
 void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
@@ -55,21 +34,22 @@ void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& d
   draw_caption(builder, view, "Profile");
   draw_stations(builder, view, grid, drawing, extents);
   draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);
-  draw_perpendiculars(builder, view, grid, drawing, extents);
+  draw_perpendiculars(builder, view, grid, drawing, extents, true);
+  if (drawing.frame_spacing) draw_frame_scale(builder, view, grid, drawing, extents);
 
+  const Projection side = projection(view, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
   std::vector<std::vector<PlacedCurve>> buttocks;
   for (const NamedCurves& buttock : drawing.buttocks) {
     std::vector<PlacedCurve>& placed = buttocks.emplace_back();
     for (const ShipCurve& curve : buttock.curves) {
-      PagePath path = side_view(view, curve);
-      placed.push_back({path, builder.draw_curve(kButtockLines.pen, path)});
+      placed.push_back(draw_ship_curve(builder, kButtockLines.pen, side, curve));
     }
   }
   for (const ShipCurve& curve : drawing.knuckles) {
-    builder.draw_curve(pens::kKnuckle, side_view(view, curve));
+    draw_ship_curve(builder, pens::kKnuckle, side, curve);
   }
   for (const ShipCurve& curve : drawing.outlines) {
-    builder.draw_curve(pens::kOutline, side_view(view, curve));
+    draw_ship_curve(builder, pens::kOutline, side, curve);
   }
 
   // The buttocks are apart from one another in the ends of the ship.

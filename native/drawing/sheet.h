@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drawing/oriented_box.h"
@@ -27,13 +29,21 @@ struct Pen {
   double width;  // mm
   Colour colour;
   Dashes dashes = {};
+  std::string_view layer = {};  // of files that have layers; a literal
 
   bool operator==(const Pen&) const = default;
+};
+
+// A cubic B-spline on the page: four more knots than points.
+struct PageSpline {
+  std::vector<Eigen::Vector2d> points;
+  std::vector<double> knots;
 };
 
 struct Stroke {
   Pen pen;
   std::vector<Eigen::Vector2d> points;  // two or more; closed where the last is the first
+  std::optional<PageSpline> spline = std::nullopt;  // the same curve for files that know splines
 };
 
 // A polygon filled without an outline; three points or more.

@@ -28,12 +28,12 @@ PagePath outline_of(const AlignedBox2d& box) {
 }
 
 void SheetBuilder::draw(const Pen& pen, PagePath points) {
-  if (points.size() > 1) sheet_.strokes.push_back({pen, std::move(points)});
+  if (points.size() > 1) sheet_.strokes.push_back({pen, std::move(points), std::nullopt});
 }
 
-int SheetBuilder::draw_curve(const Pen& pen, PagePath points) {
+int SheetBuilder::draw_curve(const Pen& pen, PagePath points, std::optional<PageSpline> spline) {
   const int number = placer_.add_curve(points);
-  draw(pen, std::move(points));
+  if (points.size() > 1) sheet_.strokes.push_back({pen, std::move(points), std::move(spline)});
   return number;
 }
 

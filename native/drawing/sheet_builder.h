@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +40,7 @@ class SheetBuilder {
   void draw(const Pen& pen, PagePath points);
 
   // A line that labels keep clear of. Returns its number for `own_curve` below.
-  int draw_curve(const Pen& pen, PagePath points);
+  int draw_curve(const Pen& pen, PagePath points, std::optional<PageSpline> spline = std::nullopt);
 
   // Above the lines: a dot, the part of a bar.
   void fill(const Colour& colour, PagePath polygon) {

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polylines in ship axes: parts on one side of a plane.
+// Curves in ship axes: parts on one side of a plane.
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "surface/cubic_spline.h"
+
 namespace hull {
+
+// A curve by points on it and, where it is known, as a cubic B-spline from the first to the last of
+// them. Paper is drawn from the points, files that know splines get those.
+struct ShipCurve {
+  std::vector<Eigen::Vector3d> points;
+  std::optional<CubicSpline> spline;
+};
 
 enum class Side { kBelow, kAbove };
 
@@ -15,5 +25,9 @@ enum class Side { kBelow, kAbove };
 // sides.
 std::vector<std::vector<Eigen::Vector3d>> part_of_curve(const std::vector<Eigen::Vector3d>& curve,
                                                         int axis, double limit, Side side);
+
+// The same with splines. A part is left without one where points and spline disagree about the
+// parts there are, as where a curve only just reaches over the limit.
+std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double limit, Side side);
 
 }  // namespace hull

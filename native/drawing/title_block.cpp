@@ -45,8 +45,7 @@ void draw_heading(SheetBuilder& builder, const AlignedBox2d& box, const LinesShe
       Align::kLeft, width);
   put(builder, "Lines plan", {.size = 3.2}, {left, box.min().y() + 12.5}, Align::kLeft,
       0.4 * width);
-  const std::string scale =
-      scale_text(sheet.scale_denominator) + " on " + paper_size(drawing.paper).name;
+  const std::string scale = scale_text(sheet.scale_denominator) + " on " + drawing.paper.name;
   put(builder, scale, {.size = 3.2, .bold = true}, {right, box.min().y() + 12.5}, Align::kRight,
       0.5 * width);
 }
@@ -108,12 +107,16 @@ void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double mm_pe
 }  // namespace
 
 Vector2d title_block_size(const LinesDrawing& drawing) {
-  const std::size_t count = drawing.particulars.size();
-  if (count > kMostParticulars) {
-    throw std::invalid_argument("A lines plan has room for " + std::to_string(kMostParticulars) +
-                                " particulars, not " + std::to_string(count));
-  }
-  return {kWidth, kTitleRow + table_height(count) + kScaleRow};
+  const auto check = [](std::size_t count, std::size_t most, const char* kind) {
+    if (count <= most) return;
+    std::string message = "A lines plan has room for " + std::to_string(most);
+    message += " " + std::string(kind) + ", not " + std::to_string(count);
+    throw std::invalid_argument(message);
+  };
+  check(drawing.particulars.size(), kMostParticulars, "particulars");
+  check(drawing.title_rows.size(), kMostTitleRows, "rows below the title");
+  return {kWidth, kTitleRow + table_height(drawing.title_rows.size()) +
+                      table_height(drawing.particulars.size()) + kScaleRow};
 }
 
 void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const LinesDrawing& drawing) {
@@ -122,15 +125,16 @@ void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const Line
   const double top = box.min().y(), bottom = box.max().y();
   builder.draw(pens::kFrame, {{left, bottom}, {left, top}, {right, top}});
   draw_heading(builder, box, sheet, drawing);
-  const double table_top = top + kTitleRow;
-  const double table_bottom = table_top + table_height(drawing.particulars.size());
-  builder.draw(pens::kTable, {{left, table_top}, {right, table_top}});
-  if (!drawing.particulars.empty()) {
-    draw_table(builder, {Vector2d(left, table_top), Vector2d(right, table_bottom)},
-               drawing.particulars);
-    builder.draw(pens::kTable, {{left, table_bottom}, {right, table_bottom}});
+  double y = top + kTitleRow;
+  builder.draw(pens::kTable, {{left, y}, {right, y}});
+  for (const auto* rows_of : {&drawing.title_rows, &drawing.particulars}) {
+    if (rows_of->empty()) continue;
+    const double end = y + table_height(rows_of->size());
+    draw_table(builder, {Vector2d(left, y), Vector2d(right, end)}, *rows_of);
+    builder.draw(pens::kTable, {{left, end}, {right, end}});
+    y = end;
   }
-  draw_scale_bar(builder, {Vector2d(left, table_bottom), Vector2d(right, bottom)},
+  draw_scale_bar(builder, {Vector2d(left, y), Vector2d(right, bottom)},
                  1000.0 / sheet.scale_denominator);
 }
 

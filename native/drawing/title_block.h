@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The title block in the lower right corner: title, scale, particulars, scale bar.
+// The title block in the lower right corner: title, scale, the rows below the title,
+// particulars, scale bar.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +10,8 @@
 
 namespace hull {
 
-// Width and height in mm. Throws std::invalid_argument for more than kMostParticulars.
+// Width and height in mm. Throws std::invalid_argument for more than kMostParticulars or
+// kMostTitleRows.
 Eigen::Vector2d title_block_size(const LinesDrawing& drawing);
 
 // Draws it into `sheet.title_block`; `sheet` gives the scale as well.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "drawing/plan_layout.h"
 
@@ -78,6 +79,50 @@ void put_first_ones_first(std::vector<Tick>& ticks) {
 }
 
 }  // namespace
+
+Projection projection(const View& view, const Eigen::RowVector3d& right,
+                      const Eigen::RowVector3d& up) {
+  Projection shown;
+  shown.linear.row(0) = view.scale * right;
+  shown.linear.row(1) = -view.scale * up;
+  shown.shift = view.origin;
+  return shown;
+}
+
+PlacedCurve draw_ship_curve(SheetBuilder& builder, const Pen& pen, const Projection& shown,
+                            const ShipCurve& curve) {
+  const auto on_page = [&shown](const std::vector<Eigen::Vector3d>& points) {
+    PagePath path;
+    path.reserve(points.size());
+    for (const Eigen::Vector3d& point : points) {
+      path.emplace_back(shown.linear * point + shown.shift);
+    }
+    return path;
+  };
+  PagePath path = on_page(curve.points);
+  std::optional<PageSpline> spline;
+  if (curve.spline) spline = PageSpline{on_page(curve.spline->points()), curve.spline->knots()};
+  const int number = builder.draw_curve(pen, path, std::move(spline));
+  return {std::move(path), number};
+}
+
+void draw_perpendiculars(SheetBuilder& builder, const View& view, const GridBox& grid,
+                         const LinesDrawing& drawing, const HullExtents& extents, bool labelled) {
+  if (!drawing.length) return;
+  std::vector<Tick> ticks;
+  const auto add = [&](double x, const Pen& pen, const std::string& name) {
+    if (x < extents.aft || x > extents.fore) return;
+    const double page_x = view.to_page(x, 0.0).x();
+    draw_vertical(builder, pen, grid, page_x);
+    ticks.push_back({page_x, name, inks::kBlack, true});
+  };
+  add(0.0, pens::kPerpendicular, "AP");
+  add(extents.midship, pens::kMidship, "Midship");
+  add(*drawing.length, pens::kPerpendicular, "FP");
+  if (labelled) {
+    label_verticals(builder, view, std::move(ticks), grid.min().y() - 0.5 * kLabelRow);
+  }
+}
 
 void draw_caption(SheetBuilder& builder, const View& view, const std::string& text) {
   const TextStyle style{.size = kCaptionSize, .bold = true};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/hull_extents.h"
 #include "drawing/lines_drawing.h"
 #include "drawing/sheet_builder.h"
 
@@ -31,12 +32,32 @@ struct LineFamily {
 inline constexpr LineFamily kStationLines{pens::kStation, inks::kStation};
 inline constexpr LineFamily kWaterlineLines{pens::kWaterline, inks::kWaterline};
 inline constexpr LineFamily kButtockLines{pens::kButtock, inks::kButtock};
+inline constexpr LineFamily kDiagonalLines{pens::kDiagonal, inks::kDiagonal};
+
+// How a view shows ship coordinates: the page point linear * p + shift.
+struct Projection {
+  Eigen::Matrix<double, 2, 3> linear;
+  Eigen::Vector2d shift;
+};
+
+// The projection in which the view's coordinates to the right and up are right·p and up·p.
+Projection projection(const View& view, const Eigen::RowVector3d& right,
+                      const Eigen::RowVector3d& up);
 
 // A curve on the page and its number as an obstacle (SheetBuilder::draw_curve).
 struct PlacedCurve {
   PagePath path;
   int number;
 };
+
+// Draws the curve, and its spline if it has one.
+PlacedCurve draw_ship_curve(SheetBuilder& builder, const Pen& pen, const Projection& shown,
+                            const ShipCurve& curve);
+
+// Midship's line and the perpendiculars within the extents; with `labelled` their names above the
+// grid.
+void draw_perpendiculars(SheetBuilder& builder, const View& view, const GridBox& grid,
+                         const LinesDrawing& drawing, const HullExtents& extents, bool labelled);
 
 void draw_caption(SheetBuilder& builder, const View& view, const std::string& text);
 

@@ -13,7 +13,7 @@ from ._core import *  # noqa: F401,F403
 _LATER = {
     "write_step": "._exchange",
     "read_step_report": "._exchange",
-    "write_lines_drawing": "._drawing",
+    "write_lines_drawing": ".lines_plan",
     "Plot": "._drawing",
     "PlotSheet": "._drawing",
     "lay_out_plot": "._drawing",

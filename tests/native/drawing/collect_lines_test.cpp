@@ -44,7 +44,7 @@ TEST(CollectLines, CutsEveryPositionOnceInOrder) {
   ASSERT_EQ(drawing.buttocks.size(), 1u);
   for (const NamedCurves& station : drawing.stations) {
     ASSERT_EQ(station.curves.size(), 1u);
-    for (const auto& p : station.curves[0]) EXPECT_NEAR(p.x(), station.position, 1e-12);
+    for (const auto& p : station.curves[0].points) EXPECT_NEAR(p.x(), station.position, 1e-12);
   }
 }
 
@@ -60,9 +60,10 @@ TEST(CollectLines, KeepsTheCentrePlaneOutline) {
     moved.set_points(points);
     double on_centre_plane = 0.0;
     for (const ShipCurve& curve : collect_lines(moved, chosen).outlines) {
-      for (std::size_t i = 1; i < curve.size(); ++i) {
-        if (std::abs(curve[i].y()) + std::abs(curve[i - 1].y()) < 1e-9) {
-          on_centre_plane += (curve[i] - curve[i - 1]).norm();
+      const auto& p = curve.points;
+      for (std::size_t i = 1; i < p.size(); ++i) {
+        if (std::abs(p[i].y()) + std::abs(p[i - 1].y()) < 1e-9) {
+          on_centre_plane += (p[i] - p[i - 1]).norm();
         }
       }
     }
@@ -89,7 +90,7 @@ TEST(CollectLines, ShowsTheEdgesOfFlatParts) {
     for (const NamedCurves& station : drawing.stations) {
       EXPECT_FALSE(station.curves.empty()) << station.position << " moved by " << noise;
       for (const ShipCurve& curve : station.curves) {
-        for (const auto& p : curve) EXPECT_EQ(p.x(), station.position);
+        for (const auto& p : curve.points) EXPECT_EQ(p.x(), station.position);
       }
     }
     EXPECT_FALSE(drawing.waterlines.front().curves.empty()) << noise;
@@ -107,10 +108,10 @@ TEST(CollectLines, NumbersStationsFromTheAfterPerpendicular) {
     return all;
   };
   using Labels = std::vector<std::string>;
-  chosen.stations = {-5.0, 5.0, 10.0};
-  EXPECT_EQ(labels(), (Labels{"-1", "1", "2"}));
+  chosen.stations = {5.0, 15.0, 20.0};
+  EXPECT_EQ(labels(), (Labels{"1", "3", "4"}));
   chosen.station_spacing = 10.0;
-  EXPECT_EQ(labels(), (Labels{"-0.5", "0.5", "1"}));
+  EXPECT_EQ(labels(), (Labels{"0.5", "1.5", "2"}));
   chosen.station_spacing.reset();
   chosen.stations = {1.0, 3.3, 10.0};  // not evenly spaced: counted
   EXPECT_EQ(labels(), (Labels{"0", "1", "2"}));

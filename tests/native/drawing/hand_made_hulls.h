@@ -4,11 +4,18 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "drawing/lines_drawing.h"
 
 namespace hull::test {
+
+inline ShipCurve polyline(std::vector<Eigen::Vector3d> points) {
+  return {std::move(points), std::nullopt};
+}
 
 inline std::string metres(double value) {
   char text[32];
@@ -31,7 +38,7 @@ struct Wigley {
     ShipCurve curve;
     for (int i = 0; i <= 100; ++i) {
       const double z = depth * i / 100.0;
-      curve.push_back({x, half_breadth(x, z), z});
+      curve.points.push_back({x, half_breadth(x, z), z});
     }
     return {x, label, {curve}};
   }
@@ -40,7 +47,7 @@ struct Wigley {
     ShipCurve curve;
     for (int i = 0; i <= 200; ++i) {
       const double x = length * i / 200.0;
-      curve.push_back({x, half_breadth(x, z), z});
+      curve.points.push_back({x, half_breadth(x, z), z});
     }
     return {z, metres(z), {curve}};
   }
@@ -53,10 +60,10 @@ struct Wigley {
     for (int i = -100; i <= 100; ++i) {
       const double along = std::sqrt(reach) * std::sin(0.5 * 3.141592653589793 * i / 100.0);
       const double below = std::sqrt(std::max(0.0, 1.0 - 2.0 * y / beam / (1.0 - along * along)));
-      curve.push_back({0.5 * length * (1.0 + along), y, draft * (1.0 - below)});
+      curve.points.push_back({0.5 * length * (1.0 + along), y, draft * (1.0 - below)});
     }
-    curve.insert(curve.begin(), {curve.front().x(), y, depth});
-    curve.push_back({curve.back().x(), y, depth});
+    curve.points.insert(curve.points.begin(), {curve.points.front().x(), y, depth});
+    curve.points.push_back({curve.points.back().x(), y, depth});
     return {y, metres(y), {curve}};
   }
 
@@ -76,7 +83,8 @@ struct Wigley {
     drawing.waterlines.push_back(waterline(draft));
     drawing.waterlines.back().label = "DWL " + metres(draft);
     for (int i = 1; i < 5; ++i) drawing.buttocks.push_back(buttock(0.1 * beam * i));
-    drawing.outlines.push_back({{0, 0, depth}, {0, 0, 0}, {length, 0, 0}, {length, 0, depth}});
+    drawing.outlines.push_back(
+        polyline({{0, 0, depth}, {0, 0, 0}, {length, 0, 0}, {length, 0, depth}}));
     drawing.outlines.push_back(waterline(depth).curves.front());
     return drawing;
   }
@@ -98,33 +106,34 @@ inline LinesDrawing barge_lines() {
     drawing.stations.push_back(
         {x,
          std::to_string(i),
-         {{{x, 0, bottom(x)}, {x, half_beam, bottom(x)}, {x, half_beam, depth}}}});
+         {polyline({{x, 0, bottom(x)}, {x, half_beam, bottom(x)}, {x, half_beam, depth}})}});
   }
   for (const double z : {1.0, 2.0, 2.5, 3.0}) {
     const double in = std::max(0.0, rake * (1.0 - z / (0.6 * depth)));
     drawing.waterlines.push_back(
         {z,
          metres(z),
-         {{{in, 0, z}, {in, half_beam, z}, {length - in, half_beam, z}, {length - in, 0, z}}}});
+         {polyline(
+             {{in, 0, z}, {in, half_beam, z}, {length - in, half_beam, z}, {length - in, 0, z}})}});
   }
   for (const double y : {2.0, 4.0, 6.0}) {
     drawing.buttocks.push_back({y,
                                 metres(y),
-                                {{{0, y, depth},
-                                  {0, y, 0.6 * depth},
-                                  {rake, y, 0},
-                                  {length - rake, y, 0},
-                                  {length, y, 0.6 * depth},
-                                  {length, y, depth}}}});
+                                {polyline({{0, y, depth},
+                                           {0, y, 0.6 * depth},
+                                           {rake, y, 0},
+                                           {length - rake, y, 0},
+                                           {length, y, 0.6 * depth},
+                                           {length, y, depth}})}});
   }
-  drawing.outlines.push_back(
-      {{0, 0, depth}, {0, half_beam, depth}, {length, half_beam, depth}, {length, 0, depth}});
-  drawing.knuckles.push_back({{0, half_beam, depth},
-                              {0, half_beam, 0.6 * depth},
-                              {rake, half_beam, 0},
-                              {length - rake, half_beam, 0},
-                              {length, half_beam, 0.6 * depth},
-                              {length, half_beam, depth}});
+  drawing.outlines.push_back(polyline(
+      {{0, 0, depth}, {0, half_beam, depth}, {length, half_beam, depth}, {length, 0, depth}}));
+  drawing.knuckles.push_back(polyline({{0, half_beam, depth},
+                                       {0, half_beam, 0.6 * depth},
+                                       {rake, half_beam, 0},
+                                       {length - rake, half_beam, 0},
+                                       {length, half_beam, 0.6 * depth},
+                                       {length, half_beam, depth}}));
   return drawing;
 }
 

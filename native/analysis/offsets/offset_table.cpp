@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/offsets/offset_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/offsets/feature_offsets.h"
+#include "analysis/sections/sections.h"
+
+namespace hull {
+
+namespace {
+
+// All of the mesh's size.
+constexpr double kChordTolerance = 1e-7;
+constexpr double kSamePosition = 1e-6;
+constexpr double kOnKnuckle = 5e-6;
+
+void check_positions(const std::vector<double>& positions, const std::string& kind) {
+  if (positions.size() > kMostOffsetPositions) {
+    throw std::invalid_argument("A table of offsets has room for " +
+                                std::to_string(kMostOffsetPositions) + " " + kind + "s, not " +
+                                std::to_string(positions.size()) + ": space them wider");
+  }
+  for (const double position : positions) {
+    if (!std::isfinite(position)) {
+      throw std::invalid_argument("A " + kind + "'s position is not a finite number");
+    }
+  }
+}
+
+// Where a station is cut: an invisible step towards the middle of the hull, so that a flat end
+// shows its edge.
+double inwards(const LimitSurface& surface, double x) {
+  double low = x, high = x;
+  for (const Vector3d& point : surface.mesh().points()) {
+    low = std::min(low, point.x());
+    high = std::max(high, point.x());
+  }
+  const double step = kSamePosition * surface.mesh().size();
+  return x + std::clamp(0.5 * (low + high) - x, -step, step);
+}
+
+// The station's curves to port.
+class Station {
+ public:
+  Station(const LimitSurface& surface, double x)
+      : same_(kSamePosition * surface.mesh().size()),
+        on_knuckle_(kOnKnuckle * surface.mesh().size()),
+        curves_(section(surface, Axis::kX, inwards(surface, x),
+                        kChordTolerance * surface.mesh().size())) {}
+
+  Offset half_breadth(double z) const {
+    Vector3d best(0.0, -1.0, 0.0);
+    for_each_crossing(2, z, [&best](const Vector3d& p) {
+      if (p.y() > best.y()) best = p;
+    });
+    if (best.y() < -same_) return {};
+    return {std::max(best.y(), 0.0), is_on_knuckle(best)};
+  }
+
+  Offset height(double y) const {
+    bool found = false;
+    Vector3d best = Vector3d::Zero();
+    for_each_crossing(1, y, [&](const Vector3d& p) {
+      if (!found || p.z() < best.z()) best = p;
+      found = true;
+    });
+    if (!found) return {};
+    return {best.z(), is_on_knuckle(best)};
+  }
+
+ private:
+  // The points in which the curves meet the coordinate's value, or nearly touch it.
+  template <class Visit>
+  void for_each_crossing(int axis, double value, const Visit& visit) const {
+    for (const SectionCurve& curve : curves_) {
+      for (std::size_t i = 0; i < curve.points.size(); ++i) {
+        const Vector3d& b = curve.points[i];
+        const double above = b[axis] - value;
+        if (std::abs(above) <= same_) visit(b);
+        if (i == 0) continue;
+        const Vector3d& a = curve.points[i - 1];
+        const double before = a[axis] - value;
+        if ((before < 0.0) == (above < 0.0)) continue;
+        const Vector3d crossing = a + before / (before - above) * (b - a);
+        visit(crossing);
+      }
+    }
+  }
+
+  bool is_on_knuckle(const Vector3d& p) const {
+    for (const SectionCurve& curve : curves_) {
+      for (const int i : curve.knuckles) {
+        if ((curve.points[i] - p).norm() <= on_knuckle_) return true;
+      }
+    }
+    return false;
+  }
+
+  double same_, on_knuckle_;
+  std::vector<SectionCurve> curves_;
+};
+
+}  // namespace
+
+OffsetTable offset_table(const LimitSurface& surface, const std::vector<double>& stations,
+                         const std::vector<double>& waterlines,
+                         const std::vector<double>& buttocks) {
+  check_positions(stations, "station");
+  check_positions(waterlines, "waterline");
+  check_positions(buttocks, "buttock");
+  for (const double y : buttocks) {
+    if (y < 0.0) {
+      throw std::invalid_argument("A buttock at y = " + std::to_string(y) +
+                                  " m has no offsets: they are of the port half, from 0 up");
+    }
+  }
+  OffsetTable table{stations, waterlines, buttocks, {}, {}, {}};
+  for (const double x : stations) {
+    const Station station(surface, x);
+    for (const double z : waterlines) table.half_breadths.push_back(station.half_breadth(z));
+    for (const double y : buttocks) table.heights.push_back(station.height(y));
+  }
+  table.features = feature_offsets(surface, stations);
+  return table;
+}
+
+}  // namespace hull

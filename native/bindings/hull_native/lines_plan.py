@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The lines plan with positions as people give them: one by one or by a spacing, in m or frames."""
+
+from math import ceil, floor, pi
+
+import numpy as np
+
+from ._drawing import write_lines_plan
+
+# A spacing that would give more lines than this is a slip of the keyboard.
+MOST_LINES = 400
+
+
+def line_positions(given, low, high, *, name="lines"):
+    """Positions (n,) from what a user gives: None for none, (n,) as they are, or one number.
+
+    One number is a spacing: its multiples strictly between low and high.
+    """
+    if given is None:
+        return np.empty(0)
+    if np.ndim(given) > 0:
+        return np.asarray(given, dtype=float)
+    spacing = float(given)
+    if not (np.isfinite(spacing) and spacing > 0.0):
+        raise ValueError(f"The spacing of {name} must be above zero, not {spacing}.")
+    if (high - low) / spacing > MOST_LINES:
+        raise ValueError(
+            f"A spacing of {spacing:.4g} gives more than {MOST_LINES} {name}: widen it."
+        )
+    margin = 1e-6 * spacing
+    first = floor((low + margin) / spacing) + 1
+    last = ceil((high - margin) / spacing) - 1
+    return spacing * np.arange(first, last + 1)
+
+
+def write_lines_drawing(
+    surface,
+    path,
+    *,
+    mirrored,
+    stations=None,
+    waterlines=None,
+    buttocks=None,
+    diagonals=(),
+    diagonal_angle=0.25 * pi,
+    stations_in="m",
+    draft=None,
+    length=None,
+    station_spacing=None,
+    frame_spacing=None,
+    offsets=True,
+    title="",
+    title_block=(),
+    particulars=(),
+    paper="A3",
+    scale=None,
+    dxf_unit="m",
+    chord_tolerance=None,
+):
+    """Draw the lines plan of a LimitSurface on one sheet; path ends in .pdf, .svg, .png or .dxf.
+
+    stations (x), waterlines (z) and buttocks (y >= 0): (n,) positions in m in any order, or one
+    number, their spacing. stations_in="frames" takes stations as numbers of frames of
+    frame_spacing (m), and numbers them so. diagonals: pairs of the height at the centre plane (m)
+    and the angle below the horizontal (rad), or one number, the spacing of heights at
+    diagonal_angle. Lines beyond the hull are left out.
+
+    mirrored: the surface is the half y >= 0. draft (m) adds the design waterline; length (m,
+    between perpendiculars from x = 0) AP, FP and midship; frame_spacing the frames, frame 0 at
+    x = 0. A station's number is its x in units of station_spacing (m; default: the stations'
+    distance, where all are multiples of it). offsets: the table of offsets is drawn too.
+
+    title_block: up to 8 pairs (name, value) of texts below the title; particulars: up to 16.
+    paper: "A4" to "A0", or (width, height) in mm. scale: 100 for 1:100; by default the largest of
+    1:1, 2, 2.5, 5, 10, 20, 25, ... that fits. dxf_unit: "m" or "mm", of a DXF file, which is at
+    true size. chord_tolerance (m): of curves that are not splines; by default what the paper can
+    show, and 1e-5 of the hull's size for DXF.
+
+    The file is complete, or one of the same name is untouched. Raises ValueError if nothing can be
+    drawn, the plan does not fit the paper at the scale, or lines would run together; OSError if the
+    file can't be written.
+    """
+    low, high = surface.mesh.points.min(axis=0), surface.mesh.points.max(axis=0)
+    unit = 1.0
+    if stations_in == "frames":
+        if frame_spacing is None or not frame_spacing > 0.0:
+            raise ValueError("Stations in frames need a frame_spacing above zero.")
+        unit = frame_spacing
+        station_spacing = frame_spacing if station_spacing is None else station_spacing
+    elif stations_in != "m":
+        raise ValueError(f'stations_in is "m" or "frames", not "{stations_in}".')
+    if np.ndim(diagonals) == 0:
+        heights = line_positions(diagonals, low[2], high[2], name="diagonals")
+        diagonals = [(height, diagonal_angle) for height in heights]
+    write_lines_plan(
+        surface,
+        path,
+        stations=unit * line_positions(stations, low[0] / unit, high[0] / unit, name="stations"),
+        waterlines=line_positions(waterlines, low[2], high[2], name="waterlines"),
+        buttocks=line_positions(buttocks, 0.0, max(-low[1], high[1]), name="buttocks"),
+        diagonals=[tuple(pair) for pair in diagonals] if diagonals is not None else [],
+        mirrored=mirrored,
+        draft=draft,
+        length=length,
+        station_spacing=station_spacing,
+        frame_spacing=frame_spacing,
+        offsets=offsets,
+        title=title,
+        title_rows=list(title_block),
+        particulars=list(particulars),
+        paper=paper,
+        scale=scale,
+        dxf_unit=dxf_unit,
+        chord_tolerance=chord_tolerance,
+    )
