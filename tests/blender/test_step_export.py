@@ -38,7 +38,8 @@ def test_a_folder_that_is_not_there_is_one_message(tmp_path):
     for export in (
         bpy.ops.hull.export_step,
         bpy.ops.hull.export_lines,
-        bpy.ops.hull.export_hydrostatics,
+        bpy.ops.hull.export_hull,
+        bpy.ops.hull.export_table,
     ):
         with pytest.raises(RuntimeError) as caught:
             export(filepath=str(tmp_path / "nowhere" / "box.out"))
@@ -57,7 +58,7 @@ def test_table_of_hydrostatics(tmp_path):
     hull = add_hull()
     hull.hull.draft = 2.0
     path = tmp_path / "box.csv"
-    assert bpy.ops.hull.export_hydrostatics(filepath=str(path)) == {"FINISHED"}
+    assert bpy.ops.hull.export_table(filepath=str(path)) == {"FINISHED"}
     with open(path, newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert [float(row["draft [m]"]) for row in rows] == pytest.approx(

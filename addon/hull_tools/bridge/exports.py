@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files made from a hull as it is now: STEP, lines plan, tables and plots of its analyses."""
+"""Files made from a hull as it is now: hull file, STEP, lines plan, tables and plots of its
+analyses."""
 
 from dataclasses import replace
 
-from . import afloat, analyses, hull_state, hydrostatics, lines, native, tables, units
+from ..io import write_hull_file
+from . import afloat, analyses, hull_saving, hull_state, hydrostatics, lines, native, tables, units
 from .files import replacing
 
 
@@ -88,6 +90,11 @@ def _particulars(settings, body, scale):
     pairs.append(("Displaced volume", f"{found.displaced_volume:.1f} m³"))
     pairs.append(("Displacement", f"{found.displacement_t:.1f} t"))
     return pairs
+
+
+def export_hull_file(obj, scene, path):
+    """Writes the hull as a hull file (.hull.json), which reads back as the same hull."""
+    write_hull_file(hull_saving.hull_data(obj, scene), path)
 
 
 def export_table(obj, scene, name, path):

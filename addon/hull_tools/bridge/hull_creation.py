@@ -4,7 +4,16 @@
 import bpy
 import numpy as np
 
-from . import hull_objects, hull_state, lines, materials, mesh_arrays, shown_objects, units
+from . import (
+    hull_objects,
+    hull_state,
+    lines,
+    loading_data,
+    materials,
+    mesh_arrays,
+    shown_objects,
+    units,
+)
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -35,11 +44,12 @@ def hull_object(hull, scene, collection):
     sizes = np.array([len(face) for face in hull.faces], dtype=np.int32)
     corners = np.array([index for face in hull.faces for index in face], dtype=np.int32)
     mesh_arrays.write_faces(mesh, np.asarray(hull.points) / scale, sizes, corners)
-    mesh_arrays.write_tags(mesh, hull.creases, hull.corners)
+    mesh_arrays.write_tags(mesh, hull.creases, hull.corners, hull.deck_edge)
     obj = bpy.data.objects.new(hull.name, mesh)
     collection.objects.link(obj)
     _add_layers(obj, hull)
     _copy_particulars(obj.hull, hull, scale)
+    loading_data.give_loading(obj.hull, hull, scale)
     make_hull(obj, scene, hull.half)
     return obj
 
@@ -65,6 +75,7 @@ def _copy_particulars(settings, hull, scale):
     if hull.particulars.water_density:
         settings.water_density = hull.particulars.water_density
     settings.source = hull.source
+    settings.scheme = hull.scheme
 
 
 def _fill_particulars(obj):

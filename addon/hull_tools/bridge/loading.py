@@ -3,6 +3,8 @@
 
 from . import hull_state, units
 
+_ACTIVE = {"load_cases": "active_load_case", "flooding_points": "active_flooding_point"}
+
 
 def add_load_case(obj, scene):
     """A load case of the displacement and LCB at hand, on which one goes on; returns it."""
@@ -28,20 +30,10 @@ def add_flooding_point(obj):
     return point
 
 
-def remove_load_case(obj):
-    loading = obj.hull.loading
-    loading.active_load_case = _removed(obj, loading.load_cases, loading.active_load_case)
-
-
-def remove_flooding_point(obj):
-    loading = obj.hull.loading
-    loading.active_flooding_point = _removed(
-        obj, loading.flooding_points, loading.active_flooding_point
-    )
-
-
-def _removed(obj, entries, index):
-    """Removes the entry at an index; returns the index of the one to be chosen then."""
-    entries.remove(min(max(index, 0), len(entries) - 1))
+def remove(obj, entries):
+    """Removes the chosen entry of "load_cases" or "flooding_points"."""
+    loading, active = obj.hull.loading, _ACTIVE[entries]
+    index, listed = getattr(loading, active), getattr(loading, entries)
+    listed.remove(min(max(index, 0), len(listed) - 1))
+    setattr(loading, active, max(min(index, len(listed) - 1), 0))
     obj.update_tag(refresh={"DATA"})
-    return max(min(index, len(entries) - 1), 0)

@@ -166,6 +166,12 @@ def fractional_creases(data):
     return edges, vertices
 
 
+def edges_of_faces(data):
+    """(e,) which edges belong to a face."""
+    shell_edges = _face_edge_keys(data.face_sizes, data.face_vertices)
+    return np.isin(_edge_keys(data.edges), shell_edges)
+
+
 def _edge_keys(pairs):
     """One number for each undirected edge of (k, 2) vertex indices."""
     pairs = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1)

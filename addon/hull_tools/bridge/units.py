@@ -7,6 +7,8 @@ unit system (NONE) a unit is a metre.
 
 from math import degrees
 
+import numpy as np
+
 _FOOT = 0.3048
 _INCH = 0.0254
 _LONG_TON = 1.0160469088
@@ -42,6 +44,16 @@ def metres_per_unit(scene):
 def as_typed(value):
     """The decimal number a user typed into one of Blender's single-precision properties."""
     return float(f"{value:.7g}")
+
+
+def as_stored(value):
+    """The shortest decimal number that one of Blender's single-precision numbers stands for."""
+    return float(str(np.float32(value)))
+
+
+def all_as_stored(values):
+    """The same of a float32 array."""
+    return values.astype("U32").astype(np.float64)
 
 
 def format_value(scene, value, unit):

@@ -5,14 +5,29 @@ Start at `read_hull`, which finds out what a file is, and `HullData`, which it r
 """
 
 from .errors import HullFileError
-from .hull_data import HullData, Layer, Particulars, ShellArrays, shell_arrays, shell_face_indices
+from .hull_data import (
+    Afloat,
+    HullData,
+    Layer,
+    Load,
+    LoadCase,
+    Opening,
+    Particulars,
+    ShellArrays,
+    shell_arrays,
+    shell_face_indices,
+)
 from .hull_file import read_hull_file, write_hull_file
 from .reading import read_hull, stored_sections
 
 __all__ = [
+    "Afloat",
     "HullData",
     "HullFileError",
     "Layer",
+    "Load",
+    "LoadCase",
+    "Opening",
     "Particulars",
     "ShellArrays",
     "read_hull",

@@ -33,13 +33,58 @@ class Particulars:
 
 
 @dataclass
+class Afloat:
+    """How the hull lies: trim in m by the stern between perpendiculars, heel in degrees to
+    starboard; whether her openings count as closed weathertight."""
+
+    trim: float = 0.0
+    heel_deg: float = 0.0
+    deck_closed: bool = True
+
+
+@dataclass
+class Load:
+    """The load whose stability is looked at: mass in t, centre of gravity in m.
+
+    mass_t None: the displacement as afloat. kg 0: not given. lcg None: above that of buoyancy.
+    free_trim: whether the trim adjusts itself as she heels.
+    """
+
+    mass_t: object = None
+    kg: float = 0.0
+    lcg: object = None
+    free_trim: bool = True
+
+
+@dataclass
+class LoadCase:
+    """A mass in t with its centre of gravity in m."""
+
+    name: str
+    mass_t: float
+    lcg: float = 0.0
+    tcg: float = 0.0
+    vcg: float = 0.0
+
+
+@dataclass
+class Opening:
+    """The lower edge (x, y, z) in m of an opening that can't be closed, meant on both sides."""
+
+    name: str
+    position: tuple
+
+
+@dataclass
 class HullData:
     """One hull, as read.
 
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
-    one index into layers per face. units: the file's own unit of length, "m" or "ft". source: where
-    the hull comes from. notes: what the reader had to mend, one sentence each, for the user.
+    one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
+    creases, the edges that are marked so. units: the file's own unit of length, "m" or "ft".
+    source: where the hull comes from. notes: what the reader had to mend, one sentence each, for
+    the user.
     """
 
     name: str
@@ -51,6 +96,12 @@ class HullData:
     layers: list = field(default_factory=lambda: [Layer()])
     face_layers: list = field(default_factory=list)
     particulars: Particulars = field(default_factory=Particulars)
+    scheme: str = "biermann"
+    deck_edge: list = field(default_factory=list)
+    afloat: Afloat = field(default_factory=Afloat)
+    load: Load = field(default_factory=Load)
+    load_cases: list = field(default_factory=list)
+    openings: list = field(default_factory=list)
     units: str = "m"
     source: str = ""
     notes: list = field(default_factory=list)

@@ -6,11 +6,14 @@
      "points": [[x, y, z], ...], "faces": [[point, point, point, ...], ...],
      "creases": [[point, point], ...], "corners": [point, ...],
      "layers": [{"name": "...", "in_hydrostatics": true, "colour": [r, g, b]}, ...],
-     "face_layers": [layer, ...]}
+     "face_layers": [layer, ...],
+     "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
+     and what hull_loading tells of: "afloat", "load", "load_cases", "openings"}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
 without face_layers all are in the first layer. A particular that is left out is 0: not given.
-Nothing is mended on reading: a mistake is refused with the key and index where it stands.
+Without a deck_edge it is the border. Nothing is mended on reading: a mistake is refused with the
+key and index where it stands.
 """
 
 import json
@@ -18,6 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
+from . import hull_loading
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .cleanup import creases_of_faces
@@ -25,8 +29,20 @@ from .hull_data import HullData, Layer, Particulars, edge_key, face_edges
 from .limits import FURTHEST_POINT, LONGEST_DIMENSION, MAX_COUNT, MAX_HULL_FILE_BYTES
 
 REQUIRED = ("format", "version", "units", "half", "points", "faces")
-OPTIONAL = ("name", "source", "particulars", "creases", "corners", "layers", "face_layers")
+OPTIONAL = (
+    "name",
+    "source",
+    "particulars",
+    "creases",
+    "corners",
+    "layers",
+    "face_layers",
+    "scheme",
+    "deck_edge",
+    *hull_loading.KEYS,
+)
 PARTICULARS = tuple(vars(Particulars()))
+SCHEMES = ("biermann", "catmull_clark")
 
 
 def read_hull_file(path):
@@ -47,12 +63,15 @@ def parse_hull_file(data, file_name):
         name=check.text(content.get("name", ""), "name") or file_name.split(".")[0],
         points=points,
         faces=faces,
-        creases=_creases(check, content.get("creases", []), faces, len(points)),
+        creases=_edges(check, content, "creases", faces, len(points)),
         corners=_corners(check, content.get("corners", []), len(points)),
         half=check.flag(content["half"], "half"),
         layers=layers,
         face_layers=_face_layers(check, content.get("face_layers"), len(faces), len(layers)),
         particulars=_particulars(check, content.get("particulars", {})),
+        scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
+        deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
+        **hull_loading.parsed(check, content),
         units="m",
         source=check.text(content.get("source", ""), "source"),
     )
@@ -113,15 +132,24 @@ def _check_point_indices(check, indices, where, point_count):
         check.index(point, f"{where}[{place}]", point_count, "point")
 
 
-def _creases(check, value, faces, point_count):
-    edges = {edge_key(a, b) for face in faces for a, b in face_edges(face)}
-    creases = check.list(value, "creases")
-    for index, crease in enumerate(creases):
-        where = f"creases[{index}]"
-        _check_point_indices(check, check.list(crease, where, 2), where, point_count)
-        if edge_key(*crease) not in edges:
-            raise check.error(where, f"{crease} is no edge of a face", "take it out")
-    return creases_of_faces(creases, faces)
+def _edges(check, content, key, faces, point_count):
+    """Pairs of points under a key, each an edge of a face."""
+    known = {edge_key(a, b) for face in faces for a, b in face_edges(face)}
+    edges = check.list(content.get(key, []), key)
+    for index, edge in enumerate(edges):
+        where = f"{key}[{index}]"
+        _check_point_indices(check, check.list(edge, where, 2), where, point_count)
+        if edge_key(*edge) not in known:
+            raise check.error(where, f"{edge} is no edge of a face", "take it out")
+    return creases_of_faces(edges, faces)
+
+
+def _scheme(check, value):
+    if value not in SCHEMES:
+        raise check.error(
+            "scheme", f"{shown(value)} is unknown", f'write "{SCHEMES[0]}" or "{SCHEMES[1]}"'
+        )
+    return value
 
 
 def _corners(check, value, point_count):
@@ -189,6 +217,9 @@ def write_hull_file(data, path):
         f'"corners": {json.dumps([int(point) for point in data.corners])}',
         _rows("layers", [_layer_entry(layer) for layer in data.layers]),
         f'"face_layers": {json.dumps([int(layer) for layer in data.face_layers])}',
+        f'"scheme": {json.dumps(data.scheme)}',
+        _rows("deck_edge", [[int(a), int(b)] for a, b in data.deck_edge]),
+        *(_entry(key, value) for key, value in hull_loading.entries(data).items()),
     ]
     content = ("{\n" + ",\n".join(lines) + "\n}\n").encode("utf-8")
     parse_hull_file(content, path.name)
@@ -205,6 +236,10 @@ def _layer_entry(layer):
         "in_hydrostatics": bool(layer.in_hydrostatics),
         "colour": [float(part) for part in layer.colour],
     }
+
+
+def _entry(key, value):
+    return _rows(key, value) if isinstance(value, list) else f'"{key}": {json.dumps(value)}'
 
 
 def _rows(key, values):

@@ -15,3 +15,7 @@ FURTHEST_POINT = 1e6
 # Length, beam, draft and depth in metres.
 LONGEST_DIMENSION = 1e4
 LONGEST_TEXT = 10_000
+# In tonnes.
+HEAVIEST_LOAD = 1e8
+# Load cases, openings: a stability booklet has dozens.
+MAX_LOADING_ENTRIES = 1000

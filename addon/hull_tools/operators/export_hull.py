@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A hull's drawings and tables for others; and what all its exports have in common."""
+"""A hull's files, drawings and tables for others; and what all its exports have in common."""
 
 import bpy
 from bpy.props import EnumProperty, StringProperty
@@ -10,6 +10,8 @@ from .shared import has_hull, native_is_there, reporting_errors
 
 
 class ExportHull(ExportHelper):
+    """Subclasses write a file of a hull and return what is to be said then: write(hull, scene)."""
+
     @classmethod
     def poll(cls, context):
         return native_is_there(cls) and has_hull(cls, context)
@@ -26,6 +28,29 @@ class ExportHull(ExportHelper):
         """What stands between the hull's name and the ending."""
         return ""
 
+    @reporting_errors
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        self.report({"INFO"}, self.write(hull, context.scene))
+        return {"FINISHED"}
+
+
+class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
+    """Write the hull with layers, marks and loads as a hull file, which can be imported again"""
+
+    bl_idname = "hull.export_hull"
+    bl_label = "Export Hull File"
+    bl_options = {"REGISTER"}
+
+    filename_ext = ".hull.json"
+    check_extension = None  # Blender knows endings of one part only
+    filter_glob: StringProperty(default="*.hull.json", options={"HIDDEN"})
+
+    def write(self, hull, scene):
+        path = bpy.path.ensure_ext(self.filepath, self.filename_ext)
+        exports.export_hull_file(hull, scene, path)
+        return "Hull file written"
+
 
 class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
     """Draw body plan, profile and half-breadth plan as SVG, PDF or PNG"""
@@ -38,30 +63,9 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
     check_extension = None
     filter_glob: StringProperty(default="*.svg;*.pdf;*.png", options={"HIDDEN"})
 
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
-        exports.export_lines_drawing(hull, context.scene, self.filepath)
-        self.report({"INFO"}, "Lines plan written")
-        return {"FINISHED"}
-
-
-class HULL_OT_export_hydrostatics(bpy.types.Operator, ExportHull):
-    """Write the table of hydrostatics over drafts and trims as CSV"""
-
-    bl_idname = "hull.export_hydrostatics"
-    bl_label = "Export Hydrostatics"
-    bl_options = {"REGISTER"}
-
-    filename_ext = ".csv"
-    filter_glob: StringProperty(default="*.csv", options={"HIDDEN"})
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
-        exports.export_table(hull, context.scene, "hydrostatic_table", self.filepath)
-        self.report({"INFO"}, "Table of hydrostatics written")
-        return {"FINISHED"}
+    def write(self, hull, scene):
+        exports.export_lines_drawing(hull, scene, self.filepath)
+        return "Lines plan written"
 
 
 def _analysis_items(modules):
@@ -69,10 +73,13 @@ def _analysis_items(modules):
 
 
 class ExportAnalysis(ExportHull):
-    """What the exports of tables and plots have in common; files are named after both."""
+    """The exports of tables and plots: `analysis` says which; files are named after both."""
 
     def name_part(self):
         return f"-{self.analysis}"
+
+    def label(self):
+        return analyses.ANALYSES[self.analysis].LABEL
 
 
 class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
@@ -86,12 +93,9 @@ class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
     filter_glob: StringProperty(default="*.csv", options={"HIDDEN"})
     analysis: EnumProperty(name="Table", items=_analysis_items(analyses.ANALYSES))
 
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
-        exports.export_table(hull, context.scene, self.analysis, self.filepath)
-        self.report({"INFO"}, f"{analyses.ANALYSES[self.analysis].LABEL}: table written")
-        return {"FINISHED"}
+    def write(self, hull, scene):
+        exports.export_table(hull, scene, self.analysis, self.filepath)
+        return f"{self.label()}: table written"
 
 
 class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis):
@@ -106,26 +110,23 @@ class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis):
     filter_glob: StringProperty(default="*.pdf;*.svg;*.png", options={"HIDDEN"})
     analysis: EnumProperty(name="Plot", items=_analysis_items(analyses.PLOTTED))
 
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
-        exports.export_plot(hull, context.scene, self.analysis, self.filepath)
-        self.report({"INFO"}, f"{analyses.ANALYSES[self.analysis].LABEL}: plot written")
-        return {"FINISHED"}
+    def write(self, hull, scene):
+        exports.export_plot(hull, scene, self.analysis, self.filepath)
+        return f"{self.label()}: plot written"
 
 
 def draw_export_menu(self, context):
     layout = self.layout
+    layout.operator(HULL_OT_export_hull.bl_idname, text="Ship hull (.hull.json)")
     layout.operator("hull.export_step", text="Hull surface (.step)")
     layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.svg, .pdf, .png)")
-    layout.operator(HULL_OT_export_hydrostatics.bl_idname, text="Hull hydrostatics (.csv)")
     layout.operator_menu_enum("hull.export_table", "analysis", text="Hull table (.csv)")
     layout.operator_menu_enum("hull.export_plot", "analysis", text="Hull plot (.pdf, .svg, .png)")
 
 
 CLASSES = (
+    HULL_OT_export_hull,
     HULL_OT_export_lines,
-    HULL_OT_export_hydrostatics,
     HULL_OT_export_table,
     HULL_OT_export_plot,
 )

@@ -7,78 +7,77 @@ from ..bridge import hull_objects, loading
 from .shared import has_hull, native_is_there, reporting_errors
 
 
-class LoadingList:
+class AddEntry:
+    """Subclasses add an entry: add(hull, scene)."""
+
     @classmethod
     def poll(cls, context):
         return native_is_there(cls) and has_hull(cls, context)
 
+    @reporting_errors
+    def execute(self, context):
+        self.add(hull_objects.hull_of(context.object), context.scene)
+        return {"FINISHED"}
 
-class HULL_OT_add_load_case(bpy.types.Operator, LoadingList):
+
+class RemoveEntry:
+    """Removes the chosen one of Object.hull.loading's `entries`; none_there says that there is
+    none."""
+
+    @classmethod
+    def poll(cls, context):
+        if not native_is_there(cls) or not has_hull(cls, context):
+            return False
+        if not getattr(hull_objects.hull_of(context.object).hull.loading, cls.entries):
+            cls.poll_message_set(cls.none_there)
+            return False
+        return True
+
+    def execute(self, context):
+        loading.remove(hull_objects.hull_of(context.object), self.entries)
+        return {"FINISHED"}
+
+
+class HULL_OT_add_load_case(bpy.types.Operator, AddEntry):
     """Add a load case: at first the ship as she is afloat, later what you make of it"""
 
     bl_idname = "hull.add_load_case"
     bl_label = "Add Load Case"
     bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
-        loading.add_load_case(hull_objects.hull_of(context.object), context.scene)
-        return {"FINISHED"}
+    def add(self, hull, scene):
+        loading.add_load_case(hull, scene)
 
 
-class HULL_OT_remove_load_case(bpy.types.Operator, LoadingList):
+class HULL_OT_remove_load_case(bpy.types.Operator, RemoveEntry):
     """Remove the load case that is chosen in the list"""
 
     bl_idname = "hull.remove_load_case"
     bl_label = "Remove Load Case"
     bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        if not super().poll(context):
-            return False
-        if not hull_objects.hull_of(context.object).hull.loading.load_cases:
-            cls.poll_message_set("There is no load case")
-            return False
-        return True
-
-    def execute(self, context):
-        loading.remove_load_case(hull_objects.hull_of(context.object))
-        return {"FINISHED"}
+    entries, none_there = "load_cases", "There is no load case"
 
 
-class HULL_OT_add_flooding_point(bpy.types.Operator, LoadingList):
+class HULL_OT_add_flooding_point(bpy.types.Operator, AddEntry):
     """Add an opening that floods the ship: at first amidships at the side of the deck"""
 
     bl_idname = "hull.add_flooding_point"
     bl_label = "Add Opening"
     bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
-        loading.add_flooding_point(hull_objects.hull_of(context.object))
-        return {"FINISHED"}
+    def add(self, hull, scene):
+        loading.add_flooding_point(hull)
 
 
-class HULL_OT_remove_flooding_point(bpy.types.Operator, LoadingList):
+class HULL_OT_remove_flooding_point(bpy.types.Operator, RemoveEntry):
     """Remove the opening that is chosen in the list"""
 
     bl_idname = "hull.remove_flooding_point"
     bl_label = "Remove Opening"
     bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        if not super().poll(context):
-            return False
-        if not hull_objects.hull_of(context.object).hull.loading.flooding_points:
-            cls.poll_message_set("There is no opening")
-            return False
-        return True
-
-    def execute(self, context):
-        loading.remove_flooding_point(hull_objects.hull_of(context.object))
-        return {"FINISHED"}
+    entries, none_there = "flooding_points", "There is no opening"
 
 
 CLASSES = (

@@ -54,6 +54,7 @@ class HULL_PT_export(HullPanel, bpy.types.Panel):
         column = self.layout.column(align=True)
         column.operator("hull.export_step", icon="EXPORT")
         column.operator("hull.export_lines", icon="EXPORT")
+        column.operator("hull.export_hull", icon="EXPORT")
 
 
 CLASSES = (HULL_PT_surface, HULL_PT_lines, HULL_PT_export)

@@ -28,6 +28,12 @@ def content(**changes):
         "corners": [3],
         "layers": [{"name": "Bottom"}, {"name": "Side", "in_hydrostatics": False}],
         "face_layers": [0, 1],
+        "scheme": "catmull_clark",
+        "deck_edge": [[5, 4]],
+        "afloat": {"trim": -0.25, "heel_deg": 5, "deck_closed": False},
+        "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False},
+        "load_cases": [{"name": "ballast", "mass_t": 8, "lcg": 5, "tcg": -0.1, "vcg": 1}],
+        "openings": [{"name": "hatch", "position": [5, 1, 3]}],
     }
     value.update(changes)
     return {key: part for key, part in value.items() if part is not None}
@@ -50,6 +56,8 @@ def assert_same(first, second):
     assert first.layers == second.layers
     assert first.particulars == second.particulars
     assert first.source == second.source
+    for key in ("scheme", "deck_edge", "afloat", "load", "load_cases", "openings"):
+        assert getattr(first, key) == getattr(second, key), key
 
 
 def test_a_file_is_read(read):
@@ -64,15 +72,28 @@ def test_a_file_is_read(read):
     assert hull.particulars == hull_io.Particulars(10.0, 4.0, 1.5, 0.0, 1.025)
     assert [layer.in_hydrostatics for layer in hull.layers] == [True, False]
     assert hull_io.shell_face_indices(hull) == [0]
+    assert hull.scheme == "catmull_clark" and hull.deck_edge == [(4, 5)]
+    assert hull.afloat == hull_io.Afloat(-0.25, 5.0, False)
+    assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False)
+    assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
+    assert hull.openings == [hull_io.Opening("hatch", (5.0, 1.0, 3.0))]
 
 
 def test_what_may_be_left_out(read):
-    optional = ("name", "source", "particulars", "creases", "corners", "layers", "face_layers")
+    required = ("format", "version", "units", "half", "points", "faces")
+    optional = [key for key in content() if key not in required]
     hull = read(content(**dict.fromkeys(optional)))
     assert hull.name == "box"
     assert hull.particulars == hull_io.Particulars()
     assert hull.creases == [] and hull.corners == []
     assert hull_io.shell_face_indices(hull) == [0, 1]
+    assert hull.scheme == "biermann" and hull.deck_edge == []
+    assert hull.afloat == hull_io.Afloat() and hull.load == hull_io.Load()
+    assert hull.load_cases == [] and hull.openings == []
+    hull = read(content(load={}, load_cases=[{"mass_t": 1}], openings=[{"position": [1, 2, 3]}]))
+    assert hull.load == hull_io.Load(None, 0.0, None, True)
+    assert hull.load_cases == [hull_io.LoadCase("Load case", 1.0)]
+    assert hull.openings == [hull_io.Opening("Opening", (1.0, 2.0, 3.0))]
 
 
 def test_reference_hulls_come_back_bit_for_bit(freeship_files, tmp_path):
@@ -154,6 +175,48 @@ MISTAKES = {
         "particulars.draft: -1 is not a number from 0 to 10000",
     ),
     "particular key": (content(particulars={"T": 1}), 'particulars: the key "T" is unknown'),
+    "scheme": (content(scheme="loop"), 'scheme: "loop" is unknown; write "biermann"'),
+    "scheme list": (content(scheme=[]), "scheme: list is unknown"),
+    "deck edge": (content(deck_edge=[[0, 2]]), "deck_edge[0]: [0, 2] is no edge of a face"),
+    "deck edge index": (content(deck_edge=[[0, 9]]), "deck_edge[0][1]: 9 is no index"),
+    "afloat": (content(afloat=[]), "afloat: list is no object"),
+    "afloat key": (content(afloat={"heel": 1}), 'afloat: the key "heel" is unknown'),
+    "heel": (
+        content(afloat={"heel_deg": 181}),
+        "afloat.heel_deg: 181 is not a number from -180 to 180",
+    ),
+    "deck closed": (content(afloat={"deck_closed": 1}), "afloat.deck_closed: 1 is not true"),
+    "load": (content(load=5), "load: 5 is no object"),
+    "load mass": (
+        content(load={"mass_t": -1}),
+        "load.mass_t: -1 is not a number from 0 to 1e+08",
+    ),
+    "load mass null": (content(load={"mass_t": None}), "load.mass_t: NoneType is not a number"),
+    "load cases": (content(load_cases={}), "load_cases: dict is no list"),
+    "load case": (content(load_cases=[7]), "load_cases[0]: 7 is no object"),
+    "load case key": (content(load_cases=[{"kg": 1}]), 'load_cases[0]: the key "kg" is unknown'),
+    "load case mass": (content(load_cases=[{}]), "load_cases[0].mass_t: it is missing"),
+    "load case centre": (
+        content(load_cases=[{"mass_t": 1, "vcg": 1e5}]),
+        "load_cases[0].vcg: 100000.0 is not a number from -10000 to 10000",
+    ),
+    "many load cases": (
+        content(load_cases=[{"mass_t": 1}] * 1001),
+        "load_cases: it has 1001 entries; write at most 1000",
+    ),
+    "opening": (content(openings=[{}]), "openings[0].position: it is missing"),
+    "opening of two": (
+        content(openings=[{"position": [1, 2]}]),
+        "openings[0].position: it has 2 entries, not 3",
+    ),
+    "opening text": (
+        content(openings=[{"position": [1, 2, "3"]}]),
+        'openings[0].position.z: "3" is not a number',
+    ),
+    "opening name": (
+        content(openings=[{"position": [1, 2, 3], "name": []}]),
+        "openings[0].name: it is no text",
+    ),
     "name": (content(name=5), "name: it is no text"),
     "long name": (content(name="x" * 10001), "name: it is no text of at most 10000"),
     "not JSON": (b'{"format": "hull",\n "half" true}', "line 2, column 9: it is not JSON"),

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a hull file tells of how the hull lies and is loaded: m, t and degrees.
+
+    "afloat": {"trim": m by the stern, "heel_deg": degrees to starboard, "deck_closed": true},
+    "load": {"mass_t": t, "kg": m, "lcg": m, "free_trim": true},
+    "load_cases": [{"name": "...", "mass_t": t, "lcg": m, "tcg": m, "vcg": m}, ...],
+    "openings": [{"name": "...", "position": [x, y, z]}, ...]
+
+All may be left out. A load without mass_t is the displacement afloat, one without lcg has it above
+the centre of buoyancy. Centres that are left out are 0.
+"""
+
+from .hull_data import Afloat, Load, LoadCase, Opening
+from .limits import FURTHEST_POINT, HEAVIEST_LOAD, LONGEST_DIMENSION, MAX_LOADING_ENTRIES
+
+KEYS = ("afloat", "load", "load_cases", "openings")
+
+
+def parsed(check, content):
+    """Values for a HullData by name, of the content of a hull file; raises HullFileError."""
+    return {
+        "afloat": _afloat(check, content.get("afloat", {})),
+        "load": _load(check, content.get("load", {})),
+        "load_cases": _listed(check, content, "load_cases", _load_case),
+        "openings": _listed(check, content, "openings", _opening),
+    }
+
+
+def _length(check, value, where):
+    return check.number(value, where, -LONGEST_DIMENSION, LONGEST_DIMENSION)
+
+
+def _afloat(check, value):
+    entries = check.object(value, "afloat", ("trim", "heel_deg", "deck_closed"))
+    return Afloat(
+        trim=_length(check, entries.get("trim", 0), "afloat.trim"),
+        heel_deg=check.number(entries.get("heel_deg", 0), "afloat.heel_deg", -180.0, 180.0),
+        deck_closed=check.flag(entries.get("deck_closed", True), "afloat.deck_closed"),
+    )
+
+
+def _load(check, value):
+    entries = check.object(value, "load", ("mass_t", "kg", "lcg", "free_trim"))
+    load = Load(
+        kg=check.number(entries.get("kg", 0), "load.kg", 0.0, LONGEST_DIMENSION),
+        free_trim=check.flag(entries.get("free_trim", True), "load.free_trim"),
+    )
+    if "mass_t" in entries:
+        load.mass_t = check.number(entries["mass_t"], "load.mass_t", 0.0, HEAVIEST_LOAD)
+    if "lcg" in entries:
+        load.lcg = _length(check, entries["lcg"], "load.lcg")
+    return load
+
+
+def _listed(check, content, key, parse):
+    entries = check.list(content.get(key, []), key)
+    if len(entries) > MAX_LOADING_ENTRIES:
+        raise check.error(
+            key, f"it has {len(entries)} entries", f"write at most {MAX_LOADING_ENTRIES}"
+        )
+    return [parse(check, entry, f"{key}[{index}]") for index, entry in enumerate(entries)]
+
+
+def _load_case(check, value, where):
+    entries = check.object(value, where, ("name", "mass_t", "lcg", "tcg", "vcg"))
+    if "mass_t" not in entries:
+        raise check.error(f"{where}.mass_t", "it is missing", "add the mass in t")
+    centre = {
+        key: _length(check, entries.get(key, 0), f"{where}.{key}") for key in ("lcg", "tcg", "vcg")
+    }
+    return LoadCase(
+        name=check.text(entries.get("name", "Load case"), f"{where}.name"),
+        mass_t=check.number(entries["mass_t"], f"{where}.mass_t", 0.0, HEAVIEST_LOAD),
+        **centre,
+    )
+
+
+def _opening(check, value, where):
+    entries = check.object(value, where, ("name", "position"))
+    if "position" not in entries:
+        raise check.error(f"{where}.position", "it is missing", "add [x, y, z] in m")
+    position = check.list(entries["position"], f"{where}.position", 3)
+    return Opening(
+        name=check.text(entries.get("name", "Opening"), f"{where}.name"),
+        position=tuple(
+            check.number(number, f"{where}.position.{axis}", -FURTHEST_POINT, FURTHEST_POINT)
+            for axis, number in zip("xyz", position)
+        ),
+    )
+
+
+def entries(data):
+    """What a hull file says of a HullData, by its keys."""
+    load = {"kg": float(data.load.kg), "free_trim": bool(data.load.free_trim)}
+    for key in ("mass_t", "lcg"):
+        if getattr(data.load, key) is not None:
+            load[key] = float(getattr(data.load, key))
+    return {
+        "afloat": {
+            "trim": float(data.afloat.trim),
+            "heel_deg": float(data.afloat.heel_deg),
+            "deck_closed": bool(data.afloat.deck_closed),
+        },
+        "load": load,
+        "load_cases": [
+            {
+                "name": case.name,
+                "mass_t": float(case.mass_t),
+                "lcg": float(case.lcg),
+                "tcg": float(case.tcg),
+                "vcg": float(case.vcg),
+            }
+            for case in data.load_cases
+        ],
+        "openings": [
+            {"name": opening.name, "position": [float(part) for part in opening.position]}
+            for opening in data.openings
+        ],
+    }

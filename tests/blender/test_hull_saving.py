@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A hull written as a hull file reads back as the same hull, loads and marks included."""
+
+import json
+from math import radians
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import add_hull, mesh_points, part, state_of
+
+
+def write(path):
+    assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
+
+
+def read(path):
+    bpy.ops.wm.read_homefile(use_empty=True)
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    return bpy.context.object
+
+
+def loaded_hull():
+    hull = add_hull()
+    settings = hull.hull
+    settings.draft, settings.trim, settings.heel = 1.1, -0.3, radians(2.5)
+    settings.deck_closed, settings.water_density = False, 1.008
+    settings.scheme, settings.source = "catmull_clark", "a test"
+    loading = settings.loading
+    loading.use_displacement, loading.mass_t, loading.kg = False, 33.3, 1.7
+    loading.use_lcb, loading.lcg, loading.free_trim = False, 4.9, False
+    for name, mass_t in (("ballast", 20.1), ("Ladung „voll“", 44.4)):
+        assert bpy.ops.hull.add_load_case() == {"FINISHED"}
+        case = loading.load_cases[-1]
+        case.name, case.mass_t, case.lcg, case.tcg, case.vcg = name, mass_t, 5.1, -0.02, 1.3
+    assert bpy.ops.hull.add_flooding_point() == {"FINISHED"}
+    loading.flooding_points[0].name = "hatch"
+    loading.flooding_points[0].position = (3.3, 1.1, 3.1)
+    bpy.context.view_layer.update()
+    return hull
+
+
+def settings_of(hull):
+    """All that a hull file keeps, read from the object."""
+    settings, loading = hull.hull, hull.hull.loading
+    names = ("length_pp", "beam", "draft", "depth", "water_density", "trim", "heel", "deck_closed",
+             "scheme", "source", "half")  # fmt: skip
+    loads = ("use_displacement", "mass_t", "kg", "use_lcb", "lcg", "free_trim")
+    return (
+        [getattr(settings, name) for name in names]
+        + [getattr(loading, name) for name in loads]
+        + [(c.name, c.mass_t, c.lcg, c.tcg, c.vcg) for c in loading.load_cases]
+        + [(p.name, tuple(p.position)) for p in loading.flooding_points]
+    )
+
+
+def test_loads_openings_and_water_come_back(tmp_path):
+    hull = loaded_hull()
+    wanted, points = settings_of(hull), mesh_points(hull)
+    results = part("bridge.analyses").result_of(hull, bpy.context.scene, "load_cases")
+    write(tmp_path / "box.hull.json")
+    again = read(tmp_path / "box.hull.json")
+    assert settings_of(again) == wanted
+    assert np.array_equal(mesh_points(again), points)
+    assert part("bridge.analyses").result_of(again, bpy.context.scene, "load_cases") == results
+
+
+def test_numbers_are_written_as_they_were_typed(tmp_path):
+    loaded_hull()
+    write(tmp_path / "box.hull.json")
+    content = json.loads((tmp_path / "box.hull.json").read_text())
+    assert content["particulars"]["draft"] == 1.1
+    assert content["afloat"] == {"trim": -0.3, "heel_deg": 2.5, "deck_closed": False}
+    assert content["load"] == {"mass_t": 33.3, "kg": 1.7, "lcg": 4.9, "free_trim": False}
+    assert content["load_cases"][0]["tcg"] == -0.02
+    assert content["openings"] == [{"name": "hatch", "position": [3.3, 1.1, 3.1]}]
+
+
+def test_tags_and_the_deck_edge_come_back(tmp_path):
+    hull = add_hull()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bm = bmesh.from_edit_mesh(hull.data)
+    for edge in bm.edges:
+        edge.select_set({v.index for v in edge.verts} == {3, 7})
+    bmesh.update_edit_mesh(hull.data)
+    assert bpy.ops.hull.mark_deck_edge() == {"FINISHED"}
+    write(tmp_path / "box.hull.json")  # from edit mode
+    again = read(tmp_path / "box.hull.json")
+    marks = part("bridge.edge_marks").stored_marks(again.data)
+    assert [set(again.data.edges[i].vertices) for i in np.flatnonzero(marks)] == [{3, 7}]
+    assert len(state_of(again).source.deck_edge) == 1
+    creases = part("bridge.blender_versions").edge_creases(again.data)
+    assert (creases == 1.0).all()
+
+
+def test_imported_hulls_come_back(freeship_folder, tmp_path):
+    for path in sorted(freeship_folder.glob("*.f[bt]m"))[:4]:
+        hull = read(path)
+        points, numbers = mesh_points(hull), state_of(hull).hydrostatics
+        layers = [(layer.name, layer.in_hydrostatics) for layer in hull.hull.layers]
+        write(tmp_path / "again.hull.json")
+        again = read(tmp_path / "again.hull.json")
+        assert np.array_equal(mesh_points(again), points), path.name
+        assert state_of(again).hydrostatics == numbers, path.name
+        assert [(one.name, one.in_hydrostatics) for one in again.hull.layers] == layers
+
+
+def test_the_scene_scale_is_honoured(tmp_path):
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    hull = add_hull()
+    bpy.ops.hull.add_load_case()
+    hull.hull.loading.load_cases[0].vcg = 150.0
+    write(tmp_path / "box.hull.json")
+    content = json.loads((tmp_path / "box.hull.json").read_text())
+    assert content["particulars"]["length_pp"] == pytest.approx(0.1)
+    assert content["load_cases"][0]["vcg"] == pytest.approx(1.5)
+    again = read(tmp_path / "box.hull.json")
+    assert again.hull.loading.load_cases[0].vcg == pytest.approx(1.5)
+
+
+def test_the_ending_is_added_once(tmp_path):
+    add_hull()
+    write(tmp_path / "box")
+    write(tmp_path / "box.hull.json")
+    assert [path.name for path in tmp_path.iterdir()] == ["box.hull.json"]
+
+
+def test_a_mesh_that_no_file_can_hold_says_why(tmp_path):
+    hull = add_hull()
+    hull.data.clear_geometry()
+    with pytest.raises(RuntimeError, match="a hull has 1 to"):
+        write(tmp_path / "box.hull.json")
+    assert not list(tmp_path.iterdir())
