@@ -150,8 +150,7 @@ class Cutter {
   }
 
   std::vector<ShipCurve> cut(const Diagonal& diagonal) const {
-    const Vector3d normal(0.0, std::sin(diagonal.angle), std::cos(diagonal.angle));
-    const Plane plane{normal, normal.z() * diagonal.height};
+    const Plane plane = diagonal_plane(diagonal.height, diagonal.angle);
     std::vector<ShipCurve> curves;
     for (SectionCurve& branch : section(surface_, plane, chord_tolerance_)) {
       add_port_half(curves, {std::move(branch.points), std::nullopt}, same());

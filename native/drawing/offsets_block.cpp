@@ -2,8 +2,10 @@
 #include "drawing/offsets_block.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <string>
 
 #include "drawing/text_meter.h"
@@ -20,10 +22,8 @@ constexpr char kKnuckleMark[] = "K";
 constexpr char kTitle[] = "Table of offsets, moulded, mm";
 constexpr char kLegend[] = "K on a knuckle";
 
-// The em of the table's letters, mm: small paper is read from near.
-double letter_size(const LinesDrawing& drawing) {
-  return std::max(drawing.paper.width, drawing.paper.height) < 500.0 ? 2.0 : 2.5;
-}
+// The ems that the table's letters may have, mm: the largest that leave the hull its scale.
+constexpr std::array kLetterSizes = {2.8, 2.4, 2.0, 1.7};
 
 // One kind of offset of all stations: a column of the upright form, a row of the lying one.
 struct OffsetLine {
@@ -92,8 +92,8 @@ std::vector<OffsetGroup> groups_of(const LinesDrawing& drawing) {
 // heads; "along" is the direction in which the offsets of one station follow one another.
 class Measures {
  public:
-  Measures(const LinesDrawing& drawing, const std::vector<OffsetGroup>& groups)
-      : size(letter_size(drawing)), row(1.5 * letter_size(drawing)) {
+  Measures(const LinesDrawing& drawing, const std::vector<OffsetGroup>& groups, double letters)
+      : size(letters), row(1.5 * letters) {
     const auto width = [this](const std::string& text, bool bold = false) {
       return text_size(text, size, bold).width + 2.0 * kCellPadding;
     };
@@ -102,19 +102,23 @@ class Measures {
     for (const NamedCurves& station : drawing.stations) {
       station_head = std::max(station_head, width(station.label, true));
     }
-    cell = station_head;
+    cell = station_head + mark;
     for (const OffsetGroup& group : groups) {
-      double widest = 0.0;
+      std::vector<double> widths;
       for (const OffsetLine& line : group.lines) {
-        line_head = std::max(line_head, width(line.head, true));
+        const double head = width(line.head, true);
+        line_head = std::max(line_head, head);
+        double widest = head + mark;
         for (const std::string& value : line.values) widest = std::max(widest, width(value) + mark);
-        widest = std::max(widest, width(line.head, true) + mark);
+        for (const std::string& value : line.values) cell = std::max(cell, width(value) + mark);
+        widths.push_back(widest);
       }
-      cell = std::max(cell, widest);
+      // Upright, the group's name needs its columns' width.
+      const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+      const double missing = std::max(0.0, width(group.name, true) - sum);
+      for (double& w : widths) w += missing / static_cast<double>(widths.size());
+      columns.push_back(std::move(widths));
       group_head = std::max(group_head, width(group.name, true));
-      const double count = static_cast<double>(group.lines.size());
-      // Upright, the group's name has its columns' width.
-      columns.push_back(std::max(widest, width(group.name, true) / count));
       lines += group.lines.size();
     }
     title = width(kTitle, true) + width(kLegend) + 2.0 * size;
@@ -122,18 +126,19 @@ class Measures {
 
   double size, row;
   double mark = 0.0, station_head = 0.0, line_head = 0.0, group_head = 0.0, cell = 0.0, title = 0.0;
-  std::vector<double> columns;  // upright: the width of a column of each group
+  std::vector<std::vector<double>> columns;  // upright: the widths of each group's columns
   std::size_t lines = 0;
 };
 
 class BlockDrawer {
  public:
-  BlockDrawer(SheetBuilder& builder, const AlignedBox2d& box, const LinesDrawing& drawing)
+  BlockDrawer(SheetBuilder& builder, const AlignedBox2d& box, const LinesDrawing& drawing,
+              double letters)
       : builder_(builder),
         box_(box),
         drawing_(drawing),
         groups_(groups_of(drawing)),
-        m_(drawing, groups_) {}
+        m_(drawing, groups_, letters) {}
 
   // A row for each station.
   void draw_upright() {
@@ -151,17 +156,17 @@ class BlockDrawer {
     double x = left + m_.station_head;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       vertical(pens::kTable, x, top, bottom);
-      const double width = m_.columns[g] * static_cast<double>(groups_[g].lines.size());
+      const double width = std::accumulate(m_.columns[g].begin(), m_.columns[g].end(), 0.0);
       text(groups_[g].name, true, {x + 0.5 * width, top + 0.5 * m_.row}, Align::kCentre);
       for (std::size_t k = 0; k < groups_[g].lines.size(); ++k) {
         const OffsetLine& line = groups_[g].lines[k];
         if (k > 0) vertical(pens::kGrid, x, top + m_.row, bottom);
-        const double end = x + m_.columns[g] - kCellPadding - m_.mark;
+        const double end = x + m_.columns[g][k] - kCellPadding - m_.mark;
         text(line.head, true, {end, first - 0.5 * m_.row}, Align::kRight);
         for (std::size_t i = 0; i < line.values.size(); ++i) {
           value(line, i, {end, first + (0.5 + static_cast<double>(i)) * m_.row});
         }
-        x += m_.columns[g];
+        x += m_.columns[g][k];
       }
     }
     horizontal(pens::kTable, left, right, first);
@@ -199,20 +204,6 @@ class BlockDrawer {
       }
     }
     builder_.draw(pens::kTable, outline_of({Vector2d(left, top), box_.max()}));
-  }
-
-  static std::vector<Vector2d> sizes(const LinesDrawing& drawing) {
-    const std::vector<OffsetGroup> groups = groups_of(drawing);
-    if (groups.empty() || drawing.stations.empty()) return {};
-    const Measures m(drawing, groups);
-    const double stations = static_cast<double>(drawing.stations.size());
-    double width = m.station_head;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      width += m.columns[g] * static_cast<double>(groups[g].lines.size());
-    }
-    return {{std::max(width, m.title), (3.0 + stations) * m.row},
-            {std::max(m.group_head + m.line_head + stations * m.cell, m.title),
-             (2.0 + static_cast<double>(m.lines)) * m.row}};
   }
 
  private:
@@ -254,14 +245,28 @@ class BlockDrawer {
 }  // namespace
 
 std::vector<Vector2d> offsets_block_sizes(const LinesDrawing& drawing) {
-  if (!drawing.offsets) return {};
-  return BlockDrawer::sizes(drawing);
+  if (!drawing.offsets || drawing.stations.empty()) return {};
+  const std::vector<OffsetGroup> groups = groups_of(drawing);
+  if (groups.empty()) return {};
+  const double stations = static_cast<double>(drawing.stations.size());
+  std::vector<Vector2d> sizes;
+  for (const double letters : kLetterSizes) {
+    const Measures m(drawing, groups, letters);
+    double width = m.station_head;
+    for (const std::vector<double>& columns : m.columns) {
+      width = std::accumulate(columns.begin(), columns.end(), width);
+    }
+    sizes.emplace_back(std::max(width, m.title), (3.0 + stations) * m.row);
+    sizes.emplace_back(std::max(m.group_head + m.line_head + stations * m.cell, m.title),
+                       (2.0 + static_cast<double>(m.lines)) * m.row);
+  }
+  return sizes;
 }
 
 void draw_offsets_block(SheetBuilder& builder, const AlignedBox2d& box, const LinesDrawing& drawing,
                         int form) {
-  BlockDrawer drawer(builder, box, drawing);
-  if (form == 0) {
+  BlockDrawer drawer(builder, box, drawing, kLetterSizes.at(form / 2));
+  if (form % 2 == 0) {
     drawer.draw_upright();
   } else {
     drawer.draw_lying();

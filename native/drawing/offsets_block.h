@@ -11,8 +11,9 @@
 
 namespace hull {
 
-// The sizes, mm, of the forms that the table of `drawing.offsets` can take: with a row for each
-// station, and with a column for each. Empty without offsets.
+// The sizes, mm, of the forms that the table of `drawing.offsets` can take, the ones wanted most
+// first: with a row for each station or a column for each, in letters large and small. Empty
+// without offsets.
 std::vector<Eigen::Vector2d> offsets_block_sizes(const LinesDrawing& drawing);
 
 // Draws it in one of these forms into a box of that size.

@@ -37,7 +37,7 @@ inline constexpr Pen kWaterline{0.20, inks::kWaterline, {}, "WATERLINES"};
 inline constexpr Pen kButtock{0.20, inks::kButtock, {}, "BUTTOCKS"};
 inline constexpr Pen kDiagonal{0.20, inks::kDiagonal, {}, "DIAGONALS"};
 // A diagonal's straight trace in the body plan.
-inline constexpr Pen kDiagonalTrace{0.13, inks::kDiagonal, {3.0, 1.0, 3.0, 1.0}, "DIAGONALS"};
+inline constexpr Pen kDiagonalTrace{0.13, inks::kDiagonal, {3.0, 1.0, 3.0, 1.0}, "DIAGONAL_TRACES"};
 inline constexpr Pen kKnuckle{0.32, inks::kBlack, {}, "KNUCKLES"};
 inline constexpr Pen kOutline{0.45, inks::kBlack, {}, "OUTLINE"};
 inline constexpr Pen kLeader{0.10, inks::kGrey, {}, "TEXT"};

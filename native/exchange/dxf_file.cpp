@@ -101,9 +101,9 @@ void write_header(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   const Eigen::AlignedBox2d box = box_of(drawing);
   write_point_variable(file, "$EXTMIN", box.min());
   write_point_variable(file, "$EXTMAX", box.max());
-  // Dashes of line types are in millimetres of a page some 300 high.
+  // dxflib's patterns of lines are some 50 long: here as many to the drawing's diagonal as suits.
   file.dxfString(9, "$LTSCALE");
-  file.dxfReal(40, std::max(box.sizes().norm() / 500.0, 1e-9));
+  file.dxfReal(40, std::max(box.sizes().norm() / 2500.0, 1e-9));
   file.sectionEnd();
 }
 
