@@ -189,3 +189,10 @@ def test_mistakes_are_named(tmp_path):
     with pytest.raises(OSError):
         hn.write_plot(righting_levers(), tmp_path / "missing" / "a.pdf")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_parallel_midbody_has_no_one_place_of_the_largest_area():
+    x, pointed, flat = np.arange(5.0), [0.0, 5.0, 9.0, 5.0, 0.0], [0.0, 9.0, 9.0, 9.0, 0.0]
+    for areas, label in ((pointed, "largest 9 m² at 2 m"), (flat, "largest 9 m²")):
+        sheet = hn.lay_out_plot(hn.sectional_area_plot(x, areas), width_mm=250.0, height_mm=180.0)
+        assert label in [one["text"] for one in sheet.labels]

@@ -6,6 +6,8 @@ import io
 
 from .files import replacing
 
+_FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
+
 
 def write_table(path, header, rows):
     """`path` is replaced only when all is written. None is an empty cell.
@@ -24,6 +26,9 @@ def write_table(path, header, rows):
 
 
 def _cell(value):
-    if value is None or isinstance(value, str):
-        return value
+    if isinstance(value, str):
+        # A spreadsheet would take a name that begins like this for a formula, and compute it.
+        return f"'{value}" if value[:1] in _FORMULA_BEGINS else value
+    if value is None:
+        return None
     return f"{value:.10g}"

@@ -12,12 +12,11 @@ from .shared import HullPanel, export_buttons, label_value, label_wrapped
 _OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
 
 
-def _result(layout, context, name):
+def _result(layout, context, name, heading):
     """(the result of an analysis, where to show it) below a heading, pale while a newer one is
     computed; (None, there) and what is to be said instead."""
     hull = hull_objects.hull_of(context.object)
     outcome, is_current = live_analyses.latest(hull, context.scene, name)
-    heading = analyses.ANALYSES[name].LABEL
     layout.label(text=heading if is_current else f"{heading}: computing …")
     place = layout.column()
     place.active = is_current
@@ -41,7 +40,7 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         loading = hull_objects.hull_of(context.object).hull.loading
         self._draw_load(layout, loading)
         layout.separator()
-        result, place = _result(layout, context, "righting_levers")
+        result, place = _result(layout, context, "righting_levers", "Righting levers")
         if result is not None:
             self._draw_levers(place, context.scene, result)
         export_buttons(layout, "righting_levers")
@@ -87,7 +86,7 @@ class HULL_PT_levers(HullPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        result, place = _result(self.layout, context, "righting_levers")
+        result, place = _result(self.layout, context, "righting_levers", "GZ over heel")
         if result is None:
             return
         column = place.column(align=True)
@@ -104,7 +103,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        report, layout = _result(self.layout, context, "criteria")
+        report, layout = _result(self.layout, context, "criteria", "2008 IS Code, Part A")
         if report is None:
             return
         notes = []
@@ -194,7 +193,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("mass_t", "lcg", "tcg", "vcg"):
             column.prop(case, name)
-        rests, place = _result(layout, context, "load_cases")
+        rests, place = _result(layout, context, "load_cases", "Equilibrium")
         if rests is None:
             return
         index = loading.active_load_case

@@ -19,6 +19,9 @@ _MOST_METACENTRE = 2.0
 # The largest section's curve in a Bonjean diagram is about so many station spacings wide.
 _BONJEAN_WIDTH = 1.5
 
+# Section areas nearer to the largest than this part of it are as large.
+_LEVEL = 1e-6
+
 # Levers below zero are shown down to so many times the largest, and the end of the tangent when it
 # is not above so many times the largest.
 _MOST_NEGATIVE_LEVER = 0.35
@@ -44,8 +47,13 @@ def sectional_area_plot(
         plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")
     top = _maximum(x, area)
     if top is not None:
-        label = f"largest {_figures(top[1])} m² at {_figures(top[0])} m"
-        plot.add_marker(*top, label, curve=curve)
+        level = x[area >= (1.0 - _LEVEL) * top[1]]
+        label = f"largest {_figures(top[1])} m²"
+        if level.size == 1:
+            label += f" at {_figures(top[0])} m"
+        # A parallel midbody has no one place of the largest area.
+        middle = level[np.abs(level - level.mean()).argmin()]
+        plot.add_marker(float(middle), top[1], label, curve=curve)
     if length_pp is not None:
         for at, label in ((0.0, "AP"), (0.5 * length_pp, "midship"), (length_pp, "FP")):
             plot.add_line(x=at, label=label)

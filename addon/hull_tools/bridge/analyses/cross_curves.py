@@ -102,5 +102,5 @@ def plot(result, name):
         found.displacements_t,
         found.heels,
         found.levers,
-        subtitles=[f"{name}, {trim}, {density}"],
+        subtitles=[f"{name}, {trim}, {density}; GZ = KN − KG sin φ"],
     )

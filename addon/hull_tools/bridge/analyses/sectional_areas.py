@@ -10,7 +10,8 @@ from .. import afloat, hydrostatics, native
 LABEL = "Sectional areas"
 IS_LIVE = True
 
-_STATIONS = 81
+_SPACES = 80
+_FINER = 4  # so many times, the two spaces at either end: there the curve bends most
 # The ends are cut so much of the length inside the hull, where a transom still has its area.
 _END_SHARE = 1e-6
 
@@ -18,7 +19,7 @@ _END_SHARE = 1e-6
 @dataclass(frozen=True)
 class Result:
     areas: object  # hull_native.SectionAreas
-    lcb: float
+    particulars: object  # hull_native.Particulars
     where: afloat.Afloat
 
 
@@ -31,9 +32,12 @@ def compute(ship, where):
     found = hydrostatics.particulars(body, where)
     low, high = _reach(body, found)
     margin = _END_SHARE * (high - low)
-    stations = np.linspace(low + margin, high - margin, _STATIONS)
+    numbers = np.arange(_FINER * _SPACES + 1)
+    inside = (numbers > 2 * _FINER) & (numbers < numbers[-1] - 2 * _FINER)
+    numbers = numbers[~inside | (numbers % _FINER == 0)]
+    stations = np.interp(numbers, numbers[[0, -1]], (low + margin, high - margin))
     areas = native.require().section_areas(body, stations, **where.position())
-    return Result(areas, found.lcb, where)
+    return Result(areas, found, where)
 
 
 def _reach(body, found):
@@ -79,10 +83,11 @@ def plot(result, name):
         at += f", trim {where.trim_m:.3f} m by the stern"
     if where.heel:
         at += f", heel {np.degrees(where.heel):.1f}°"
+    at += f", ∇ {result.particulars.displaced_volume:.1f} m³"
     return native.require().sectional_area_plot(
         found.positions,
         found.areas,
         subtitles=[at],
-        lcb=result.lcb,
+        lcb=result.particulars.lcb,
         length_pp=where.length_pp or None,
     )
