@@ -5,7 +5,17 @@ analyses."""
 from dataclasses import replace
 
 from ..io import write_hull_file
-from . import afloat, analyses, hull_saving, hull_state, hydrostatics, lines, native, tables, units
+from . import (
+    afloat,
+    analyses,
+    hull_saving,
+    hull_state,
+    hydrostatics,
+    lines_plan,
+    native,
+    tables,
+    units,
+)
 from .files import replacing
 
 
@@ -51,23 +61,16 @@ def export_step(obj, scene, path):
 
 
 def export_lines_drawing(obj, scene, path):
-    """Draws body plan, profile and half-breadth plan; SVG, PDF or PNG by the name's ending."""
+    """Draws the lines plan that Object.hull.plan asks for; SVG, PDF, PNG or DXF by the name's
+    ending."""
     state = _up_to_date(obj, scene)
-    surface = state.surface
     scale = units.metres_per_unit(scene)
-    where = lines.planes(obj.hull, surface.mesh.points, scale)
-    length = units.as_typed(obj.hull.length_pp) * scale
     native.require().write_lines_drawing(
-        surface,
+        state.surface,
         path,
-        stations=where.stations,
-        waterlines=where.waterlines,
-        buttocks=where.buttocks,
-        mirrored=obj.hull.half,
-        draft=units.as_typed(obj.hull.draft) * scale or None,
-        length=length or None,
         title=obj.name,
         particulars=_particulars(obj.hull, state.body, scale),
+        **lines_plan.drawing_options(obj.hull, state.surface, scale),
     )
 
 

@@ -49,21 +49,22 @@ def planes(settings, points, metres_per_unit):
     buttock_spacing = as_typed(settings.buttock_spacing) * metres_per_unit
     half_beam = max(abs(low[1]), abs(high[1]))
     return Planes(
-        _multiples(station_spacing, low[0], high[0], "stations"),
-        _multiples(waterline_spacing, low[2], high[2], "waterlines"),
-        _multiples(buttock_spacing, 0.0, half_beam, "buttocks"),
+        multiples(station_spacing, low[0], high[0], "stations"),
+        multiples(waterline_spacing, low[2], high[2], "waterlines"),
+        multiples(buttock_spacing, 0.0, half_beam, "buttocks"),
     )
 
 
-def _multiples(spacing, low, high, name):
-    """Multiples of the spacing strictly between two positions; none when the spacing is 0."""
+def multiples(spacing, low, high, name, with_ends=False):
+    """Multiples of the spacing between two positions, which themselves count only with_ends; none
+    when the spacing is 0."""
     if spacing <= 0.0:
         return ()
     if (high - low) / spacing > _MOST_PLANES:
         raise ValueError(
             f"A spacing of {spacing:.4g} m gives more than {_MOST_PLANES} {name}: widen it"
         )
-    margin = 1e-6 * spacing
+    margin = 1e-6 * spacing * (-1.0 if with_ends else 1.0)
     first = int(np.floor((low + margin) / spacing)) + 1
     last = int(np.ceil((high - margin) / spacing)) - 1
     return tuple(k * spacing for k in range(first, last + 1))

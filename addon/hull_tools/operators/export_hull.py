@@ -53,15 +53,15 @@ class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
 
 
 class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
-    """Draw body plan, profile and half-breadth plan as SVG, PDF or PNG"""
+    """Draw body plan, profile and half-breadth plan as PDF, SVG, PNG or DXF"""
 
     bl_idname = "hull.export_lines"
     bl_label = "Export Lines Plan"
     bl_options = {"REGISTER"}
 
-    filename_ext = ".svg"
+    filename_ext = ".pdf"
     check_extension = None
-    filter_glob: StringProperty(default="*.svg;*.pdf;*.png", options={"HIDDEN"})
+    filter_glob: StringProperty(default="*.pdf;*.svg;*.png;*.dxf", options={"HIDDEN"})
 
     def write(self, hull, scene):
         exports.export_lines_drawing(hull, scene, self.filepath)
@@ -119,7 +119,7 @@ def draw_export_menu(self, context):
     layout = self.layout
     layout.operator(HULL_OT_export_hull.bl_idname, text="Ship hull (.hull.json)")
     layout.operator("hull.export_step", text="Hull surface (.step)")
-    layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.svg, .pdf, .png)")
+    layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.pdf, .svg, .png, .dxf)")
     layout.operator_menu_enum("hull.export_table", "analysis", text="Hull table (.csv)")
     layout.operator_menu_enum("hull.export_plot", "analysis", text="Hull plot (.pdf, .svg, .png)")
 

@@ -3,9 +3,15 @@
 
 import bpy
 
-from . import hull, results, shown, stability
+from . import hull, lines_plan, results, shown, stability
 
-_CLASSES = (*hull.CLASSES, *results.CLASSES, *stability.CLASSES, *shown.CLASSES)
+_CLASSES = (
+    *hull.CLASSES,
+    *results.CLASSES,
+    *stability.CLASSES,
+    *shown.CLASSES,
+    *lines_plan.CLASSES,
+)
 
 
 def register():

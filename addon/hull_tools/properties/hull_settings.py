@@ -112,6 +112,7 @@ class HullSettings(bpy.types.PropertyGroup):
     loading: PointerProperty(type=stability_settings.HullLoading)
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
+    plan: PointerProperty(type=output_settings.HullPlan)
 
 
 CLASSES = (*stability_settings.CLASSES, *output_settings.CLASSES, HullLayer, HullSettings)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Object.hull.table and Object.hull.plots: the range of tables, and which plots are shown."""
+"""Object.hull.table, plots and plan: the range of tables, which plots are shown, the lines plan."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .shared import changed, length
 
@@ -45,4 +45,75 @@ class HullPlots(bpy.types.PropertyGroup):
     )
 
 
-CLASSES = (HullTable, HullPlots)
+def _text(name, description):
+    return StringProperty(name=name, description=description, update=changed)
+
+
+def _side(name, default):
+    return FloatProperty(
+        name=name,
+        description="Of a sheet of one's own, in mm",
+        default=default,
+        min=100.0,
+        max=10000.0,
+        precision=0,
+        update=changed,
+    )
+
+
+class HullPlan(bpy.types.PropertyGroup):
+    """The lines plan. Lists are texts, numbers with blanks between, in metres."""
+
+    stations: _text(
+        "Stations", "Positions with blanks between; blank: Lpp divided as in the 3D view"
+    )
+    stations_in: EnumProperty(
+        name="Stations in",
+        description="What the positions of stations are given in",
+        items=(("METRES", "in metres", "x from the after perpendicular"),
+               ("FRAMES", "in frames", "Numbers of frames, 0 at the after perpendicular")),
+        update=changed,
+    )  # fmt: skip
+    waterlines: _text("Waterlines m", "Heights with blanks between; blank: as in the 3D view")
+    buttocks: _text("Buttocks m", "Half-breadths with blanks between; blank: as in the 3D view")
+    diagonals: _text(
+        "Diagonals",
+        "Each a height at the centre plane in m, a slash, and the angle below the horizontal in "
+        "degrees: 5.2/35 4/50",
+    )
+    frame_spacing: length("Frame spacing", "Distance of frames; 0 draws none")
+    paper: EnumProperty(
+        name="Sheet",
+        description="The sheet of paper, its long side across",
+        items=(*((name, name, "") for name in ("A4", "A3", "A2", "A1", "A0")),
+               ("OWN", "Own size", "")),
+        default="A3",
+        update=changed,
+    )  # fmt: skip
+    width: _side("Width", 600.0)
+    height: _side("Height", 400.0)
+    scale: FloatProperty(
+        name="Scale 1:",
+        description="100 for 1:100; 0: the largest usual scale that fits",
+        min=0.0,
+        precision=0,
+        update=changed,
+    )
+    offsets: BoolProperty(
+        name="Table of offsets",
+        description="Draw the table of offsets on the sheet",
+        default=True,
+        update=changed,
+    )
+    drawn: _text("Drawn", "For the title block")
+    date: _text("Date", "For the title block")
+    number: _text("Drawing no.", "For the title block")
+    dxf_unit: EnumProperty(
+        name="DXF in",
+        description="The unit of a DXF file, which is at the ship's true size",
+        items=(("m", "Metres", ""), ("mm", "Millimetres", "")),
+        update=changed,
+    )
+
+
+CLASSES = (HullTable, HullPlots, HullPlan)

@@ -11,10 +11,11 @@ from ._drawing import write_lines_plan
 MOST_LINES = 400
 
 
-def line_positions(given, low, high, *, name="lines"):
+def line_positions(given, low, high, *, name="lines", with_ends=False):
     """Positions (n,) from what a user gives: None for none, (n,) as they are, or one number.
 
-    One number is a spacing: its multiples strictly between low and high.
+    One number is a spacing: its multiples between low and high, which themselves count only
+    with_ends.
     """
     if given is None:
         return np.empty(0)
@@ -27,7 +28,7 @@ def line_positions(given, low, high, *, name="lines"):
         raise ValueError(
             f"A spacing of {spacing:.4g} gives more than {MOST_LINES} {name}: widen it."
         )
-    margin = 1e-6 * spacing
+    margin = 1e-6 * spacing * (-1.0 if with_ends else 1.0)
     first = floor((low + margin) / spacing) + 1
     last = ceil((high - margin) / spacing) - 1
     return spacing * np.arange(first, last + 1)
@@ -89,16 +90,18 @@ def write_lines_drawing(
         station_spacing = frame_spacing if station_spacing is None else station_spacing
     elif stations_in != "m":
         raise ValueError(f'stations_in is "m" or "frames", not "{stations_in}".')
+    aft = min(low[0], 0.0 if length else low[0]) / unit
+    fore = max(high[0], length or high[0]) / unit
     if np.ndim(diagonals) == 0:
         heights = line_positions(diagonals, low[2], high[2], name="diagonals")
         diagonals = [(height, diagonal_angle) for height in heights]
     write_lines_plan(
         surface,
         path,
-        stations=unit * line_positions(stations, low[0] / unit, high[0] / unit, name="stations"),
+        stations=unit * line_positions(stations, aft, fore, name="stations", with_ends=True),
         waterlines=line_positions(waterlines, low[2], high[2], name="waterlines"),
         buttocks=line_positions(buttocks, 0.0, max(-low[1], high[1]), name="buttocks"),
-        diagonals=[tuple(pair) for pair in diagonals] if diagonals is not None else [],
+        diagonals=[tuple(pair) for pair in diagonals],
         mirrored=mirrored,
         draft=draft,
         length=length,

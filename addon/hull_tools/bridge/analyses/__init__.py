@@ -20,6 +20,7 @@ from . import (
     cross_curves,
     hydrostatic_table,
     load_cases,
+    offset_table,
     righting_levers,
     sectional_areas,
 )
@@ -32,6 +33,7 @@ _MODULES = (
     cross_curves,
     criteria,
     load_cases,
+    offset_table,
 )
 
 ANALYSES = {module.__name__.rpartition(".")[2]: module for module in _MODULES}

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The lines plan on paper: which lines, which sheet, what its title block says."""
+
+import bpy
+
+from ..bridge import hull_objects
+from .shared import HullPanel
+
+
+class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
+    bl_label = "Lines Plan"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        plan = hull_objects.hull_of(context.object).hull.plan
+        layout.label(text="Blank: as shown in the 3D view")
+        column = layout.column(align=True)
+        column.prop(plan, "stations")
+        column.prop(plan, "stations_in", text="")
+        for name in ("waterlines", "buttocks", "diagonals"):
+            column.prop(plan, name)
+        layout.prop(plan, "frame_spacing")
+        column = layout.column(align=True)
+        column.prop(plan, "paper")
+        if plan.paper == "OWN":
+            row = column.row(align=True)
+            row.prop(plan, "width")
+            row.prop(plan, "height")
+        column.prop(plan, "scale")
+        layout.prop(plan, "offsets")
+        column = layout.column(align=True)
+        for name in ("drawn", "date", "number"):
+            column.prop(plan, name)
+        layout.prop(plan, "dxf_unit")
+        row = layout.row(align=True)
+        row.operator("hull.export_lines", text="Lines Plan", icon="EXPORT")
+        row.operator("hull.export_table", text="Offsets", icon="EXPORT").analysis = "offset_table"
+
+
+CLASSES = (HULL_PT_lines_plan,)
