@@ -103,7 +103,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        report, layout = _result(self.layout, context, "criteria", "2008 IS Code, Part A")
+        report, layout = _result(self.layout, context, "criteria", "IS Code, Part A")
         if report is None:
             return
         notes = []
