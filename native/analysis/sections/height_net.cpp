@@ -48,7 +48,7 @@ BezierCubic HeightNet::along(int side) const {
 }
 
 HeightNet height_net(const BicubicPoints& points, const Plane& plane,
-                     const HeightTolerances& tolerances) {
+                     const HeightTolerances& tolerances, const SideFlags& may_lie) {
   HeightNet result{bezier_net(points, plane.normal, plane.offset), {}, false, false};
   BezierNet& net = result.net;
   double low = net[0], high = net[0];
@@ -56,13 +56,13 @@ HeightNet height_net(const BicubicPoints& points, const Plane& plane,
     low = std::min(low, h);
     high = std::max(high, h);
   }
-  result.flat = low >= -tolerances.flat && high <= tolerances.flat;
+  result.flat = low >= -tolerances.flat && high <= tolerances.flat && may_lie == kAllSides;
   if (result.flat || low > tolerances.flat || high < -tolerances.flat) return result;
   const std::array<bool, 4> near{
       std::abs(net[0]) <= tolerances.flat, std::abs(net[3]) <= tolerances.flat,
       std::abs(net[15]) <= tolerances.flat, std::abs(net[12]) <= tolerances.flat};
   for (int side = 0; side < 4; ++side) {
-    if (!near[side] || !near[(side + 1) % 4]) continue;
+    if (!may_lie[side] || !near[side] || !near[(side + 1) % 4]) continue;
     result.in_plane[side] = vanishes(net, side, tolerances.flat);
     result.divided = result.divided || result.in_plane[side];
   }

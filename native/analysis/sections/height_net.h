@@ -21,14 +21,17 @@ struct HeightNet {
   BezierNet net;                 // g; coefficients of rounding size are zero
   std::array<bool, 4> in_plane;  // the sides v = 0, u = 1, v = 1, u = 0
   bool divided;                  // some side is in the plane; else g is the height itself
-  bool flat;                     // all of it lies in the plane; then nothing is divided out
+  bool flat;                     //  all of it lies in the plane; then nothing is divided out
 
   // g along a side, in the direction of rising u or v.
   BezierCubic along(int side) const;
 };
 
+// `may_lie` tells which sides may be taken for lying in the plane; the whole piece if all may.
+using SideFlags = std::array<bool, 4>;
+inline constexpr SideFlags kAllSides{true, true, true, true};
 HeightNet height_net(const BicubicPoints& points, const Plane& plane,
-                     const HeightTolerances& tolerances);
+                     const HeightTolerances& tolerances, const SideFlags& may_lie);
 
 // Value and derivatives up to the second of a net on [0, 1]^2.
 struct HeightJet {

@@ -20,11 +20,12 @@ struct Place {
 class PieceArcs {
  public:
   PieceArcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
-            double chord_tolerance, SectionParts& parts)
+            double chord_tolerance, double zero, SectionParts& parts)
       : piece_(piece),
         height_(height),
         normal_(plane.normal),
         chord_tolerance_(chord_tolerance),
+        zero_(zero),
         parts_(parts) {}
 
   void add_simple(const NetSquare& square, bool swapped);
@@ -59,7 +60,7 @@ class PieceArcs {
   const SurfacePiece& piece_;
   const HeightNet& height_;
   const Vector3d& normal_;
-  double chord_tolerance_;
+  double chord_tolerance_, zero_;
   SectionParts& parts_;
 };
 
@@ -150,10 +151,16 @@ void PieceArcs::add_tangled(const NetSquare& square) {
   }
 }
 
-// Where the course is not defined, that of the chord is taken.
+// Where the course is not defined, that of the chord is taken. What only nicks the corner of a
+// square is no arc.
 void PieceArcs::close_arc(std::size_t first) {
   std::vector<SectionPoint>& points = parts_.points;
   const std::size_t last = points.size();
+  const double nick = 10.0 * zero_;
+  if (last - first == 2 && (points[first].point - points[first + 1].point).norm() < nick) {
+    points.resize(first);
+    return;
+  }
   for (std::size_t i = first; i < last; ++i) {
     if (!points[i].tangent.isZero(0.0)) continue;
     const Vector3d chord = i + 1 < last ? Vector3d(points[i + 1].point - points[i].point)
@@ -183,9 +190,9 @@ void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane
 }
 
 void add_section_arcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
-                      double chord_tolerance, NetCut& cut, SectionParts& parts) {
+                      double chord_tolerance, double zero, NetCut& cut, SectionParts& parts) {
   cut.divide(height.net);
-  PieceArcs arcs(piece, height, plane, chord_tolerance, parts);
+  PieceArcs arcs(piece, height, plane, chord_tolerance, zero, parts);
   for (const NetCut::Part& part : cut.parts) {
     if (part.shape == NetCut::Shape::kTangled) {
       arcs.add_tangled(part.square);

@@ -15,8 +15,9 @@ void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane
                 SectionPoint& p);
 
 // Adds the arcs of a piece but for sides that lie in the plane, sampled so that no chord is further
-// than `chord_tolerance` from the curve. `cut` is room to work in.
+// than `chord_tolerance` from the curve. Lengths of about `zero` are rounding. `cut` is room to
+// work in.
 void add_section_arcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
-                      double chord_tolerance, NetCut& cut, SectionParts& parts);
+                      double chord_tolerance, double zero, NetCut& cut, SectionParts& parts);
 
 }  // namespace hull

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSameEnd = 1e-8, kGap = 1e-4;  // JoinTolerances
 constexpr double kSamePoint = 1e-9;             // points nearer to each other are given once
 constexpr double kOnPlane = 1e-10;              // knots that branches are led through
-constexpr double kShortestCurve = 1e-7;
+constexpr double kShortestCurve = 1e-6;
 // Tangents that turn by more make a knuckle, radians.
 constexpr double kTurn = 1e-5;
 constexpr double kTurnAtSpot = 1e-2;  // where the course was not followed to the end

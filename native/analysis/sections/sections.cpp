@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/sections/sections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,8 +18,8 @@ namespace {
 constexpr double kZeroHeight = 1e-13;
 constexpr double kSmallestCorner = 1e-9;
 constexpr double kFlat = 1e-10;
-// Squares and pieces at irregular knots are taken for flat down to this part of a cell. Smaller
-// ones lie near the plane because they are small.
+// Squares and pieces at irregular knots are taken for flat down to this part of a cell, and so are
+// sides that do not go on from such. Smaller ones lie near the plane because they are small.
 constexpr double kSmallestFlat = 1.0 / 32.0;
 
 void check(const std::vector<Plane>& planes, const SectionOptions& options) {
@@ -56,6 +57,7 @@ class Cutter {
     const auto take = [&](const SurfacePiece& piece) { add_piece(piece, plane, sides); };
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
       if (boxes.least(cell, plane.normal) > high || boxes.most(cell, plane.normal) < low) continue;
+      lines_.clear();
       for_each_piece(surface_, cell, descend, take);
     }
     if (!sides.empty()) sides.add_arcs(chord_tolerance_, parts_);
@@ -65,6 +67,7 @@ class Cutter {
  private:
   bool wants(const CornerSquare& square, const Plane& plane, PlaneSides& sides);
   void add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides& sides);
+  SideFlags sides_that_may_lie(const SurfacePiece& piece) const;
   void add_spot(const CornerSquare& square, const Plane& plane, double radius);
 
   const LimitSurface& surface_;
@@ -73,6 +76,25 @@ class Cutter {
   HeightTolerances heights_;
   SectionParts parts_;
   NetCut net_cut_;
+  // A side's line within a cell: u or v = at.
+  struct Line {
+    bool along_v;
+    double at;
+    bool operator==(const Line&) const = default;
+  };
+  static Line line_of(const DomainSquare& square, int side) {
+    switch (side) {
+      case 0:
+        return {false, square.v};
+      case 1:
+        return {true, square.u + square.size};
+      case 2:
+        return {false, square.v + square.size};
+      default:
+        return {true, square.u};
+    }
+  }
+  std::vector<Line> lines_;  // in the plane, of the cell's smaller pieces so far
 };
 
 bool Cutter::wants(const CornerSquare& square, const Plane& plane, PlaneSides& sides) {
@@ -113,18 +135,25 @@ void Cutter::add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides
     high = std::max(high, height);
   }
   if (low > heights_.flat || high < -heights_.flat) return;
-  const HeightNet height = height_net(piece.points, plane, heights_);
-  if (height.flat) {
-    if (piece.size >= kSmallestFlat) sides.add_flat(piece.cell, {piece.u, piece.v, piece.size});
-    return;
+  const DomainSquare square{piece.u, piece.v, piece.size};
+  const HeightNet height = height_net(piece.points, plane, heights_, sides_that_may_lie(piece));
+  if (height.flat) return sides.add_flat(piece.cell, square);
+  for (int side = 0; side < 4 && height.divided; ++side) {
+    if (!height.in_plane[side]) continue;
+    sides.add_side(piece.cell, square, side, height.along(side));
+    if (piece.size < 0.5) lines_.push_back(line_of(square, side));
   }
-  if (height.divided) {
-    for (int side = 0; side < 4; ++side) {
-      if (!height.in_plane[side]) continue;
-      sides.add_side(piece.cell, {piece.u, piece.v, piece.size}, side, height.along(side));
-    }
+  add_section_arcs(piece, height, plane, chord_tolerance_, heights_.zero, net_cut_, parts_);
+}
+
+SideFlags Cutter::sides_that_may_lie(const SurfacePiece& piece) const {
+  if (piece.size >= kSmallestFlat) return kAllSides;
+  SideFlags flags;
+  for (int side = 0; side < 4; ++side) {
+    const Line line = line_of({piece.u, piece.v, piece.size}, side);
+    flags[side] = std::find(lines_.begin(), lines_.end(), line) != lines_.end();
   }
-  add_section_arcs(piece, height, plane, chord_tolerance_, net_cut_, parts_);
+  return flags;
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ struct SectionOptions {
 // the plane to the left and the right of such a line, as at a keel, the curve's direction means
 // nothing.
 //
-// Points where the surface only touches the plane give nothing, nor do loops and stretches of less
-// than 1e-7 of the size. Where the plane is tangent to the surface at a saddle, branches meet: in
+// Points where the surface only touches the plane give nothing, nor do curves shorter than
+// 1e-6 of the size. Where the plane is tangent to the surface at a saddle, branches meet: in
 // the saddle's point, or within 1e-6 of a cell. At irregular knots the surface has no curvature;
 // next to them that of the section may be of any size.
 //

@@ -41,13 +41,7 @@ class Slicer {
       triangles_.push_back({c[0], c[1], c[2]});
       triangles_.push_back({c[0], c[2], c[3]});
     }
-    std::map<std::array<int, 2>, int> uses;
-    for (const auto& t : triangles_) {
-      for (int k = 0; k < 3; ++k) ++uses[edge(t, k)];
-    }
-    for (const auto& [ends, count] : uses) {
-      if (count == 1) borders_.push_back(ends);
-    }
+    find_feature_edges();
     // The facets' error, from the surface's points over the middles of quadrilaterals.
     const Tessellation finer = tessellate(surface, 2 * kDivisions);
     for (std::size_t q = 0; q < grid_.quads.size(); ++q) {
@@ -75,10 +69,10 @@ class Slicer {
     std::vector<double> heights;
     for (const Vector3d& p : grid_.points) heights.push_back(plane.height(p));
     for (const auto& t : triangles_) add(t, heights, plane.normal);
-    for (const auto& [a, b] : borders_) {
+    for (const auto& [a, b, border] : features_) {
       const double nearest = std::min(std::abs(heights[a]), std::abs(heights[b]));
       // A border's corner in the plane may part a branch or not.
-      if (nearest < 1e-9) safe_ = false;
+      if (border && nearest < 1e-9) safe_ = false;
       if (nearest > 3.0 * error_) continue;
       const double length = (grid_.points[a] - grid_.points[b]).norm();
       if (std::abs(heights[a] - heights[b]) < kSafeAngle * length) safe_ = false;
@@ -92,6 +86,27 @@ class Slicer {
 
  private:
   static constexpr int kDivisions = 12;
+
+  // Borders, and creases: there normals are not shared.
+  void find_feature_edges() {
+    std::map<std::array<int, 2>, std::vector<std::array<int, 2>>> normals;
+    for (std::size_t q = 0; q < grid_.quads.size(); ++q) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        int a = grid_.quads[q][k], b = grid_.quads[q][(k + 1) % 4];
+        int m = grid_.corner_normals[q][k], n = grid_.corner_normals[q][(k + 1) % 4];
+        if (a > b) {
+          std::swap(a, b);
+          std::swap(m, n);
+        }
+        normals[{a, b}].push_back({m, n});
+      }
+    }
+    for (const auto& [ends, seen] : normals) {
+      if (seen.size() == 1 || seen[0] != seen[1]) {
+        features_.push_back({ends[0], ends[1], seen.size() == 1});
+      }
+    }
+  }
 
   static std::array<int, 2> edge(const std::array<int, 3>& t, int k) {
     return {std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])};
@@ -160,7 +175,11 @@ class Slicer {
 
   Tessellation grid_;
   std::vector<std::array<int, 3>> triangles_;
-  std::vector<std::array<int, 2>> borders_;
+  struct FeatureEdge {
+    int a, b;
+    bool border;
+  };
+  std::vector<FeatureEdge> features_;
   double error_ = 0.0;
   std::vector<Segment> segments_;
   std::map<std::array<int, 2>, int> nodes_;
@@ -255,7 +274,8 @@ double distance_to(const std::vector<SectionCurve>& curves, const Vector3d& p) {
   return nearest;
 }
 
-// Chords that are there twice, whichever way. Points may be, where branches meet.
+// Chords that are there twice, whichever way. Points may be, where branches meet, and so may the
+// two chords of a loop that is narrower than they are exact.
 int count_repeated(const std::vector<SectionCurve>& curves) {
   using Place = std::array<double, 3>;
   std::vector<std::array<Place, 2>> chords;
@@ -263,6 +283,7 @@ int count_repeated(const std::vector<SectionCurve>& curves) {
     return Place{static_cast<double>(c.cells[i]), c.uv[i].x(), c.uv[i].y()};
   };
   for (const SectionCurve& c : curves) {
+    if (c.closed && c.points.size() == 3) continue;
     for (std::size_t i = 1; i < c.points.size(); ++i) {
       chords.push_back({place(c, i - 1), place(c, i)});
       std::sort(chords.back().begin(), chords.back().end());
