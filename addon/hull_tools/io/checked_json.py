@@ -95,4 +95,10 @@ class CheckedJson:
             raise self.error(
                 where, f"it is no text of at most {LONGEST_TEXT} characters", "write a short text"
             )
+        # JSON may name these by their numbers; no text that is to be shown or stored has them.
+        for place, letter in enumerate(value):
+            if letter < " " and letter not in "\t\n" or "\ud800" <= letter <= "\udfff":
+                raise self.error(
+                    where, f"character {place} is no letter ({letter!a})", "take it out"
+                )
         return value

@@ -218,6 +218,11 @@ MISTAKES = {
         "openings[0].name: it is no text",
     ),
     "name": (content(name=5), "name: it is no text"),
+    "half a letter": (content(name="a\ud800"), "name: character 1 is no letter ('\\ud800')"),
+    "null letter": (
+        content(load_cases=[{"mass_t": 1, "name": "\0"}]),
+        "load_cases[0].name: character 0 is no letter ('\\x00')",
+    ),
     "long name": (content(name="x" * 10001), "name: it is no text of at most 10000"),
     "not JSON": (b'{"format": "hull",\n "half" true}', "line 2, column 9: it is not JSON"),
     "cut short": (json.dumps(content()).encode()[:-50], "it is not JSON"),
