@@ -186,6 +186,8 @@ void mark_design_waterline(const Cutter& cutter, std::vector<NamedCurves>& water
   }
   waterlines.push_back(
       {draft, "DWL " + metres(draft, decimals_of({draft})), cutter.cut(Axis::kZ, draft)});
+  std::sort(waterlines.begin(), waterlines.end(),
+            [](const NamedCurves& a, const NamedCurves& b) { return a.position < b.position; });
 }
 
 std::vector<NamedDiagonal> cut_diagonals(const Cutter& cutter,

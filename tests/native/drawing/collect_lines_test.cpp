@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "test_meshes.h"
@@ -123,7 +125,7 @@ TEST(CollectLines, LabelsHeightsAsExactlyAsNeeded) {
   chosen.draft = 1.25;
   const LinesDrawing drawing = collect_lines(half_box(), chosen);
   EXPECT_EQ(drawing.waterlines[0].label, "1.0 m");
-  EXPECT_EQ(drawing.waterlines[2].label, "DWL 1.25 m");
+  EXPECT_EQ(drawing.waterlines[1].label, "DWL 1.25 m");
 }
 
 TEST(CollectLines, LeavesTheCentrePlaneToTheOutline) {
@@ -145,6 +147,66 @@ TEST(CollectLines, RefusesBadPositions) {
   bad = options();
   bad.station_spacing = 0.0;
   EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
+}
+
+// In the box's bilge corner a diagonal at 45 degrees from z = 4 reaches the side at z = 0.
+TEST(CollectLines, DiagonalsFallFromTheCentrePlane) {
+  LinesOptions chosen = options();
+  const double quarter = 0.25 * std::numbers::pi;
+  chosen.diagonals = {{4.5, quarter}, {3.0, 0.5 * quarter}, {60.0, quarter}};
+  const LinesDrawing drawing = collect_lines(half_box(), chosen);
+  ASSERT_EQ(drawing.diagonals.size(), 2u);  // the third passes above the hull
+  EXPECT_EQ(drawing.diagonals[1].label, "D2");
+  for (const NamedDiagonal& member : drawing.diagonals) {
+    double reach = 0.0;
+    for (const ShipCurve& curve : member.curves) {
+      for (const auto& p : curve.points) {
+        const double height = member.diagonal.height - p.y() * std::tan(member.diagonal.angle);
+        EXPECT_NEAR(p.z(), height, 1e-9);
+        reach = std::max(reach, p.y());
+      }
+    }
+    EXPECT_NEAR(reach, 4.0, 1e-9);
+  }
+  chosen.diagonals = {{3.0, 2.0 * quarter}};
+  EXPECT_THROW(collect_lines(half_box(), chosen), std::invalid_argument);
+}
+
+TEST(CollectLines, KnucklesAndBordersAreSplinesThroughTheirPoints) {
+  const LinesDrawing drawing = collect_lines(half_box(), options());
+  for (const auto* family : {&drawing.outlines, &drawing.knuckles}) {
+    ASSERT_FALSE(family->empty());
+    for (const ShipCurve& curve : *family) {
+      ASSERT_TRUE(curve.spline);
+      const CubicSpline& spline = *curve.spline;
+      EXPECT_LT((spline.points().front() - curve.points.front()).norm(), 1e-12);
+      EXPECT_LT((spline.points().back() - curve.points.back()).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(CollectLines, OffsetsAreThoseOfTheLines) {
+  const LinesDrawing drawing = collect_lines(half_box(), options());
+  ASSERT_TRUE(drawing.offsets);
+  const OffsetTable& table = *drawing.offsets;
+  EXPECT_EQ(table.stations, (std::vector<double>{10.0, 20.0, 30.0}));
+  EXPECT_EQ(table.waterlines, (std::vector<double>{1.0, 2.0, 3.0}));
+  EXPECT_EQ(table.buttocks, (std::vector<double>{0.0, 1.5}));
+  LinesOptions without = options();
+  without.offsets = false;
+  EXPECT_FALSE(collect_lines(half_box(), without).offsets);
+}
+
+TEST(CollectLines, LeavesOutWhatIsBeyondTheHull) {
+  LinesOptions chosen = options();
+  chosen.stations = {-30.0, 10.0, 70.0};
+  chosen.waterlines = {1.0, 9.0};
+  chosen.buttocks = {1.0, 5.0};
+  const LinesDrawing drawing = collect_lines(half_box(), chosen);
+  ASSERT_EQ(drawing.stations.size(), 1u);
+  EXPECT_EQ(drawing.stations[0].position, 10.0);
+  EXPECT_EQ(drawing.waterlines.size(), 2u);  // with the draft
+  EXPECT_EQ(drawing.buttocks.size(), 1u);
 }
 
 }  // namespace

@@ -67,6 +67,43 @@ struct Wigley {
     return {y, metres(y), {curve}};
   }
 
+  NamedDiagonal diagonal(double height, double angle) const {
+    ShipCurve curve;
+    for (int i = 0; i <= 200; ++i) {
+      const double x = length * i / 200.0;
+      // Where the plane meets the side: by halving, from inside to outside.
+      double inside = 0.0, outside = beam;
+      for (int k = 0; k < 60; ++k) {
+        const double y = 0.5 * (inside + outside);
+        const double z = height - y * std::tan(angle);
+        (z > 0.0 && y < half_breadth(x, z) ? inside : outside) = y;
+      }
+      curve.points.push_back({x, inside, height - inside * std::tan(angle)});
+    }
+    return {{height, angle}, angle < 0.5 ? "D1" : "D2", {curve}};
+  }
+
+  OffsetTable offsets(const LinesDrawing& drawing) const {
+    OffsetTable table;
+    for (const NamedCurves& member : drawing.stations) table.stations.push_back(member.position);
+    for (const NamedCurves& member : drawing.waterlines) {
+      table.waterlines.push_back(member.position);
+    }
+    table.buttocks = {0.0};
+    for (const NamedCurves& member : drawing.buttocks) table.buttocks.push_back(member.position);
+    FeatureOffsets deck{"Deck edge", CreaseKind::kBorder, {}, {}};
+    for (const double x : table.stations) {
+      for (const double z : table.waterlines) {
+        table.half_breadths.push_back({half_breadth(x, z), false});
+      }
+      for (std::size_t j = 0; j < table.buttocks.size(); ++j) table.heights.push_back({});
+      deck.half_breadths.push_back(half_breadth(x, depth));
+      deck.heights.push_back(depth);
+    }
+    table.features = {deck};
+    return table;
+  }
+
   LinesDrawing lines() const {
     LinesDrawing drawing;
     drawing.title = "Wigley hull";
