@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/sections/section_splines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hull {
+namespace {
+
+// Where splines through all points of a section are too far from it, four times finer ones are
+// tried so often.
+constexpr int kMostFiner = 3;
+constexpr int kMostRounds = 24;
+// Points nearer to each other than this part of the stretch are not both knots.
+constexpr double kLeastSpacing = 1e-7;
+
+// A stretch by its points and their parameters: lengths along it.
+struct Course {
+  std::vector<Vector3d> points, tangents;
+  std::vector<double> at;
+  bool closed;
+
+  double length() const { return at.back(); }
+  std::size_t last() const { return points.size() - 1; }
+};
+
+Course course_of(const SectionCurve& curve, const SmoothStretch& stretch, const Plane& plane) {
+  Course course;
+  course.closed = curve.closed && curve.knuckles.empty();
+  double length = 0.0;
+  for (int i = stretch.first + 1; i <= stretch.last; ++i) {
+    length += (curve.points[i] - curve.points[i - 1]).norm();
+  }
+  const auto in_plane = [&](const Vector3d& p) {
+    return Vector3d(p - plane.height(p) * plane.normal);
+  };
+  const auto along_plane = [&](const Vector3d& d) {
+    return Vector3d(d - plane.normal.dot(d) * plane.normal);
+  };
+  double curvature = stretch.first_curvature;
+  for (int i = stretch.first; i <= stretch.last; ++i) {
+    const Vector3d p = in_plane(curve.points[i]);
+    const Vector3d tangent =
+        along_plane(i == stretch.first ? stretch.first_tangent : curve.tangents[i]);
+    if (course.points.empty()) {
+      course.points.push_back(p);
+      course.tangents.push_back(tangent);
+      course.at.push_back(0.0);
+      continue;
+    }
+    const double chord = (p - course.points.back()).norm();
+    if (chord < kLeastSpacing * length) {
+      if (i < stretch.last) continue;
+      if (course.points.size() > 1) {
+        course.points.pop_back();
+        course.tangents.pop_back();
+        course.at.pop_back();
+        --i;
+        continue;
+      }
+    }
+    // An arc's length from its chord, to fourth order.
+    const double turn = 0.5 * (curvature + curve.curvatures[i]) * chord;
+    course.at.push_back(course.at.back() + chord * (1.0 + std::min(turn * turn / 24.0, 0.1)));
+    course.points.push_back(p);
+    course.tangents.push_back(tangent);
+    curvature = curve.curvatures[i];
+  }
+  return course;
+}
+
+// Thomas' algorithm; the diagonal dominates.
+std::vector<Vector3d> solve(const std::vector<double>& below, std::vector<double> diagonal,
+                            const std::vector<double>& above, std::vector<Vector3d> right) {
+  const std::size_t n = diagonal.size();
+  for (std::size_t i = 1; i < n; ++i) {
+    const double factor = below[i] / diagonal[i - 1];
+    diagonal[i] -= factor * above[i - 1];
+    right[i] -= factor * right[i - 1];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    if (i + 1 < n) right[i] -= above[i] * right[i + 1];
+    right[i] /= diagonal[i];
+  }
+  return right;
+}
+
+// Derivatives at the nodes of the twice continuously differentiable cubic spline through some of
+// the course's points: with the course's tangents at the ends, or periodic.
+std::vector<Vector3d> slopes(const Course& course, const std::vector<std::size_t>& nodes) {
+  const std::size_t n = nodes.size() - 1;
+  const auto width = [&](std::size_t i) { return course.at[nodes[i + 1]] - course.at[nodes[i]]; };
+  const auto rise = [&](std::size_t i) {
+    const double h = width(i);
+    return Vector3d(3.0 / (h * h) * (course.points[nodes[i + 1]] - course.points[nodes[i]]));
+  };
+  const std::size_t count = course.closed ? n : n + 1;
+  std::vector<double> below(count, 0.0), diagonal(count, 1.0), above(count, 0.0);
+  std::vector<Vector3d> right(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!course.closed && (i == 0 || i == n)) {
+      right[i] = course.tangents[nodes[i]];
+      continue;
+    }
+    const std::size_t before = i > 0 ? i - 1 : n - 1;
+    below[i] = 1.0 / width(before);
+    above[i] = 1.0 / width(i);
+    diagonal[i] = 2.0 * (below[i] + above[i]);
+    right[i] = rise(before) + rise(i);
+  }
+  if (!course.closed) return solve(below, diagonal, above, right);
+  // The corners of the cyclic matrix are a product of two vectors (Sherman and Morrison 1950).
+  const double corner = below[0], other = above[n - 1], shift = -diagonal[0];
+  diagonal[0] -= shift;
+  diagonal[n - 1] -= corner * other / shift;
+  std::vector<Vector3d> u(n, Vector3d::Zero());
+  u[0].x() = shift;
+  u[n - 1].x() = other;
+  std::vector<Vector3d> m = solve(below, diagonal, above, right);
+  const std::vector<Vector3d> z = solve(below, diagonal, above, u);
+  const double ratio = corner / shift;
+  const Vector3d share = (m[0] + ratio * m[n - 1]) / (1.0 + z[0].x() + ratio * z[n - 1].x());
+  for (std::size_t i = 0; i < n; ++i) m[i] -= z[i].x() * share;
+  m.push_back(m.front());
+  return m;
+}
+
+CubicSpline spline_through(const Course& course, const std::vector<std::size_t>& nodes) {
+  const std::vector<Vector3d> m = slopes(course, nodes);
+  const std::size_t n = nodes.size() - 1;
+  const auto at = [&](std::size_t i) { return course.at[nodes[i]]; };
+  const auto third = [&](std::size_t i) { return (at(i + 1) - at(i)) / 3.0; };
+  // The inner Bézier points of span i.
+  const auto first = [&](std::size_t i) {
+    return Vector3d(course.points[nodes[i]] + third(i) * m[i]);
+  };
+  const auto second = [&](std::size_t i) {
+    return Vector3d(course.points[nodes[i + 1]] - third(i) * m[i + 1]);
+  };
+  std::vector<double> knots(3, at(0));
+  for (std::size_t i = 0; i <= n; ++i) knots.push_back(at(i));
+  knots.insert(knots.end(), 3, at(n));
+  std::vector<Vector3d> points{course.points[nodes[0]], first(0)};
+  for (std::size_t i = 1; i < n; ++i) {
+    // The blossom of the longer of the two spans at the nodes i - 1, i, i + 1.
+    const double before = at(i) - at(i - 1), after = at(i + 1) - at(i);
+    const std::size_t span = before > after ? i - 1 : i;
+    const double x = before > after ? (before + after) / before : -before / after;
+    points.push_back((1.0 - x) * first(span) + x * second(span));
+  }
+  points.push_back(second(n - 1));
+  points.push_back(course.points[nodes[n]]);
+  return {std::move(points), std::move(knots)};
+}
+
+// The distance from the spline near its parameter t.
+double distance_to(const CubicSpline& spline, const Vector3d& p, double t) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const CurveJet jet = spline.evaluate(t, 1);
+    const Vector3d r = p - jet.point;
+    nearest = std::min(nearest, r.norm());
+    const double speed2 = jet.d1.squaredNorm();
+    if (speed2 == 0.0) break;
+    t = std::clamp(t + r.dot(jet.d1) / speed2, spline.begin(), spline.end());
+  }
+  return nearest;
+}
+
+// The largest distance of the course from the spline over the points from a to b.
+double largest_distance(const Course& course, const CubicSpline& spline, std::size_t a,
+                        std::size_t b) {
+  double largest = 0.0;
+  for (std::size_t i = a; i < b; ++i) {
+    const double width = course.at[i + 1] - course.at[i];
+    const Vector3d middle = 0.5 * (course.points[i] + course.points[i + 1]) +
+                            0.125 * width * (course.tangents[i] - course.tangents[i + 1]);
+    largest = std::max(largest, distance_to(spline, middle, course.at[i] + 0.5 * width));
+    if (i > a) largest = std::max(largest, distance_to(spline, course.points[i], course.at[i]));
+  }
+  return largest;
+}
+
+// The point halfway between two, in length.
+std::size_t middle_of(const Course& course, std::size_t a, std::size_t b) {
+  const double half = 0.5 * (course.at[a] + course.at[b]);
+  const auto begin = course.at.begin() + static_cast<std::ptrdiff_t>(a) + 1;
+  const auto end = course.at.begin() + static_cast<std::ptrdiff_t>(b) - 1;
+  return static_cast<std::size_t>(std::lower_bound(begin, end, half) - course.at.begin());
+}
+
+SectionSpline fit(const Course& course, double tolerance) {
+  std::vector<std::size_t> nodes{0, course.last()};
+  // A periodic spline needs some.
+  for (int i = 0; i < 2 && course.closed; ++i) {
+    std::vector<std::size_t> more;
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+      if (nodes[k + 1] - nodes[k] > 1) more.push_back(middle_of(course, nodes[k], nodes[k + 1]));
+    }
+    nodes.insert(nodes.end(), more.begin(), more.end());
+    std::sort(nodes.begin(), nodes.end());
+  }
+  for (int round = 0;; ++round) {
+    SectionSpline result{spline_through(course, nodes), course.closed, 0.0};
+    std::vector<std::size_t> more;
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+      const double off = largest_distance(course, result.curve, nodes[k], nodes[k + 1]);
+      result.largest_distance = std::max(result.largest_distance, off);
+      if (off > tolerance && nodes[k + 1] - nodes[k] > 1) {
+        more.push_back(middle_of(course, nodes[k], nodes[k + 1]));
+      }
+    }
+    if (more.empty() || round == kMostRounds) return result;
+    nodes.insert(nodes.end(), more.begin(), more.end());
+    std::sort(nodes.begin(), nodes.end());
+  }
+}
+
+}  // namespace
+
+std::vector<SectionSplines> section_splines(const LimitSurface& surface, const Plane& plane,
+                                            double tolerance,
+                                            std::optional<double> flat_tolerance) {
+  std::vector<SectionSplines> result;
+  // Between the points the course is known to a part of their chords' distances from it.
+  double chord_tolerance = 0.25 * tolerance;
+  for (int finer = 0; finer <= kMostFiner; ++finer, chord_tolerance *= 0.25) {
+    result.clear();
+    double largest = 0.0;
+    for (const SectionCurve& curve : section(surface, plane, {chord_tolerance, flat_tolerance})) {
+      SectionSplines& branch = result.emplace_back();
+      branch.closed = curve.closed;
+      for (const SmoothStretch& stretch : smooth_stretches(curve)) {
+        branch.splines.push_back(fit(course_of(curve, stretch, plane), tolerance));
+        largest = std::max(largest, branch.splines.back().largest_distance);
+      }
+    }
+    if (largest <= tolerance) break;
+  }
+  return result;
+}
+
+}  // namespace hull
