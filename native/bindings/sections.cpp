@@ -3,14 +3,18 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "analysis/sections/section_splines.h"
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {
+
+constexpr double kChordTolerance = 1e-5;  // of the mesh's size, unless given
 
 Axis axis_from(const std::string& name) {
   if (name == "x") return Axis::kX;
@@ -19,36 +23,227 @@ Axis axis_from(const std::string& name) {
   throw std::invalid_argument("axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
 }
 
+// The plane normal·x = offset, for a normal of any length.
+Plane plane_from(const Vector3d& normal, double offset, const std::string& name) {
+  const double length = normal.norm();
+  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(offset)) {
+    std::string message = name;
+    message += " is no plane: its normal must not be zero, and all of its numbers finite.";
+    throw std::invalid_argument(message);
+  }
+  return {normal / length, offset / length};
+}
+
+std::vector<Plane> planes_from(const DoubleArray& array) {
+  if (array.ndim() != 2 || array.shape(1) != 4) {
+    throw std::invalid_argument(
+        "planes has to be of shape (n, 4): normals x, y, z and offsets of planes normal·p = "
+        "offset.");
+  }
+  const auto numbers = array.unchecked<2>();
+  std::vector<Plane> planes;
+  for (py::ssize_t i = 0; i < numbers.shape(0); ++i) {
+    const Vector3d normal(numbers(i, 0), numbers(i, 1), numbers(i, 2));
+    std::string name = "planes[";
+    name += std::to_string(i);
+    name += ']';
+    planes.push_back(plane_from(normal, numbers(i, 3), name));
+  }
+  return planes;
+}
+
+py::array_t<double> to_array(const Plane& plane) {
+  return bindings::to_array(
+      std::vector<double>{plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
+}
+
+SectionOptions options_from(const LimitSurface& surface,
+                            const std::optional<double>& chord_tolerance,
+                            const std::optional<double>& flat_tolerance) {
+  return {chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
+}
+
+std::vector<SectionCurve> section_across(const LimitSurface& surface, const py::object& axis,
+                                         double position,
+                                         const std::optional<double>& chord_tolerance,
+                                         const std::optional<double>& flat_tolerance) {
+  const Plane plane = py::isinstance<py::str>(axis)
+                          ? plane_across(axis_from(py::cast<std::string>(axis)), position)
+                          : plane_from(point_from(py::cast<DoubleArray>(axis), "axis").normalized(),
+                                       position, "axis");
+  const SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
+  const py::gil_scoped_release release;
+  return section(surface, plane, options);
+}
+
+// A stretch with the values that hold within it at its ends.
+struct StretchArrays {
+  std::vector<Vector3d> points, tangents;
+  std::vector<double> curvatures;
+  int first;
+};
+
+std::vector<StretchArrays> stretches_of(const SectionCurve& curve) {
+  std::vector<StretchArrays> result;
+  for (const SmoothStretch& s : smooth_stretches(curve)) {
+    const auto part = [&s](const auto& values) {
+      return std::decay_t<decltype(values)>(values.begin() + s.first, values.begin() + s.last + 1);
+    };
+    StretchArrays& arrays = result.emplace_back();
+    arrays.first = s.first;
+    arrays.points = part(curve.points);
+    arrays.tangents = part(curve.tangents);
+    arrays.curvatures = part(curve.curvatures);
+    arrays.tangents.front() = s.first_tangent;
+    arrays.curvatures.front() = s.first_curvature;
+  }
+  return result;
+}
+
+void bind_curves(py::module_& module) {
+  py::class_<StretchArrays>(module, "SectionStretch",
+                            "A stretch of a section from knuckle to knuckle, with the tangents "
+                            "and curvatures that it has at its own ends.")
+      .def_property_readonly(
+          "points", [](const StretchArrays& s) { return bindings::to_array(s.points); },
+          "(k, 3), m, in order.")
+      .def_property_readonly(
+          "tangents", [](const StretchArrays& s) { return bindings::to_array(s.tangents); },
+          "(k, 3), of unit length.")
+      .def_property_readonly(
+          "curvatures", [](const StretchArrays& s) { return bindings::to_array(s.curvatures); },
+          "(k,), 1/m.")
+      .def_readonly("first", &StretchArrays::first, "Index of the first point in the curve.");
+  py::class_<SectionCurve>(
+      module, "SectionCurve",
+      "One branch of a plane section. It runs with what is above the plane on its left, seen from "
+      "the water: the body is on the left, seen against the plane's normal.")
+      .def_property_readonly(
+          "points", [](const SectionCurve& c) { return bindings::to_array(c.points); },
+          "(k, 3), m, in order; the first is repeated at the end of a closed curve.")
+      .def_property_readonly(
+          "cells", [](const SectionCurve& c) { return bindings::to_array(c.cells); }, "(k,).")
+      .def_property_readonly(
+          "uv", [](const SectionCurve& c) { return bindings::to_array(c.uv); }, "(k, 2).")
+      .def_property_readonly(
+          "tangents", [](const SectionCurve& c) { return bindings::to_array(c.tangents); },
+          "(k, 3), of unit length; at knuckles those before them.")
+      .def_property_readonly(
+          "curvatures", [](const SectionCurve& c) { return bindings::to_array(c.curvatures); },
+          "(k,), 1/m, in the plane: positive where the curve turns left, seen against the plane's "
+          "normal, as a convex body does; at knuckles those before them.")
+      .def_property_readonly(
+          "knuckles", [](const SectionCurve& c) { return bindings::to_array(c.knuckles); },
+          "(n,) indices of the points on creases, and where the tangent turns. A closed curve with "
+          "knuckles starts at one, whose index is that of the last point.")
+      .def_property_readonly(
+          "knuckle_tangents",
+          [](const SectionCurve& c) { return bindings::to_array(c.knuckle_tangents); },
+          "(n, 3), after the knuckles.")
+      .def_property_readonly(
+          "knuckle_curvatures",
+          [](const SectionCurve& c) { return bindings::to_array(c.knuckle_curvatures); },
+          "(n,), 1/m, after the knuckles.")
+      .def_property_readonly("stretches", &stretches_of,
+                             "List of SectionStretch: the curve from knuckle to knuckle.")
+      .def_readonly("closed", &SectionCurve::closed);
+}
+
+void bind_splines(py::module_& module) {
+  py::class_<SectionSpline>(module, "SectionSpline",
+                            "A stretch of a section between knuckles as a cubic B-spline curve "
+                            "with two continuous derivatives, in the section's plane.")
+      .def_property_readonly("degree", [](const SectionSpline&) { return 3; })
+      .def_property_readonly(
+          "knots", [](const SectionSpline& s) { return bindings::to_array(s.curve.knots()); },
+          "(n + 4,), from 0 to about the length in m; the first and the last of them fourfold.")
+      .def_property_readonly(
+          "control_points",
+          [](const SectionSpline& s) { return bindings::to_array(s.curve.points()); }, "(n, 3), m.")
+      .def_readonly("closed", &SectionSpline::closed,
+                    "Whether it is a whole closed curve without knuckles.")
+      .def_readonly("largest_distance", &SectionSpline::largest_distance,
+                    "From the section, m, where it was measured.")
+      .def(
+          "evaluate",
+          [](const SectionSpline& s, const DoubleArray& array) {
+            std::vector<Vector3d> points;
+            for (const double t : numbers_from(array, "t")) {
+              if (!(t >= s.curve.begin() && t <= s.curve.end())) {
+                throw std::invalid_argument("t has to lie between the first and the last knot.");
+              }
+              points.push_back(s.curve.evaluate(t, 0).point);
+            }
+            return bindings::to_array(points);
+          },
+          py::arg("t"), "t: (k,). Points (k, 3), m.");
+  py::class_<SectionSplines>(module, "SectionSplines", "One branch of a section as splines.")
+      .def_readonly("splines", &SectionSplines::splines, "List of SectionSpline, in order.")
+      .def_readonly("closed", &SectionSplines::closed);
+}
+
 }  // namespace
 
 void bind_sections(py::module_& module) {
-  py::class_<SectionCurve>(module, "SectionCurve", "One branch of a plane section.")
-      .def_property_readonly(
-          "points", [](const SectionCurve& c) { return to_array(c.points); },
-          "(k, 3), m, in order; the first is repeated at the end of a closed curve.")
-      .def_property_readonly(
-          "cells", [](const SectionCurve& c) { return to_array(c.cells); }, "(k,).")
-      .def_property_readonly(
-          "uv", [](const SectionCurve& c) { return to_array(c.uv); }, "(k, 2).")
-      .def_property_readonly(
-          "knuckles", [](const SectionCurve& c) { return to_array(c.knuckles); },
-          "(n,) indices of the points on creases.")
-      .def_readonly("closed", &SectionCurve::closed);
+  bind_curves(module);
+  bind_splines(module);
   module.def(
-      "section",
-      [](const LimitSurface& surface, const std::string& axis, double position,
-         const std::optional<double>& chord_tolerance) {
-        const Axis chosen = axis_from(axis);
-        const py::gil_scoped_release release;
-        return section(surface, chosen, position,
-                       chord_tolerance.value_or(1e-5 * surface.mesh().size()));
+      "plane_across",
+      [](const std::string& axis, double position) {
+        return to_array(plane_across(axis_from(axis), position));
       },
-      py::arg("surface"), py::arg("axis"), py::arg("position"),
-      py::arg("chord_tolerance") = py::none(),
-      "The section by the plane across axis (\"x\": a station, \"y\": a buttock, \"z\": a "
-      "waterline) at position (m), as a list of SectionCurve. Points lie on surface and plane; no "
-      "chord is further than chord_tolerance (m; default 1e-5 of the mesh's size) from the curve. "
-      "A surface lying in the plane has no section there.");
+      py::arg("axis"), py::arg("position"),
+      "The plane across axis \"x\", \"y\" or \"z\" at position (m), as (4,): normal, offset.");
+  module.def(
+      "diagonal_plane",
+      [](double height, double angle) { return to_array(diagonal_plane(height, angle)); },
+      py::arg("height"), py::arg("angle"),
+      "The plane of a diagonal, as (4,): normal, offset. It goes through y = 0, z = height (m) and "
+      "falls to port by angle (radians) below the horizontal.");
+  module.def("section", &section_across, py::arg("surface"), py::arg("axis"), py::arg("position"),
+             py::arg("chord_tolerance") = py::none(), py::kw_only(),
+             py::arg("flat_tolerance") = py::none(),
+             "The section by the plane across axis (\"x\": a station, \"y\": a buttock, \"z\": a "
+             "waterline; or a normal (3,) of any length) at position (m), as a list of "
+             "SectionCurve. Points lie on surface and plane; no chord is further than "
+             "chord_tolerance (m; default 1e-5 of the mesh's size) from the curve.\n\n"
+             "Parts of the surface nearer to the plane than flat_tolerance (m; default 1e-10 of "
+             "the size) lie in it: of flat regions the border belongs to the section, and so do "
+             "creases, borders and lines between patches. Points that only touch the plane give "
+             "nothing. ValueError for tolerances that are not positive, and what is no plane.");
+  module.def(
+      "sections",
+      [](const LimitSurface& surface, const DoubleArray& planes,
+         const std::optional<double>& chord_tolerance,
+         const std::optional<double>& flat_tolerance) {
+        const std::vector<Plane> wanted = planes_from(planes);
+        const SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
+        const py::gil_scoped_release release;
+        return sections(surface, wanted, options);
+      },
+      py::arg("surface"), py::arg("planes"), py::arg("chord_tolerance") = py::none(), py::kw_only(),
+      py::arg("flat_tolerance") = py::none(),
+      "The sections by several planes: (n, 4), of each its normal, of any length, and offset, for "
+      "normal·p = offset. A list of n lists of SectionCurve, as section() gives them; for many "
+      "planes cheaper than one by one.");
+  module.def(
+      "section_splines",
+      [](const LimitSurface& surface, const DoubleArray& planes,
+         const std::optional<double>& tolerance, const std::optional<double>& flat_tolerance) {
+        const std::vector<Plane> wanted = planes_from(planes);
+        const double chosen = tolerance.value_or(kChordTolerance * surface.mesh().size());
+        const py::gil_scoped_release release;
+        std::vector<std::vector<SectionSplines>> result;
+        for (const Plane& plane : wanted) {
+          result.push_back(section_splines(surface, plane, chosen, flat_tolerance));
+        }
+        return result;
+      },
+      py::arg("surface"), py::arg("planes"), py::arg("tolerance") = py::none(), py::kw_only(),
+      py::arg("flat_tolerance") = py::none(),
+      "The sections by planes (n, 4) as cubic B-spline curves no further than tolerance (m; "
+      "default 1e-5 of the mesh's size) from them: a list of n lists of SectionSplines, one a "
+      "branch.");
 }
 
 }  // namespace hull::bindings
