@@ -55,6 +55,7 @@ ALL = (
     "cross_curves",
     "criteria",
     "load_cases",
+    "offset_table",
 )
 PLOTTED = ALL[:5]
 
@@ -84,7 +85,8 @@ def test_the_operator_writes_what_the_function_gives(name, tmp_path):
 
 
 COUNTED = ("station",)
-UNITS = ("m", "m2", "m3", "m4", "t", "t/cm", "t m/cm", "deg", "m/rad", "% of Lpp", "-", "see unit")
+UNITS = ("m", "mm", "m2", "m3", "m4", "t", "t/cm", "t m/cm", "deg", "m/rad", "% of Lpp", "-",
+         "see unit")  # fmt: skip
 
 
 def is_number(cell):
