@@ -64,7 +64,7 @@ PYBIND11_MODULE(_drawing, module) {
          const std::optional<double>& station_spacing, const std::optional<double>& frame_spacing,
          bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
-         const std::optional<double>& chord_tolerance) {
+         const std::optional<double>& tolerance) {
         hull::LinesOptions options;
         options.stations = numbers_from(stations, "stations");
         options.waterlines = numbers_from(waterlines, "waterlines");
@@ -82,7 +82,7 @@ PYBIND11_MODULE(_drawing, module) {
         options.paper = sheet_from(paper);
         options.scale_denominator = scale;
         options.dxf_unit = dxf_unit_from(dxf_unit);
-        options.chord_tolerance = chord_tolerance;
+        options.tolerance = tolerance;
         const py::gil_scoped_release release;
         hull::write_lines_drawing(surface, options, path.string());
       },
@@ -90,6 +90,6 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("waterlines"), py::arg("buttocks"), py::arg("diagonals"), py::arg("mirrored"),
       py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
       py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
-      py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("chord_tolerance"),
+      py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
       "What write_lines_drawing does with all positions in m and all options given.");
 }

@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/offsets/line_planes.h"
 #include "analysis/offsets/offset_table.h"
+#include "analysis/sections/section_splines.h"
 #include "analysis/sections/sections.h"
 #include "drawing/hull_extents.h"
 #include "drawing/ship_curve.h"
@@ -21,10 +23,10 @@ namespace {
 
 // On paper, mm: a tenth of a thin line.
 constexpr double kPaperTolerance = 0.02;
-constexpr double kSamePosition = 1e-6;
 // Of the mesh's size: how far to starboard the centre line of a half hull may lie by its modelling.
 constexpr double kCentreLineSlack = 1e-3;
 constexpr int kStepsPerEdge = 16;  // of knuckles and borders
+constexpr int kStepsPerKnot = 8;   // of splines
 
 std::vector<double> in_order(std::vector<double> positions, const std::string& kind, double same) {
   if (positions.size() > kMostOffsetPositions) {
@@ -115,45 +117,49 @@ void add_port_half(std::vector<ShipCurve>& curves, ShipCurve curve, double slack
   }
 }
 
-// Where a plane is cut that is to be drawn at `position`: an invisible step towards the middle of
-// the hull. A flat end, bottom or side then shows its edge. In the plane itself it would show
-// nothing, or only rounding where its points come from a file in single precision.
-double inwards(const LimitSurface& surface, int axis, double position) {
-  double low = position, high = position;
-  for (const Vector3d& point : surface.mesh().points()) {
-    low = std::min(low, point[axis]);
-    high = std::max(high, point[axis]);
+// Points of a spline, closer than its knots.
+ShipCurve with_points(const CubicSpline& spline) {
+  ShipCurve curve{{}, spline};
+  const std::vector<double>& knots = spline.knots();
+  curve.points.push_back(spline.evaluate(spline.begin(), 0).point);
+  for (std::size_t i = 4; i + 3 < knots.size(); ++i) {
+    for (int step = 1; step <= kStepsPerKnot; ++step) {
+      const double share = static_cast<double>(step) / kStepsPerKnot;
+      const double t = (1.0 - share) * knots[i - 1] + share * knots[i];
+      curve.points.push_back(spline.evaluate(t, 0).point);
+    }
   }
-  const double step = kSamePosition * surface.mesh().size();
-  const double middle = 0.5 * (low + high);
-  return position + std::clamp(middle - position, -step, step);
+  return curve;
 }
 
 // The surface with what all its lines are cut by.
 class Cutter {
  public:
-  Cutter(const LimitSurface& surface, double chord_tolerance)
-      : surface_(surface), chord_tolerance_(chord_tolerance), size_(surface.mesh().size()) {}
+  Cutter(const LimitSurface& surface, double tolerance, bool splines)
+      : surface_(surface), tolerance_(tolerance), splines_(splines), size_(surface.mesh().size()) {}
 
   double same() const { return kSamePosition * size_; }
 
   // To port, exactly at the position.
   std::vector<ShipCurve> cut(Axis axis, double position) const {
     const int coordinate = static_cast<int>(axis);
-    const double where = inwards(surface_, coordinate, position);
     std::vector<ShipCurve> curves;
-    for (SectionCurve& branch : section(surface_, axis, where, chord_tolerance_)) {
+    for (ShipCurve& branch : cut(line_plane(surface_, axis, position))) {
       for (Vector3d& point : branch.points) point[coordinate] = position;
-      add_port_half(curves, {std::move(branch.points), std::nullopt}, same());
+      if (branch.spline) {
+        std::vector<Vector3d> points = branch.spline->points();
+        for (Vector3d& point : points) point[coordinate] = position;
+        branch.spline = CubicSpline(std::move(points), branch.spline->knots());
+      }
+      add_port_half(curves, std::move(branch), same());
     }
     return curves;
   }
 
   std::vector<ShipCurve> cut(const Diagonal& diagonal) const {
-    const Plane plane = diagonal_plane(diagonal.height, diagonal.angle);
     std::vector<ShipCurve> curves;
-    for (SectionCurve& branch : section(surface_, plane, chord_tolerance_)) {
-      add_port_half(curves, {std::move(branch.points), std::nullopt}, same());
+    for (ShipCurve& branch : cut(diagonal_plane(diagonal.height, diagonal.angle))) {
+      add_port_half(curves, std::move(branch), same());
     }
     return curves;
   }
@@ -168,8 +174,27 @@ class Cutter {
   }
 
  private:
+  // Splines from knuckle to knuckle, or polylines from end to end.
+  std::vector<ShipCurve> cut(const Plane& plane) const {
+    std::vector<ShipCurve> curves;
+    if (splines_) {
+      for (const SectionSplines& branch : section_splines(surface_, plane, tolerance_, same())) {
+        for (const SectionSpline& spline : branch.splines) {
+          curves.push_back(with_points(spline.curve));
+        }
+      }
+    } else {
+      for (SectionCurve& branch : section(surface_, plane, SectionOptions{tolerance_, same()})) {
+        curves.push_back({std::move(branch.points), std::nullopt});
+      }
+    }
+    return curves;
+  }
+
   const LimitSurface& surface_;
-  double chord_tolerance_, size_;
+  double tolerance_;
+  bool splines_;
+  double size_;
 };
 
 // The waterlines in order of their heights, with the design waterline among them.
@@ -254,11 +279,12 @@ OffsetTable offsets_of(const LimitSurface& surface, const LinesDrawing& drawing)
 
 LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options) {
   const double size = surface.mesh().size();
-  check_spacing(options.chord_tolerance, "chord tolerance");
+  check_spacing(options.tolerance, "tolerance");
   check_spacing(options.frame_spacing, "frame spacing");
   check_spacing(options.station_spacing, "station spacing");
   const double paper = std::max(options.paper.width, options.paper.height);
-  const Cutter cutter(surface, options.chord_tolerance.value_or(kPaperTolerance / paper * size));
+  const Cutter cutter(surface, options.tolerance.value_or(kPaperTolerance / paper * size),
+                      options.splines);
   LinesDrawing drawing;
   drawing.title = options.title;
   drawing.title_rows = options.title_rows;
@@ -301,8 +327,9 @@ void write_lines_drawing(const LimitSurface& surface, const LinesOptions& option
                          const std::string& path) {
   check_lines_path(path);
   LinesOptions chosen = options;
-  if (is_dxf_path(path) && !chosen.chord_tolerance) {
-    chosen.chord_tolerance = kDxfTolerance * surface.mesh().size();
+  if (is_dxf_path(path)) {
+    chosen.splines = true;
+    chosen.tolerance = options.tolerance.value_or(kDxfTolerance * surface.mesh().size());
   }
   write_lines_drawing(collect_lines(surface, chosen), path);
 }

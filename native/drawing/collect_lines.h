@@ -30,14 +30,15 @@ struct LinesOptions {
   PaperSize paper = paper_size(Paper::kA3);
   std::optional<double> scale_denominator;  // 100 for 1:100; without it the largest that fits
   DxfUnit dxf_unit = DxfUnit::kMetre;
-  // m; without it as fine as the paper can show.
-  std::optional<double> chord_tolerance;
+  // How far curves may be from the surface's, m; without it as far as the paper does not show.
+  std::optional<double> tolerance;
+  bool splines = false;  // sections are splines from knuckle to knuckle
 };
 
 // Cuts the surface at every position (in any order, repeated ones once) and adds its borders and
-// knuckles, and the table of offsets. Of a whole hull the port half is taken, with its section by
-// the centre plane as outline. Where a flat part of the hull lies in a plane, its edge is drawn.
-// Lines beyond the hull and its perpendiculars are left out.
+// knuckles, which are splines always, and the table of offsets. Of a whole hull the port half is
+// taken, with its section by the centre plane as outline. Where a flat part of the hull lies in a
+// plane, its edge is drawn. Lines beyond the hull and its perpendiculars are left out.
 //
 // Throws as lay_out_lines of the curves, and std::invalid_argument for a position, draft or length
 // that is not finite, a negative buttock, more than kMostOffsetPositions of a kind, a diagonal's
@@ -46,9 +47,9 @@ struct LinesOptions {
 LinesDrawing collect_lines(const LimitSurface& surface, const LinesOptions& options);
 
 // The two steps at once; a wrong file name is refused before anything is computed. A DXF file has
-// curves to kDxfTolerance of the hull's size. Throws as collect_lines and write_lines_drawing
-// (lines_drawing.h).
-inline constexpr double kDxfTolerance = 1e-5;
+// splines, to kDxfTolerance of the hull's size unless a tolerance is given. Throws as collect_lines
+// and write_lines_drawing (lines_drawing.h).
+inline constexpr double kDxfTolerance = 1e-6;
 void write_lines_drawing(const LimitSurface& surface, const LinesOptions& options,
                          const std::string& path);
 

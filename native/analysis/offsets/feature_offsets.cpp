@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "analysis/offsets/line_planes.h"
 #include "surface/crease_curves.h"
 
 namespace hull {
@@ -17,9 +18,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kStepsPerEdge = 16;
 constexpr int kHalvings = 60;
 // Of the mesh's size: how far from the centre plane the centre line of a half hull may lie by its
-// modelling; and a station in the plane of a curve's end has that end.
+// modelling.
 constexpr double kCentreSlack = 1e-3;
-constexpr double kSamePosition = 1e-6;
 // Chains go on in one another where they turn by less than about 45 degrees.
 constexpr double kStraightOn = -0.7;
 

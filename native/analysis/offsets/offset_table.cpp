@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/offsets/feature_offsets.h"
+#include "analysis/offsets/line_planes.h"
 #include "analysis/sections/sections.h"
 
 namespace hull {
@@ -14,7 +15,6 @@ namespace {
 
 // All of the mesh's size.
 constexpr double kChordTolerance = 1e-7;
-constexpr double kSamePosition = 1e-6;
 constexpr double kOnKnuckle = 5e-6;
 
 void check_positions(const std::vector<double>& positions, const std::string& kind) {
@@ -30,26 +30,14 @@ void check_positions(const std::vector<double>& positions, const std::string& ki
   }
 }
 
-// Where a station is cut: an invisible step towards the middle of the hull, so that a flat end
-// shows its edge.
-double inwards(const LimitSurface& surface, double x) {
-  double low = x, high = x;
-  for (const Vector3d& point : surface.mesh().points()) {
-    low = std::min(low, point.x());
-    high = std::max(high, point.x());
-  }
-  const double step = kSamePosition * surface.mesh().size();
-  return x + std::clamp(0.5 * (low + high) - x, -step, step);
-}
-
 // The station's curves to port.
 class Station {
  public:
   Station(const LimitSurface& surface, double x)
       : same_(kSamePosition * surface.mesh().size()),
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
-        curves_(section(surface, Axis::kX, inwards(surface, x),
-                        kChordTolerance * surface.mesh().size())) {}
+        curves_(section(surface, line_plane(surface, Axis::kX, x),
+                        SectionOptions{kChordTolerance * surface.mesh().size(), same_})) {}
 
   Offset half_breadth(double z) const {
     Vector3d best(0.0, -1.0, 0.0);

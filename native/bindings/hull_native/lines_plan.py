@@ -56,7 +56,7 @@ def write_lines_drawing(
     paper="A3",
     scale=None,
     dxf_unit="m",
-    chord_tolerance=None,
+    tolerance=None,
 ):
     """Draw the lines plan of a LimitSurface on one sheet; path ends in .pdf, .svg, .png or .dxf.
 
@@ -74,8 +74,8 @@ def write_lines_drawing(
     title_block: up to 8 pairs (name, value) of texts below the title; particulars: up to 16.
     paper: "A4" to "A0", or (width, height) in mm. scale: 100 for 1:100; by default the largest of
     1:1, 2, 2.5, 5, 10, 20, 25, ... that fits. dxf_unit: "m" or "mm", of a DXF file, which is at
-    true size. chord_tolerance (m): of curves that are not splines; by default what the paper can
-    show, and 1e-5 of the hull's size for DXF.
+    true size. tolerance (m): how far the curves may be from the surface's; by default as far as the
+    paper does not show, and 1e-6 of the hull's size for the splines of DXF.
 
     The file is complete, or one of the same name is untouched. Raises ValueError if nothing can be
     drawn, the plan does not fit the paper at the scale, or lines would run together; OSError if the
@@ -114,5 +114,5 @@ def write_lines_drawing(
         paper=paper,
         scale=scale,
         dxf_unit=dxf_unit,
-        chord_tolerance=chord_tolerance,
+        tolerance=tolerance,
     )
