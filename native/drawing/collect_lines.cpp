@@ -178,13 +178,15 @@ class Cutter {
   std::vector<ShipCurve> cut(const Plane& plane) const {
     std::vector<ShipCurve> curves;
     if (splines_) {
-      for (const SectionSplines& branch : section_splines(surface_, plane, tolerance_, same())) {
+      for (const SectionSplines& branch :
+           section_splines(surface_, plane, tolerance_, kInPlane * size_)) {
         for (const SectionSpline& spline : branch.splines) {
           curves.push_back(with_points(spline.curve));
         }
       }
     } else {
-      for (SectionCurve& branch : section(surface_, plane, SectionOptions{tolerance_, same()})) {
+      for (SectionCurve& branch :
+           section(surface_, plane, SectionOptions{tolerance_, kInPlane * size_})) {
         curves.push_back({std::move(branch.points), std::nullopt});
       }
     }

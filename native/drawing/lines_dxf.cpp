@@ -34,12 +34,30 @@ int colour_index(const Colour& colour) {
   return colour.green == high ? 3 : 5;
 }
 
+DxfLineType line_type(const Dashes& dashes) {
+  if (dashes == Dashes{}) return DxfLineType::kContinuous;
+  return dashes[0] == dashes[2] ? DxfLineType::kDashed : DxfLineType::kCentre;
+}
+
+// CAD programs' own letters have no dashes but the hyphen.
+std::string without_dashes(const std::string& text) {
+  const std::string dash = "–";
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_dash = text.compare(i, dash.size(), dash) == 0;
+    plain += is_dash ? '-' : text[i];
+    if (is_dash) i += dash.size() - 1;
+  }
+  return plain;
+}
+
 class Converter {
  public:
   Converter(const LinesSheet& sheet, DxfUnit unit)
       : origin_(sheet.profile.origin),
         per_mm_((unit == DxfUnit::kMetre ? 1.0 : 1000.0) / sheet.profile.scale) {
     drawing_.unit = unit;
+    drawing_.paper_millimetre = per_mm_;
   }
 
   DxfDrawing convert(const LinesSheet& sheet) && {
@@ -67,9 +85,8 @@ class Converter {
     for (std::size_t i = 0; i < drawing_.layers.size(); ++i) {
       if (drawing_.layers[i].name == pen.layer) return static_cast<int>(i);
     }
-    const bool chain = pen.dashes != Dashes{};
-    drawing_.layers.push_back({std::string(pen.layer), colour_index(pen.colour), pen.width,
-                               chain ? DxfLineType::kCentre : DxfLineType::kContinuous});
+    drawing_.layers.push_back(
+        {std::string(pen.layer), colour_index(pen.colour), pen.width, line_type(pen.dashes)});
     return static_cast<int>(drawing_.layers.size()) - 1;
   }
 
@@ -93,13 +110,11 @@ class Converter {
 
   void add(const Label& label, int text_layer) {
     const double angle = label.box.angle;
-    const Vector2d along(std::cos(angle), std::sin(angle));
-    const Vector2d down(-along.y(), along.x());
-    const double baseline = label.box.half.y() - label.descent;
-    Vector2d start = label.box.centre - label.box.half.x() * along + baseline * down;
-    if (label.knockout) start -= (baseline + kAboveCurve) * down;
-    drawing_.texts.push_back(
-        {text_layer, label.text, true_point(start), kCapitals * label.size * per_mm_, -angle});
+    const Vector2d down(-std::sin(angle), std::cos(angle));
+    const double baseline = label.knockout ? -kAboveCurve : label.box.half.y() - label.descent;
+    drawing_.texts.push_back({text_layer, without_dashes(label.text),
+                              true_point(label.box.centre + baseline * down),
+                              kCapitals * label.size * per_mm_, -angle});
   }
 
   Vector2d origin_;

@@ -101,18 +101,25 @@ void write_header(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   const Eigen::AlignedBox2d box = box_of(drawing);
   write_point_variable(file, "$EXTMIN", box.min());
   write_point_variable(file, "$EXTMAX", box.max());
-  // dxflib's patterns of lines are some 50 long: here as many to the drawing's diagonal as suits.
   file.dxfString(9, "$LTSCALE");
-  file.dxfReal(40, std::max(box.sizes().norm() / 2500.0, 1e-9));
+  file.dxfReal(40, drawing.paper_millimetre);
   file.sectionEnd();
 }
 
 void write_tables(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   file.sectionTables();
   dxf.writeVPort(file);
-  const std::array types = {"BYBLOCK", "BYLAYER", "CONTINUOUS", "CENTER", "DASHED"};
-  file.tableLinetypes(static_cast<int>(types.size()));
-  for (const char* type : types) dxf.writeLinetype(file, DL_LinetypeData(type, type, 0, 0, 0.0));
+  file.tableLinetypes(5);
+  for (const char* name : {"BYBLOCK", "BYLAYER", "CONTINUOUS"}) {
+    dxf.writeLinetype(file, DL_LinetypeData(name, name, 0, 0, 0.0));
+  }
+  // Lengths of line and gap in mm on paper.
+  std::array centre = {6.0, -1.2, 0.8, -1.2};
+  std::array dashed = {3.0, -1.0};
+  dxf.writeLinetype(
+      file, DL_LinetypeData(name_of(DxfLineType::kCentre), "chain", 0, 4, 9.2, centre.data()));
+  dxf.writeLinetype(
+      file, DL_LinetypeData(name_of(DxfLineType::kDashed), "dashed", 0, 2, 4.0, dashed.data()));
   file.tableEnd();
 
   file.tableLayers(static_cast<int>(drawing.layers.size()) + 1);
@@ -182,10 +189,11 @@ void write_spline(DL_Dxf& dxf, DL_WriterA& file, const DxfSpline& spline,
 
 void write_text(DL_Dxf& dxf, DL_WriterA& file, const DxfText& text,
                 const DL_Attributes& attributes) {
+  constexpr int kCentred = 1, kBaseline = 0;
+  // Centred, it is the second point that counts. dxflib takes radians.
   const double x = text.position.x(), y = text.position.y();
-  // dxflib takes radians; with justification left and baseline the second point does not count.
   dxf.writeText(file,
-                DL_TextData(x, y, 0.0, x, y, 0.0, text.height, 1.0, 0, 0, 0,
+                DL_TextData(x, y, 0.0, x, y, 0.0, text.height, 1.0, 0, kCentred, kBaseline,
                             encode_dxf_text(text.text), kTextStyle, text.angle),
                 attributes);
 }

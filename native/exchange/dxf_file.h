@@ -35,7 +35,7 @@ struct DxfPolyline {
 struct DxfText {
   int layer;
   std::string text;          // UTF-8
-  Eigen::Vector2d position;  // of the baseline's left end
+  Eigen::Vector2d position;  // of the baseline's middle, whatever the letters' width
   double height;             // of the capitals
   double angle = 0.0;        // radians, counter-clockwise
 };
@@ -43,6 +43,7 @@ struct DxfText {
 // All coordinates are in `unit`, x to the right, y up.
 struct DxfDrawing {
   DxfUnit unit = DxfUnit::kMetre;
+  double paper_millimetre = 1.0;  // its length in the drawing: dashes are as long as on paper
   std::vector<DxfLayer> layers;
   std::vector<DxfSpline> splines;
   std::vector<DxfPolyline> polylines;

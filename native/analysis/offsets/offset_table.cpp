@@ -37,7 +37,8 @@ class Station {
       : same_(kSamePosition * surface.mesh().size()),
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
         curves_(section(surface, line_plane(surface, Axis::kX, x),
-                        SectionOptions{kChordTolerance * surface.mesh().size(), same_})) {}
+                        SectionOptions{kChordTolerance * surface.mesh().size(),
+                                       kInPlane * surface.mesh().size()})) {}
 
   Offset half_breadth(double z) const {
     Vector3d best(0.0, -1.0, 0.0);
