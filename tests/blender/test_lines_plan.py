@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The lines plan and the table of offsets, as Object.hull.plan asks for them."""
+
+import csv
+
+import bpy
+import pytest
+from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, part
+
+
+def plan_hull():
+    """A box with stations every metre and two waterlines."""
+    hull = add_hull()
+    hull.hull.length_pp = LENGTH
+    hull.hull.draft = 2.0
+    hull.hull.station_count = 10
+    hull.hull.waterline_spacing = 1.0
+    hull.hull.buttock_spacing = 0.5
+    return hull
+
+
+def export(path):
+    assert bpy.ops.hull.export_lines(filepath=str(path)) == {"FINISHED"}
+    return path
+
+
+def test_every_kind_of_file(tmp_path):
+    plan_hull()
+    for ending, magic in ((".pdf", b"%PDF"), (".svg", b"<?xml"), (".png", b"\x89PNG")):
+        assert export(tmp_path / f"box{ending}").read_bytes().startswith(magic)
+    dxf = export(tmp_path / "box.dxf").read_text()
+    assert "AC1015" in dxf and dxf.rstrip().endswith("EOF")
+
+
+def test_options_reach_the_drawing(tmp_path):
+    plan = plan_hull().hull.plan
+    plan.diagonals = "2.5/30 1,5/45"
+    plan.frame_spacing = 0.25
+    plan.drawn, plan.number = "N. N.", "4711"
+    plan.dxf_unit = "mm"
+    words = export(tmp_path / "box.dxf").read_text().splitlines()
+    for word in ("D1", "D2", "N. N.", "4711", "Fr.", "DIAGONALS", "FRAME_SPACING"):
+        assert word in words
+    assert "Date" not in words  # not given
+    assert words[words.index("$INSUNITS") + 2].strip() == "4"
+    assert "Table of offsets, moulded, mm" in words
+    plan.offsets = False
+    assert "Table of offsets, moulded, mm" not in export(tmp_path / "box.dxf").read_text()
+
+
+def test_stations_in_frames(tmp_path):
+    plan = plan_hull().hull.plan
+    plan.frame_spacing = 0.5
+    plan.stations, plan.stations_in = "3 7.5 16", "FRAMES"
+    wanted = part("bridge.lines_plan").plan_lines(bpy.context.object.hull, 1.0)
+    assert wanted.stations == pytest.approx((1.5, 3.75, 8.0))
+    words = export(tmp_path / "box.dxf").read_text().splitlines()
+    assert {"3", "7.5", "16"} <= set(words)
+
+
+@pytest.mark.parametrize(
+    "name, value, said",
+    [
+        ("scale", 1.0, "does not fit"),
+        ("diagonals", "3", "slash"),
+        ("diagonals", "3/100", "angle"),
+        ("stations", "1 two", "blanks between"),
+        ("buttocks", "-1", "buttock"),
+    ],
+)
+def test_what_is_wrong_is_one_message(tmp_path, name, value, said):
+    plan = plan_hull().hull.plan
+    setattr(plan, name, value)
+    with pytest.raises(RuntimeError, match=said) as caught:
+        bpy.ops.hull.export_lines(filepath=str(tmp_path / "box.pdf"))
+    assert "Traceback" not in str(caught.value)
+    assert not list(tmp_path.iterdir())
+
+
+def test_table_of_offsets(tmp_path):
+    plan_hull()
+    path = tmp_path / "offsets.csv"
+    assert bpy.ops.hull.export_table(filepath=str(path), analysis="offset_table") == {"FINISHED"}
+    with open(path, newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [float(row["x from AP [m]"]) for row in rows] == pytest.approx(range(11))
+    for row in rows:
+        for height in (1, 2):
+            half_breadth = float(row[f"half-breadth at WL {height} m [mm]"])
+            assert half_breadth == pytest.approx(1000.0 * HALF_BREADTH, abs=0.1)
+        for offset in ("0", "0.5", "1", "1.5"):
+            assert float(row[f"height at buttock {offset} m [mm]"]) == pytest.approx(0.0, abs=0.1)
+        assert float(row["Deck edge: height [mm]"]) == pytest.approx(1000.0 * DEPTH, abs=0.1)
+
+
+def test_plan_is_kept_in_the_file(tmp_path):
+    hull = plan_hull()
+    hull.hull.plan.diagonals, hull.hull.plan.paper = "2/30", "A1"
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "plan.blend"))
+    bpy.ops.wm.read_homefile(use_empty=True)
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "plan.blend"))
+    plan = bpy.data.objects["box"].hull.plan
+    assert (plan.diagonals, plan.paper) == ("2/30", "A1")
