@@ -3,8 +3,8 @@
 
 blender --background --python-exit-code 1 --python demo.py -- FILE FOLDER
 
-Makes hydrostatics.csv, plots of sectional areas, hydrostatic curves and righting levers, lines.svg,
-hull.step, render.png and hull.blend.
+Makes hydrostatics.csv, plots of sectional areas, hydrostatic curves and righting levers,
+lines.pdf, lines.svg and lines.dxf, offsets.csv, hull.step, render.png and hull.blend.
 """
 
 import sys
@@ -77,6 +77,12 @@ def draw_plots(hull, folder):
             print(f"no {file_name}: {error} ", end="")
 
 
+def draw_lines(hull, folder):
+    for ending in ("pdf", "svg", "dxf"):
+        path = str(folder / f"lines.{ending}")
+        part("bridge.exports").export_lines_drawing(hull, bpy.context.scene, path)
+
+
 def render(hull, path):
     hull.hull.samples = RENDER_SAMPLES_PER_CELL
     part("bridge.hull_state").refresh(hull, bpy.context.scene)
@@ -93,16 +99,17 @@ def save(path):
 
 def make(source, folder):
     exports = part("bridge.exports")
-    step = Progress(7)
+    step = Progress(8)
     hull = step(f"reading {source.name}", lambda: load(source))
     describe(hull)
     scene = bpy.context.scene
-    table, drawing, solid = (
-        str(folder / name) for name in ("hydrostatics.csv", "lines.svg", "hull.step")
+    table, offsets, solid = (
+        str(folder / name) for name in ("hydrostatics.csv", "offsets.csv", "hull.step")
     )
     step("hydrostatics.csv", lambda: exports.export_table(hull, scene, "hydrostatic_table", table))
     step("plots", lambda: draw_plots(hull, folder))
-    step("lines.svg", lambda: exports.export_lines_drawing(hull, scene, drawing))
+    step("lines.pdf, .svg, .dxf", lambda: draw_lines(hull, folder))
+    step("offsets.csv", lambda: exports.export_table(hull, scene, "offset_table", offsets))
     patches = step("hull.step", lambda: exports.export_step(hull, scene, solid))
     print(f"      at most {1e3 * patches.largest_distance:.3g} mm from the exact surface")
     step("render.png", lambda: render(hull, folder / "render.png"))

@@ -70,7 +70,9 @@ std::vector<double> usual_denominators() {
     for (const double mantissa : {1.0, 2.0, 5.0}) all.push_back(mantissa * power);
   }
   for (double power = 1.0; power < 1e7; power *= 10.0) {
-    for (const double mantissa : {1.0, 2.0, 2.5, 5.0}) all.push_back(mantissa * power);
+    for (const double mantissa : {1.0, 1.25, 2.0, 2.5, 3.0, 5.0, 7.5}) {
+      all.push_back(mantissa * power);
+    }
   }
   return all;
 }

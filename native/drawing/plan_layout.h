@@ -39,7 +39,8 @@ struct PlanNeeds {
 
 // An empty sheet: paper, frame, scale, views, table and title block.
 //
-// Of the usual scales (1, 2, 2.5, 5 times a power of ten) it is the largest at which everything
+// Of the usual scales (1, 2, 2.5, 5 and, as rulers have them too, 1.25, 3 and 7.5 times a power of
+// ten) it is the largest at which everything
 // fits in one of the arrangements of plan_arrangements.h; or the one wanted. Throws
 // std::invalid_argument with the remedy if it does not fit.
 LinesSheet choose_layout(const PlanNeeds& needs);

@@ -212,7 +212,7 @@ def test_diagonals_by_spacing(coaster, tmp_path):
 @pytest.mark.parametrize(
     "wrong, said",
     [
-        ({"scale": 20}, "1:20 .* does not fit A2; 1:200 does"),
+        ({"scale": 20}, "1:20 .* does not fit A2; 1:[0-9]+ does"),
         ({"scale": -1}, "scale"),
         ({"paper": "B5"}, "paper"),
         ({"paper": (10, 10)}, "100 mm"),

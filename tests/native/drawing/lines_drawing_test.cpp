@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "drawing/hand_made_hulls.h"
 #include "drawing/pens.h"
@@ -92,7 +93,8 @@ TEST(LinesDrawing, ScaleIsUsualAndGrowsWithThePaper) {
     const double scale = lay_out_lines(drawing).scale_denominator;
     EXPECT_LE(scale, previous);
     const double mantissa = scale / std::pow(10.0, std::floor(std::log10(scale)));
-    EXPECT_TRUE(mantissa == 1.0 || mantissa == 2.0 || mantissa == 2.5 || mantissa == 5.0) << scale;
+    const std::vector<double> usual = {1.0, 1.25, 2.0, 2.5, 3.0, 5.0, 7.5};
+    EXPECT_NE(std::find(usual.begin(), usual.end(), mantissa), usual.end()) << scale;
     previous = scale;
   }
 }
