@@ -19,7 +19,9 @@ constexpr Hand kAft = -1;
 constexpr Hand kFore = +1;
 
 constexpr double kTraceOverhang = 3.0;  // mm: of diagonals beyond the hull
-constexpr double kSameEnd = 1.2;        // mm: sections that end nearer than this share one label
+// mm: labels at the ends of sections keep clear of the deck line, which is half as broad.
+constexpr double kEndClearance = 0.5;
+constexpr double kSameEnd = 1.2;  // mm: sections that end nearer than this share one label
 
 // The upper end of a section on the page and what is written there.
 struct SectionEnd {
@@ -128,7 +130,7 @@ void label_end(SheetBuilder& builder, const View& view, const SectionEnd& end, H
       const OrientedBox box =
           SheetBuilder::text_box(text, style, end.point + (distance + inside) * direction);
       const Vector2d leader_end = end.point + distance * direction;
-      if (!builder.has_room(box, 0.2, view.bounds) ||
+      if (!builder.has_room(box, kEndClearance, view.bounds) ||
           !builder.placer().is_free(end.point, leader_end)) {
         continue;
       }

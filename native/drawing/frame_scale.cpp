@@ -2,14 +2,12 @@
 #include "drawing/frame_scale.h"
 
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 #include <string>
 
 #include "drawing/plan_layout.h"
 
 namespace hull {
-
-using Eigen::Vector2d;
 
 namespace {
 
@@ -54,10 +52,15 @@ void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& gr
     const OrientedBox box = SheetBuilder::text_box(number, style, {x, y + 3.3});
     if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(number, style, box);
   }
-  const TextStyle style{.size = kNumberSize, .ink = inks::kGrey};
-  const Vector2d left(grid.min().x() - kColumnGap, y + 1.0);
-  const OrientedBox box = SheetBuilder::text_box("Fr.", style, left, Align::kRight);
-  if (builder.has_room(box, 0.2, view.bounds)) builder.put_text("Fr.", style, box);
+  const auto put = [&](const std::string& text, double x, Align align) {
+    const TextStyle style{.size = kNumberSize, .ink = inks::kGrey};
+    const OrientedBox box = SheetBuilder::text_box(text, style, {x, y + 1.0}, align);
+    if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(text, style, box);
+  };
+  put("Fr.", grid.min().x() - kColumnGap, Align::kRight);
+  char apart[32];
+  std::snprintf(apart, sizeof apart, "%.6g mm", 1000.0 * spacing);
+  put(apart, grid.max().x() + kColumnGap, Align::kLeft);
 }
 
 }  // namespace hull
