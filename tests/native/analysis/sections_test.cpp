@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 #include <stdexcept>
 
@@ -112,10 +113,103 @@ TEST(Sections, KeepToTheChordTolerance) {
   }
 }
 
+// Tangents and curvatures against divided differences of points and of tangents: a thousandth
+// of the points may be off, beside irregular knots, where curvature varies within their spacing.
+TEST(Sections, HaveTangentsAndCurvaturesOfTheirPoints) {
+  constexpr unsigned kSeed = 17;
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed);
+  std::normal_distribution<double> normal;
+  int compared = 0, off = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const Vector3d n = Vector3d(normal(random), normal(random), normal(random)).normalized();
+    const Plane plane{n, n.dot(surface.position(0, 0.4, 0.7))};
+    for (const SectionCurve& c : section(surface, plane, 1e-7)) {
+      for (const SmoothStretch& s : smooth_stretches(c)) {
+        for (int i = s.first + 2; i + 2 <= s.last; ++i) {
+          const Vector3d before = c.points[i] - c.points[i - 1],
+                         after = c.points[i + 1] - c.points[i];
+          const double a = before.norm(), b = after.norm();
+          if (a < 1e-4 || b < 1e-4) continue;
+          // Of the parabola through three points, over lengths.
+          const Vector3d slope = (b / a * before + a / b * after) / (a + b);
+          const double t0 = std::asin(n.dot(c.tangents[i - 1].cross(c.tangents[i]))) / a;
+          const double t1 = std::asin(n.dot(c.tangents[i].cross(c.tangents[i + 1]))) / b;
+          const double bend = (b * t0 + a * t1) / (a + b);
+          ++compared;
+          off += (slope - c.tangents[i]).norm() > 1e-4 ||
+                 std::abs(bend - c.curvatures[i]) > 1e-3 * (1.0 + std::abs(bend));
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 10000);
+  EXPECT_LE(off, compared / 1000);
+}
+
+// A convex body's section runs with the body on its left and turns left, whichever way one looks.
+TEST(Sections, RunWithTheBodyOnTheLeft) {
+  const LimitSurface surface{ControlMesh(testing::cube())};
+  for (const double sign : {1.0, -1.0}) {
+    const Vector3d n = sign * Vector3d(0.2, 0.3, 1.0).normalized();
+    const std::vector<SectionCurve> curves = section(surface, Plane{n, 0.1}, 1e-5);
+    ASSERT_EQ(curves.size(), 1u);
+    double twice = 0.0;
+    for (std::size_t i = 1; i < curves[0].points.size(); ++i) {
+      twice += n.dot(curves[0].points[i - 1].cross(curves[0].points[i]));
+    }
+    EXPECT_GT(twice, 0.0);
+    for (const double curvature : curves[0].curvatures) EXPECT_GT(curvature, 0.0);
+  }
+}
+
+// Both values at a knuckle: straight sides of a box that turn.
+TEST(Sections, HaveBothSidesOfKnuckles) {
+  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const std::vector<SectionCurve> curves = section(box, Axis::kZ, 1.3, 1e-3);
+  ASSERT_EQ(curves.size(), 1u);
+  const SectionCurve& c = curves[0];
+  EXPECT_EQ(c.knuckles.back(), static_cast<int>(c.points.size()) - 1);
+  ASSERT_EQ(c.knuckle_tangents.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(c.tangents[c.knuckles[k]].dot(c.knuckle_tangents[k]), 0.0, 1e-12);
+    EXPECT_NEAR(c.knuckle_curvatures[k], 0.0, 1e-12);
+  }
+  EXPECT_EQ(smooth_stretches(c).size(), 4u);
+}
+
+TEST(Sections, ByDiagonals) {
+  const Plane plane = diagonal_plane(2.0, 0.5);
+  EXPECT_NEAR(plane.height({3.0, 0.0, 2.0}), 0.0, 1e-15);
+  EXPECT_NEAR(plane.height({-1.0, 1.0, 2.0 - std::tan(0.5)}), 0.0, 1e-15);
+  EXPECT_NEAR(plane.normal.norm(), 1.0, 1e-15);
+  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  EXPECT_EQ(section(box, plane, 1e-3).size(), 1u);
+}
+
+TEST(Sections, AtOnceAreThoseOneByOne) {
+  std::mt19937 random(5);
+  const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+  std::vector<Plane> planes;
+  for (int k = 0; k < 12; ++k)
+    planes.push_back(plane_across(static_cast<Axis>(k % 3), 0.1 * k - 0.5));
+  const auto all = sections(surface, planes, {1e-4, {}});
+  ASSERT_EQ(all.size(), planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const std::vector<SectionCurve> one = section(surface, planes[k], 1e-4);
+    ASSERT_EQ(all[k].size(), one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(all[k][i].points, one[i].points);
+  }
+}
+
 TEST(Sections, RefuseBadArguments) {
   const LimitSurface surface{ControlMesh(testing::cube())};
   EXPECT_THROW(section(surface, Axis::kX, NAN, 1e-3), std::invalid_argument);
   EXPECT_THROW(section(surface, Axis::kX, 0.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(section(surface, Plane{{1.0, 1.0, 0.0}, 0.0}, 1e-3), std::invalid_argument);
+  EXPECT_THROW(section(surface, Plane{Vector3d::UnitX(), 0.0}, {1e-3, -1.0}),
+               std::invalid_argument);
 }
 
 TEST(FeatureCurves, OfABoxAreItsEdges) {
