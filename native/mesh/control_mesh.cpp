@@ -6,6 +6,15 @@
 #include <string>
 
 namespace hull {
+namespace {
+
+double diagonal(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(p);
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+}  // namespace
 
 ControlMesh::ControlMesh(MeshArrays arrays) {
   std::vector<MeshProblem> problems = check_mesh(arrays);
@@ -17,6 +26,7 @@ ControlMesh::ControlMesh(MeshArrays arrays) {
                     arrays.creases, arrays.corners, arrays.round_border_corners),
            std::move(problems)});
   points_ = std::move(arrays.points);
+  size_ = diagonal(points_);
 }
 
 ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const {
@@ -32,6 +42,7 @@ ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const 
   }
   ControlMesh moved = *this;
   moved.points_ = std::move(points);
+  moved.size_ = diagonal(moved.points_);
   return moved;
 }
 
@@ -59,12 +70,6 @@ std::vector<int> ControlMesh::irregular_vertices() const {
     if (irregular[v]) vertices.push_back(v);
   }
   return vertices;
-}
-
-double ControlMesh::size() const {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points_) box.extend(p);
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
 }  // namespace hull

@@ -31,7 +31,7 @@ class ControlMesh {
   std::vector<int> irregular_vertices() const;
 
   // Diagonal of the points' bounding box, m: what tolerances refer to.
-  double size() const;
+  double size() const { return size_; }
 
  private:
   struct Tags {
@@ -40,6 +40,7 @@ class ControlMesh {
   };
 
   std::vector<Eigen::Vector3d> points_;
+  double size_ = 0.0;
   std::shared_ptr<const Tags> tags_;
 };
 

@@ -62,6 +62,11 @@ CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
   const double decay = std::max(spectrum_->rest, 0.126);
   rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
   if (key.kind != VertexKind::kCone) tangent_ = hull::tangent_rule(*spectrum_);
+  if (tangent_.defined) {
+    tangent_rows_.resize(2, spectrum_->left.rows());
+    tangent_rows_.row(0) = tangent_.a.transpose() * spectrum_->left.transpose();
+    tangent_rows_.row(1) = tangent_.b.transpose() * spectrum_->left.transpose();
+  }
 }
 
 // A = [S 0; C D]. The eigenspaces of S extend to A by D X - X L = -C R, block by block.
@@ -109,18 +114,15 @@ void CornerBasis::place_segments() {
   }
 }
 
-void CornerBasis::halve(std::vector<Vector3d>& square, std::vector<Vector3d>& refined) const {
-  refine_.multiply(square.data(), refined.data());
-  for (std::size_t i = 0; i < square.size(); ++i) square[i] = refined[next_square_[i]];
-}
-
 void CornerBasis::prepare(CornerPoints& points) const {
   assert(static_cast<int>(points.outer.size()) == point_count());
   points.segments.resize(static_cast<std::size_t>(kPlainRings) * segments_.size());
   std::vector<Vector3d> refined(refine_.count());
-  points.inner = points.outer;
   for (int level = 0; level < kPlainRings; ++level) {
-    halve(points.inner, refined);
+    refine_.multiply(points.square(level).data(), refined.data());
+    std::vector<Vector3d>& next = level + 1 == kPlainRings ? points.inner : points.middle[level];
+    next.resize(points.outer.size());
+    for (std::size_t i = 0; i < next.size(); ++i) next[i] = refined[next_square_[i]];
     for (int s = 0; s < segment_count(); ++s) {
       BicubicPoints& segment = points.segments[level * segment_count() + s];
       for (int i = 0; i < 16; ++i) segment[i] = refined[segment_rows_[s][i]];
@@ -141,8 +143,9 @@ EigenCoordinates CornerBasis::eigen_coordinates(const CornerPoints& points) cons
   for (int i = 0; i < point_count(); ++i) {
     result.rest.row(i) = (inner[i] - inner.front()).transpose();
   }
-  result.slow.noalias() = spectrum_->left.transpose() * result.rest.topRows(spectrum_->left.rows());
-  result.rest.noalias() -= right_ * result.slow;
+  result.slow =
+      spectrum_->left.transpose().lazyProduct(result.rest.topRows(spectrum_->left.rows()));
+  result.rest -= right_.lazyProduct(result.slow);
   return result;
 }
 
@@ -215,28 +218,27 @@ void CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u,
 
 Vector3d CornerBasis::corner_normal(const CornerPoints& points) const {
   if (!tangent_.defined) return Vector3d::Zero();
-  const EigenCoordinates at = eigen_coordinates(points);
-  const Vector3d a = at.slow.transpose() * tangent_.a, b = at.slow.transpose() * tangent_.b;
+  Vector3d a = Vector3d::Zero(), b = Vector3d::Zero();
+  for (Eigen::Index i = 1; i < tangent_rows_.cols(); ++i) {
+    const Vector3d q = points.inner[i] - points.inner.front();
+    a += tangent_rows_(0, i) * q;
+    b += tangent_rows_(1, i) * q;
+  }
   return tangent_.sign * a.cross(b);
 }
 
 CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)
     : basis_(basis), points_(points) {}
 
-std::vector<Vector3d> CornerRing::points() const {
-  if (step_ == kPlainRings) return points_.inner;
-  if (step_ < kPlainRings) {
-    std::vector<Vector3d> square = points_.outer, refined(basis_.refine_.count());
-    for (int k = 0; k < step_; ++k) basis_.halve(square, refined);
-    return square;
-  }
+const std::vector<Vector3d>& CornerRing::points() const {
+  if (step_ <= kPlainRings) return points_.square(step_);
+  if (!deep_square_.empty()) return deep_square_;
   const CornerBasis::Rows values = basis_.right_.lazyProduct(deep_.slow) + deep_.rest;
-  std::vector<Vector3d> result;
-  result.reserve(values.rows());
+  deep_square_.reserve(values.rows());
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    result.push_back(points_.limit + values.row(i).transpose());
+    deep_square_.push_back(points_.limit + values.row(i).transpose());
   }
-  return result;
+  return deep_square_;
 }
 
 BicubicPoints CornerRing::segment_points(int segment) const {
@@ -251,6 +253,7 @@ BicubicPoints CornerRing::segment_points(int segment) const {
 
 void CornerRing::advance() {
   ++step_;
+  deep_square_.clear();
   if (step_ == kPlainRings) {
     deep_ = basis_.eigen_coordinates(points_);
     deep_.slow.row(0).setZero();

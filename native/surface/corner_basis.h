@@ -29,10 +29,16 @@ inline constexpr int kPlainRings = 4;
 
 // What a surface keeps of one irregular cell.
 struct CornerPoints {
-  std::vector<Vector3d> outer;          // N control points of [0, 1]² …
-  std::vector<Vector3d> inner;          // … and of [0, 2^-kPlainRings]²
+  std::vector<Vector3d> outer;                                // N control points of [0, 1]² …
+  std::array<std::vector<Vector3d>, kPlainRings - 1> middle;  // … of [0, 1/2]² and so on …
+  std::vector<Vector3d> inner;                                // … and of [0, 2^-kPlainRings]²
   std::vector<BicubicPoints> segments;  // of ring 1, of ring 2, … of ring kPlainRings
   Vector3d limit;                       // the surface point at (0, 0)
+
+  // Control points of [0, 2^-k]², k <= kPlainRings.
+  const std::vector<Vector3d>& square(int k) const {
+    return k == 0 ? outer : k == kPlainRings ? inner : middle[k - 1];
+  }
 };
 
 // Coordinates of the innermost plain square in the eigenbasis.
@@ -72,6 +78,7 @@ class CornerBasis {
   void evaluate(const CornerPoints& points, double u, double v, int order, SurfaceJet& jet) const;
 
   // Direction (not of unit length) of the normal at (0, 0); zero where there is no tangent plane.
+  // It costs two sums over the control points.
   Vector3d corner_normal(const CornerPoints& points) const;
 
   EigenCoordinates eigen_coordinates(const CornerPoints& points) const;
@@ -84,8 +91,6 @@ class CornerBasis {
   void evaluate_deep(const CornerPoints& points, int level, double u, double v, int order,
                      SurfaceJet& jet) const;
   void advance(EigenCoordinates& coordinates, int steps) const;
-  // Halves a square's points in place; `refined` is room for all rows of refine_.
-  void halve(std::vector<Vector3d>& square, std::vector<Vector3d>& refined) const;
 
   Eigen::MatrixXd A_;
   Eigen::MatrixXd right_;  // slow eigenvectors of A: those of the ring, extended to outer points
@@ -97,6 +102,7 @@ class CornerBasis {
   std::array<std::array<int, 4>, 4> segment_at_;   // by quarter of v, of u; -1 at the corner
   int rest_levels_;                                // beyond these the rest is below rounding
   TangentRule tangent_;
+  Eigen::Matrix<double, 2, Eigen::Dynamic> tangent_rows_;  // its two vectors from ring points
 };
 
 // The slow spectrum of the ring's own part of a local matrix.
@@ -108,8 +114,8 @@ class CornerRing {
   // `basis` and `points` must outlive the walk.
   CornerRing(const CornerBasis& basis, const CornerPoints& points);
 
-  // The N control points of the square [0, 2^-k]^2 after k steps.
-  std::vector<Vector3d> points() const;
+  // The N control points of the square [0, 2^-k]^2 after k steps; valid until the next one.
+  const std::vector<Vector3d>& points() const;
   // The surface point at the corner.
   const Vector3d& limit() const { return points_.limit; }
   // Control points of segment `segment` (an index of CornerBasis::segments()) of the ring, which
@@ -122,6 +128,7 @@ class CornerRing {
   const CornerPoints& points_;
   int step_ = 0;
   EigenCoordinates deep_;  // from step kPlainRings on; slow without its constant part
+  mutable std::vector<Vector3d> deep_square_;  // points() there, once asked for
 };
 
 }  // namespace hull

@@ -24,7 +24,7 @@ struct CornerSquare {
   const CornerRing& ring;
 
   // Control points: the surface lies in their convex hull.
-  std::vector<Vector3d> points() const { return ring.points(); }
+  const std::vector<Vector3d>& points() const { return ring.points(); }
   // Diagonal of the box around them, m.
   double extent() const;
 };
