@@ -36,10 +36,37 @@ const LimitSurface& surface() {
   return built;
 }
 
-const HullBody& body() {
-  static const HullBody built(surface(), true);
-  return built;
+HullBody make_body(const LimitSurface& of, double tolerance) {
+  return {of, true, hull::Openings::kClosed, tolerance};
 }
+
+const HullBody& body(double tolerance = hull::kFinest) {
+  static const HullBody finest = make_body(surface(), hull::kFinest);
+  static const HullBody live = make_body(surface(), hull::kLive);
+  return tolerance == hull::kLive ? live : finest;
+}
+
+// A surface and its live body, whose points are moved to and fro.
+class MovingBody {
+ public:
+  MovingBody(std::size_t moved, double tolerance)
+      : surface_(control_mesh()), body_(make_body(surface_, tolerance)) {
+    points_[0] = points_[1] = control_mesh().points();
+    for (std::size_t i = 0; i < moved; ++i)
+      points_[1][points_[1].size() / 2 - moved / 2 + i].y() *= 1.001;
+  }
+  const HullBody& move() {
+    surface_.set_points(points_[++count_ % 2]);
+    body_.update();
+    return body_;
+  }
+
+ private:
+  LimitSurface surface_;
+  HullBody body_;
+  std::vector<Vector3d> points_[2];
+  int count_ = 0;
+};
 
 // Another draft each time, near enough for the same work.
 double next_draft() {
@@ -47,35 +74,32 @@ double next_draft() {
   return kDraft + 1e-3 * (++count % 100);
 }
 
-void BM_Immersion(benchmark::State& state) {
+void BM_Immersion(benchmark::State& state, double tolerance) {
+  const HullBody& floating = body(tolerance);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(body().immersion({Vector3d::UnitZ(), next_draft()}));
+    benchmark::DoNotOptimize(floating.immersion({Vector3d::UnitZ(), next_draft()}));
   }
 }
 
-void BM_Particulars(benchmark::State& state) {
+void BM_Particulars(benchmark::State& state, double tolerance) {
+  const HullBody& floating = body(tolerance);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(hull::hydrostatics(body(), {next_draft()}, kProject));
+    benchmark::DoNotOptimize(hull::hydrostatics(floating, {next_draft()}, kProject));
   }
 }
 
-void BM_ParticularsAfterSetPoints(benchmark::State& state) {
-  LimitSurface moving(control_mesh());
-  HullBody following(moving, true);
+// All points moved, or one of them.
+void BM_ParticularsAfterSetPoints(benchmark::State& state, std::size_t moved, double tolerance) {
+  MovingBody moving(moved, tolerance);
   for (auto _ : state) {
-    moving.set_points(control_mesh().points());
-    following.update();
-    benchmark::DoNotOptimize(hull::hydrostatics(following, {kDraft}, kProject));
+    benchmark::DoNotOptimize(hull::hydrostatics(moving.move(), {kDraft}, kProject));
   }
 }
 
-void BM_VolumeAfterSetPoints(benchmark::State& state) {
-  LimitSurface moving(control_mesh());
-  HullBody following(moving, true);
+void BM_VolumeAfterSetPoints(benchmark::State& state, std::size_t moved, double tolerance) {
+  MovingBody moving(moved, tolerance);
   for (auto _ : state) {
-    moving.set_points(control_mesh().points());
-    following.update();
-    benchmark::DoNotOptimize(following.immersion({Vector3d::UnitZ(), kDraft}));
+    benchmark::DoNotOptimize(moving.move().immersion({Vector3d::UnitZ(), kDraft}));
   }
 }
 
@@ -128,7 +152,7 @@ double triangulated_volume(const hull::GridSamples& samples, int cells, double d
 // Divisions of a cell's side that make the triangles' volume right to 1e-6.
 int fine_enough() {
   const double exact = body().immersion({Vector3d::UnitZ(), kDraft}).volume;
-  for (int n = 8; n < 256; n += 8) {
+  for (int n = 8; n < 256; ++n) {
     const double volume =
         triangulated_volume(hull::evaluate_grid(surface(), n, 0), surface().cell_count(), kDraft);
     if (std::abs(volume - exact) <= 1e-6 * exact) return n;
@@ -158,10 +182,16 @@ void BM_OpenCascadeVolume(benchmark::State& state) {
   }
 }
 
-BENCHMARK(BM_Immersion)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Particulars)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_ParticularsAfterSetPoints)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_VolumeAfterSetPoints)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Immersion, finest, hull::kFinest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Immersion, live, hull::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Particulars, finest, hull::kFinest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Particulars, live, hull::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, all, 140, hull::kLive)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, one, 1, hull::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all, 140, hull::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all_1e6, 140, 1e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, one, 1, hull::kLive)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_RightingLevers)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_TriangulatedVolume)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_OpenCascadeVolume)->Unit(benchmark::kMillisecond);
@@ -171,10 +201,14 @@ BENCHMARK(BM_OpenCascadeVolume)->Unit(benchmark::kMillisecond);
 int main(int argc, char** argv) {
   return hull::benchmarks::run_and_compare(
       argc, argv,
-      {{"volume to 1e-6 by triangles, points moved", "BM_VolumeAfterSetPoints",
+      {{"volume to 1e-6 by triangles, points moved", "BM_VolumeAfterSetPoints/all_1e6",
         "BM_TriangulatedVolume", 20.0},
-       {"volume of the shell by Open CASCADE", "BM_VolumeAfterSetPoints", "BM_OpenCascadeVolume"}},
-      {{"all particulars at a new draft", "BM_Particulars", 1.0},
-       {"all particulars after set_points", "BM_ParticularsAfterSetPoints", 1.5},
+       {"volume of the shell by Open CASCADE", "BM_VolumeAfterSetPoints/all",
+        "BM_OpenCascadeVolume"}},
+      {{"all particulars at a new draft, to 1e-8", "BM_Particulars/live", 1.0},
+       {"all particulars at a new draft, to 1e-13", "BM_Particulars/finest"},
+       {"all particulars after all points moved, to 1e-8", "BM_ParticularsAfterSetPoints/all", 1.5},
+       {"all particulars after one point moved, to 1e-8", "BM_ParticularsAfterSetPoints/one"},
+       {"volume after one point moved, to 1e-8", "BM_VolumeAfterSetPoints/one"},
        {"19 righting levers, free trim", "BM_RightingLevers", 100.0}});
 }

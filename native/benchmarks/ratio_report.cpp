@@ -54,8 +54,12 @@ void print(const Comparison& c, const Collector& times) {
 
 void print(const TimeLimit& limit, const Collector& times) {
   const double ours = times.median(limit.ours);
-  std::printf("%-46s %9.3f ms %28s (at most %g ms)%s\n", limit.what.c_str(), ours, "",
-              limit.milliseconds, ours > limit.milliseconds ? "  MISSED" : "");
+  std::printf("%-50s %9.3f ms", limit.what.c_str(), ours);
+  if (limit.milliseconds > 0.0) {
+    std::printf("   (at most %g ms)%s", limit.milliseconds,
+                ours > limit.milliseconds ? "  MISSED" : "");
+  }
+  std::printf("\n");
 }
 
 }  // namespace

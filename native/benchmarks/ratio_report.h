@@ -15,11 +15,11 @@ struct Comparison {
   double least = 0.0;        // what the ratio is to reach; 0: nothing in particular
 };
 
-// A benchmark whose median time is to stay below a limit.
+// A benchmark whose median time is told, and may have a limit to stay below.
 struct TimeLimit {
   std::string what;
   std::string ours;
-  double milliseconds;
+  double milliseconds = 0.0;  // 0: no limit
 };
 
 // Runs Google Benchmark with the program's arguments, by default with five repetitions in random

@@ -54,20 +54,25 @@ void bind_hull_body(py::module_& module) {
                        "Its openings are closed by straight athwartships lines where that closes "
                        "the body, else by the fan from the border's centroid.")
       .def(
-          py::init([](const LimitSurface& surface, bool mirrored, const std::string& openings) {
+          py::init([](const LimitSurface& surface, bool mirrored, const std::string& openings,
+                      double tolerance) {
             const Openings chosen = openings_from(openings);
             const py::gil_scoped_release release;
-            return std::make_unique<HullBody>(surface, mirrored, chosen);
+            return std::make_unique<HullBody>(surface, mirrored, chosen, tolerance);
           }),
           py::arg("surface"), py::kw_only(), py::arg("mirrored"), py::arg("openings") = "closed",
-          py::keep_alive<1, 2>(),
+          py::arg("tolerance") = kFinest, py::keep_alive<1, 2>(),
           "mirrored: the mesh is the port half (y >= 0) and counts twice. openings: \"closed\", as "
           "by a weathertight deck, or \"open\": then water above one raises ValueError (\"floods "
-          "at\"). Transoms in planes across the ship are closed in any case.")
+          "at\"). Transoms in planes across the ship are closed in any case. tolerance: error "
+          "relative "
+          "to the whole that integrals may have, between 0 and 0.01; 1e-8 serves for numbers that "
+          "follow the mouse. Raises ValueError for others.")
       .def("update", &HullBody::update, py::call_guard<py::gil_scoped_release>(),
-           "To be called after surface.set_points().")
+           "To be called after surface.set_points(). Only what has moved is computed again.")
       .def_property_readonly("surface", &HullBody::surface, py::return_value_policy::reference)
       .def_property_readonly("mirrored", &HullBody::mirrored)
+      .def_property_readonly("tolerance", &HullBody::tolerance)
       .def_property_readonly(
           "openings",
           [](const HullBody& b) { return b.openings() == Openings::kOpen ? "open" : "closed"; })

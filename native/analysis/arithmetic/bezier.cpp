@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hull {
 namespace {
@@ -21,37 +20,11 @@ int count_sign_changes(const BezierCubic& c) {
   return changes;
 }
 
-// The root of a cubic with one sign change, by bisection sped up by secants (Illinois).
-double bracketed_root(const BezierCubic& c) {
-  double low = 0.0, high = 1.0, f_low = c[0], f_high = c[3];
-  int side = 0;
-  for (int i = 0; i < 200 && high - low > 0.0; ++i) {
-    double t = low + (high - low) * (f_low / (f_low - f_high));
-    if (!(t > low && t < high)) t = 0.5 * (low + high);
-    if (!(t > low && t < high)) break;
-    const double f = evaluate(c, t);
-    if (f == 0.0) return t;
-    if ((f >= 0.0) == (f_low >= 0.0)) {
-      low = t;
-      f_low = f;
-      if (side == -1) f_high *= 0.5;
-      side = -1;
-    } else {
-      high = t;
-      f_high = f;
-      if (side == 1) f_low *= 0.5;
-      side = 1;
-    }
-    if (high - low <= 4.0 * std::numeric_limits<double>::epsilon()) break;
-  }
-  return std::abs(f_low) < std::abs(f_high) ? low : high;
-}
-
 void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots) {
   const int changes = count_sign_changes(c);
   if (changes == 0 || roots.full()) return;
   if (changes == 1) {
-    roots.push_back(begin + size * bracketed_root(c));
+    roots.push_back(begin + size * monotonic_root(c));
     return;
   }
   if (size < 1e-13) {
@@ -73,6 +46,25 @@ BezierCubic bezier_from_bspline(double p0, double p1, double p2, double p3) {
 double evaluate(const BezierCubic& c, double t) {
   const double s = 1.0 - t;
   return s * s * (s * c[0] + 3.0 * t * c[1]) + t * t * (3.0 * s * c[2] + t * c[3]);
+}
+
+double monotonic_root(const double* c) {
+  if ((c[0] >= 0.0) == (c[3] >= 0.0)) return std::abs(c[0]) < std::abs(c[3]) ? 0.0 : 1.0;
+  const double p1 = 3.0 * (c[1] - c[0]), p2 = 3.0 * (c[0] - 2.0 * c[1] + c[2]);
+  const double p3 = c[3] - c[0] + 3.0 * (c[1] - c[2]);
+  double low = 0.0, high = 1.0, t = c[0] / (c[0] - c[3]);
+  for (int i = 0; i < 60; ++i) {
+    const double value = c[0] + t * (p1 + t * (p2 + t * p3));
+    if (value == 0.0) return t;
+    ((value >= 0.0) == (c[0] >= 0.0) ? low : high) = t;
+    const double slope = p1 + t * (2.0 * p2 + t * 3.0 * p3);
+    double next = t - value / slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double change = std::abs(next - t);
+    t = next;
+    if (change < 1e-15) break;
+  }
+  return t;
 }
 
 Roots sign_changes(const BezierCubic& cubic) {

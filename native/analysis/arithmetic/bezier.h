@@ -17,6 +17,11 @@ double evaluate(const BezierCubic& cubic, double t);
 using Roots = SmallList<double, 3>;
 Roots sign_changes(const BezierCubic& cubic);
 
+// The root in [0, 1] of a cubic that rises or falls, or has one sign change, by Newton's method in
+// a bracket; the end where it is nearer to zero if its ends have the same sign.
+double monotonic_root(const double* cubic);
+inline double monotonic_root(const BezierCubic& cubic) { return monotonic_root(cubic.data()); }
+
 // A bicubic on [0, 1]^2 by its Bézier coefficients, index 4 j + i: i along u.
 class BezierBicubic {
  public:

@@ -217,11 +217,13 @@ class PieceSearch {
 }  // namespace
 
 ExtentSearch::ExtentSearch(const LimitSurface& surface, const CellBoxes& boxes, const Plane& water)
-    : surface_(&surface), boxes_(&boxes), water_(water), size_(surface.mesh().size()) {}
-
-bool ExtentSearch::may_have(int cell, Part part) const {
-  return has_part(boxes_->least(cell, water_.normal) - water_.offset,
-                  boxes_->most(cell, water_.normal) - water_.offset, part);
+    : surface_(&surface), boxes_(&boxes), water_(water), size_(surface.mesh().size()) {
+  for (int c = 0; c < surface.cell_count(); ++c) {
+    const double low = boxes.least(c, water.normal) - water.offset;
+    const double high = boxes.most(c, water.normal) - water.offset;
+    if (has_part(low, high, Part::kImmersed)) immersed_.push_back(c);
+    if (has_part(low, high, Part::kWaterline)) waterline_.push_back(c);
+  }
 }
 
 FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const {
@@ -245,8 +247,7 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
   // A cell that may hold the farthest point first, so that the others are soon excluded.
   int first = -1;
   double most = -std::numeric_limits<double>::infinity();
-  for (int c = 0; c < surface_->cell_count(); ++c) {
-    if (!may_have(c, part)) continue;
+  for (int c : cells(part)) {
     const double bound = boxes_->most(c, direction);
     if (bound > most) {
       most = bound;
@@ -255,9 +256,8 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
   }
   if (first < 0) return best;
   search_cell(first);
-  for (int c = 0; c < surface_->cell_count(); ++c) {
-    if (c == first || !may_have(c, part)) continue;
-    if (boxes_->most(c, direction) >= best.value - tolerance) search_cell(c);
+  for (int c : cells(part)) {
+    if (c != first && boxes_->most(c, direction) >= best.value - tolerance) search_cell(c);
   }
   return best;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/plane_cut.h"
@@ -35,12 +36,16 @@ class ExtentSearch {
   FarthestPoint farthest(const Vector3d& direction, Part part) const;
 
  private:
-  bool may_have(int cell, Part part) const;
+  // The cells that may have such a part.
+  const std::vector<int>& cells(Part part) const {
+    return part == Part::kImmersed ? immersed_ : waterline_;
+  }
 
   const LimitSurface* surface_;
   const CellBoxes* boxes_;
   Plane water_;
   double size_;
+  std::vector<int> immersed_, waterline_;
 };
 
 // Of two, the farther one.

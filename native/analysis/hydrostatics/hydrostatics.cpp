@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -26,15 +27,18 @@ class BothSides {
  public:
   BothSides(const StationCutter& cutter, const Plane& water)
       : mirrored_(cutter.body().mirrored()),
-        port_(cutter.body().surface(), cutter.boxes(), water),
-        starboard_(cutter.body().surface(), cutter.boxes(),
-                   {water.normal.cwiseProduct(kMirror), water.offset}),
-        upright_(water.normal.y() == 0.0) {}
+        port_(cutter.body().surface(), cutter.body().boxes(), water),
+        upright_(water.normal.y() == 0.0) {
+    if (!mirrored_ || upright_) return;
+    const Plane image{water.normal.cwiseProduct(kMirror), water.offset};
+    starboard_.emplace(cutter.body().surface(), cutter.body().boxes(), image);
+  }
 
   FarthestPoint farthest(const Vector3d& direction, Part part) const {
     const FarthestPoint port = port_.farthest(direction, part);
     if (!mirrored_ || (upright_ && direction.y() == 0.0)) return port;
-    FarthestPoint starboard = starboard_.farthest(direction.cwiseProduct(kMirror), part);
+    const ExtentSearch& other = upright_ ? port_ : *starboard_;
+    FarthestPoint starboard = other.farthest(direction.cwiseProduct(kMirror), part);
     if (!(starboard.value > port.value)) return port;
     starboard.point = starboard.point.cwiseProduct(kMirror);
     return starboard;
@@ -52,8 +56,9 @@ class BothSides {
 
  private:
   bool mirrored_;
-  ExtentSearch port_, starboard_;
+  ExtentSearch port_;
   bool upright_;
+  std::optional<ExtentSearch> starboard_;  // in the mirrored water, where that is another
 };
 
 double ratio(double above, double below) { return below > 0.0 ? above / below : 0.0; }

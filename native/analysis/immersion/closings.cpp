@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/sections/border_edges.h"
-
 namespace hull {
 namespace {
 
@@ -21,9 +19,9 @@ struct BorderLoop {
   std::vector<int> cells;    // of each
 };
 
-std::vector<BorderLoop> border_loops(const LimitSurface& surface) {
+std::vector<BorderLoop> border_loops(const std::vector<BorderEdge>& border) {
   std::vector<BorderLoop> loops;
-  for (const BorderEdge& edge : border_edges(surface)) {
+  for (const BorderEdge& edge : border) {
     if (edge.loop == static_cast<int>(loops.size())) loops.emplace_back();
     loops.back().spans.push_back(edge.points);
     loops.back().cells.push_back(edge.half_edge / 4);
@@ -104,10 +102,11 @@ bool is_transverse(const Extent& extent, double size) {
 
 }  // namespace
 
-std::vector<ClosingSpan> closing_spans(const LimitSurface& surface, bool mirrored) {
+std::vector<ClosingSpan> closing_spans(const LimitSurface& surface,
+                                       const std::vector<BorderEdge>& edges, bool mirrored) {
   const double size = surface.mesh().size();
   std::vector<ClosingSpan> result;
-  for (const BorderLoop& loop : border_loops(surface)) {
+  for (const BorderLoop& loop : border_loops(edges)) {
     const Extent extent = extent_of(loop.spans);
     const double diagonal = (extent.high - extent.low).norm();
     const bool at_centre = mirrored && extent.low.y() <= kInPlane * size;

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "surface/limit_surface.h"
+#include "analysis/sections/border_edges.h"
 
 namespace hull {
 
@@ -16,7 +16,7 @@ struct ClosingSpan {
   bool open;  // whether water could flow in here, if the opening is not declared closed
 };
 
-// What closes a surface to a body. A border is closed
+// What closes a surface to a body, its border given as border_edges() has it. It is closed
 //   by straight athwartships lines to the centre plane, or to a plane parallel to it, where that
 //   makes a closed body: at borders that meet the centre plane of a half hull (`mirrored`), and at
 //   loops whose projection on the centre plane has no area, as those of symmetric bodies have;
@@ -25,7 +25,8 @@ struct ClosingSpan {
 //
 // Borders in the centre plane of a half hull are no openings. Closings in planes across the ship,
 // open transoms and the ends of cut bodies, are taken for closed; all others are open.
-std::vector<ClosingSpan> closing_spans(const LimitSurface& surface, bool mirrored);
+std::vector<ClosingSpan> closing_spans(const LimitSurface& surface,
+                                       const std::vector<BorderEdge>& border, bool mirrored);
 
 // The lowest point at which water can flow in.
 struct FloodingPoint {

@@ -11,8 +11,10 @@
 namespace hull {
 namespace {
 
-constexpr int kExactRings = 2;  // rings integrated by the exact rule; smaller ones by the small
 constexpr int kMostRings = 60;
+// Three nodes are exact for the area of flat spans. Of the excess over that, this share is what
+// they may leave out on the inner rings, which have a sixteenth of it.
+constexpr double kUneven = 1e-3;
 constexpr std::size_t kMostRatios = 6;
 
 // The oriented area of a bicubic span as a form of its 16 points: ∫ N_a,u N_b,v, antisymmetric
@@ -33,33 +35,58 @@ Eigen::Matrix<double, 16, 16> span_area_form() {
   return 0.5 * (form - form.transpose());
 }
 
-// Moduli of the local matrix's largest eigenvalues but the 1, falling.
-std::vector<double> largest_moduli(const CornerBasis& basis) {
-  std::vector<double> moduli;
+using Moduli = std::vector<double>;  // falling, each as often as it occurs
+
+// Of the local matrix's largest eigenvalues but the 1.
+Moduli largest_moduli(const CornerBasis& basis) {
+  Moduli moduli;
   for (const SlowBlock& block : basis.spectrum().blocks) {
-    if (block.begin > 0) moduli.push_back(std::abs(block.eigenvalue));
+    if (block.begin > 0) moduli.insert(moduli.end(), block.size, std::abs(block.eigenvalue));
   }
-  moduli.push_back(basis.spectrum().rest);
+  moduli.insert(moduli.end(), 2, basis.spectrum().rest);
   return moduli;
 }
 
-// The largest products of `factors` of the moduli, those that hardly differ taken together.
-std::vector<double> largest_products(const std::vector<double>& moduli, int factors) {
+// The largest of the values, those that hardly differ taken together.
+Moduli largest(Moduli values) {
   constexpr double kDistinct = 0.98;
-  std::vector<double> products{1.0};
-  for (int k = 0; k < factors; ++k) {
-    std::vector<double> longer;
-    for (double product : products) {
-      for (double modulus : moduli) longer.push_back(product * modulus);
-    }
-    std::sort(longer.begin(), longer.end(), std::greater<>());
-    products.clear();
-    for (double product : longer) {
-      if (products.size() == kMostRatios) break;
-      if (products.empty() || product < kDistinct * products.back()) products.push_back(product);
-    }
+  std::sort(values.begin(), values.end(), std::greater<>());
+  Moduli chosen;
+  for (double value : values) {
+    if (chosen.size() == kMostRatios) break;
+    if (chosen.empty() || value < kDistinct * chosen.back()) chosen.push_back(value);
   }
-  return products;
+  return chosen;
+}
+
+Moduli products(const Moduli& a, const Moduli& b) {
+  Moduli all;
+  for (double x : a) {
+    for (double y : b) all.push_back(x * y);
+  }
+  return largest(all);
+}
+
+// Of the normals, cross products of two different modes, from the pair `first` on.
+Moduli normal_moduli(const Moduli& modes, std::size_t first) {
+  Moduli normals;
+  for (std::size_t j = first; j < modes.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) normals.push_back(modes[i] * modes[j]);
+  }
+  return largest(normals);
+}
+
+// Of |n| - n·m = |n|(1 - cos), m the limit of the normal's direction: for a normal n₀ + d with
+// small d across m, d²/2n₀ and higher powers.
+Moduli excess_moduli(const Moduli& modes) {
+  const Moduli across = normal_moduli(modes, 2);
+  const double leading = modes[0] * modes[1];
+  Moduli deviations = across;
+  for (double& deviation : deviations) deviation /= leading;
+  const Moduli squares = products(across, deviations);
+  Moduli all = products(squares, deviations);
+  all.insert(all.end(), squares.begin(), squares.end());
+  return largest(all);
 }
 
 // Limit of sums whose differences to it are combinations of powers of known ratios: each column of
@@ -92,67 +119,93 @@ class Extrapolation {
 
 AreaForm::AreaForm(const CornerBasis& basis) {
   static const Eigen::Matrix<double, 16, 16> span = span_area_form();
-  G_.setZero(basis.point_count(), basis.point_count());
+  const int n = basis.point_count();
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n, n);
   for (const RingSegment& segment : basis.segments()) {
-    G_ += segment.rows.transpose() * span * segment.rows;
+    G += segment.rows.transpose() * span * segment.rows;
   }
   // ∑ (Aᵏ)ᵀ G_ring Aᵏ by doubling: terms fall at least like 0.8², so that 2⁸ are plenty.
   Eigen::MatrixXd power = basis.matrix();
   for (int k = 0; k < 8; ++k) {
-    G_ += (power.transpose() * G_ * power).eval();
+    G += (power.transpose() * G * power).eval();
     power = (power * power).eval();
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) above_.push_back(G(i, j) - G(j, i));
   }
 }
 
 Vector3d AreaForm::operator()(const std::vector<Vector3d>& points) const {
   // Constants drop out; without them less is lost to rounding.
-  Eigen::Matrix<double, Eigen::Dynamic, 3> q(points.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    q.row(i) = (points[i] - points.front()).transpose();
-  }
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> other = G_.lazyProduct(q);
+  std::vector<Vector3d> q(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) q[i] = points[i] - points.front();
   Vector3d sum = Vector3d::Zero();
-  for (Eigen::Index i = 0; i < q.rows(); ++i) {
-    sum += q.row(i).transpose().cross(other.row(i).transpose());
+  const double* factor = above_.data();
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    Vector3d partners = Vector3d::Zero();
+    for (std::size_t j = i + 1; j < q.size(); ++j) partners += *factor++ * q[j];
+    sum += q[i].cross(partners);
   }
   return sum;
 }
 
 CornerSeries::CornerSeries(const CornerBasis& basis) : area_form(basis) {
-  const std::vector<double> moduli = largest_moduli(basis);
-  area_ratios = largest_products(moduli, 2);
-  first_ratios = largest_products(moduli, 3);
-  second_ratios = largest_products(moduli, 4);
+  const Moduli modes = largest_moduli(basis);
+  excess_ratios = basis.tangent_rule().defined ? excess_moduli(modes) : normal_moduli(modes, 1);
+  first_ratios = products(normal_moduli(modes, 1), modes);
+  second_ratios = products(first_ratios, modes);
 }
 
-ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const CornerSeries& series,
-                            const Vector3d& origin, const CornerTolerance& tolerance) {
+namespace {
+
+// How much a limit may still be off whose estimates have changed so much: changes go on falling
+// geometrically, though not quite evenly.
+double still_to_come(double change, double before) {
+  constexpr double kFastest = 0.1;
+  return before > 0.0 ? change * std::clamp(2.0 * change / before, kFastest, 1.0) : change;
+}
+
+}  // namespace
+
+ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const CornerPoints& points,
+                            const CornerSeries& series, const Vector3d& origin,
+                            const CornerRules& rules) {
   const Vector3d& limit = ring.limit();
-  // The area elements' square root leaves the leading ratios as they are.
-  Extrapolation<double> area(series.area_ratios);
+  const Vector3d normal = series.area_form(ring.points());
+  const Vector3d direction = basis.corner_normal(points).normalized();
+  Extrapolation<double> excess(series.excess_ratios);
   Extrapolation<Eigen::Matrix3d> first(series.first_ratios);
   Extrapolation<Eigen::Matrix<double, 6, 3>> second(series.second_ratios);
+  SpanRule inner = rules.inner;
   ShellMoments sum;    // about the corner
   ShellMoments whole;  // with what is beyond the rings summed so far
+  double area_change = 0.0, first_change = 0.0;
   for (int k = 0; k < kMostRings; ++k) {
-    const SpanRule rule = k < kExactRings ? SpanRule::kExact : SpanRule::kSmall;
+    if (k > 0) ring.advance();
     for (int s = 0; s < basis.segment_count(); ++s) {
-      sum += span_moments({ring.segment_points(s), limit}, rule, tolerance.area);
+      const BicubicPoints span = ring.segment_points(s);
+      sum += k == 0 ? span_moments({span, limit}, rules.outer, rules.area)
+                    : span_moments({span, limit}, inner);
     }
-    ring.advance();
+    const double sum_excess = sum.area - direction.dot(sum.normal);
+    if (k == 0 && inner == SpanRule::kSmall && kUneven * sum_excess < rules.area) {
+      inner = SpanRule::kSmallest;
+    }
     const ShellMoments before = whole;
     whole = sum;
-    whole.area = area.add(sum.area);
+    whole.area = excess.add(sum_excess) + direction.dot(normal);
     whole.first = first.add(sum.first);
     whole.second = second.add(sum.second);
-    // The change is the error before this ring, larger than that which is left.
-    const double area_change = std::abs(whole.area - before.area);
-    whole.area_error += area_change;
-    if ((whole.first - before.first).norm() < tolerance.first && area_change < tolerance.area) {
-      break;
-    }
+    const double area_before = area_change, first_before = first_change;
+    area_change = std::abs(whole.area - before.area);
+    first_change = (whole.first - before.first).norm();
+    const double area_error = still_to_come(area_change, area_before);
+    const double first_error = still_to_come(first_change, first_before);
+    whole.area_error += area_error;
+    whole.volume_error = first_error;
+    if (k > 0 && area_error < rules.area && first_error < rules.first) break;
   }
-  whole.normal += series.area_form(ring.points());
+  whole.normal = normal;
   return moved(whole, limit - origin);
 }
 

@@ -16,29 +16,33 @@ class AreaForm {
   Vector3d operator()(const std::vector<Vector3d>& points) const;
 
  private:
-  Eigen::MatrixXd G_;
+  std::vector<double> above_;  // G's entries above the diagonal times two: G is antisymmetric
 };
 
 // What is known beforehand of the moments of the rings around a corner: they are sums of geometric
-// series, whose ratios are products of the local matrix's eigenvalues.
+// series, whose ratios are products of the local matrix's eigenvalues. Of each kind the largest,
+// falling: two positions make a normal, further factors come from the positions of moments; and of
+// the area's excess over that of its projection along the corner's normal, which is quadratic in
+// the normals' deviations.
 struct CornerSeries {
   explicit CornerSeries(const CornerBasis& basis);
 
   AreaForm area_form;
-  std::vector<double> area_ratios;    // the largest of areas (products of two), falling
-  std::vector<double> first_ratios;   // … of first moments (of three) …
-  std::vector<double> second_ratios;  // … and of second moments (of four)
+  std::vector<double> excess_ratios, first_ratios, second_ratios;
 };
 
-// How much the moments of what lies around a corner may be off: m³ for the first, m² for the area.
-struct CornerTolerance {
+// How the moments of what lies around a corner are summed: how much they may be off, m³ for the
+// first and m² for the area, and the rules for the outermost ring and for all others.
+struct CornerRules {
   double first, area;
+  SpanRule outer, inner;
 };
 
-// Moments of all that `ring` has still to pass, positions counted from `origin`. Rings are summed,
-// and the sums extrapolated by their known ratios (Richardson), until that settles; ∫ n dS is
-// exact. The ring is left where that was.
-ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const CornerSeries& series,
-                            const Vector3d& origin, const CornerTolerance& tolerance);
+// Moments of all that `ring`, which walks around a corner of `points`, has still to pass, positions
+// counted from `origin`. Rings are summed, and the sums extrapolated by their known ratios
+// (Richardson), until that settles; ∫ n dS is exact. The ring is left at the last of them.
+ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const CornerPoints& points,
+                            const CornerSeries& series, const Vector3d& origin,
+                            const CornerRules& rules);
 
 }  // namespace hull

@@ -4,50 +4,18 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "analysis/arithmetic/gauss.h"
+#include "analysis/arithmetic/estimating_rule.h"
 
 namespace hull {
 namespace {
 
-constexpr int kInner = 6;   // across the water's surface: exact for polynomials of degree 11
-constexpr int kOuter = 10;  // along it, where integrands are analytic but no polynomials
 constexpr int kMostHalvings = 6;
 
-struct OuterRule {
-  GaussRule rule = gauss_rule(kOuter);
-  // Weights times Legendre polynomials of the two highest degrees that the rule resolves.
-  std::array<double, kOuter> high{}, highest{};
-
-  OuterRule() {
-    for (int i = 0; i < kOuter; ++i) {
-      const double x = 2.0 * rule.nodes[i] - 1.0;
-      high[i] = rule.weights[i] * (2 * kOuter - 3) * std::legendre(kOuter - 2, x);
-      highest[i] = rule.weights[i] * (2 * kOuter - 1) * std::legendre(kOuter - 1, x);
-    }
-  }
-
-  // Estimated error of the integral of a function with these values: coefficients of the Legendre
-  // series fall geometrically, and the error is of the order of that of twice the degree.
-  double error(const std::array<double, kOuter>& values) const {
-    double a = 0.0, b = 0.0, mean = 0.0;
-    for (int i = 0; i < kOuter; ++i) {
-      a += high[i] * values[i];
-      b += highest[i] * values[i];
-      mean += rule.weights[i] * std::abs(values[i]);
-    }
-    const double top = std::abs(a) + std::abs(b);
-    return mean > 0.0 ? top * std::min(1.0, top / mean) : 0.0;
-  }
-};
-
-const OuterRule& outer_rule() {
-  static const OuterRule rule;
-  return rule;
-}
-
-const GaussRule& inner_rule() {
-  static const GaussRule rule = gauss_rule(kInner);
-  return rule;
+// Across the water's surface: exact for polynomials up to the rule's degree.
+const GaussRule& inner_rule(SpanRule rule) {
+  static const std::array<GaussRule, 4> rules{gauss_rule(3), gauss_rule(4), gauss_rule(5),
+                                              gauss_rule(6)};
+  return rules[static_cast<int>(rule) - 3];
 }
 
 // A span as a cubic across, at one parameter along: its points, and their derivatives along.
@@ -71,8 +39,8 @@ struct Across {
 class CutIntegrator {
  public:
   CutIntegrator(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
-                const CutTolerance& tolerance)
-      : points_(points), origin_(origin), water_(water), tolerance_(tolerance) {}
+                const CutRules& rules)
+      : points_(points), origin_(origin), water_(water), rules_(rules) {}
 
   void add(const CutSquare& square) {
     const Breaks breaks = crossing_breaks(square.height);
@@ -87,17 +55,17 @@ class CutIntegrator {
   // The part of the square whose parameter along the cut is within an interval, halved until the
   // estimated errors are small.
   void add_interval(const CutSquare& square, double begin, double width, int depth) {
-    const OuterRule& outer = outer_rule();
-    std::array<double, kOuter> volumes{}, areas{};
+    const EstimatingRule& outer = EstimatingRule::of(rules_.along);
+    EstimatingRule::Values volumes{}, areas{};
     ShellNodes nodes;
-    for (int i = 0; i < kOuter; ++i) {
-      const double u = begin + width * outer.rule.nodes[i];
+    for (int i = 0; i < outer.count(); ++i) {
+      const double u = begin + width * outer.node(i);
       const BezierCubic column = square.height.along_v(u);
       const bool low_wet = column[0] < 0.0, high_wet = column[3] < 0.0;
       if (!low_wet && !high_wet) continue;
       double from = 0.0, to = 1.0;
       if (low_wet != high_wet) (low_wet ? to : from) = crossing(column);
-      const double weight = outer.rule.weights[i] * width;
+      const double weight = outer.weight(i) * width;
       const int first = nodes.count;
       add_column(square, u, from, to, weight, nodes);
       for (int k = first; k < nodes.count; ++k) {
@@ -109,27 +77,26 @@ class CutIntegrator {
     }
     const double volume_error = width * outer.error(volumes),
                  area_error = width * outer.error(areas);
-    if ((volume_error > tolerance_.volume || area_error > tolerance_.area) &&
-        depth < kMostHalvings) {
+    if ((volume_error > rules_.volume || area_error > rules_.area) && depth < kMostHalvings) {
       add_interval(square, begin, 0.5 * width, depth + 1);
       add_interval(square, begin + 0.5 * width, 0.5 * width, depth + 1);
       return;
     }
     add_nodes(nodes, sum);
-    sum.cut_error += volume_error;
+    sum.volume_error += volume_error;
     sum.area_error += area_error;
   }
 
   void add_column(const CutSquare& square, double u, double from, double to, double weight,
                   ShellNodes& nodes) const {
-    const GaussRule& inner = inner_rule();
+    const GaussRule& inner = inner_rule(rules_.span);
     const double begin = square.swapped ? square.u : square.v;
     const Across across(points_, (square.swapped ? square.v : square.u) + square.size * u,
                         square.swapped);
     // The normal is d/du x d/dv, whichever of them is across.
     const double sign = square.swapped ? -1.0 : 1.0;
     const double scale = sign * weight * (to - from) * square.size * square.size;
-    for (int j = 0; j < kInner; ++j) {
+    for (std::size_t j = 0; j < inner.nodes.size(); ++j) {
       const double t = begin + square.size * (from + (to - from) * inner.nodes[j]);
       const Basis value = cubic_basis(t), slope = cubic_basis_d1(t);
       Vector3d p = -origin_, along = Vector3d::Zero(), over = Vector3d::Zero();
@@ -145,19 +112,19 @@ class CutIntegrator {
   const BicubicPoints& points_;
   const Vector3d& origin_;
   const Plane& water_;
-  const CutTolerance& tolerance_;
+  const CutRules& rules_;
 };
 
 }  // namespace
 
 ShellMoments wet_moments(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
-                         const CutTolerance& tolerance) {
-  CutIntegrator integrator(points, origin, water, tolerance);
-  const BezierBicubic height = heights(points, water, tolerance.zero);
+                         const CutRules& rules) {
+  CutIntegrator integrator(points, origin, water, rules);
+  const BezierBicubic height = heights(points, water, rules.zero);
   cut_piece(height, [&](const CutSquare& square) {
     if (square.side == CutSquare::Side::kBelow) {
-      integrator.sum += span_moments({points, origin, square.u, square.v, square.size},
-                                     SpanRule::kExact, tolerance.area);
+      integrator.sum +=
+          span_moments({points, origin, square.u, square.v, square.size}, rules.span, rules.area);
     } else if (square.side == CutSquare::Side::kCut) {
       integrator.add(square);
     }

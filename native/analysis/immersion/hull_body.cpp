@@ -11,13 +11,7 @@
 namespace hull {
 namespace {
 
-// Of the mesh's size, or of its powers.
-constexpr double kZeroHeight = 1e-13;
-constexpr double kCornerFirst = 1e-15;    // per irregular corner
-constexpr double kCutVolume = 1e-15;      // per part of a cut
-constexpr double kAreaTolerance = 1e-12;  // per span
-constexpr double kCornerArea = 1e-11;     // per irregular corner
-constexpr double kNoMatter = 1e300;       // a tolerance for areas that are not asked for
+// Of the mesh's size.
 constexpr double kNoVolume = 1e-9;        // times the area: what an open sheet may have
 constexpr double kAtEdge = 1e-9;          // water at an opening's edge does not flow in
 constexpr double kSmallestCorner = 1e-9;  // beyond it a corner cut by the water is left out
@@ -28,16 +22,9 @@ ShellMoments without_area(ShellMoments moments) {
   return moments;
 }
 
-struct Box {
-  Vector3d low, high;
-};
-
-Box box_of(const Vector3d* points, std::size_t count) {
-  Box box{points[0], points[0]};
-  for (std::size_t i = 1; i < count; ++i) {
-    box = {box.low.cwiseMin(points[i]), box.high.cwiseMax(points[i])};
-  }
-  return box;
+double checked(double tolerance) {
+  if (tolerance > 0.0 && tolerance < 1e-2) return tolerance;
+  throw std::invalid_argument("The tolerance of a body's integrals must be between 0 and 0.01.");
 }
 
 Plane mirror_image(const Plane& plane) {
@@ -46,75 +33,56 @@ Plane mirror_image(const Plane& plane) {
 
 }  // namespace
 
-HullBody::HullBody(const LimitSurface& surface, bool mirrored, Openings openings)
-    : surface_(&surface), mirrored_(mirrored), openings_(openings), bodies_(bodies_of(surface)) {
-  const SurfaceLayout& layout = surface.layout();
-  for (int i = 0; i < layout.corner_count(); ++i) {
-    const CornerBasis& basis = layout.basis(i);
-    if (!series_.contains(&basis)) series_.emplace(&basis, CornerSeries(basis));
-  }
-  leaves_.resize(layout.leaf_count());
-  corners_.resize(layout.corner_count());
-  update();
-}
-
-const CornerSeries& HullBody::series(int corner) const {
-  return series_.at(&surface_->layout().basis(corner));
-}
-
-void HullBody::place(Part& part, const Vector3d* points, std::size_t count) const {
-  const Box box = box_of(points, count);
-  part.middle = 0.5 * (box.low + box.high) - centre_;
-  part.half = 0.5 * (box.high - box.low);
+HullBody::HullBody(const LimitSurface& surface, bool mirrored, Openings openings, double tolerance)
+    : mirrored_(mirrored),
+      openings_(openings),
+      tolerance_(checked(tolerance)),
+      bodies_(bodies_of(surface)),
+      parts_(surface, mirrored, tolerance),
+      boxes_(surface) {
+  close();
 }
 
 void HullBody::update() {
-  const LimitSurface& surface = *surface_;
-  const double size = surface.mesh().size();
-  const Box all = box_of(surface.mesh().points().data(), surface.mesh().points().size());
-  centre_ = 0.5 * (all.low + all.high);
-  if (mirrored_) centre_.y() = 0.0;
-  corner_tolerance_ = {kCornerFirst * size * size * size, kCornerArea * size * size};
-  cut_tolerance_ = {kZeroHeight * size, kCutVolume * size * size * size,
-                    kAreaTolerance * size * size};
+  parts_.update();
+  close();
+}
 
-  for (std::size_t i = 0; i < leaves_.size(); ++i) {
-    const BicubicPoints& points = surface.leaf(static_cast<int>(i));
-    place(leaves_[i], points.data(), points.size());
-    leaves_[i].moments = span_moments({points, centre_}, SpanRule::kExact, cut_tolerance_.area);
-  }
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    const int corner = static_cast<int>(i);
-    const CornerBasis& basis = surface.layout().basis(corner);
-    const std::vector<Vector3d>& points = surface.corner(corner).outer;
-    place(corners_[i], points.data(), points.size());
-    CornerRing ring(basis, surface.corner(corner));
-    corners_[i].moments = corner_moments(ring, basis, series(corner), centre_, corner_tolerance_);
-  }
-  closings_ = closing_spans(surface, mirrored_);
+void HullBody::close() {
+  const Vector3d& centre = parts_.rules().centre;
+  border_ = border_edges(surface());
+  boxes_ = CellBoxes(surface());
+  closings_ = closing_spans(surface(), border_, mirrored_);
   caps_.resize(closings_.size());
   for (std::size_t i = 0; i < caps_.size(); ++i) {
     const BicubicPoints& points = closings_[i].cap;
-    place(caps_[i], points.data(), points.size());
-    caps_[i].moments = span_moments({points, centre_}, SpanRule::kExact, kNoMatter);
+    place(caps_[i], points.data(), points.size(), centre);
+    caps_[i].moments = span_moments({points, centre}, parts_.rules().span);
   }
   inversion_ = inversion();
 }
 
 std::string HullBody::inversion() const {
-  std::vector<ShellMoments> sums(bodies_.first_cell.size());
-  for (std::size_t i = 0; i < leaves_.size(); ++i) sums[bodies_.of_leaf[i]] += leaves_[i].moments;
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    sums[bodies_.of_corner[i]] += corners_[i].moments;
+  struct Sum {
+    double volume = 0.0, area = 0.0;  // volume from ∫ z n_z, the same for both halves
+    void add(const ShellMoments& moments) {
+      volume += moments.first(2, 2);
+      area += moments.area;
+    }
+  };
+  std::vector<Sum> sums(bodies_.first_cell.size());
+  for (std::size_t i = 0; i < parts_.leaves().size(); ++i) {
+    sums[bodies_.of_leaf[i]].add(parts_.leaves()[i].moments);
+  }
+  for (std::size_t i = 0; i < parts_.corners().size(); ++i) {
+    sums[bodies_.of_corner[i]].add(parts_.corners()[i].moments);
   }
   for (std::size_t i = 0; i < caps_.size(); ++i) {
-    sums[bodies_.of_cell[closings_[i].cell]] += caps_[i].moments;
+    sums[bodies_.of_cell[closings_[i].cell]].add(caps_[i].moments);
   }
   for (std::size_t b = 0; b < sums.size(); ++b) {
-    // ∫ z n_z, the same for both halves.
-    const double volume = sums[b].first(2, 2);
-    if (volume >= -kNoVolume * surface_->mesh().size() * sums[b].area) continue;
-    const int face = surface_->mesh().topology().face(bodies_.first_cell[b]);
+    if (sums[b].volume >= -kNoVolume * surface().mesh().size() * sums[b].area) continue;
+    const int face = surface().mesh().topology().face(bodies_.first_cell[b]);
     return "The displaced volume is negative: the faces of the body with face " +
            std::to_string(face) + " are turned inwards. Turn them outwards, into the water.";
   }
@@ -123,37 +91,40 @@ std::string HullBody::inversion() const {
 
 // The part of a corner's square below the water, which crosses the hull of its control points.
 ShellMoments HullBody::wet_corner(int corner, const Plane& water) const {
-  const CornerBasis& basis = surface_->layout().basis(corner);
-  const double smallest = kSmallestCorner * surface_->mesh().size();
+  const CornerBasis& basis = surface().layout().basis(corner);
+  const CornerPoints& kept = surface().corner(corner);
+  const BodyRules& rules = parts_.rules();
+  const double smallest = kSmallestCorner * surface().mesh().size();
   ShellMoments sum;
-  for (CornerRing ring(basis, surface_->corner(corner));; ring.advance()) {
-    const std::vector<Vector3d> points = ring.points();
-    double lowest = water.height(points[0]), highest = lowest;
+  for (CornerRing ring(basis, kept);; ring.advance()) {
+    const std::vector<Vector3d>& points = ring.points();
+    double lowest = water.height(points[0]), highest = lowest, farthest = 0.0;
     for (const Vector3d& p : points) {
       lowest = std::min(lowest, water.height(p));
       highest = std::max(highest, water.height(p));
+      farthest = std::max(farthest, (p - points[0]).squaredNorm());
     }
-    if (lowest > -cut_tolerance_.zero) return sum;
-    if (highest < -cut_tolerance_.zero) {
-      sum += corner_moments(ring, basis, series(corner), centre_, corner_tolerance_);
+    if (lowest > -rules.cut.zero) return sum;
+    if (highest < -rules.cut.zero) {
+      sum += corner_moments(ring, basis, kept, parts_.series(corner), rules.centre, rules.corner);
       return sum;
     }
-    const Box box = box_of(points.data(), points.size());
-    if ((box.high - box.low).norm() < smallest) return sum;
+    if (farthest < smallest * smallest) return sum;
     for (int s = 0; s < basis.segment_count(); ++s) {
-      sum += wet_moments(ring.segment_points(s), centre_, water, cut_tolerance_);
+      sum += wet_moments(ring.segment_points(s), rules.centre, water, rules.cut);
     }
   }
 }
 
 template <class Cut>
-void HullBody::add_wet(const std::vector<Part>& parts, const Plane& water, const Cut& cut,
+void HullBody::add_wet(const std::vector<ShellPart>& parts, const Plane& water, const Cut& cut,
                        ShellMoments& sum) const {
-  const double level = -water.height(centre_);
+  const BodyRules& rules = parts_.rules();
+  const double level = -water.height(rules.centre);
   const Vector3d extent = water.normal.cwiseAbs();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double height = water.normal.dot(parts[i].middle) - level;
-    const double half = extent.dot(parts[i].half) + cut_tolerance_.zero;
+    const double half = extent.dot(parts[i].half) + rules.cut.zero;
     if (height >= half) continue;
     if (height < -half) {
       sum += parts[i].moments;
@@ -164,14 +135,15 @@ void HullBody::add_wet(const std::vector<Part>& parts, const Plane& water, const
 }
 
 HullBody::Wet HullBody::wet_part(const Plane& water) const {
+  const BodyRules& rules = parts_.rules();
   const auto wet_span = [&](const BicubicPoints& points) {
-    return wet_moments(points, centre_, water, cut_tolerance_);
+    return wet_moments(points, rules.centre, water, rules.cut);
   };
   Wet wet;
   add_wet(
-      leaves_, water, [&](int i) { return wet_span(surface_->leaf(i)); }, wet.shell);
+      parts_.leaves(), water, [&](int i) { return wet_span(surface().leaf(i)); }, wet.shell);
   add_wet(
-      corners_, water, [&](int i) { return wet_corner(i, water); }, wet.shell);
+      parts_.corners(), water, [&](int i) { return wet_corner(i, water); }, wet.shell);
   add_wet(
       caps_, water, [&](int i) { return wet_span(closings_[i].cap); }, wet.caps);
   return wet;
@@ -179,9 +151,9 @@ HullBody::Wet HullBody::wet_part(const Plane& water) const {
 
 ShellMoments HullBody::shell_moments() const {
   ShellMoments sum;
-  for (const Part& leaf : leaves_) sum += leaf.moments;
-  for (const Part& corner : corners_) sum += corner.moments;
-  sum = moved(sum, centre_);
+  for (const ShellPart& leaf : parts_.leaves()) sum += leaf.moments;
+  for (const ShellPart& corner : parts_.corners()) sum += corner.moments;
+  sum = moved(sum, parts_.rules().centre);
   if (mirrored_) sum += hull::mirrored(sum);
   return sum;
 }
@@ -204,7 +176,7 @@ FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
 
 void HullBody::refuse_flooding(const Plane& water) const {
   const FloodingPoint lowest = flooding_point(water.normal);
-  if (lowest.height >= water.offset - kAtEdge * surface_->mesh().size()) return;
+  if (lowest.height >= water.offset - kAtEdge * surface().mesh().size()) return;
   std::ostringstream words;
   words
       << std::fixed << std::setprecision(3) << "The hull floods at (" << lowest.point.x() << ", "
@@ -220,6 +192,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   }
   if (!inversion_.empty()) throw std::invalid_argument(inversion_);
   refuse_flooding(water);
+  const Vector3d& centre = parts_.rules().centre;
   Wet wet = wet_part(water);
   if (mirrored_) {
     const Wet other = water.normal.y() == 0.0 ? wet : wet_part(mirror_image(water));
@@ -230,14 +203,14 @@ Immersion HullBody::immersion(const Plane& water) const {
   all += without_area(wet.caps);
   // About a point in the water's surface, where heights do not cancel, or, where the water is far
   // off, in a plane that is just as far beyond the body.
-  const double size = surface_->mesh().size();
-  const double level = std::clamp(-water.height(centre_), -size, size);
-  const Vector3d origin = centre_ + level * water.normal;
-  Immersion result = immersion_of(moved(all, centre_ - origin), {water.normal, 0.0});
+  const double size = surface().mesh().size();
+  const double level = std::clamp(-water.height(centre), -size, size);
+  const Vector3d origin = centre + level * water.normal;
+  Immersion result = immersion_of(moved(all, centre - origin), {water.normal, 0.0});
   result.water = water;
   if (result.volume > 0.0) result.centre_of_buoyancy += origin;
   if (result.waterplane_area > 0.0) result.centre_of_flotation += origin;
-  result.flux_forms = moved(wet.shell, centre_).first.diagonal();
+  result.flux_forms = moved(wet.shell, centre).first.diagonal();
   return result;
 }
 

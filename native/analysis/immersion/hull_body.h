@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "analysis/immersion/bodies.h"
 #include "analysis/immersion/closings.h"
-#include "analysis/immersion/corner_moments.h"
-#include "analysis/immersion/cut_moments.h"
 #include "analysis/immersion/immersion.h"
+#include "analysis/immersion/shell_parts.h"
+#include "analysis/sections/cell_boxes.h"
 #include "surface/limit_surface.h"
 
 namespace hull {
@@ -21,21 +20,26 @@ enum class Openings { kOpen, kClosed };
 // A limit surface as the shell of a floating body, for many waters: what does not depend on the
 // water is computed once. Its bodies, if they are several, add up.
 //
-// Polynomial integrands (volume, its moments, waterplane) are integrated exactly where the water
-// does not cut, and to about 1e-13 of the whole where it does; the wetted surface to about 1e-9.
-// Estimates come with the results. Queries are thread-safe among themselves.
+// With the finest tolerance polynomial integrands (volume, its moments, waterplane) are integrated
+// exactly where the water does not cut, and to about 1e-13 of the whole where it does; the wetted
+// surface to about 1e-9. With a coarser one all of them are right to about that, relative to the
+// whole. Estimates come with the results. Queries are thread-safe among themselves.
 class HullBody {
  public:
   // `mirrored`: the surface is the port half (y >= 0) and counts twice. `surface` must outlive the
-  // body.
-  HullBody(const LimitSurface& surface, bool mirrored, Openings openings = Openings::kClosed);
+  // body. Throws std::invalid_argument unless the tolerance is positive and below 1e-2.
+  HullBody(const LimitSurface& surface, bool mirrored, Openings openings = Openings::kClosed,
+           double tolerance = kFinest);
 
-  // To be called after surface.set_points().
+  // To be called after surface.set_points(). Only what has moved is computed again.
   void update();
 
-  const LimitSurface& surface() const { return *surface_; }
+  const LimitSurface& surface() const { return parts_.surface(); }
   bool mirrored() const { return mirrored_; }
+  double tolerance() const { return tolerance_; }
   Openings openings() const { return openings_; }
+  const CellBoxes& boxes() const { return boxes_; }
+  const std::vector<BorderEdge>& border() const { return border_; }
   // What closes the shell, on the modelled side.
   const std::vector<ClosingSpan>& closings() const { return closings_; }
 
@@ -52,37 +56,28 @@ class HullBody {
   double lowest_opening(const Vector3d& up) const { return flooding_point(up).height; }
 
  private:
-  // A part of the shell whose moments are known: a bicubic span, or the square at an irregular
-  // knot.
-  struct Part {
-    // A box around its control points, positions counted from centre_.
-    Vector3d middle = Vector3d::Zero(), half = Vector3d::Zero();
-    ShellMoments moments;
-  };
-  void place(Part& part, const Vector3d* points, std::size_t count) const;
+  void close();
   std::string inversion() const;
   void refuse_flooding(const Plane& water) const;
 
   template <class Cut>
-  void add_wet(const std::vector<Part>& parts, const Plane& water, const Cut& cut,
+  void add_wet(const std::vector<ShellPart>& parts, const Plane& water, const Cut& cut,
                ShellMoments& sum) const;
   struct Wet {
     ShellMoments shell, caps;
   };
   Wet wet_part(const Plane& water) const;
   ShellMoments wet_corner(int corner, const Plane& water) const;
-  const CornerSeries& series(int corner) const;
 
-  const LimitSurface* surface_;
   bool mirrored_;
   Openings openings_;
-  Vector3d centre_;
-  CornerTolerance corner_tolerance_;
-  CutTolerance cut_tolerance_;
-  std::map<const CornerBasis*, CornerSeries> series_;
-  std::vector<ClosingSpan> closings_;
+  double tolerance_;
   Bodies bodies_;
-  std::vector<Part> leaves_, corners_, caps_;
+  ShellParts parts_;
+  CellBoxes boxes_;
+  std::vector<BorderEdge> border_;
+  std::vector<ClosingSpan> closings_;
+  std::vector<ShellPart> caps_;
   std::string inversion_;  // what is wrong with the direction of faces; empty if nothing is
 };
 

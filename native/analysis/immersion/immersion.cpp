@@ -30,7 +30,7 @@ Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
     result.centre_of_flotation = moment / -area;
     result.waterplane_second = about_origin - moment * result.centre_of_flotation.transpose();
   }
-  result.volume_error = wet.cut_error;
+  result.volume_error = wet.volume_error;
   result.wetted_surface_error = wet.area_error;
   return result;
 }

@@ -35,61 +35,106 @@ struct LineRule {
   }
 };
 
+// Of all rules, the smallest first.
+template <class Value>
+class PerRule {
+ public:
+  template <class Make>
+  explicit PerRule(const Make& make)
+      : values_{make(SpanRule::kSmallest), make(SpanRule::kSmall), make(SpanRule::kVolume),
+                make(SpanRule::kExact)} {}
+  const Value& operator[](SpanRule rule) const {
+    return values_[static_cast<int>(rule) - static_cast<int>(SpanRule::kSmallest)];
+  }
+
+ private:
+  std::array<Value, 4> values_;
+};
+
 const GaussRule& gauss(SpanRule rule) {
-  static const GaussRule exact = gauss_rule(static_cast<int>(SpanRule::kExact));
-  static const GaussRule small = gauss_rule(static_cast<int>(SpanRule::kSmall));
-  return rule == SpanRule::kExact ? exact : small;
+  static const PerRule<GaussRule> rules(
+      [](SpanRule which) { return gauss_rule(static_cast<int>(which)); });
+  return rules[rule];
 }
 
 const LineRule& whole_line(SpanRule rule) {
-  static const LineRule exact(gauss(SpanRule::kExact), 0.0, 1.0);
-  static const LineRule small(gauss(SpanRule::kSmall), 0.0, 1.0);
-  return rule == SpanRule::kExact ? exact : small;
+  static const PerRule<LineRule> lines(
+      [](SpanRule which) { return LineRule(gauss(which), 0.0, 1.0); });
+  return lines[rule];
 }
 
-// Nodes of a span at the tensor product of two lines, those of equal v in a row. A row is computed
-// with its padding, which the next row overwrites.
-HULL_WIDE void take_nodes(const double* points, const Vector3d& origin, const LineRule& u,
-                          const LineRule& v, ShellNodes& nodes) {
-  for (int j = 0; j < v.count; ++j) {
-    // What is left after the sums along v: a cubic along u, and its derivative by v.
-    double row[12], row_v[12];
-    for (int k = 0; k < 12; ++k) {
-      row[k] = v.value[j][0] * points[k] + v.value[j][1] * points[12 + k] +
-               v.value[j][2] * points[24 + k] + v.value[j][3] * points[36 + k];
-      row_v[k] = v.slope[j][0] * points[k] + v.slope[j][1] * points[12 + k] +
-                 v.slope[j][2] * points[24 + k] + v.slope[j][3] * points[36 + k];
-    }
-    double p[3][kMostNodes], du[3][kMostNodes], dv[3][kMostNodes];
-    for (int c = 0; c < 3; ++c) {
-      for (int i = 0; i < kMostNodes; ++i) {
-        p[c][i] = u.values[0][i] * row[c] + u.values[1][i] * row[3 + c] +
-                  u.values[2][i] * row[6 + c] + u.values[3][i] * row[9 + c] - origin[c];
-        du[c][i] = u.slopes[0][i] * row[c] + u.slopes[1][i] * row[3 + c] +
-                   u.slopes[2][i] * row[6 + c] + u.slopes[3][i] * row[9 + c];
-        dv[c][i] = u.values[0][i] * row_v[c] + u.values[1][i] * row_v[3 + c] +
-                   u.values[2][i] * row_v[6 + c] + u.values[3][i] * row_v[9 + c];
-      }
-    }
-    const int first = j * u.count;
-    double *x = &nodes.x[first], *y = &nodes.y[first], *z = &nodes.z[first];
-    double *nx = &nodes.nx[first], *ny = &nodes.ny[first], *nz = &nodes.nz[first];
-    for (int i = 0; i < kMostNodes; ++i) {
-      const double w = v.weights[j] * u.weights[i];
-      x[i] = p[0][i];
-      y[i] = p[1][i];
-      z[i] = p[2][i];
-      nx[i] = w * (du[1][i] * dv[2][i] - du[2][i] * dv[1][i]);
-      ny[i] = w * (du[2][i] * dv[0][i] - du[0][i] * dv[2][i]);
-      nz[i] = w * (du[0][i] * dv[1][i] - du[1][i] * dv[0][i]);
-    }
-  }
-  // The last row's padding has no weight.
-  nodes.count = (v.count * u.count + 3) / 4 * 4;
-}
+// From one row's beginning to the next's. Rules of up to four nodes keep their padding.
+int row_stride(int nodes) { return nodes <= 4 ? 4 : nodes; }
 
 // Four doubles that are added and multiplied at once, by whatever instructions there are.
 using Four = double __attribute__((vector_size(32)));
+
+inline void load(Four& four, const double* from) { std::memcpy(&four, from, sizeof(Four)); }
+
+inline void store(const Four& four, double* to) { std::memcpy(to, &four, sizeof(Four)); }
+
+// Nodes of a span at the tensor product of two lines, those of equal v in a row, of which columns
+// [4 quad, 4 quad + 4) are taken. Padding has no weight; the next row may overwrite it.
+inline __attribute__((always_inline)) void take_columns(const SpanSquare& square, const LineRule& u,
+                                                        const LineRule& v, int quad,
+                                                        ShellNodes& nodes) {
+  const double* point = square.points[0].data();
+  // What is left after the sums along u: cubics along v, and those of the derivatives by u.
+  Four cubic[4][3], cubic_u[4][3];
+  Four value[4], slope[4];
+  for (int a = 0; a < 4; ++a) {
+    load(value[a], &u.values[a][4 * quad]);
+    load(slope[a], &u.slopes[a][4 * quad]);
+  }
+  for (int b = 0; b < 4; ++b) {
+    for (int c = 0; c < 3; ++c) {
+      const double* p = point + 12 * b + c;
+      cubic[b][c] = value[0] * p[0] + value[1] * p[3] + value[2] * p[6] + value[3] * p[9];
+      cubic_u[b][c] = slope[0] * p[0] + slope[1] * p[3] + slope[2] * p[6] + slope[3] * p[9];
+    }
+  }
+  Four weights;
+  load(weights, &u.weights[4 * quad]);
+  const int stride = row_stride(u.count);
+  for (int j = 0; j < v.count; ++j) {
+    const Basis &at = v.value[j], &rise = v.slope[j];
+    Four p[3], du[3], dv[3];
+    for (int c = 0; c < 3; ++c) {
+      p[c] = at[0] * cubic[0][c] + at[1] * cubic[1][c] + at[2] * cubic[2][c] + at[3] * cubic[3][c] -
+             square.origin[c];
+      du[c] = at[0] * cubic_u[0][c] + at[1] * cubic_u[1][c] + at[2] * cubic_u[2][c] +
+              at[3] * cubic_u[3][c];
+      dv[c] = rise[0] * cubic[0][c] + rise[1] * cubic[1][c] + rise[2] * cubic[2][c] +
+              rise[3] * cubic[3][c];
+    }
+    const Four w = v.weights[j] * weights;
+    const int first = j * stride + 4 * quad;
+    store(p[0], &nodes.x[first]);
+    store(p[1], &nodes.y[first]);
+    store(p[2], &nodes.z[first]);
+    store(w * (du[1] * dv[2] - du[2] * dv[1]), &nodes.nx[first]);
+    store(w * (du[2] * dv[0] - du[0] * dv[2]), &nodes.ny[first]);
+    store(w * (du[0] * dv[1] - du[1] * dv[0]), &nodes.nz[first]);
+  }
+}
+
+HULL_WIDE void take_short_rows(const SpanSquare& square, const LineRule& u, const LineRule& v,
+                               ShellNodes& nodes) {
+  take_columns(square, u, v, 0, nodes);
+}
+
+// The right half first: what the left one writes beyond its four columns is nothing, but rows of
+// five and six nodes overlap the padding of those before.
+HULL_WIDE void take_long_rows(const SpanSquare& square, const LineRule& u, const LineRule& v,
+                              ShellNodes& nodes) {
+  take_columns(square, u, v, 1, nodes);
+  take_columns(square, u, v, 0, nodes);
+}
+
+void take_nodes(const SpanSquare& square, const LineRule& u, const LineRule& v, ShellNodes& nodes) {
+  (u.count <= 4 ? take_short_rows : take_long_rows)(square, u, v, nodes);
+  nodes.count = (v.count * row_stride(u.count) + 3) / 4 * 4;
+}
 
 inline double total(const Four& four) { return (four[0] + four[1]) + (four[2] + four[3]); }
 
@@ -101,10 +146,10 @@ HULL_WIDE void sum_nodes(const ShellNodes& nodes, ShellMoments& sum) {
     Four s0{}, sx{}, sy{}, sz{}, sxx{}, syy{}, szz{}, sxy{}, syz{}, szx{};
     for (int k = 0; k < nodes.count; k += 4) {
       Four n, x, y, z;
-      std::memcpy(&n, components[c] + k, sizeof(Four));
-      std::memcpy(&x, &nodes.x[k], sizeof(Four));
-      std::memcpy(&y, &nodes.y[k], sizeof(Four));
-      std::memcpy(&z, &nodes.z[k], sizeof(Four));
+      load(n, components[c] + k);
+      load(x, &nodes.x[k]);
+      load(y, &nodes.y[k]);
+      load(z, &nodes.z[k]);
       const Four nx = n * x, ny = n * y, nz = n * z;
       s0 += n;
       sx += nx;
@@ -142,52 +187,59 @@ HULL_WIDE double area_elements(const ShellNodes& nodes, Elements& elements) {
 }
 
 void take_square(const SpanSquare& square, SpanRule rule, ShellNodes& nodes) {
-  const double* points = square.points[0].data();
   if (square.size == 1.0) {
-    take_nodes(points, square.origin, whole_line(rule), whole_line(rule), nodes);
+    take_nodes(square, whole_line(rule), whole_line(rule), nodes);
   } else {
-    take_nodes(points, square.origin, LineRule(gauss(rule), square.u, square.size),
+    take_nodes(square, LineRule(gauss(rule), square.u, square.size),
                LineRule(gauss(rule), square.v, square.size), nodes);
   }
 }
 
-// Values of the Legendre polynomials of degree 4 and 5 on [0, 1] at the six nodes.
+// The two Legendre polynomials of highest degree that a rule of n nodes resolves, n - 2 and n - 1,
+// at its nodes on [0, 1], times the norms that make them coefficients of a series.
 struct TopPolynomials {
-  std::array<double, kMostNodes> fourth{}, fifth{};
-  TopPolynomials() {
-    const GaussRule& rule = gauss(SpanRule::kExact);
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      const double x = 2.0 * rule.nodes[i] - 1.0, x2 = x * x;
-      fourth[i] = (35.0 * x2 * x2 - 30.0 * x2 + 3.0) / 8.0;
-      fifth[i] = x * (63.0 * x2 * x2 - 70.0 * x2 + 15.0) / 8.0;
+  explicit TopPolynomials(SpanRule rule) : count(static_cast<int>(rule)) {
+    for (int i = 0; i < count; ++i) {
+      const double x = 2.0 * gauss(rule).nodes[i] - 1.0;
+      high[i] = (2 * count - 3) * std::legendre(count - 2, x);
+      highest[i] = (2 * count - 1) * std::legendre(count - 1, x);
     }
   }
+  int count;
+  std::array<double, kMostNodes> high{}, highest{};
 };
 
-// Estimated error of the area by the six-point rule: the coefficients of the area element's
-// Legendre series fall geometrically, and its error is of the order of the twelfth; so of the power
-// 12/4 to 12/5 of the share that those of degree 4 and 5 have.
-double area_error(const Elements& elements, double area) {
-  static const TopPolynomials top;
-  constexpr int kRows = static_cast<int>(SpanRule::kExact);
-  double highest = 0.0;
-  std::array<double, kMostNodes> column4{}, column5{};
-  for (int j = 0; j < kRows; ++j) {
-    const double* row = &elements[j * kRows];
-    double row4 = 0.0, row5 = 0.0;
-    for (int i = 0; i < kRows; ++i) {
-      row4 += top.fourth[i] * row[i];
-      row5 += top.fifth[i] * row[i];
-      column4[i] += top.fourth[j] * row[i];
-      column5[i] += top.fifth[j] * row[i];
+// Estimated error of the area: the coefficients of the area element's Legendre series fall
+// geometrically, and the error is of the order of that of degree 2 n. So it is of the power
+// 2 n / (n - 2) of the share that those of degree n - 2 have in the area, and of the power
+// 2 n / (n - 1) of that of degree n - 1; rounded down to powers that are quick to compute.
+double area_error(const Elements& elements, SpanRule rule, double area) {
+  static const PerRule<TopPolynomials> rules([](SpanRule which) { return TopPolynomials(which); });
+  const TopPolynomials& top = rules[rule];
+  const int n = top.count, stride = row_stride(n);
+  double high = 0.0, highest = 0.0;
+  std::array<double, kMostNodes> column_high{}, column_highest{};
+  for (int j = 0; j < n; ++j) {
+    const double* row = &elements[j * stride];
+    double row_high = 0.0, row_highest = 0.0;
+    for (int i = 0; i < n; ++i) {
+      row_high += top.high[i] * row[i];
+      row_highest += top.highest[i] * row[i];
+      column_high[i] += top.high[j] * row[i];
+      column_highest[i] += top.highest[j] * row[i];
     }
-    highest += 9.0 * std::abs(row4) + 11.0 * std::abs(row5);
+    high += std::abs(row_high);
+    highest += std::abs(row_highest);
   }
-  for (int i = 0; i < kRows; ++i) {
-    highest += 9.0 * std::abs(column4[i]) + 11.0 * std::abs(column5[i]);
+  for (int i = 0; i < n; ++i) {
+    high += std::abs(column_high[i]);
+    highest += std::abs(column_highest[i]);
   }
-  const double share = area > 0.0 ? std::min(1.0, highest / area) : 0.0;
-  return area * share * share * std::sqrt(share);
+  if (!(area > 0.0)) return 0.0;
+  const double a = std::min(1.0, high / area), b = std::min(1.0, highest / area);
+  const double power_a = n == 4 ? a * a * a * a : a * a * a;            // of 4; 10/3, 3
+  const double power_b = b * b * std::sqrt(n == 6 ? std::sqrt(b) : b);  // of 8/3, 10/4; 12/5
+  return area * (power_a + power_b);
 }
 
 struct Estimate {
@@ -199,7 +251,7 @@ Estimate area_of(const SpanSquare& square) {
   take_square(square, SpanRule::kExact, nodes);
   Elements elements;
   const double area = area_elements(nodes, elements);
-  return {area, area_error(elements, area)};
+  return {area, area_error(elements, SpanRule::kExact, area)};
 }
 
 Estimate refined_area(const SpanSquare& square, double tolerance, int depth) {
@@ -240,20 +292,31 @@ void add_nodes(ShellNodes& nodes, ShellMoments& sum) {
   nodes.count = count;
 }
 
-ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance) {
+ShellMoments span_moments(const SpanSquare& square, SpanRule rule) {
   ShellNodes nodes;
   take_square(square, rule, nodes);
   ShellMoments moments;
   sum_nodes(nodes, moments);
   Elements elements;
   moments.area = area_elements(nodes, elements);
-  if (rule == SpanRule::kExact) {
-    moments.area_error = area_error(elements, moments.area);
-    if (moments.area_error > area_tolerance) {
-      const Estimate area = refined_area(square, area_tolerance, 1);
-      moments.area = area.value;
-      moments.area_error = area.error;
-    }
+  return moments;
+}
+
+ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance) {
+  assert(rule != SpanRule::kSmallest);
+  ShellNodes nodes;
+  take_square(square, rule, nodes);
+  ShellMoments moments;
+  sum_nodes(nodes, moments);
+  Elements elements;
+  moments.area = area_elements(nodes, elements);
+  moments.area_error = area_error(elements, rule, moments.area);
+  if (moments.area_error > area_tolerance) {
+    Estimate area{moments.area, moments.area_error};
+    if (rule != SpanRule::kExact) area = area_of(square);
+    if (area.error > area_tolerance) area = refined_area(square, area_tolerance, 1);
+    moments.area = area.value;
+    moments.area_error = area.error;
   }
   return moments;
 }

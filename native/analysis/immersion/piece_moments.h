@@ -28,12 +28,15 @@ struct SpanSquare {
 };
 
 // Number of Gauss nodes in each direction. The highest polynomial integrand, a second moment, has
-// degree 3 + 3 + 5 = 11 in u and in v: six are exact. Five are exact for volumes (degree 8), and
-// serve for small pieces.
-enum class SpanRule { kExact = 6, kSmall = 5 };
+// degree 3 + 3 + 5 = 11 in u and in v: six nodes are exact. Five are exact for volumes (degree 8).
+// Fewer serve for small pieces, and where 1e-9 of a span's share will do.
+enum class SpanRule { kExact = 6, kVolume = 5, kSmall = 4, kSmallest = 3 };
 
-// Moments of the square. The area, not polynomial, is refined until its estimated error is below
-// area_tolerance.
+// Moments of the square, without an estimate of the area's error.
+ShellMoments span_moments(const SpanSquare& square, SpanRule rule);
+
+// The same with the area, which is not polynomial, refined until its estimated error is below
+// area_tolerance. REQUIRES: the rule has at least four nodes.
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance);
 
 }  // namespace hull

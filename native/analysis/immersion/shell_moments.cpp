@@ -15,7 +15,7 @@ constexpr std::array<std::array<int, 2>, 6> kFactors{
 ShellMoments& ShellMoments::operator+=(const ShellMoments& other) {
   area += other.area;
   area_error += other.area_error;
-  cut_error += other.cut_error;
+  volume_error += other.volume_error;
   normal += other.normal;
   first += other.first;
   second += other.second;
@@ -25,7 +25,7 @@ ShellMoments& ShellMoments::operator+=(const ShellMoments& other) {
 ShellMoments& ShellMoments::operator-=(const ShellMoments& other) {
   area -= other.area;
   area_error += other.area_error;
-  cut_error += other.cut_error;
+  volume_error += other.volume_error;
   normal -= other.normal;
   first -= other.first;
   second -= other.second;

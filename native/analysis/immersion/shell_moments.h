@@ -11,10 +11,10 @@ using Eigen::Vector3d;
 // to an immersed piece follows from them, whatever the water's level and direction; so they are
 // computed once and added up.
 struct ShellMoments {
-  double area = 0.0;                   // ∫ dS, m²
-  double area_error = 0.0;             // estimate, m²
-  double cut_error = 0.0;              // estimate of the error of ∫ h e·n along cuts, m³
-  Vector3d normal = Vector3d::Zero();  // ∫ n dS, m²
+  double area = 0.0;                                // ∫ dS, m²
+  double area_error = 0.0;                          // estimate, m²
+  double volume_error = 0.0;                        // estimate of the error of ∫ h e·n, m³
+  Vector3d normal = Vector3d::Zero();               // ∫ n dS, m²
   Eigen::Matrix3d first = Eigen::Matrix3d::Zero();  // ∫ p nᵀ dS, m³
   // ∫ s nᵀ dS, m⁴, s the products x x, y y, z z, x y, y z, z x.
   Eigen::Matrix<double, 6, 3> second = Eigen::Matrix<double, 6, 3>::Zero();

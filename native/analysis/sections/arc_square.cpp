@@ -1,30 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/sections/arc_square.h"
 
-#include <cmath>
-
 #include "surface/wide_code.h"
 
 namespace hull {
-
-double monotonic_root(const double* c) {
-  if ((c[0] >= 0.0) == (c[3] >= 0.0)) return std::abs(c[0]) < std::abs(c[3]) ? 0.0 : 1.0;
-  const double p1 = 3.0 * (c[1] - c[0]), p2 = 3.0 * (c[0] - 2.0 * c[1] + c[2]);
-  const double p3 = c[3] - c[0] + 3.0 * (c[1] - c[2]);
-  double low = 0.0, high = 1.0, t = c[0] / (c[0] - c[3]);
-  for (int i = 0; i < 60; ++i) {
-    const double value = c[0] + t * (p1 + t * (p2 + t * p3));
-    if (value == 0.0) return t;
-    ((value >= 0.0) == (c[0] >= 0.0) ? low : high) = t;
-    const double slope = p1 + t * (2.0 * p2 + t * 3.0 * p3);
-    double next = t - value / slope;
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    const double change = std::abs(next - t);
-    t = next;
-    if (change < 1e-15) break;
-  }
-  return t;
-}
 
 HULL_WIDE ArcPoint arc_point(const ArcSquare& square, double u) {
   const BernsteinBasis at_u(u);

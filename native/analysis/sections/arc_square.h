@@ -18,10 +18,6 @@ struct ArcPoint {
   double v;
 };
 
-// The root in [0, 1] of a cubic, by its Bézier coefficients, that rises or falls; the end where it
-// is nearer to zero if there is none.
-double monotonic_root(const double* c);
-
 // REQUIRES: u lies in a stretch of the square.
 ArcPoint arc_point(const ArcSquare& square, double u);
 

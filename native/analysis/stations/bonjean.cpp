@@ -27,7 +27,7 @@ BonjeanCurves bonjean(const HullBody& body, std::vector<double> stations,
   const double deepest = *std::max_element(curves.drafts.begin(), curves.drafts.end());
   const StationCutter cutter(body);
   for (double station : curves.stations) {
-    StationViews views(cutter, station, {Vector3d::UnitZ(), 0.0}, deepest);
+    StationViews views(cutter, station, {Vector3d::UnitZ(), 0.0}, deepest, cutter.rule());
     views.prepare();
     for (double draft : curves.drafts) curves.sections.push_back(views.below(draft));
   }

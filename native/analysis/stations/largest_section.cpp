@@ -14,11 +14,13 @@ constexpr double kSameArea = 1e-12;
 // Of the range: half of the digits, as the area is flat at its maximum.
 constexpr double kSettled = 1e-8;  // of the area: what a step to the top of a parabola gains
 constexpr double kNarrow = 1e-5;
+constexpr double kSearched = 1e-9;  // tolerance of the areas that are compared
 
 // Brent's search for the maximum in (begin, end) around a higher middle: parabolas through the best
 // three stations, golden sections where these do not help.
 SectionArea refine_largest(const StationCutter& cutter, const Plane& water, const SectionArea& left,
-                           SectionArea best, const SectionArea& right, double tolerance) {
+                           SectionArea best, const SectionArea& right, double tolerance,
+                           const ArcRule& rule) {
   constexpr double kGolden = 0.381966011250105;
   double begin = left.position, end = right.position;
   const bool left_is_second = left.area > right.area;
@@ -46,7 +48,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, cons
       step = kGolden * before;
     }
     const double to = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
-    const SectionArea tried = immersed_station(cutter, to, water);
+    const SectionArea tried = immersed_station(cutter, to, water, rule);
     const bool settled = parabola && std::abs(tried.area - best.area) <= kSettled * best.area;
     if (tried.area >= best.area) {
       (to < x ? end : begin) = x;
@@ -70,7 +72,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, cons
 
 // Of x, from the boxes of the cells that reach into the water on either side.
 std::array<double, 2> immersed_range(const StationCutter& cutter, const Plane& water) {
-  const CellBoxes& boxes = cutter.boxes();
+  const CellBoxes& boxes = cutter.body().boxes();
   const Vector3d mirrored = water.normal.cwiseProduct(Vector3d(1.0, -1.0, 1.0));
   std::array<double, 2> range{std::numeric_limits<double>::infinity(),
                               -std::numeric_limits<double>::infinity()};
@@ -88,9 +90,14 @@ std::array<double, 2> immersed_range(const StationCutter& cutter, const Plane& w
 SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   const auto [begin, end] = immersed_range(cutter, water);
   if (!(end > begin)) return {};
+  const HullBody& body = cutter.body();
+  const double size = body.surface().mesh().size();
+  const ArcRule rough{3, size * size, size},
+      rule = arc_rule(size, std::max(kSearched, body.tolerance()));
   std::vector<SectionArea> scan;
   for (int i = 0; i <= kScanned; ++i) {
-    scan.push_back(immersed_station(cutter, begin + (end - begin) * i / kScanned, water));
+    const double x = begin + (end - begin) * i / kScanned;
+    scan.push_back(immersed_station(cutter, x, water, rough));
   }
   // From the middle outwards, so that the nearest of equals is kept.
   int best = kScanned / 2;
@@ -102,9 +109,12 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   const int left = std::max(best - 1, 0), right = std::min(best + 1, kScanned);
   const bool level = scan[left].area >= scan[best].area * (1.0 - kSameArea) &&
                      scan[right].area >= scan[best].area * (1.0 - kSameArea);
-  if (level) return scan[best];
-  return refine_largest(cutter, water, scan[left], scan[best], scan[right],
-                        kNarrow * (end - begin));
+  if (level) return immersed_station(cutter, scan[best].position, water);
+  scan[best] = immersed_station(cutter, scan[best].position, water, rule);
+  const SectionArea found = refine_largest(cutter, water, scan[left], scan[best], scan[right],
+                                           kNarrow * (end - begin), rule);
+  const bool searched_coarsely = body.tolerance() < kSearched;
+  return searched_coarsely ? immersed_station(cutter, found.position, water) : found;
 }
 
 }  // namespace hull

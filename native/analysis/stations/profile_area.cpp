@@ -43,7 +43,7 @@ void add_cubic(const BezierCubic& a, const BezierCubic& b, const BezierCubic& y,
 // The border of the port half, seen athwartships: what closes it lies in the centre plane.
 void add_border(const StationCutter& cutter, const SectionFrame& frame, SectionIntegrals& sum) {
   const bool whole = !cutter.body().mirrored();
-  for (const BorderEdge& edge : cutter.border()) {
+  for (const BorderEdge& edge : cutter.body().border()) {
     BezierCubic y{};
     if (whole) y = edge.along(Vector3d::UnitY(), 0.0);
     add_cubic(edge.along(frame.across, frame.across.dot(frame.origin)),
@@ -74,12 +74,11 @@ void add_sides_in_plane(const ArcPiece& piece, const SectionFrame& frame, Sectio
 void add_seams_and_arcs(const StationCutter& cutter, const SectionFrame& frame,
                         SectionIntegrals& sum) {
   const LimitSurface& surface = cutter.body().surface();
-  for_each_arc_piece(surface, cutter.boxes(), frame, 0.0, [&](const ArcPiece& piece) {
+  for_each_arc_piece(surface, cutter.body().boxes(), frame, 0.0, [&](const ArcPiece& piece) {
     if (lowest(piece.h) >= 0.0) return add_sides_in_plane(piece, frame, sum);
     if (highest(piece.h) <= 0.0) return;
-    for_each_arc_of(piece, frame, 0.0, [&](const ArcSquare& square) {
-      add_arcs(square, 0.0, surface.mesh().size(), sum);
-    });
+    for_each_arc_of(piece, frame, 0.0,
+                    [&](const ArcSquare& square) { add_arcs(square, 0.0, cutter.rule(), sum); });
   });
 }
 

@@ -4,53 +4,45 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "analysis/arithmetic/gauss.h"
+#include "analysis/arithmetic/estimating_rule.h"
 
 namespace hull {
 namespace {
 
-constexpr int kCoarseNodes = 4, kFineNodes = 8;
 constexpr int kDeepestClip = 12;
 constexpr int kDeepestArc = 12;
-// Where the two rules differ by less than this times size² the finer one is taken; its own error is
-// about the square of the difference, relative to the arc's share.
-constexpr double kRulesAgree = 1e-9;
+constexpr double kCoarse = 1e-9;  // tolerance from which on fewer nodes will do
 
-SectionIntegrals quadrature(const ArcSquare& square, double begin, double end,
-                            const GaussRule& rule) {
-  SectionIntegrals sum;
-  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-    const ArcPoint p = arc_point(square, begin + (end - begin) * rule.nodes[k]);
-    const double weight = rule.weights[k];
-    sum.area += weight * p.a * p.db;
-    sum.moment_a += weight * 0.5 * p.a * p.a * p.db;
-    sum.moment_b += weight * p.a * p.b * p.db;
-    sum.girth += weight * std::sqrt(p.da * p.da + p.db * p.db);
-    sum.breadth += weight * p.da;
-  }
-  const double width = (end - begin) * square.sign;
-  sum.area *= width;
-  sum.moment_a *= width;
-  sum.moment_b *= width;
-  sum.girth *= end - begin;
-  sum.breadth *= width;
-  return sum;
-}
-
-void integrate(const ArcSquare& square, double begin, double end, double size, int depth,
+void integrate(const ArcSquare& square, double begin, double end, const ArcRule& rule, int depth,
                SectionIntegrals& sum) {
-  static const GaussRule coarse = gauss_rule(kCoarseNodes), fine = gauss_rule(kFineNodes);
-  SectionIntegrals part = quadrature(square, begin, end, fine);
-  const SectionIntegrals check = quadrature(square, begin, end, coarse);
-  const double off =
-      std::max(std::abs(part.area - check.area), size * 1e-2 * std::abs(part.girth - check.girth));
-  if (off > kRulesAgree * size * size && depth < kDeepestArc) {
+  const EstimatingRule& along = EstimatingRule::of(rule.nodes);
+  EstimatingRule::Values areas, lengths;
+  SectionIntegrals part;
+  for (int k = 0; k < along.count(); ++k) {
+    const ArcPoint p = arc_point(square, begin + (end - begin) * along.node(k));
+    const double weight = along.weight(k);
+    areas[k] = p.a * p.db;
+    lengths[k] = std::sqrt(p.da * p.da + p.db * p.db);
+    part.area += weight * areas[k];
+    part.moment_a += weight * 0.5 * p.a * areas[k];
+    part.moment_b += weight * p.b * areas[k];
+    part.girth += weight * lengths[k];
+    part.breadth += weight * p.da;
+  }
+  const double width = end - begin;
+  part.error = width * along.error(areas);
+  if (depth < kDeepestArc &&
+      (part.error > rule.area || width * along.error(lengths) > rule.length)) {
     const double middle = 0.5 * (begin + end);
-    integrate(square, begin, middle, size, depth + 1, sum);
-    integrate(square, middle, end, size, depth + 1, sum);
+    integrate(square, begin, middle, rule, depth + 1, sum);
+    integrate(square, middle, end, rule, depth + 1, sum);
     return;
   }
-  part.error = off * std::min(1.0, std::sqrt(off) / size);
+  part.area *= width * square.sign;
+  part.moment_a *= width * square.sign;
+  part.moment_b *= width * square.sign;
+  part.girth *= width;
+  part.breadth *= width * square.sign;
   sum += part;
 }
 
@@ -81,21 +73,22 @@ double level_crossing(const ArcSquare& square, double begin, double end, double 
   return 0.5 * (begin + end);
 }
 
-void clip(const ArcSquare& square, double level, double size, int depth, SectionIntegrals& sum) {
+void clip(const ArcSquare& square, double level, const ArcRule& rule, int depth,
+          SectionIntegrals& sum) {
   if (lowest(square.b) >= level) return;
   if (highest(square.b) < level) {
     for_each_stretch(
-        square, [&](double begin, double end) { integrate(square, begin, end, size, 0, sum); });
+        square, [&](double begin, double end) { integrate(square, begin, end, rule, 0, sum); });
     return;
   }
   if (depth == kDeepestClip || is_monotonic(square)) {
     for_each_stretch(square, [&](double begin, double end) {
       const bool begin_wet = arc_point(square, begin).b < level;
       const bool end_wet = arc_point(square, end).b < level;
-      if (begin_wet && end_wet) return integrate(square, begin, end, size, 0, sum);
+      if (begin_wet && end_wet) return integrate(square, begin, end, rule, 0, sum);
       if (!begin_wet && !end_wet) return;
       const double at = level_crossing(square, begin, end, level);
-      integrate(square, begin_wet ? begin : at, begin_wet ? at : end, size, 0, sum);
+      integrate(square, begin_wet ? begin : at, begin_wet ? at : end, rule, 0, sum);
     });
     return;
   }
@@ -111,7 +104,7 @@ void clip(const ArcSquare& square, double level, double size, int depth, Section
     for (ArcSquare& quarter : quarters) {
       if (lowest(quarter.h) >= 0.0 || highest(quarter.h) < 0.0) continue;
       quarter.sign = square.sign;
-      clip(quarter, level, size, depth + 1, sum);
+      clip(quarter, level, rule, depth + 1, sum);
     }
   }
 }
@@ -144,8 +137,13 @@ SectionIntegrals& SectionIntegrals::operator+=(const SectionIntegrals& other) {
   return *this;
 }
 
-void add_arcs(const ArcSquare& square, double level, double size, SectionIntegrals& sum) {
-  clip(square, level, size, 0, sum);
+ArcRule arc_rule(double size, double tolerance) {
+  if (tolerance < kCoarse) return {8, 1e-12 * size * size, 1e-11 * size};
+  return {5, 1e-2 * tolerance * size * size, tolerance * size};
+}
+
+void add_arcs(const ArcSquare& square, double level, const ArcRule& rule, SectionIntegrals& sum) {
+  clip(square, level, rule, 0, sum);
 }
 
 void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum) {

@@ -37,8 +37,18 @@ struct SectionIntegrals {
   SectionIntegrals& operator+=(const SectionIntegrals& other);
 };
 
+// How closely an arc is integrated: by how many nodes, and how much its share of the area (m²) and
+// its length (m) may be off, as estimated, before it is halved.
+struct ArcRule {
+  int nodes;
+  double area, length;
+};
+
+// For a mesh of that size and a body's tolerance (body_rules.h).
+ArcRule arc_rule(double size, double tolerance);
+
 // Adds the integrals along one square.
-void add_arcs(const ArcSquare& square, double level, double size, SectionIntegrals& sum);
+void add_arcs(const ArcSquare& square, double level, const ArcRule& rule, SectionIntegrals& sum);
 
 // Adds a straight line from (a0, b0) to (a1, b1), which is no part of the shell.
 void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum);
@@ -85,7 +95,7 @@ void for_each_arc_piece(const LimitSurface& surface, const CellBoxes& boxes,
   const double size = surface.mesh().size();
   const double top = level + frame.up.dot(frame.origin);
   const auto descend = [&](const CornerSquare& square) {
-    const std::vector<Vector3d> points = square.points();
+    const std::vector<Vector3d>& points = square.points();
     if (!reaches(points.data(), points.data() + points.size(), frame, top)) return false;
     return square.extent() > kSmallestCorner * size;
   };

@@ -77,8 +77,8 @@ bool all_at(const Points& points, double position, double tolerance) {
 
 SectionOutline::SectionOutline(const LimitSurface& surface, const CellBoxes& boxes,
                                const SectionFrame& frame, std::vector<ClosingLine> closing,
-                               double highest_level)
-    : size_(surface.mesh().size()), closing_(std::move(closing)) {
+                               double highest_level, const ArcRule& rule)
+    : rule_(rule), closing_(std::move(closing)) {
   for_each_arc(surface, boxes, frame, highest_level,
                [this](const ArcSquare& square) { squares_.push_back(square); });
 }
@@ -89,7 +89,7 @@ SectionIntegrals SectionOutline::below(double level) const {
     if (!whole_.empty() && highest(squares_[i].b) < level) {
       sum += whole_[i];
     } else {
-      add_arcs(squares_[i], level, size_, sum);
+      add_arcs(squares_[i], level, rule_, sum);
     }
   }
   for (const ClosingLine& line : closing_) {
@@ -101,12 +101,12 @@ SectionIntegrals SectionOutline::below(double level) const {
 void SectionOutline::prepare() {
   whole_.assign(squares_.size(), {});
   for (std::size_t i = 0; i < squares_.size(); ++i) {
-    add_arcs(squares_[i], std::numeric_limits<double>::infinity(), size_, whole_[i]);
+    add_arcs(squares_[i], std::numeric_limits<double>::infinity(), rule_, whole_[i]);
   }
 }
 
 StationCutter::StationCutter(const HullBody& body)
-    : body_(&body), boxes_(body.surface()), border_(border_edges(body.surface())) {}
+    : body_(&body), rule_(arc_rule(body.surface().mesh().size(), body.tolerance())) {}
 
 bool StationCutter::has_flat(double position) const {
   const LimitSurface& surface = body_->surface();
@@ -117,18 +117,20 @@ bool StationCutter::has_flat(double position) const {
   for (int i = 0; i < surface.layout().corner_count(); ++i) {
     if (all_at(surface.corner(i).outer, position, tolerance)) return true;
   }
-  return std::any_of(border_.begin(), border_.end(), [&](const BorderEdge& edge) {
+  const std::vector<BorderEdge>& border = body_->border();
+  return std::any_of(border.begin(), border.end(), [&](const BorderEdge& edge) {
     return all_at(edge.points, position, tolerance);
   });
 }
 
-SectionOutline StationCutter::outline(const SectionFrame& frame, double highest_level) const {
-  return {body_->surface(), boxes_, frame, closing_lines(frame), highest_level};
+SectionOutline StationCutter::outline(const SectionFrame& frame, double highest_level,
+                                      const ArcRule& rule) const {
+  return {body_->surface(), body_->boxes(), frame, closing_lines(frame), highest_level, rule};
 }
 
 std::vector<ClosingLine> StationCutter::closing_lines(const SectionFrame& frame) const {
   const double tolerance = kZeroHeight * body_->surface().mesh().size();
-  std::vector<BorderCrossing> crossings = border_crossings(border_, frame.plane, tolerance);
+  std::vector<BorderCrossing> crossings = border_crossings(body_->border(), frame.plane, tolerance);
   if (!body_->mirrored()) return lines_across(frame, std::move(crossings));
   std::vector<ClosingLine> lines;
   for (const BorderCrossing& crossing : crossings) {
@@ -138,13 +140,13 @@ std::vector<ClosingLine> StationCutter::closing_lines(const SectionFrame& frame)
 }
 
 StationViews::StationViews(const StationCutter& cutter, double position, const Plane& water,
-                           double highest_level)
+                           double highest_level, const ArcRule& rule)
     : position_(position), doubled_(cutter.body().mirrored() && water.normal.y() == 0.0) {
   const auto add_view = [&](const Plane& plane) {
     const SectionFrame frame = SectionFrame::above_water(plane, water);
-    View view{frame, {cutter.outline(frame, highest_level)}};
+    View view{frame, {cutter.outline(frame, highest_level, rule)}};
     if (cutter.body().mirrored() && !doubled_) {
-      view.sides.push_back(cutter.outline(frame.mirrored(), highest_level));
+      view.sides.push_back(cutter.outline(frame.mirrored(), highest_level, rule));
     }
     views_.push_back(std::move(view));
   };
@@ -187,7 +189,12 @@ SectionArea StationViews::below(const View& view, double level) const {
 }
 
 SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water) {
-  return StationViews(cutter, position, water, 0.0).below(0.0);
+  return immersed_station(cutter, position, water, cutter.rule());
+}
+
+SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water,
+                             const ArcRule& rule) {
+  return StationViews(cutter, position, water, 0.0, rule).below(0.0);
 }
 
 }  // namespace hull

@@ -20,7 +20,7 @@ class SectionOutline {
  public:
   // For levels up to `highest_level`.
   SectionOutline(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
-                 std::vector<ClosingLine> closing, double highest_level);
+                 std::vector<ClosingLine> closing, double highest_level, const ArcRule& rule);
 
   SectionIntegrals below(double level) const;
   // Makes it cheaper to immerse to many levels: squares that are wholly immersed are integrated
@@ -28,13 +28,13 @@ class SectionOutline {
   void prepare();
 
  private:
-  double size_;
+  ArcRule rule_;
   std::vector<ArcSquare> squares_;
   std::vector<SectionIntegrals> whole_;  // of each square, once prepared
   std::vector<ClosingLine> closing_;
 };
 
-// Cuts stations out of a body. `body` must outlive it, and it does not follow body.update().
+// Cuts stations out of a body as it is when asked. `body` must outlive it.
 class StationCutter {
  public:
   explicit StationCutter(const HullBody& body);
@@ -44,18 +44,18 @@ class StationCutter {
 
   // The port side's outline, or that of the whole where the body is modelled whole. `frame` is that
   // of a plane across x, seen from either side.
-  SectionOutline outline(const SectionFrame& frame, double highest_level) const;
+  SectionOutline outline(const SectionFrame& frame, double highest_level,
+                         const ArcRule& rule) const;
 
   const HullBody& body() const { return *body_; }
-  const CellBoxes& boxes() const { return boxes_; }
-  const std::vector<BorderEdge>& border() const { return border_; }
+  // That of the body's tolerance.
+  const ArcRule& rule() const { return rule_; }
 
  private:
   std::vector<ClosingLine> closing_lines(const SectionFrame& frame) const;
 
   const HullBody* body_;
-  CellBoxes boxes_;
-  std::vector<BorderEdge> border_;
+  ArcRule rule_;
 };
 
 // A station of both sides, cut once and then immersed to any level above (or below) a water's
@@ -63,7 +63,7 @@ class StationCutter {
 class StationViews {
  public:
   StationViews(const StationCutter& cutter, double position, const Plane& water,
-               double highest_level);
+               double highest_level, const ArcRule& rule);
 
   SectionArea below(double level) const;
   void prepare();
@@ -82,7 +82,9 @@ class StationViews {
   std::vector<View> views_;
 };
 
-// Both sides of the station in the given water.
+// Both sides of the station in the given water, by the cutter's rule or another.
 SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water);
+SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water,
+                             const ArcRule& rule);
 
 }  // namespace hull

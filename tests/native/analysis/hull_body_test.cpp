@@ -18,29 +18,34 @@ namespace {
 constexpr double kL = 40.0, kB = 8.0, kD = 5.0;
 
 // ∫ (t - n·p)^power / power! over the box [0, a]³ below n·p = t, for n > 0: the divided differences
-// of a truncated power (Schoenberg's formula for the volume of a cube's slice).
-double box_moment(const Vector3d& n, const Vector3d& sides, double t, int power) {
-  double sum = 0.0, factorial = 1.0;
+// of a truncated power (Schoenberg's formula for the volume of a cube's slice). They cancel where n
+// is almost square to an axis, hence the longer numbers.
+double box_moment(const Vector3d& n, const Vector3d& sides, long double t, int power) {
+  long double sum = 0.0, factorial = 1.0, product = 1.0;
   for (int k = 2; k <= power + 3; ++k) factorial *= k;
+  for (double component : n) product *= component;
   for (int corner = 0; corner < 8; ++corner) {
-    double height = t;
+    long double height = t;
     int sign = 1;
     for (int k = 0; k < 3; ++k) {
       if (!(corner >> k & 1)) continue;
-      height -= n[k] * sides[k];
+      height -= static_cast<long double>(n[k]) * sides[k];
       sign = -sign;
     }
-    sum += sign * std::pow(std::max(0.0, height), power + 3);
+    sum += sign * std::pow(std::max(0.0L, height), power + 3);
   }
-  return sum / (factorial * n.prod());
+  return static_cast<double>(sum / (factorial * product));
 }
 
 // The same for the box of creased_box and any plane.
 double box_moment(const Plane& water, int power) {
   const Vector3d sides(kL, kB, kD);
   const Vector3d low(0.0, -0.5 * kB, 0.0);
-  double t = water.offset - water.normal.dot(low);
-  for (int k = 0; k < 3; ++k) t -= std::min(0.0, water.normal[k]) * sides[k];
+  long double t = water.offset;
+  for (int k = 0; k < 3; ++k) {
+    t -= static_cast<long double>(water.normal[k]) * low[k];
+    t -= static_cast<long double>(std::min(0.0, water.normal[k])) * sides[k];
+  }
   return box_moment(water.normal.cwiseAbs(), sides, t, power);
 }
 
@@ -85,12 +90,106 @@ TEST(HullBody, BoxInAnyWater) {
     if (water.normal.cwiseAbs().minCoeff() < 0.05) continue;  // the formula's divisor
     const Immersion found = body.immersion(water);
     const double volume = box_moment(water, 0), whole = kL * kB * kD;
-    EXPECT_NEAR(found.volume, volume, 1e-12 * whole) << trial;
-    EXPECT_NEAR(found.waterplane_area, box_moment(water, -1), 1e-12 * kL * kL) << trial;
+    EXPECT_NEAR(found.volume, volume, 1e-13 * whole) << trial;
+    EXPECT_NEAR(found.waterplane_area, box_moment(water, -1), 1e-13 * kL * kL) << trial;
     if (volume < 1e-3 * whole) continue;
     const double depth = water.offset - water.normal.dot(found.centre_of_buoyancy);
-    EXPECT_NEAR(depth * volume, box_moment(water, 1), 1e-12 * whole * kL) << trial;
+    EXPECT_NEAR(depth * volume, box_moment(water, 1), 1e-13 * whole * kL) << trial;
     EXPECT_LT(found.volume_error, 1e-11 * whole);
+  }
+}
+
+// The regular prism of n sides along x, all edges creased: a polyhedron.
+MeshArrays creased_prism(int n) {
+  MeshArrays mesh = testing::prism(n);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) mesh.corners.push_back(static_cast<int>(v));
+  int first = 0;
+  for (int size : mesh.face_sizes) {
+    for (int k = 0; k < size; ++k) {
+      const int a = mesh.face_vertices[first + k], b = mesh.face_vertices[first + (k + 1) % size];
+      if (a < b) mesh.creases.push_back({a, b});
+    }
+    first += size;
+  }
+  return mesh;
+}
+
+// Volume and oriented waterplane of what is left of a polyhedron below the water: of its faces,
+// clipped by the plane and seen from a point in it, where the waterplane adds nothing.
+struct Clipped {
+  double volume = 0.0;
+  Vector3d waterplane = Vector3d::Zero();
+};
+
+Clipped clipped(const MeshArrays& mesh, const Plane& water) {
+  Clipped sum;
+  const Vector3d origin = water.offset * water.normal;
+  int first = 0;
+  for (int size : mesh.face_sizes) {
+    std::vector<Vector3d> kept;
+    for (int k = 0; k < size; ++k) {
+      const Vector3d a = mesh.points[mesh.face_vertices[first + k]] - origin;
+      const Vector3d b = mesh.points[mesh.face_vertices[first + (k + 1) % size]] - origin;
+      const double ha = water.normal.dot(a), hb = water.normal.dot(b);
+      if (ha < 0.0) kept.push_back(a);
+      if ((ha < 0.0) != (hb < 0.0)) kept.push_back(a + (b - a) * (ha / (ha - hb)));
+    }
+    for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
+      const Vector3d area = 0.5 * (kept[k] - kept[0]).cross(kept[k + 1] - kept[0]);
+      sum.volume += kept[0].dot(area) / 3.0;
+      sum.waterplane -= area;
+    }
+    first += size;
+  }
+  return sum;
+}
+
+TEST(HullBody, PrismsInAnyWater) {
+  constexpr unsigned kSeed = 416;
+  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
+  for (int n : {3, 5, 6, 9}) {
+    const MeshArrays mesh = creased_prism(n);
+    const LimitSurface surface{ControlMesh(mesh)};
+    const HullBody body(surface, false);
+    for (int trial = 0; trial < 50; ++trial) {
+      const Plane water = random_water(random, Vector3d::Zero(), 1.0);
+      const Immersion found = body.immersion(water);
+      const Clipped expected = clipped(mesh, water);
+      EXPECT_NEAR(found.volume, expected.volume, 1e-13 * 8.0);
+      EXPECT_NEAR(found.waterplane_area, water.normal.dot(expected.waterplane), 1e-13 * 4.0);
+    }
+  }
+}
+
+// What a coarser tolerance allows is kept, and estimated.
+TEST(HullBody, KeepsToTheTolerance) {
+  std::mt19937 random(417);
+  for (int trial = 0; trial < 60; ++trial) {
+    MeshArrays arrays = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 14)
+                        : trial % 3 == 1 ? testing::prism(3 + trial % 14)
+                                         : testing::creased_box(2.0, 2.0, 2.0);
+    testing::randomise(arrays, random, 0.25, 0.1, 0.2);
+    const LimitSurface surface{ControlMesh(arrays)};
+    const HullBody finest(surface, false);
+    const Plane water = random_water(random, Vector3d::Zero(), 0.4);
+    const Immersion a = finest.immersion(water);
+    const ShellMoments whole = finest.shell_moments();
+    const double volume = std::abs(whole.first.trace()) / 3.0;
+    for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+      SCOPED_TRACE(::testing::Message() << "trial " << trial << ", tolerance " << tolerance);
+      const Immersion b = HullBody(surface, false, Openings::kClosed, tolerance).immersion(water);
+      EXPECT_NEAR(b.volume, a.volume, tolerance * volume);
+      EXPECT_NEAR(b.wetted_surface, a.wetted_surface, std::max(1e-9, tolerance) * whole.area);
+      EXPECT_NEAR(b.waterplane_area, a.waterplane_area, tolerance * whole.area);
+      EXPECT_LT((b.centre_of_buoyancy * b.volume - a.centre_of_buoyancy * a.volume).norm(),
+                tolerance * volume * surface.mesh().size());
+      EXPECT_LT(std::abs(b.volume - a.volume), b.volume_error + a.volume_error + 1e-12);
+    }
+  }
+  const LimitSurface surface{ControlMesh(testing::cube())};
+  for (double tolerance : {0.0, -1.0, 0.5, std::nan("")}) {
+    EXPECT_THROW(HullBody(surface, false, Openings::kClosed, tolerance), std::invalid_argument);
   }
 }
 
@@ -155,23 +254,34 @@ TEST(HullBody, TurnsWithTheWater) {
     EXPECT_NEAR(a.volume, b.volume, 1e-12);
     EXPECT_NEAR(a.waterplane_area, b.waterplane_area, 2e-12);
     EXPECT_NEAR(a.wetted_surface, b.wetted_surface, 1e-9);
-    EXPECT_LT((turn * a.centre_of_buoyancy - b.centre_of_buoyancy).norm(), 1e-11);
-    EXPECT_LT((turn * a.centre_of_flotation - b.centre_of_flotation).norm(), 1e-11);
+    EXPECT_LT((turn * a.centre_of_buoyancy - b.centre_of_buoyancy).norm() * a.volume, 1e-12);
+    EXPECT_LT((turn * a.centre_of_flotation - b.centre_of_flotation).norm() * a.waterplane_area,
+              2e-12);
   }
 }
 
+// Only what has moved is computed again, yet nothing depends on what was there before.
 TEST(HullBody, FollowsMovedPoints) {
   std::mt19937 random(415);
   MeshArrays arrays = testing::prism(7);
   testing::randomise(arrays, random, 0.2, 0.0, 0.2);
   LimitSurface surface{ControlMesh(arrays)};
   HullBody body(surface, false);
-  for (auto& p : arrays.points) p.x() *= 1.5;
-  surface.set_points(arrays.points);
-  body.update();
-  const LimitSurface fresh{ControlMesh(arrays)};
   const Plane water{Vector3d::UnitZ(), 0.1};
-  EXPECT_EQ(body.immersion(water).volume, HullBody(fresh, false).immersion(water).volume);
+  std::normal_distribution<double> move(0.0, 0.05);
+  for (int step = 0; step < 20; ++step) {
+    const bool all = step % 5 == 0;
+    for (std::size_t i = 0; i < arrays.points.size(); ++i) {
+      if (all || static_cast<int>(i) == step % 7) arrays.points[i].x() += move(random);
+    }
+    surface.set_points(arrays.points);
+    body.update();
+    const LimitSurface fresh{ControlMesh(arrays)};
+    const Immersion a = body.immersion(water), b = HullBody(fresh, false).immersion(water);
+    EXPECT_EQ(a.volume, b.volume);
+    EXPECT_EQ(a.wetted_surface, b.wetted_surface);
+    EXPECT_EQ(a.centre_of_flotation, b.centre_of_flotation);
+  }
 }
 
 std::string words_of(const HullBody& body, const Plane& water) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/arithmetic/estimating_rule.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace hull {
+
+EstimatingRule::EstimatingRule(int n) : rule_(gauss_rule(n)) {
+  for (int i = 0; i < n; ++i) {
+    const double x = 2.0 * rule_.nodes[i] - 1.0;
+    high_[i] = rule_.weights[i] * (2 * n - 3) * std::legendre(n - 2, x);
+    highest_[i] = rule_.weights[i] * (2 * n - 1) * std::legendre(n - 1, x);
+  }
+}
+
+const EstimatingRule& EstimatingRule::of(int n) {
+  assert(n >= 2 && n <= kMostNodes);
+  static const std::vector<EstimatingRule> rules = [] {
+    std::vector<EstimatingRule> all;
+    for (int k = 2; k <= kMostNodes; ++k) all.push_back(EstimatingRule(k));
+    return all;
+  }();
+  return rules[n - 2];
+}
+
+double EstimatingRule::integral(const Values& values) const {
+  double sum = 0.0;
+  for (int i = 0; i < count(); ++i) sum += rule_.weights[i] * values[i];
+  return sum;
+}
+
+double EstimatingRule::error(const Values& values) const {
+  double a = 0.0, b = 0.0, mean = 0.0;
+  for (int i = 0; i < count(); ++i) {
+    a += high_[i] * values[i];
+    b += highest_[i] * values[i];
+    mean += rule_.weights[i] * std::abs(values[i]);
+  }
+  const double top = std::abs(a) + std::abs(b);
+  return mean > 0.0 ? top * std::min(1.0, top / mean) : 0.0;
+}
+
+}  // namespace hull

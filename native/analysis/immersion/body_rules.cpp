@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/immersion/body_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hull {
+namespace {
+
+// Of the mesh's size, or of its powers.
+constexpr double kZeroHeight = 1e-13;
+constexpr double kCornerFirst = 1e-15;  // per irregular corner
+constexpr double kCutVolume = 1e-15;    // per part of a cut
+constexpr double kSpanArea = 1e-12;     // per span
+constexpr double kCornerArea = 1e-11;   // per irregular corner
+
+constexpr double kCoarse = 1e-9;       // tolerance from which on rules that are not exact will do
+constexpr double kLeastVolume = 1e-6;  // of size³: flat meshes
+
+constexpr double kGrid = 0.125;  // of the size, for the centre
+
+double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
+
+struct Extent {
+  Vector3d middle = Vector3d::Zero(), sides = Vector3d::Zero();
+};
+
+Extent extent_of(const std::vector<Vector3d>& points) {
+  Vector3d low = points.front(), high = low;
+  for (const Vector3d& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {0.5 * (low + high), high - low};
+}
+
+}  // namespace
+
+BodyRules body_rules(const LimitSurface& surface, bool mirrored, double tolerance) {
+  const Extent extent = extent_of(surface.mesh().points());
+  const double size = power_of_two(surface.mesh().size());
+  BodyRules rules;
+  rules.centre = kGrid * size * (extent.middle / (kGrid * size)).array().round().matrix();
+  if (mirrored) rules.centre.y() = 0.0;
+  if (tolerance < kCoarse) {
+    const double looser = std::max(1.0, tolerance / kFinest);
+    rules.span = SpanRule::kExact;
+    rules.span_area = kSpanArea * size * size;
+    rules.corner = {looser * kCornerFirst * size * size * size, kCornerArea * size * size,
+                    SpanRule::kExact, SpanRule::kVolume};
+    rules.cut = {kZeroHeight * size, looser * kCutVolume * size * size * size,
+                 kSpanArea * size * size, SpanRule::kExact, 10};
+    return rules;
+  }
+  // The parts share in what the volume and the surface of the box around the mesh may be off, of
+  // which a hull has a third or more. Few spans, and few of those that the water cuts, come near to
+  // their share; at corners a volume's error is some part of that of the nine moments together.
+  const Vector3d& sides = extent.sides;
+  const double volume =
+      tolerance * power_of_two(std::max(sides.prod(), kLeastVolume * size * size * size));
+  const double area = tolerance * power_of_two(sides.x() * sides.y() + sides.y() * sides.z() +
+                                               sides.z() * sides.x() + kLeastVolume * size * size);
+  const double corners = 1.0 + 0.25 * surface.layout().corner_count();
+  const double spans = 1.0 + 0.125 * surface.layout().leaf_count();
+  rules.span = SpanRule::kSmall;
+  rules.span_area = area / spans;
+  rules.corner = {volume / corners, area / corners, SpanRule::kSmall, SpanRule::kSmall};
+  rules.cut = {kZeroHeight * size, volume / spans, area / spans, SpanRule::kSmall, 6};
+  return rules;
+}
+
+bool operator==(const BodyRules& a, const BodyRules& b) {
+  return a.centre == b.centre && a.span == b.span && a.span_area == b.span_area &&
+         a.corner.first == b.corner.first && a.corner.area == b.corner.area &&
+         a.corner.outer == b.corner.outer && a.corner.inner == b.corner.inner &&
+         a.cut.zero == b.cut.zero && a.cut.volume == b.cut.volume && a.cut.area == b.cut.area &&
+         a.cut.span == b.cut.span && a.cut.along == b.cut.along;
+}
+
+}  // namespace hull

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/immersion/shell_parts.h"
+
+#include <map>
+
+namespace hull {
+
+void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vector3d& centre) {
+  Vector3d low = points[0], high = low;
+  for (std::size_t i = 1; i < count; ++i) {
+    low = low.cwiseMin(points[i]);
+    high = high.cwiseMax(points[i]);
+  }
+  part.middle = 0.5 * (low + high) - centre;
+  part.half = 0.5 * (high - low);
+}
+
+ShellParts::ShellParts(const LimitSurface& surface, bool mirrored, double tolerance)
+    : surface_(&surface),
+      mirrored_(mirrored),
+      tolerance_(tolerance),
+      rules_(body_rules(surface, mirrored, tolerance)) {
+  const SurfaceLayout& layout = surface.layout();
+  std::map<const CornerBasis*, int> numbers;
+  for (int i = 0; i < layout.corner_count(); ++i) {
+    const auto [place, is_new] = numbers.emplace(&layout.basis(i), numbers.size());
+    if (is_new) series_.emplace_back(layout.basis(i));
+    series_of_.push_back(place->second);
+  }
+  leaves_.resize(layout.leaf_count());
+  leaf_points_.resize(layout.leaf_count());
+  corners_.resize(layout.corner_count());
+  corner_points_.resize(layout.corner_count());
+  for (int i = 0; i < layout.leaf_count(); ++i) update_leaf(i);
+  for (int i = 0; i < layout.corner_count(); ++i) update_corner(i);
+}
+
+void ShellParts::update() {
+  const BodyRules rules = body_rules(*surface_, mirrored_, tolerance_);
+  const bool all = !(rules == rules_);
+  rules_ = rules;
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    const int leaf = static_cast<int>(i);
+    if (all || surface_->leaf(leaf) != leaf_points_[i]) update_leaf(leaf);
+  }
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const int corner = static_cast<int>(i);
+    if (all || surface_->corner(corner).outer != corner_points_[i]) update_corner(corner);
+  }
+}
+
+void ShellParts::update_leaf(int leaf) {
+  const BicubicPoints& points = surface_->leaf(leaf);
+  leaf_points_[leaf] = points;
+  place(leaves_[leaf], points.data(), points.size(), rules_.centre);
+  leaves_[leaf].moments = span_moments({points, rules_.centre}, rules_.span, rules_.span_area);
+}
+
+void ShellParts::update_corner(int corner) {
+  const CornerPoints& points = surface_->corner(corner);
+  const CornerBasis& basis = surface_->layout().basis(corner);
+  corner_points_[corner] = points.outer;
+  place(corners_[corner], points.outer.data(), points.outer.size(), rules_.centre);
+  CornerRing ring(basis, points);
+  corners_[corner].moments =
+      corner_moments(ring, basis, points, series(corner), rules_.centre, rules_.corner);
+}
+
+}  // namespace hull

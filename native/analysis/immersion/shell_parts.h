@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/immersion/body_rules.h"
+
+namespace hull {
+
+// A part of a shell whose moments are known.
+struct ShellPart {
+  // A box around its control points, positions counted from the rules' centre.
+  Vector3d middle = Vector3d::Zero(), half = Vector3d::Zero();
+  ShellMoments moments;
+};
+
+// The parts that a limit surface is made of, bicubic spans and squares at irregular knots, each
+// with its moments about the rules' centre.
+class ShellParts {
+ public:
+  // `surface` must outlive the parts.
+  ShellParts(const LimitSurface& surface, bool mirrored, double tolerance);
+
+  // After surface.set_points(): computes again the parts whose control points have moved. The
+  // results do not depend on what was there before.
+  void update();
+
+  const LimitSurface& surface() const { return *surface_; }
+  const BodyRules& rules() const { return rules_; }
+  // As SurfaceLayout numbers them.
+  const std::vector<ShellPart>& leaves() const { return leaves_; }
+  const std::vector<ShellPart>& corners() const { return corners_; }
+  const CornerSeries& series(int corner) const { return series_[series_of_[corner]]; }
+
+ private:
+  void update_leaf(int leaf);
+  void update_corner(int corner);
+
+  const LimitSurface* surface_;
+  bool mirrored_;
+  double tolerance_;
+  BodyRules rules_;
+  std::vector<CornerSeries> series_;  // one for each basis
+  std::vector<int> series_of_;        // of each corner
+  std::vector<ShellPart> leaves_, corners_;
+  // What the parts were computed from.
+  std::vector<BicubicPoints> leaf_points_;
+  std::vector<std::vector<Vector3d>> corner_points_;
+};
+
+// A part's box. REQUIRES: count > 0.
+void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vector3d& centre);
+
+}  // namespace hull
