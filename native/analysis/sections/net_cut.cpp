@@ -13,7 +13,7 @@ namespace {
 constexpr double kSteadySlope = 0.1;
 // Tangled squares are halved until they are simple, so small or so many.
 constexpr int kDeepestSquare = 20;
-constexpr std::size_t kMostTangled = 4096;
+constexpr std::size_t kMostTangled = 1024;
 
 // How steadily a net rises or falls: 0 if not monotonic, 1 if linear.
 double steadiness(const SlopeRange& slope) {

@@ -53,8 +53,6 @@ std::array<double, 2> height_range(const CornerSquare& square, const Plane& plan
   return range;
 }
 
-double crossing(const BezierBicubic& height, double u) { return crossing(height.along_v(u)); }
-
 double crossing(const BezierCubic& column) {
   const Roots roots = sign_changes(column);
   if (!roots.empty()) return roots.front();

@@ -73,10 +73,8 @@ void cut_piece(const BezierBicubic& height, const Visit& visit) {
   plane_cut_internal::divide(height, 0.0, 0.0, 1.0, 0, visit);
 }
 
-// Where, along the parameter v of the square, the surface meets the plane at u; the square's
-// `height` is monotonic in v. Without a change of sign: the end nearer to the plane.
-double crossing(const BezierBicubic& height, double u);
-// The same of the height along v at one u.
+// Where, along the parameter v of a square, the surface meets the plane, by its height along v at
+// one u, which is monotonic. Without a change of sign: the end nearer to the plane.
 double crossing(const BezierCubic& column);
 
 // The values of u at which the crossing enters or leaves the square, with 0 and 1 as first and

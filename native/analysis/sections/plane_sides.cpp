@@ -57,10 +57,11 @@ class PlaneSides::SideCurve {
     }
     sample.d1 = (falls_ ? -1.0 : 1.0) * (along_v_ ? jet.dv : jet.du);
     const Vector3d& d2 = along_v_ ? jet.dvv : jet.duu;
-    const double speed = sample.d1.norm();
+    const Vector3d d1 = sample.d1 - normal_.dot(sample.d1) * normal_;
+    const double speed = d1.norm();
     if (speed > 0.0) {
-      p.tangent = sample.d1 / speed;
-      p.curvature = normal_.dot(sample.d1.cross(d2)) / (speed * speed * speed);
+      p.tangent = d1 / speed;
+      p.curvature = normal_.dot(d1.cross(d2)) / (speed * speed * speed);
     }
     return sample;
   }

@@ -178,7 +178,9 @@ void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane
   const double steepness = g.u * g.u + g.v * g.v;
   if (steepness == 0.0) return;
   const double wu = g.v, wv = -g.u;
-  const Vector3d d1 = wu * jet.du + wv * jet.dv;
+  // It is in the plane but for what was taken for rounding.
+  const Vector3d along = wu * jet.du + wv * jet.dv;
+  const Vector3d d1 = along - plane_normal.dot(along) * plane_normal;
   const double speed = d1.norm();
   if (!(speed > 1e-12 * std::sqrt(steepness) * (jet.du.norm() + jet.dv.norm()))) return;
   p.tangent = d1 / speed;
