@@ -101,22 +101,13 @@ void check(const FloatingPosition& position, const ProjectDimensions& project,
   }
 }
 
-void take_buoyancy(const HullBody& body, const Immersion& immersion, double water_density,
-                   Particulars& p) {
+void take_buoyancy(const Immersion& immersion, double water_density, Particulars& p) {
   p.displaced_volume = immersion.volume;
   p.displacement_t = immersion.volume * water_density;
   p.volume_error = immersion.volume_error;
   p.volume_from_breadths = immersion.flux_forms.y();
   p.wetted_surface = immersion.wetted_surface;
   p.wetted_surface_error = immersion.wetted_surface_error;
-  const double size = body.surface().mesh().size();
-  const double least_area =
-      1e-9 * size * size;  // less is rounding, of a bottom in the water's plane
-  if (immersion.volume < -1e-9 * size * (immersion.wetted_surface + least_area)) {
-    throw std::invalid_argument(
-        "The displaced volume is negative: the faces are turned inwards. Turn them outwards, into "
-        "the water.");
-  }
   if (immersion.volume > 0.0) {
     p.lcb = immersion.centre_of_buoyancy.x();
     p.tcb = immersion.centre_of_buoyancy.y();
@@ -187,7 +178,7 @@ Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
   p.draft = position.draft;
   const Plane water = water_plane(position);
   const Immersion immersion = body.immersion(water);
-  take_buoyancy(body, immersion, water_density, p);
+  take_buoyancy(immersion, water_density, p);
   if (immersion.wetted_surface == 0.0) return p;
   take_waterplane(immersion, position, water_density, p);
 

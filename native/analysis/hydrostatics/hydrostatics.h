@@ -84,7 +84,7 @@ struct Particulars {
 };
 
 // Throws std::invalid_argument if a number is not finite, trim is 90° or more, a dimension is
-// negative, the density is not positive, or the displaced volume is negative: faces turned inwards.
+// negative or the density is not positive, and as HullBody::immersion() does.
 Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
                          const ProjectDimensions& project, double water_density = kSeaWater);
 

@@ -158,6 +158,12 @@ ShellMoments HullBody::shell_moments() const {
   return sum;
 }
 
+HullBody HullBody::closed() const {
+  HullBody twin = *this;
+  twin.openings_ = Openings::kClosed;
+  return twin;
+}
+
 FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
   FloodingPoint lowest{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
   if (openings_ == Openings::kClosed) return lowest;

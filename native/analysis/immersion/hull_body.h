@@ -47,9 +47,15 @@ class HullBody {
   ShellMoments shell_moments() const;
 
   // Of both sides; the wetted surface without closings. Throws std::invalid_argument if the plane
-  // is not finite, if the water rises above an opening that is not closed ("floods at …"), and if
-  // the faces of a body are turned inwards.
+  // is not finite, as refuse_flooding() does, and if the faces of a body are turned inwards.
   Immersion immersion(const Plane& water) const;
+
+  // Throws std::invalid_argument if the water rises above an opening that is not closed ("floods at
+  // …").
+  void refuse_flooding(const Plane& water) const;
+
+  // The same with all openings closed.
+  HullBody closed() const;
 
   // Of the openings that are not closed, on both sides.
   FloodingPoint flooding_point(const Vector3d& up) const;
@@ -58,7 +64,6 @@ class HullBody {
  private:
   void close();
   std::string inversion() const;
-  void refuse_flooding(const Plane& water) const;
 
   template <class Cut>
   void add_wet(const std::vector<ShellPart>& parts, const Plane& water, const Cut& cut,

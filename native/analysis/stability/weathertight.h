@@ -14,7 +14,7 @@ class Weathertight {
   // `body` must outlive this.
   explicit Weathertight(const HullBody& body) : body_(&body) {
     if (body.openings() == Openings::kClosed) return;
-    twin_.emplace(body.surface(), body.mirrored(), Openings::kClosed);
+    twin_.emplace(body.closed());
     body_ = &*twin_;
   }
   Weathertight(const Weathertight&) = delete;

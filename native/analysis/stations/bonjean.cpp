@@ -25,6 +25,7 @@ BonjeanCurves bonjean(const HullBody& body, std::vector<double> stations,
   BonjeanCurves curves{std::move(stations), std::move(drafts), {}};
   if (curves.drafts.empty()) return curves;
   const double deepest = *std::max_element(curves.drafts.begin(), curves.drafts.end());
+  body.refuse_flooding({Vector3d::UnitZ(), deepest});
   const StationCutter cutter(body);
   for (double station : curves.stations) {
     StationViews views(cutter, station, {Vector3d::UnitZ(), 0.0}, deepest, cutter.rule());

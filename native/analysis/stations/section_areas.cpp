@@ -10,6 +10,7 @@ namespace hull {
 
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water) {
+  body.refuse_flooding(water);
   const StationCutter cutter(body);
   std::vector<SectionArea> areas;
   for (double position : positions) {

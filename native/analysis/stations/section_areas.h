@@ -26,7 +26,7 @@ struct SectionArea {
 // Where the area jumps, at a transom or another flat in the plane of the station, it is the larger
 // of the two areas on either side.
 //
-// Throws std::invalid_argument if a position is not finite.
+// Throws std::invalid_argument if a position is not finite, or if the body floods.
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const FloatingPosition& position);
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,

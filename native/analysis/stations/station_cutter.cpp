@@ -10,6 +10,8 @@ namespace {
 
 using section_internal::kZeroHeight;
 
+constexpr double kAlmostFlat = 1e-6;  // of the size
+
 // A point where a border crosses the plane of a section.
 struct BorderCrossing {
   int loop;
@@ -67,10 +69,12 @@ std::vector<ClosingLine> lines_across(const SectionFrame& frame,
   return lines;
 }
 
+// The largest distance of the points from the plane x = position.
 template <class Points>
-bool all_at(const Points& points, double position, double tolerance) {
-  return std::all_of(points.begin(), points.end(),
-                     [&](const Vector3d& p) { return std::abs(p.x() - position) < tolerance; });
+double farthest(const Points& points, double position) {
+  double distance = 0.0;
+  for (const Vector3d& p : points) distance = std::max(distance, std::abs(p.x() - position));
+  return distance;
 }
 
 }  // namespace
@@ -108,19 +112,19 @@ void SectionOutline::prepare() {
 StationCutter::StationCutter(const HullBody& body)
     : body_(&body), rule_(arc_rule(body.surface().mesh().size(), body.tolerance())) {}
 
-bool StationCutter::has_flat(double position) const {
+std::optional<double> StationCutter::distance_of_flats(double position) const {
   const LimitSurface& surface = body_->surface();
-  const double tolerance = kZeroHeight * surface.mesh().size();
-  for (int i = 0; i < surface.layout().leaf_count(); ++i) {
-    if (all_at(surface.leaf(i), position, tolerance)) return true;
-  }
-  for (int i = 0; i < surface.layout().corner_count(); ++i) {
-    if (all_at(surface.corner(i).outer, position, tolerance)) return true;
-  }
-  const std::vector<BorderEdge>& border = body_->border();
-  return std::any_of(border.begin(), border.end(), [&](const BorderEdge& edge) {
-    return all_at(edge.points, position, tolerance);
-  });
+  const double most = kAlmostFlat * surface.mesh().size();
+  std::optional<double> distance;
+  const auto take = [&](const auto& points) {
+    if (std::abs(points[0].x() - position) > most) return;
+    const double own = farthest(points, position);
+    if (own <= most) distance = std::max(distance.value_or(0.0), own);
+  };
+  for (int i = 0; i < surface.layout().leaf_count(); ++i) take(surface.leaf(i));
+  for (int i = 0; i < surface.layout().corner_count(); ++i) take(surface.corner(i).outer);
+  for (const BorderEdge& edge : body_->border()) take(edge.points);
+  return distance;
 }
 
 SectionOutline StationCutter::outline(const SectionFrame& frame, double highest_level,
@@ -150,8 +154,11 @@ StationViews::StationViews(const StationCutter& cutter, double position, const P
     }
     views_.push_back(std::move(view));
   };
-  add_view({Vector3d::UnitX(), position});
-  if (cutter.has_flat(position)) add_view({-Vector3d::UnitX(), -position});
+  const std::optional<double> flats = cutter.distance_of_flats(position);
+  const bool noisy = flats && *flats > kZeroHeight * cutter.body().surface().mesh().size();
+  const double aside = noisy ? 2.0 * *flats : 0.0;
+  add_view({Vector3d::UnitX(), position - aside});
+  if (flats) add_view({-Vector3d::UnitX(), -position - aside});
 }
 
 void StationViews::prepare() {

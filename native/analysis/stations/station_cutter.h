@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/immersion/hull_body.h"
@@ -39,8 +40,10 @@ class StationCutter {
  public:
   explicit StationCutter(const HullBody& body);
 
-  // Whether a flat of the shell, or a border, lies in the plane x = position: areas may jump there.
-  bool has_flat(double position) const;
+  // Where a flat of the shell, or a border, lies in the plane x = position, areas may jump: how
+  // far, in m, the control points of such flats are from it, as in single precision; less than 1e-6
+  // of the size.
+  std::optional<double> distance_of_flats(double position) const;
 
   // The port side's outline, or that of the whole where the body is modelled whole. `frame` is that
   // of a plane across x, seen from either side.
@@ -70,7 +73,8 @@ class StationViews {
 
  private:
   // What lies in the plane of the station counts as ahead of it, seen from abaft, and the other way
-  // round: one view has what is abaft of a jump, the other what is ahead.
+  // round: one view has what is abaft of a jump, the other what is ahead. Where it lies in the
+  // plane but for noise, the views are cut on either side of the noise.
   struct View {
     SectionFrame frame;
     std::vector<SectionOutline> sides;  // the second in mirrored coordinates

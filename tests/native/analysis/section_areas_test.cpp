@@ -197,6 +197,34 @@ TEST(Bonjean, EqualsTheSectionsOfEachDraft) {
   EXPECT_EQ(curves.at(1, 1).area, 0.0);
 }
 
+// A transom with the noise of single precision is one all the same.
+TEST(SectionAreas, AtANoisyTransom) {
+  std::mt19937 random(511);
+  std::uniform_real_distribution<double> noise(-2e-6, 2e-6);
+  for (int trial = 0; trial < 20; ++trial) {
+    MeshArrays box = testing::creased_box(40.0, 8.0, 5.0);
+    for (auto& p : box.points) p.x() += noise(random);
+    const LimitSurface surface{ControlMesh(box)};
+    const HullBody body(surface, false);
+    for (double x : {0.0, 40.0}) {
+      const SectionArea found = at(body, x, {3.0});
+      EXPECT_NEAR(found.area, 24.0, 1e-12);
+      EXPECT_NEAR(found.breadth, 8.0, 1e-12);
+      EXPECT_NEAR(found.girth, 14.0, 1e-5);
+    }
+  }
+}
+
+TEST(SectionAreas, RefuseToFlood) {
+  const testing::NaturalHull ship = testing::natural_ship();
+  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const HullBody open(surface, true, Openings::kOpen);
+  const double edge = open.lowest_opening(Vector3d::UnitZ());
+  EXPECT_GT(at(open, 11.0, {edge - 0.1}).area, 0.0);
+  EXPECT_THROW(at(open, 11.0, {edge + 0.1}), std::invalid_argument);
+  EXPECT_THROW(bonjean(open, {11.0}, {1.0, edge + 0.1}), std::invalid_argument);
+}
+
 TEST(SectionAreas, RefuseWhatIsNotANumber) {
   const LimitSurface surface{ControlMesh(testing::cube())};
   const HullBody body(surface, false);
