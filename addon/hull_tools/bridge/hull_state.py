@@ -158,7 +158,7 @@ def _make_body(state, mesh, source, topology_key, geometry_key):
         state.body = None  # until it has the points that the surface has
         surface.set_points(source.control.points)
     if body is None or body.openings != source.openings:
-        body = source.new_body(surface)
+        body = source.live_body(surface)
     elif has_moved:
         body.update()
     state.surface, state.body, state.source = surface, body, source

@@ -45,6 +45,10 @@ class ShipSource:
         """A Ship that no edit reaches; for one thread at a time."""
         return self.new_ship()
 
-    def new_body(self, surface):
+    def new_body(self, surface, **how):
         """The hull_native.HullBody of a surface of these control points."""
-        return native.require().HullBody(surface, mirrored=self.half, openings=self.openings)
+        return native.require().HullBody(surface, mirrored=self.half, openings=self.openings, **how)
+
+    def live_body(self, surface):
+        """One for numbers that follow the mouse: to some 1e-8 of the whole, in a third of the time."""
+        return self.new_body(surface, tolerance=1e-8)
