@@ -50,5 +50,5 @@ class ShipSource:
         return native.require().HullBody(surface, mirrored=self.half, openings=self.openings, **how)
 
     def live_body(self, surface):
-        """One for numbers that follow the mouse: to some 1e-8 of the whole, in a third of the time."""
+        """One for numbers that follow the mouse: to some 1e-8 of the whole."""
         return self.new_body(surface, tolerance=1e-8)
