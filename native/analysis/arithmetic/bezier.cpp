@@ -53,6 +53,8 @@ double monotonic_root(const double* c) {
   const double p1 = 3.0 * (c[1] - c[0]), p2 = 3.0 * (c[0] - 2.0 * c[1] + c[2]);
   const double p3 = c[3] - c[0] + 3.0 * (c[1] - c[2]);
   double low = 0.0, high = 1.0, t = c[0] / (c[0] - c[3]);
+  // An end at zero counts as positive: the sign may change elsewhere.
+  if (c[0] == 0.0 || c[3] == 0.0) t = 0.5;
   for (int i = 0; i < 60; ++i) {
     const double value = c[0] + t * (p1 + t * (p2 + t * p3));
     if (value == 0.0) return t;
