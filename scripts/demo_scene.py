@@ -153,12 +153,12 @@ def _add_water(scene, hull, draft, length):
 
 def _waterline(hull, draft):
     """The polylines of the hull's waterline at its draft, in the plane z = 0 of the sheet."""
-    lines = hull.hull.lines_object
-    kinds = list(part("bridge.materials").LINE_COLOURS)
-    for spline in lines.data.splines:
-        if kinds[spline.material_index] == "draft":
-            points = [(*point.co[:2], 0.0) for point in spline.points]
-            yield points + points[:1] if spline.use_cyclic_u else points
+    state = part("bridge.hull_state").state_of(hull)
+    scale = part("bridge.units").metres_per_unit(bpy.context.scene)
+    group = state.lines["draft"]
+    for line in group.polylines:
+        for side in (1.0, -1.0) if group.is_mirrored else (1.0,):
+            yield [(x / scale, side * y / scale, 0.0) for x, y, _ in line]
 
 
 def _fill_around(mesh, outline, polylines, weld_distance):

@@ -169,7 +169,7 @@ def test_sectional_areas_of_a_box():
 
 def test_bonjean_curves_of_a_box():
     hull = afloat_box()
-    hull.hull.station_count = 4
+    hull.hull.lines.station_count = 4
     curves = result_of(hull, "bonjean_curves").curves
     assert curves.stations == pytest.approx([0.0, 2.5, 5.0, 7.5, 10.0], abs=2e-5)
     assert curves.drafts[-1] == DEPTH

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lines plan and the table of offsets, as Object.hull.plan asks for them."""
+"""The lines plan and the table of offsets, as Object.hull.lines and plan ask for them."""
 
 import csv
 
@@ -13,9 +13,9 @@ def plan_hull():
     hull = add_hull()
     hull.hull.length_pp = LENGTH
     hull.hull.draft = 2.0
-    hull.hull.station_count = 10
-    hull.hull.waterline_spacing = 1.0
-    hull.hull.buttock_spacing = 0.5
+    hull.hull.lines.station_count = 10
+    hull.hull.lines.waterline_spacing = 1.0
+    hull.hull.lines.buttock_spacing = 0.5
     return hull
 
 
@@ -33,9 +33,10 @@ def test_every_kind_of_file(tmp_path):
 
 
 def test_options_reach_the_drawing(tmp_path):
-    plan = plan_hull().hull.plan
-    plan.diagonals = "2.5/30 1,5/45"
-    plan.frame_spacing = 0.25
+    hull = plan_hull()
+    plan = hull.hull.plan
+    hull.hull.lines.diagonals = "2.5/30 1,5/45"
+    hull.hull.lines.frame_spacing = 0.25
     plan.drawn, plan.number = "N. N.", "4711"
     plan.dxf_unit = "mm"
     words = export(tmp_path / "box.dxf").read_text().splitlines()
@@ -49,10 +50,10 @@ def test_options_reach_the_drawing(tmp_path):
 
 
 def test_stations_in_frames(tmp_path):
-    plan = plan_hull().hull.plan
-    plan.frame_spacing = 0.5
-    plan.stations, plan.stations_in = "3 7.5 16", "FRAMES"
-    wanted = part("bridge.lines_plan").plan_lines(bpy.context.object.hull, 1.0)
+    lines = plan_hull().hull.lines
+    lines.frame_spacing = 0.5
+    lines.stations, lines.stations_in = "3 7.5 16", "FRAMES"
+    wanted = part("bridge.line_places").line_places(bpy.context.object.hull, 1.0)
     assert wanted.stations == pytest.approx((1.5, 3.75, 8.0))
     words = export(tmp_path / "box.dxf").read_text().splitlines()
     assert {"3", "7.5", "16"} <= set(words)
@@ -69,8 +70,8 @@ def test_stations_in_frames(tmp_path):
     ],
 )
 def test_what_is_wrong_is_one_message(tmp_path, name, value, said):
-    plan = plan_hull().hull.plan
-    setattr(plan, name, value)
+    settings = plan_hull().hull
+    setattr(settings.plan if name == "scale" else settings.lines, name, value)
     with pytest.raises(RuntimeError, match=said) as caught:
         bpy.ops.hull.export_lines(filepath=str(tmp_path / "box.pdf"))
     assert "Traceback" not in str(caught.value)
@@ -95,9 +96,9 @@ def test_table_of_offsets(tmp_path):
 
 def test_plan_is_kept_in_the_file(tmp_path):
     hull = plan_hull()
-    hull.hull.plan.diagonals, hull.hull.plan.paper = "2/30", "A1"
+    hull.hull.lines.diagonals, hull.hull.plan.paper = "2/30", "A1"
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "plan.blend"))
     bpy.ops.wm.read_homefile(use_empty=True)
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "plan.blend"))
-    plan = bpy.data.objects["box"].hull.plan
-    assert (plan.diagonals, plan.paper) == ("2/30", "A1")
+    settings = bpy.data.objects["box"].hull
+    assert (settings.lines.diagonals, settings.plan.paper) == ("2/30", "A1")

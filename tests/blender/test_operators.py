@@ -45,8 +45,10 @@ def test_make_hull_fills_in_the_particulars_and_shows_surface_and_lines():
     assert (settings.length_pp, settings.beam, settings.depth) == (LENGTH, 4.0, DEPTH)
     assert settings.surface_object.parent == hull
     assert len(settings.surface_object.data.polygons) == 2 * 4 * 4 * settings.samples**2
-    kinds = {spline.material_index for spline in settings.lines_object.data.splines}
-    assert kinds == set(range(5))
+    lines = state_of(hull).lines
+    assert {kind for kind, group in lines.items() if group.polylines} == {
+        "station", "waterline", "buttock", "draft", "feature"
+    }  # fmt: skip
 
 
 def test_make_hull_gives_the_hydrostatics_of_a_box():

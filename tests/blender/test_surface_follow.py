@@ -37,7 +37,7 @@ def test_the_surface_follows_in_object_mode():
 def test_surface_lines_and_numbers_follow_in_edit_mode():
     hull = add_hull()
     before = state_of(hull).hydrostatics.displaced_volume
-    lines_before = len(hull.hull.lines_object.data.splines)
+    buttocks_before = state_of(hull).lines["buttock"].cut_count
     bpy.ops.object.mode_set(mode="EDIT")
     bm = bmesh.from_edit_mesh(hull.data)
     for vertex in bm.verts:
@@ -46,7 +46,7 @@ def test_surface_lines_and_numbers_follow_in_edit_mode():
     bpy.context.view_layer.update()
     assert_surface_is_fresh(hull)
     assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(1.5 * before)
-    assert len(hull.hull.lines_object.data.splines) > lines_before
+    assert state_of(hull).lines["buttock"].cut_count > buttocks_before
 
 
 def test_a_tag_changes_the_surface():
@@ -90,13 +90,12 @@ def test_undo_brings_the_surface_back():
 def test_settings_made_by_a_script_are_followed():
     hull = add_hull()
     hull.hull.samples = 2
-    hull.hull.station_count = 5
-    hull.hull.waterline_spacing = 0.0
+    hull.hull.lines.station_count = 5
+    hull.hull.lines.waterline_spacing = 0.0
     bpy.context.view_layer.update()
     assert len(hull.hull.surface_object.data.polygons) == 2 * 16 * 4
-    splines = hull.hull.lines_object.data.splines
-    slots = [spline.material_index for spline in splines]
-    assert slots.count(0) == 2 * 4 and slots.count(1) == 0
+    lines = state_of(hull).lines
+    assert lines["station"].cut_count == 6 and lines["waterline"].cut_count == 0
 
 
 def test_a_mesh_with_errors_leaves_the_last_surface():

@@ -7,7 +7,8 @@ import numpy as np
 from . import (
     hull_objects,
     hull_state,
-    lines,
+    line_data,
+    line_places,
     loading_data,
     materials,
     mesh_arrays,
@@ -19,7 +20,7 @@ _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
 
 def make_hull(obj, scene, half):
-    """Turns a mesh object into a hull and shows its surface and lines; returns its HullState.
+    """Turns a mesh object into a hull and shows its surface; returns its HullState.
 
     Particulars that are still zero are taken from the mesh. ValueError when the object is refused.
     """
@@ -50,6 +51,8 @@ def hull_object(hull, scene, collection):
     _add_layers(obj, hull)
     _copy_particulars(obj.hull, hull, scale)
     loading_data.give_loading(obj.hull, hull, scale)
+    if hull.lines is not None:
+        line_data.give_lines(obj.hull.lines, hull.lines, scale)
     make_hull(obj, scene, hull.half)
     return obj
 
@@ -100,7 +103,11 @@ def _fill_particulars(obj):
 
 
 def _fill_spacings(settings):
-    if settings.waterline_spacing <= 0.0:
-        settings.waterline_spacing = lines.handy_spacing(settings.depth, 10)
-    if settings.buttock_spacing <= 0.0:
-        settings.buttock_spacing = lines.handy_spacing(0.5 * settings.beam, 5)
+    """Spacings that nobody gave."""
+    lines = settings.lines
+    for name, extent, parts in (
+        ("waterline_spacing", settings.depth, 10),
+        ("buttock_spacing", 0.5 * settings.beam, 5),
+    ):
+        if not lines.is_property_set(name):
+            setattr(lines, name, line_places.handy_spacing(extent, parts))

@@ -23,9 +23,14 @@ def hull_of(obj):
     if is_hull(obj):
         return obj
     parent = obj.parent
-    if is_hull(parent) and obj in (parent.hull.surface_object, parent.hull.lines_object):
+    if is_hull(parent) and (obj == parent.hull.surface_object or _is_line_of(parent, obj)):
         return parent
     return None
+
+
+def _is_line_of(hull, obj):
+    curves = hull.hull.lines.curves
+    return curves is not None and obj.name in curves.objects
 
 
 def hulls(objects):

@@ -5,7 +5,7 @@ import numpy as np
 from mathutils import Color
 
 from ..io.hull_data import HullData, Layer, Particulars
-from . import hull_objects, loading_data, mesh_arrays, units
+from . import hull_objects, line_data, loading_data, mesh_arrays, units
 
 
 def hull_data(obj, scene):
@@ -36,6 +36,7 @@ def hull_data(obj, scene):
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
         source=settings.source,
+        lines=line_data.take_lines(settings.lines, scale),
         **loading_data.take_loading(settings, scale),
     )
 

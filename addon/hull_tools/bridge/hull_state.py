@@ -19,7 +19,6 @@ from . import (
     hull_objects,
     hydrostatics,
     lines,
-    lines_object,
     mesh_arrays,
     mesh_check,
     native,
@@ -31,7 +30,7 @@ from . import (
 
 _states = {}
 
-_SHOWN_KEYS = ("shown surface", "shown faces", "normals", "shown lines")
+_SHOWN_KEYS = ("shown surface", "shown faces", "normals")
 
 
 @dataclass
@@ -39,9 +38,10 @@ class HullState:
     """Results of one hull, for panels to show.
 
     status: why the surface is not up to date, or "". hydrostatics: Hydrostatics or None, and then
-    hydrostatics_status says why. body: the hull_native.HullBody of `surface`; both change with the
-    next edit, so that only `source`, the ship.ShipSource of both, is for threads. analyses: see
-    bridge.analyses. keys: what each result was computed from. name: the object's.
+    hydrostatics_status says why. lines: lines.Group by kind of those that are shown; lines_status:
+    why they are not up to date, or "". body: the hull_native.HullBody of `surface`; both change
+    with the next edit, so that only `source`, the ship.ShipSource of both, is for threads.
+    analyses: see bridge.analyses. keys: what each result was computed from. name: the object's.
     """
 
     name: str
@@ -53,6 +53,8 @@ class HullState:
     source: object = None
     hydrostatics: object = None
     hydrostatics_status: str = ""
+    lines: dict = field(default_factory=dict)
+    lines_status: str = ""
     analyses: dict = field(default_factory=dict)
     keys: dict = field(default_factory=dict)
 
@@ -67,6 +69,14 @@ def state_of(obj):
     return _states.get(obj.as_pointer())
 
 
+def known_hulls(view_layer):
+    """Pairs (hull, HullState) of the hulls in a view layer of which something was computed."""
+    for address, state in _states.items():
+        obj = view_layer.objects.get(state.name)
+        if obj is not None and obj.as_pointer() == address:
+            yield obj, state
+
+
 def forget(obj):
     _states.pop(obj.as_pointer(), None)
 
@@ -76,7 +86,7 @@ def forget_all():
 
 
 def forget_shown():
-    """Forgets what surface and lines objects show, after they changed by themselves."""
+    """Forgets what surface objects show, after they changed by themselves."""
     for state in _states.values():
         for key in _SHOWN_KEYS:
             state.keys.pop(key, None)
@@ -118,7 +128,7 @@ def _refresh(obj, scene, state):
     geometry_key = _update_ship(obj, state, scale)
     _show_surface(obj, state, scale, geometry_key)
     _update_hydrostatics(obj, state, scale)
-    _show_lines(obj, state, scale, geometry_key)
+    _update_lines(obj, state, scale, geometry_key)
 
 
 def _update_ship(obj, state, scale):
@@ -192,20 +202,14 @@ def _show_surface(obj, state, scale, geometry_key):
     state.keys["shown surface"] = place_key
 
 
-def _show_lines(obj, state, scale, geometry_key):
-    shown = shown_objects.lines_of(obj)
-    if shown is None:
-        return
-    settings = obj.hull
-    points = state.surface.mesh.points
-    where = lines.planes(settings, points, scale)
-    draft = units.as_typed(settings.draft) * scale
-    key = (geometry_key, where, draft, shown.name_full)
-    if state.keys.get("shown lines") != key:
-        found = lines.hull_lines(state.surface, where, draft, settings.half)
-        length = float(np.ptp(points, axis=0).max())
-        lines_object.write_lines(shown.data, found, length, scale)
-        state.keys["shown lines"] = key
+def _update_lines(obj, state, scale, geometry_key):
+    settings, surface = obj.hull, state.surface
+    try:
+        wanted = lines.wanted_cuts(settings, surface.mesh.points, scale)
+        state.lines = lines.groups(state.lines, surface, wanted, settings.half, geometry_key)
+        state.lines_status = ""
+    except ValueError as error:
+        state.lines_status = str(error)
 
 
 def _update_hydrostatics(obj, state, scale):

@@ -1,117 +1,210 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The hull's lines: where stations, waterlines and buttocks lie, and the curves themselves."""
+"""The hull's lines: its sections by planes of several kinds, knuckles and borders.
 
-from dataclasses import dataclass, field
+A kind that is switched off costs nothing, and only what has changed is computed anew, all planes of
+it in one go.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from . import native
+from .line_places import line_places
 from .units import as_typed
 
-# A spacing that would give more planes than this is a slip of the keyboard.
-_MOST_PLANES = 400
+# In the order in which they are drawn: what is most important last.
+KINDS = ("station", "waterline", "buttock", "diagonal", "plane", "draft", "feature")
 
-# A polyline departs from the true curve by at most this part of the hull's length.
-_CHORD_TOLERANCE = 1e-4
+# The switch of each in Object.hull.lines.
+SWITCHES = {
+    "station": "show_stations",
+    "waterline": "show_waterlines",
+    "buttock": "show_buttocks",
+    "diagonal": "show_diagonals",
+    "plane": "show_planes",
+    "draft": "show_design_waterline",
+    "feature": "show_features",
+}
 
-# Curves nearer to the centre plane than this part of the hull's length are not drawn twice.
-_CENTRE_PLANE_TOLERANCE = 1e-6
+# Of the hull's size: how far chords depart from the curve, and how near to a plane what lies in it
+# is, since Blender keeps points in single precision.
+_CHORD_TOLERANCE = 1e-5
+_FLAT_TOLERANCE = 2e-7
+_SAMPLES_PER_EDGE = 16
+
+_TO_STARBOARD = np.array([1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True)
-class Planes:
-    """Positions in metres; buttocks are measured to port and stand for both sides."""
+class Cut:
+    """A plane as (normal, offset) to cut the surface by.
 
-    stations: tuple = ()
-    waterlines: tuple = ()
-    buttocks: tuple = ()
-
-
-@dataclass
-class Lines:
-    """Polylines (k, 3) in metres by kind, as in materials.LINE_COLOURS."""
-
-    curves: dict = field(default_factory=dict)
-
-    def add(self, kind, points, closed=False):
-        self.curves.setdefault(kind, []).append((points, closed))
-
-
-def planes(settings, points, metres_per_unit):
-    """The planes that an Object.hull asks for, as far as its control points (n, 3) in m reach.
-
-    Stations stand at Lpp / count from the after perpendicular, and go on beyond both ends.
+    side: 1 or -1 where only what is to port or starboard of the centre plane counts, else 0. flip:
+    whether what is found stands for its mirror image. is_image: whether this is the other side's
+    part of a line that another Cut stands for.
     """
-    low, high = points.min(axis=0), points.max(axis=0)
-    length = as_typed(settings.length_pp) * metres_per_unit
-    station_spacing = length / settings.station_count if settings.station_count else 0.0
-    waterline_spacing = as_typed(settings.waterline_spacing) * metres_per_unit
-    buttock_spacing = as_typed(settings.buttock_spacing) * metres_per_unit
-    half_beam = max(abs(low[1]), abs(high[1]))
-    return Planes(
-        multiples(station_spacing, low[0], high[0], "stations"),
-        multiples(waterline_spacing, low[2], high[2], "waterlines"),
-        multiples(buttock_spacing, 0.0, half_beam, "buttocks"),
+
+    plane: tuple
+    side: int = 0
+    flip: bool = False
+    is_image: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """A Cut and the hull_native.SectionCurve that it gave."""
+
+    cut: Cut
+    curves: list
+
+    @cached_property
+    def polylines(self):
+        """Polylines (k, 3) in m."""
+        return [part for curve in self.curves for part in self.parts(curve.points, curve.points)]
+
+    def parts(self, points, values):
+        """The stretches of `values` (k, 3), each belonging to one of a curve's points, of which
+        the cut wants to know."""
+        flip = _TO_STARBOARD if self.cut.flip else 1.0
+        if not self.cut.side:
+            return [values * flip]
+        wanted = points[:, 1] * self.cut.side >= 0.0
+        ends = np.flatnonzero(np.diff(wanted)) + 1
+        kept = np.split(values, ends)[0 if wanted[0] else 1 :: 2]
+        return [part * flip for part in kept if len(part) > 1]
+
+
+@dataclass(frozen=True, eq=False)
+class Group:
+    """All lines of one kind, in m. is_mirrored: whether their mirror images belong to it too."""
+
+    kind: str
+    key: tuple
+    is_mirrored: bool
+    sections: tuple = ()
+    features: tuple = ()
+
+    @cached_property
+    def polylines(self):
+        return [line for one in self.sections for line in one.polylines] + list(self.features)
+
+    @property
+    def cut_count(self):
+        """How many of the planes meet the hull."""
+        return sum(1 for section in self.sections if section.curves and not section.cut.is_image)
+
+
+def wanted_cuts(settings, points, metres_per_unit):
+    """The Cuts that an Object.hull wants shown, as tuples by kind; only what is switched on.
+
+    points: the control points (n, 3) in m. ValueError as line_places.
+    """
+    lines = settings.lines
+    places = line_places(settings, metres_per_unit)
+    stations, waterlines, buttocks = places.positions(points)
+    draft = as_typed(settings.draft) * metres_per_unit
+    sides = (1.0,) if settings.half else (1.0, -1.0)
+    cuts = {
+        "station": [_across(0, x) for x in stations],
+        "waterline": [_across(2, z) for z in waterlines],
+        "buttock": [_across(1, side * y, side < 0.0) for y in buttocks for side in sides],
+        "diagonal": _diagonals(places.diagonals, settings.half),
+        "plane": _planes(lines.planes, settings.half, metres_per_unit),
+        "draft": [_across(2, draft)] if draft > 0.0 else [],
+        "feature": [] if settings.half else [_across(1, 0.0)],
+    }
+    return {kind: tuple(cuts[kind]) for kind in KINDS if getattr(lines, SWITCHES[kind])}
+
+
+def _across(axis, position, is_image=False):
+    normal = [0.0, 0.0, 0.0]
+    normal[axis] = 1.0
+    return Cut((*normal, float(position)), is_image=is_image)
+
+
+def _diagonals(wanted, half):
+    hull_native = native.require()
+    cuts = []
+    for height, angle in wanted:
+        x, y, z, offset = hull_native.diagonal_plane(height, angle).tolist()
+        cuts.append(Cut((x, y, z, offset), side=0 if half else 1))
+        if not half:
+            cuts.append(Cut((x, -y, z, offset), side=-1, is_image=True))
+    return cuts
+
+
+def _planes(planes, half, metres_per_unit):
+    """Of a half hull the other side is cut by the plane's mirror image."""
+    cuts = []
+    for plane in planes:
+        normal = np.array(plane.normal, dtype=np.float64)
+        length = np.linalg.norm(normal)
+        if not plane.is_shown or length < 1e-6:
+            continue
+        normal /= length
+        # A normal that was typed as 0 0 1 stays so.
+        offset = float(normal @ [as_typed(part) * metres_per_unit for part in plane.point])
+        cuts.append(Cut((*normal.tolist(), offset)))
+        if half:
+            image = (*(normal * _TO_STARBOARD).tolist(), offset)
+            cuts.append(Cut(image, flip=True, is_image=True))
+    return cuts
+
+
+def groups(known, surface, wanted, half, geometry_key):
+    """Groups by kind of the `wanted` cuts of a hull_native.LimitSurface.
+
+    known: the groups of before, of which those are taken that are the same still. geometry_key:
+    equal when the surface is.
+    """
+    keys = {kind: (geometry_key, half, cuts) for kind, cuts in wanted.items()}
+    found = {
+        kind: known[kind] for kind, key in keys.items() if kind in known and known[kind].key == key
+    }
+    missing = [kind for kind in wanted if kind not in found]
+    curves = iter(_curves(surface, [cut for kind in missing for cut in wanted[kind]]))
+    for kind in missing:
+        found[kind] = Group(
+            kind,
+            keys[kind],
+            half and kind != "plane",  # whose images are among the cuts
+            tuple(Section(cut, next(curves)) for cut in wanted[kind]),
+            _features(surface) if kind == "feature" else (),
+        )
+    return {kind: found[kind] for kind in KINDS if kind in found}
+
+
+def _curves(surface, cuts):
+    if not cuts:
+        return []
+    return native.require().sections(
+        surface,
+        np.array([cut.plane for cut in cuts]),
+        _CHORD_TOLERANCE * size_of(surface),
+        flat_tolerance=flat_tolerance(surface),
     )
 
 
-def multiples(spacing, low, high, name, with_ends=False):
-    """Multiples of the spacing between two positions, which themselves count only with_ends; none
-    when the spacing is 0."""
-    if spacing <= 0.0:
-        return ()
-    if (high - low) / spacing > _MOST_PLANES:
-        raise ValueError(
-            f"A spacing of {spacing:.4g} m gives more than {_MOST_PLANES} {name}: widen it"
-        )
-    margin = 1e-6 * spacing * (-1.0 if with_ends else 1.0)
-    first = int(np.floor((low + margin) / spacing)) + 1
-    last = int(np.ceil((high - margin) / spacing)) - 1
-    return tuple(k * spacing for k in range(first, last + 1))
+def _features(surface):
+    found = native.require().feature_curves(surface, _SAMPLES_PER_EDGE)
+    return tuple(curve.points for curve in found)
 
 
-def hull_lines(surface, where, draft, half):
-    """Lines of a hull_native.LimitSurface on these Planes, both sides of a half hull."""
-    hull_native = native.require()
-    points = surface.mesh.points
-    length = float(np.ptp(points, axis=0).max())
-    chord = _CHORD_TOLERANCE * length
-    lines = Lines()
-
-    def cut(kind, axis, positions):
-        for position in positions:
-            for curve in hull_native.section(surface, axis, position, chord):
-                lines.add(kind, curve.points, curve.closed)
-
-    cut("station", "x", where.stations)
-    cut("waterline", "z", where.waterlines)
-    cut("buttock", "y", where.buttocks)
-    if not half:
-        cut("buttock", "y", [-y for y in where.buttocks])
-        cut("feature", "y", [0.0])
-    if draft > 0.0:
-        cut("draft", "z", [draft])
-    for curve in hull_native.feature_curves(surface):
-        lines.add("feature", curve.points, curve.closed)
-    if half:
-        _mirror(lines, _CENTRE_PLANE_TOLERANCE * length)
-    return lines
+def size_of(surface):
+    """The greatest extent of the control points, in m."""
+    return float(np.ptp(surface.mesh.points, axis=0).max())
 
 
-def _mirror(lines, tolerance):
-    flip = np.array([1.0, -1.0, 1.0])
-    for curves in lines.curves.values():
-        curves += [
-            (points * flip, closed)
-            for points, closed in curves
-            if np.abs(points[:, 1]).max() > tolerance
-        ]
+def flat_tolerance(surface):
+    return _FLAT_TOLERANCE * size_of(surface)
 
 
-def handy_spacing(extent, parts):
-    """1, 2 or 5 times a power of ten that divides an extent into about so many parts; 0 for 0."""
-    if extent <= 0.0:
-        return 0.0
-    wanted = extent / parts
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return float(min((1.0, 2.0, 5.0, 10.0), key=lambda m: abs(np.log(m * power / wanted))) * power)
+def mirror_image(points):
+    return points * _TO_STARBOARD
+
+
+def is_off_centre(points, tolerance):
+    """Whether a curve (k, 3) has a mirror image other than itself."""
+    return bool(np.abs(points[:, 1]).max() > tolerance)

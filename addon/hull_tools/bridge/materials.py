@@ -11,13 +11,15 @@ from . import blender_versions
 
 SURFACE = "Hull surface"
 
-# In the order of the lines object's material slots; linear RGB.
+# Of the curve objects, by the kinds of lines.KINDS; linear RGB.
 LINE_COLOURS = {
     "station": (0.012, 0.012, 0.016),
     "waterline": (0.02, 0.12, 0.55),
     "buttock": (0.03, 0.32, 0.08),
-    "feature": (0.75, 0.16, 0.0),
+    "diagonal": (0.36, 0.07, 0.42),
+    "plane": (0.62, 0.02, 0.12),
     "draft": (0.0, 0.42, 0.75),
+    "feature": (0.75, 0.16, 0.0),
 }
 
 

@@ -6,9 +6,12 @@ Start at `read_hull`, which finds out what a file is, and `HullData`, which it r
 
 from .errors import HullFileError
 from .hull_data import (
+    LINE_KINDS,
     Afloat,
+    CutPlane,
     HullData,
     Layer,
+    LineChoice,
     Load,
     LoadCase,
     Opening,
@@ -21,10 +24,13 @@ from .hull_file import read_hull_file, write_hull_file
 from .reading import read_hull, stored_sections
 
 __all__ = [
+    "LINE_KINDS",
     "Afloat",
+    "CutPlane",
     "HullData",
     "HullFileError",
     "Layer",
+    "LineChoice",
     "Load",
     "LoadCase",
     "Opening",

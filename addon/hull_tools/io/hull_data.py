@@ -76,15 +76,59 @@ class Opening:
 
 
 @dataclass
+class CutPlane:
+    """A plane to cut the hull by: through a point in m, across a normal of any length."""
+
+    name: str
+    normal: tuple
+    point: tuple
+    shown: bool = True
+
+
+# The kinds of lines that can be shown, as hull files name them.
+LINE_KINDS = (
+    "stations",
+    "waterlines",
+    "buttocks",
+    "diagonals",
+    "planes",
+    "design_waterline",
+    "features",
+)
+
+
+@dataclass
+class LineChoice:
+    """Which lines are shown and drawn, and where they lie. Lengths in m.
+
+    Lists are texts as number_lists reads them; one that is not blank counts before the spacing.
+    station_count: spaces that the stations part Lpp into; 0, as a spacing of 0, is none.
+    stations_in: "metres" or "frames", what the list of stations is given in.
+    """
+
+    shown: tuple = LINE_KINDS
+    station_count: int = 20
+    waterline_spacing: float = 0.0
+    buttock_spacing: float = 0.0
+    stations: str = ""
+    stations_in: str = "metres"
+    waterlines: str = ""
+    buttocks: str = ""
+    diagonals: str = ""
+    frame_spacing: float = 0.0
+    planes: list = field(default_factory=list)
+
+
+@dataclass
 class HullData:
     """One hull, as read.
 
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
-    creases, the edges that are marked so. units: the file's own unit of length, "m" or "ft".
-    source: where the hull comes from. notes: what the reader had to mend, one sentence each, for
-    the user.
+    creases, the edges that are marked so. lines: a LineChoice, None where the file does not say.
+    units: the file's own unit of length, "m" or "ft". source: where the hull comes from. notes:
+    what the reader had to mend, one sentence each, for the user.
     """
 
     name: str
@@ -102,6 +146,7 @@ class HullData:
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)
     openings: list = field(default_factory=list)
+    lines: object = None
     units: str = "m"
     source: str = ""
     notes: list = field(default_factory=list)

@@ -8,6 +8,7 @@
      "layers": [{"name": "...", "in_hydrostatics": true, "colour": [r, g, b]}, ...],
      "face_layers": [layer, ...],
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
+     "lines": as hull_lines tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings"}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
@@ -21,7 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import hull_loading
+from . import hull_lines, hull_loading
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .cleanup import creases_of_faces
@@ -39,6 +40,7 @@ OPTIONAL = (
     "face_layers",
     "scheme",
     "deck_edge",
+    hull_lines.KEY,
     *hull_loading.KEYS,
 )
 PARTICULARS = tuple(vars(Particulars()))
@@ -71,6 +73,7 @@ def parse_hull_file(data, file_name):
         particulars=_particulars(check, content.get("particulars", {})),
         scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
+        lines=hull_lines.parsed(check, content),
         **hull_loading.parsed(check, content),
         units="m",
         source=check.text(content.get("source", ""), "source"),
@@ -219,6 +222,7 @@ def write_hull_file(data, path):
         f'"face_layers": {json.dumps([int(layer) for layer in data.face_layers])}',
         f'"scheme": {json.dumps(data.scheme)}',
         _rows("deck_edge", [[int(a), int(b)] for a, b in data.deck_edge]),
+        *(_entry(key, value) for key, value in hull_lines.entries(data).items()),
         *(_entry(key, value) for key, value in hull_loading.entries(data).items()),
     ]
     content = ("{\n" + ",\n".join(lines) + "\n}\n").encode("utf-8")

@@ -19,3 +19,6 @@ LONGEST_TEXT = 10_000
 HEAVIEST_LOAD = 1e8
 # Load cases, openings: a stability booklet has dozens.
 MAX_LOADING_ENTRIES = 1000
+# Planes to cut a hull by, and spaces between stations.
+MAX_CUT_PLANES = 1000
+MAX_LINE_SPACES = 200

@@ -9,6 +9,7 @@ from . import (
     export_hull,
     export_step,
     import_hull,
+    lines,
     loading_lists,
     make_hull,
     tag_mesh,
@@ -23,6 +24,7 @@ _CLASSES = (
     *export_hull.CLASSES,
     *export_step.CLASSES,
     *loading_lists.CLASSES,
+    *lines.CLASSES,
 )
 
 

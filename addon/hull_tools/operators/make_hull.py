@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A mesh becomes a hull; a hull's surface and lines are made anew."""
+"""A mesh becomes a hull; a hull's surface is made anew."""
 
 import bpy
 from bpy.props import BoolProperty
@@ -44,7 +44,7 @@ class HULL_OT_make_hull(bpy.types.Operator):
 
 
 class HULL_OT_update(bpy.types.Operator):
-    """Make the hull's surface and lines anew, also when they were deleted"""
+    """Make the hull's surface and lines anew, also when the surface was deleted"""
 
     bl_idname = "hull.update"
     bl_label = "Update Surface and Lines"

@@ -3,7 +3,7 @@
 that draws them with the graphics card."""
 
 from ..bridge import live_analyses
-from . import plots
+from . import lines, plots
 
 
 def _view(shown, corner):
@@ -12,6 +12,7 @@ def _view(shown, corner):
 
 
 def register():
+    lines.register()
     plots.register()
     live_analyses.plot_viewers.append(_view)
 
@@ -19,3 +20,4 @@ def register():
 def unregister():
     live_analyses.plot_viewers.remove(_view)
     plots.unregister()
+    lines.unregister()

@@ -3,13 +3,14 @@
 
 import bpy
 
-from . import hull, lines_plan, results, shown, stability
+from . import hull, lines_plan, results, sections, shown, stability
 
 _CLASSES = (
     *hull.CLASSES,
     *results.CLASSES,
     *stability.CLASSES,
     *shown.CLASSES,
+    *sections.CLASSES,
     *lines_plan.CLASSES,
 )
 

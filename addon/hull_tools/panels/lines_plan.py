@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lines plan on paper: which lines, which sheet, what its title block says."""
+"""The lines plan on paper: which sheet, what its title block says."""
 
 import bpy
 
@@ -14,13 +14,7 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         plan = hull_objects.hull_of(context.object).hull.plan
-        layout.label(text="Blank: as shown in the 3D view")
-        column = layout.column(align=True)
-        column.prop(plan, "stations")
-        column.prop(plan, "stations_in", text="")
-        for name in ("waterlines", "buttocks", "diagonals"):
-            column.prop(plan, name)
-        layout.prop(plan, "frame_spacing")
+        layout.label(text="Of the lines in Sections")
         column = layout.column(align=True)
         column.prop(plan, "paper")
         if plan.paper == "OWN":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the hull is shown: surface, lines, layers; and its way out."""
+"""How the hull is shown: surface and layers; and its way out."""
 
 import bpy
 
@@ -35,18 +35,6 @@ class HULL_PT_surface(HullPanel, bpy.types.Panel):
                 column.prop(layer, "in_hydrostatics", text=layer.material.name)
 
 
-class HULL_PT_lines(HullPanel, bpy.types.Panel):
-    bl_label = "Lines"
-
-    def draw(self, context):
-        layout = self.layout
-        hull = hull_objects.hull_of(context.object)
-        _draw_shown(layout, shown_objects.lines_of(hull))
-        column = layout.column(align=True)
-        for name in ("station_count", "waterline_spacing", "buttock_spacing"):
-            column.prop(hull.hull, name)
-
-
 class HULL_PT_export(HullPanel, bpy.types.Panel):
     bl_label = "Export"
 
@@ -57,4 +45,4 @@ class HULL_PT_export(HullPanel, bpy.types.Panel):
         column.operator("hull.export_hull", icon="EXPORT")
 
 
-CLASSES = (HULL_PT_surface, HULL_PT_lines, HULL_PT_export)
+CLASSES = (HULL_PT_surface, HULL_PT_export)

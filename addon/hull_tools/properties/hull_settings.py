@@ -18,7 +18,7 @@ from bpy.props import (
     StringProperty,
 )
 
-from . import output_settings, stability_settings
+from . import line_settings, output_settings, stability_settings
 from .shared import angle, changed, length
 
 
@@ -93,29 +93,23 @@ class HullSettings(bpy.types.PropertyGroup):
         soft_max=12,
         update=changed,
     )
-    station_count: IntProperty(
-        name="Stations",
-        description="Spaces between stations from the after to the forward perpendicular; "
-        "0 draws none",
-        default=20,
-        min=0,
-        max=200,
-        update=changed,
-    )
-    waterline_spacing: length("Waterlines", "Distance between waterlines; 0 draws none")
-    buttock_spacing: length("Buttocks", "Distance between buttocks; 0 draws none")
-
     surface_object: PointerProperty(name="Surface", type=bpy.types.Object)
-    lines_object: PointerProperty(name="Lines", type=bpy.types.Object)
     layers: CollectionProperty(type=HullLayer)
 
+    lines: PointerProperty(type=line_settings.HullLines)
     loading: PointerProperty(type=stability_settings.HullLoading)
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
     plan: PointerProperty(type=output_settings.HullPlan)
 
 
-CLASSES = (*stability_settings.CLASSES, *output_settings.CLASSES, HullLayer, HullSettings)
+CLASSES = (
+    *line_settings.CLASSES,
+    *stability_settings.CLASSES,
+    *output_settings.CLASSES,
+    HullLayer,
+    HullSettings,
+)
 
 
 def register():

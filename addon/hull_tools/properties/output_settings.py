@@ -62,26 +62,8 @@ def _side(name, default):
 
 
 class HullPlan(bpy.types.PropertyGroup):
-    """The lines plan. Lists are texts, numbers with blanks between, in metres."""
+    """The sheet of the lines plan; its lines are those of Object.hull.lines."""
 
-    stations: _text(
-        "Stations", "Positions with blanks between; blank: Lpp divided as in the 3D view"
-    )
-    stations_in: EnumProperty(
-        name="Stations in",
-        description="What the positions of stations are given in",
-        items=(("METRES", "in metres", "x from the after perpendicular"),
-               ("FRAMES", "in frames", "Numbers of frames, 0 at the after perpendicular")),
-        update=changed,
-    )  # fmt: skip
-    waterlines: _text("Waterlines m", "Heights with blanks between; blank: as in the 3D view")
-    buttocks: _text("Buttocks m", "Half-breadths with blanks between; blank: as in the 3D view")
-    diagonals: _text(
-        "Diagonals",
-        "Each a height at the centre plane in m, a slash, and the angle below the horizontal in "
-        "degrees: 5.2/35 4/50",
-    )
-    frame_spacing: length("Frame spacing", "Distance of frames; 0 draws none")
     paper: EnumProperty(
         name="Sheet",
         description="The sheet of paper, its long side across",

@@ -34,6 +34,15 @@ def content(**changes):
         "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False},
         "load_cases": [{"name": "ballast", "mass_t": 8, "lcg": 5, "tcg": -0.1, "vcg": 1}],
         "openings": [{"name": "hatch", "position": [5, 1, 3]}],
+        "lines": {
+            "shown": ["waterlines", "stations"],
+            "station_count": 10,
+            "waterline_spacing": 0.5,
+            "stations": "1 3:9:2",
+            "stations_in": "frames",
+            "frame_spacing": 0.6,
+            "planes": [{"name": "bow", "normal": [1, 0, 0], "point": [9, 0, 0], "shown": False}],
+        },
     }
     value.update(changes)
     return {key: part for key, part in value.items() if part is not None}
@@ -56,7 +65,7 @@ def assert_same(first, second):
     assert first.layers == second.layers
     assert first.particulars == second.particulars
     assert first.source == second.source
-    for key in ("scheme", "deck_edge", "afloat", "load", "load_cases", "openings"):
+    for key in ("scheme", "deck_edge", "afloat", "load", "load_cases", "openings", "lines"):
         assert getattr(first, key) == getattr(second, key), key
 
 
@@ -77,6 +86,15 @@ def test_a_file_is_read(read):
     assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False)
     assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
     assert hull.openings == [hull_io.Opening("hatch", (5.0, 1.0, 3.0))]
+    assert hull.lines == hull_io.LineChoice(
+        shown=("stations", "waterlines"),
+        station_count=10,
+        waterline_spacing=0.5,
+        stations="1 3:9:2",
+        stations_in="frames",
+        frame_spacing=0.6,
+        planes=[hull_io.CutPlane("bow", (1.0, 0.0, 0.0), (9.0, 0.0, 0.0), False)],
+    )
 
 
 def test_what_may_be_left_out(read):
@@ -89,7 +107,8 @@ def test_what_may_be_left_out(read):
     assert hull_io.shell_face_indices(hull) == [0, 1]
     assert hull.scheme == "biermann" and hull.deck_edge == []
     assert hull.afloat == hull_io.Afloat() and hull.load == hull_io.Load()
-    assert hull.load_cases == [] and hull.openings == []
+    assert hull.load_cases == [] and hull.openings == [] and hull.lines is None
+    assert read(content(lines={})).lines == hull_io.LineChoice()
     hull = read(content(load={}, load_cases=[{"mass_t": 1}], openings=[{"position": [1, 2, 3]}]))
     assert hull.load == hull_io.Load(None, 0.0, None, True)
     assert hull.load_cases == [hull_io.LoadCase("Load case", 1.0)]
@@ -124,6 +143,19 @@ def test_numpy_indices_are_written_as_numbers(read, tmp_path):
 
 
 MISTAKES = {
+    "unknown lines": (content(lines={"shown": ["frames"]}), "lines.shown[0]: it is unknown"),
+    "a list of lines": (content(lines={"waterlines": "1 b"}), 'lines.waterlines: waterlines: "b"'),
+    "a diagonal": (content(lines={"diagonals": "5"}), "lines.diagonals: Diagonals"),
+    "too many stations": (content(lines={"station_count": 500}), "lines.station_count: 500 is no"),
+    "other stations": (content(lines={"stations_in": "feet"}), "lines.stations_in: it is unknown"),
+    "a plane of no direction": (
+        content(lines={"planes": [{"normal": [0, 0, 0], "point": [0, 0, 0]}]}),
+        "lines.planes[0].normal: it has no direction",
+    ),
+    "a plane of no place": (
+        content(lines={"planes": [{"normal": [0, 0, 1]}]}),
+        "lines.planes[0].point: it is missing",
+    ),
     "other format": (content(format="ship"), 'format: it is not "hull"'),
     "other version": (content(version=2), "version: 2 is unknown; only version 1 can be read"),
     "true is no version": (content(version=True), "version: true is unknown"),

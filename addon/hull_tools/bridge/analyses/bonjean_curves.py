@@ -34,7 +34,7 @@ class Result:
 
 def inputs(settings, metres_per_unit):
     where = afloat.afloat(settings, metres_per_unit)
-    count = settings.station_count or _DRAFTS
+    count = settings.lines.station_count or _DRAFTS
     if where.length_pp <= 0.0:
         raise ValueError("Give Lpp first: stations divide the length between perpendiculars")
     highest = max(as_typed(settings.depth) * metres_per_unit, where.draft)

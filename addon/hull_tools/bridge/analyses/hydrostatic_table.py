@@ -6,9 +6,10 @@ from math import degrees
 
 import numpy as np
 
+from ...io.number_lists import numbers
 from .. import afloat, hydrostatics, native
 from ..units import as_typed
-from .ranges import numbers, stepped
+from .ranges import stepped
 
 LABEL = "Hydrostatics"
 IS_LIVE = False

@@ -3,14 +3,14 @@
 
 import numpy as np
 
-from .. import lines_plan, native
+from .. import line_places, native
 
 LABEL = "Table of offsets"
 IS_LIVE = False
 
 
 def inputs(settings, metres_per_unit):
-    return lines_plan.plan_lines(settings, metres_per_unit)
+    return line_places.line_places(settings, metres_per_unit)
 
 
 def compute(ship, wanted):

@@ -17,12 +17,3 @@ def stepped(first, last, step, name):
     if last - values[-1] > 1e-6 * step:
         values.append(last)
     return tuple(values)
-
-
-def numbers(text, name):
-    """The numbers of a text with blanks or semicolons between them."""
-    words = text.replace(";", " ").replace(",", ".").split()
-    try:
-        return tuple(float(word) for word in words)
-    except ValueError:
-        raise ValueError(f'{name}: "{text}" should be numbers with blanks between') from None

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lists of numbers as people type them: with blanks between, ranges as first:last:step."""
+
+from math import isfinite, radians
+
+# A range that has more numbers is a slip of the keyboard.
+_LONGEST = 1000
+
+
+def numbers(text, name):
+    """The numbers of a text such as "0 0.5 1:9:1"; a decimal comma counts as a point.
+
+    ValueError that begins with `name` where it can't be understood.
+    """
+    found = []
+    for word in text.replace(";", " ").replace(",", ".").split():
+        try:
+            parts = [float(part) for part in word.split(":")]
+        except ValueError:
+            parts = []
+        if len(parts) not in (1, 3) or not all(map(isfinite, parts)):
+            raise ValueError(
+                f'{name}: "{word}" should be numbers with blanks between, or first:last:step'
+            )
+        found += parts if len(parts) == 1 else _range(*parts, word, name)
+    return tuple(found)
+
+
+def _range(first, last, step, word, name):
+    if not step > 0.0 or not first <= last:
+        raise ValueError(f'{name}: "{word}" should rise, as 1:9:2 does')
+    steps = (last - first) / step * (1.0 + 1e-9)
+    if not steps < _LONGEST:
+        raise ValueError(f'{name}: "{word}" has more than {_LONGEST} numbers: widen the step')
+    return [first + k * step for k in range(int(steps) + 1)]
+
+
+def diagonals(text):
+    """Pairs (height in m, angle in rad) of a text such as "5.2/35 4/50", the angle in degrees."""
+    pairs = []
+    for word in text.replace(";", " ").replace(",", ".").split():
+        height, _, angle_deg = word.partition("/")
+        try:
+            pair = (float(height), radians(float(angle_deg)))
+        except ValueError:
+            pair = ()
+        if not pair or not all(map(isfinite, pair)):
+            raise ValueError(
+                f'Diagonals: "{word}" should be a height in m, a slash, and an angle in degrees '
+                "below the horizontal, such as 5.2/35"
+            )
+        pairs.append(pair)
+    return tuple(pairs)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Planes to cut the hull by, and its lines as Blender's curves."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from ..bridge import cut_planes, hull_objects, hull_state, line_curves, units
+from .shared import has_hull, in_object_mode, native_is_there, reporting_errors
+
+
+class HULL_OT_add_plane(bpy.types.Operator):
+    """Cut the hull by a plane through the 3D cursor"""
+
+    bl_idname = "hull.add_plane"
+    bl_label = "Section at 3D Cursor"
+    bl_options = {"REGISTER", "UNDO"}
+
+    direction: EnumProperty(
+        name="Plane",
+        description="How the plane lies",
+        items=(
+            ("X", "Across the ship", "As a station"),
+            ("Z", "Level", "As a waterline"),
+            ("Y", "Along the ship", "As a buttock"),
+            ("CURSOR", "As the cursor", "Across the z axis of the 3D cursor"),
+        ),
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return native_is_there(cls) and has_hull(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        cut_planes.add(hull, context.scene.cursor.matrix, self.direction)
+        hull_state.refresh(hull, context.scene)
+        return {"FINISHED"}
+
+
+class HULL_OT_remove_plane(bpy.types.Operator):
+    """Cut the hull by the chosen plane no longer"""
+
+    bl_idname = "hull.remove_plane"
+    bl_label = "Remove Plane"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        hull = hull_objects.hull_of(context.object)
+        return hull is not None and bool(hull.hull.lines.planes)
+
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        cut_planes.remove(hull)
+        hull_state.refresh(hull, context.scene)
+        return {"FINISHED"}
+
+
+class HULL_OT_lines_as_curves(bpy.types.Operator):
+    """Make curve objects of the lines that are shown, one a kind, in place of those made before"""
+
+    bl_idname = "hull.lines_as_curves"
+    bl_label = "Lines as Curves"
+    bl_options = {"REGISTER", "UNDO"}
+
+    form: EnumProperty(
+        name="Form",
+        description="What the curves are made of",
+        items=(
+            ("BEZIER", "Splines", "Bézier curves, the same as the B-splines of the lines"),
+            ("POLY", "Polylines", "Straight pieces"),
+        ),
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return native_is_there(cls) and in_object_mode(cls, context) and has_hull(cls, context)
+
+    @reporting_errors
+    def execute(self, context):
+        hull = hull_objects.hull_of(context.object)
+        state = hull_state.refresh(hull, context.scene)
+        reason = state.status or state.lines_status
+        if reason:
+            raise ValueError(reason)
+        # One of the curves that go may be what is active.
+        context.view_layer.objects.active = hull
+        scale = units.metres_per_unit(context.scene)
+        count = line_curves.make_curves(
+            hull, state.surface, state.lines.values(), scale, self.form == "BEZIER"
+        )
+        if not count:
+            raise ValueError("No lines are shown: switch some on")
+        self.report({"INFO"}, f"{count} curves")
+        return {"FINISHED"}
+
+
+CLASSES = (HULL_OT_add_plane, HULL_OT_remove_plane, HULL_OT_lines_as_curves)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The lines in the 3D view: which are shown, where they lie, how many there are."""
+
+import bpy
+
+from ..bridge import hull_objects, hull_state, lines
+from .shared import HullPanel, label_wrapped
+
+
+class HULL_PT_sections(HullPanel, bpy.types.Panel):
+    bl_label = "Sections"
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        settings, state = hull.hull.lines, hull_state.state_of(hull)
+        if state is not None and state.lines_status:
+            label_wrapped(layout, context, state.lines_status, icon="ERROR")
+        found = state.lines if state is not None else {}
+        for kind, fields in (
+            ("station", ("station_count", "stations")),
+            ("waterline", ("waterline_spacing", "waterlines")),
+            ("buttock", ("buttock_spacing", "buttocks")),
+            ("diagonal", ("diagonals",)),
+        ):
+            column = self._draw_switch(layout, settings, found, kind)
+            for name in fields:
+                column.prop(settings, name)
+            if kind == "station" and settings.stations:
+                column.prop(settings, "stations_in", text="")
+        for kind in ("draft", "feature"):
+            self._draw_switch(layout, settings, found, kind)
+        layout.prop(settings, "frame_spacing")
+        row = layout.row(align=True)
+        row.prop(settings, "in_front")
+        row.prop(settings, "width")
+        layout.operator("hull.lines_as_curves", icon="OUTLINER_OB_CURVE")
+
+    def _draw_switch(self, layout, settings, found, kind):
+        """A kind's switch, and beside it how many are shown; returns where more of it goes."""
+        column = layout.column(align=True)
+        row = column.row(align=True)
+        row.prop(settings, lines.SWITCHES[kind])
+        if kind in found:
+            row.label(text=count_of(found[kind]))
+        rest = column.column(align=True)
+        rest.active = getattr(settings, lines.SWITCHES[kind])
+        return rest
+
+
+def count_of(group):
+    """How many planes meet the hull, or how many knuckles and borders there are."""
+    return str(len(group.features) if group.kind == "feature" else group.cut_count)
+
+
+class HULL_UL_planes(bpy.types.UIList):
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        layout.prop(item, "is_shown", text="")
+        layout.prop(item, "name", text="", emboss=False)
+
+
+class HULL_PT_planes(HullPanel, bpy.types.Panel):
+    """Sections by planes of one's own"""
+
+    bl_label = "Planes"
+    bl_parent_id = "HULL_PT_sections"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        settings = hull_objects.hull_of(context.object).hull.lines
+        layout.prop(settings, "show_planes")
+        row = layout.row()
+        row.template_list(
+            "HULL_UL_planes", "", settings, "planes", settings, "active_plane", rows=3
+        )
+        column = row.column(align=True)
+        column.operator_menu_enum("hull.add_plane", "direction", text="", icon="ADD")
+        column.operator("hull.remove_plane", text="", icon="REMOVE")
+        if 0 <= settings.active_plane < len(settings.planes):
+            plane = settings.planes[settings.active_plane]
+            layout.column(align=True).prop(plane, "normal")
+            layout.column(align=True).prop(plane, "point")
+
+
+CLASSES = (HULL_PT_sections, HULL_UL_planes, HULL_PT_planes)

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Object.hull.lines: which lines are shown in the 3D view, and where they lie. The lines plan and
+the table of offsets are of the same."""
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+from .shared import changed, length
+
+
+def _switch(name, description, default=True):
+    return BoolProperty(name=name, description=description, default=default, update=changed)
+
+
+def _text(name, description):
+    return StringProperty(name=name, description=description, update=changed)
+
+
+class HullPlane(bpy.types.PropertyGroup):
+    """A plane that the hull is cut by, in the mesh's axes and the scene's units."""
+
+    name: StringProperty(name="Name", default="Plane", update=changed)
+    is_shown: _switch("Shown", "Show the section by this plane in the 3D view")
+    normal: FloatVectorProperty(
+        name="Normal",
+        description="Direction across the plane",
+        default=(1.0, 0.0, 0.0),
+        subtype="XYZ",
+        soft_min=-1.0,
+        soft_max=1.0,
+        precision=4,
+        update=changed,
+    )
+    point: FloatVectorProperty(
+        name="Through",
+        description="A point of the plane: x, y, z in the mesh's axes",
+        unit="LENGTH",
+        subtype="XYZ",
+        update=changed,
+    )
+
+
+class HullLines(bpy.types.PropertyGroup):
+    """Lists are texts, in metres whatever the scene's units; one that is not blank counts before
+    the spacing."""
+
+    show_stations: _switch("Stations", "Show sections across the ship in the 3D view")
+    show_waterlines: _switch("Waterlines", "Show sections along the water in the 3D view")
+    show_buttocks: _switch("Buttocks", "Show sections along the centre plane in the 3D view")
+    show_diagonals: _switch("Diagonals", "Show diagonals in the 3D view")
+    show_planes: _switch("Planes", "Show sections by planes of one's own in the 3D view")
+    show_design_waterline: _switch("Design waterline", "Show the waterline at the draft")
+    show_features: _switch("Knuckles, borders", "Show knuckles and borders in the 3D view")
+    in_front: _switch("Through the surface", "Show lines behind the surface too", default=False)
+
+    station_count: IntProperty(
+        name="Lpp /",
+        description="Spaces between stations from the after to the forward perpendicular; "
+        "0 draws none",
+        default=20,
+        min=0,
+        max=200,
+        update=changed,
+    )
+    stations: _text(
+        "List",
+        "Positions of stations with blanks between, ranges as first:last:step; blank: Lpp divided",
+    )
+    stations_in: EnumProperty(
+        name="Stations in",
+        description="What the positions of stations are given in",
+        items=(("METRES", "in metres", "x from the after perpendicular"),
+               ("FRAMES", "in frames", "Numbers of frames, 0 at the after perpendicular")),
+        update=changed,
+    )  # fmt: skip
+    frame_spacing: length("Frame spacing", "Distance of frames; 0: the ship has none")
+    waterline_spacing: length("Spacing", "Distance between waterlines; 0 draws none")
+    waterlines: _text(
+        "List m", "Heights with blanks between, ranges as first:last:step; blank: by the spacing"
+    )
+    buttock_spacing: length("Spacing", "Distance between buttocks; 0 draws none")
+    buttocks: _text(
+        "List m",
+        "Half-breadths with blanks between, ranges as first:last:step; blank: by the spacing",
+    )
+    diagonals: _text(
+        "Diagonals m/°",
+        "Each a height at the centre plane in m, a slash, and the angle below the horizontal in "
+        "degrees: 5.2/35 4/50",
+    )
+    planes: CollectionProperty(type=HullPlane)
+    active_plane: IntProperty(name="Plane")
+
+    width: FloatProperty(
+        name="Width",
+        description="Of the lines in the 3D view, in dots",
+        default=1.5,
+        min=0.5,
+        max=10.0,
+        precision=1,
+        step=50,
+        update=changed,
+    )
+    curves: PointerProperty(name="Lines", type=bpy.types.Collection)
+
+
+CLASSES = (HullPlane, HullLines)
