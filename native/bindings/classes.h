@@ -20,6 +20,7 @@ void bind_equilibrium(pybind11::module_& module);
 void bind_stability(pybind11::module_& module);
 void bind_offset_table(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
+void bind_curve_fairness(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 
 }  // namespace hull::bindings

@@ -18,5 +18,6 @@ PYBIND11_MODULE(_core, module) {
   bind_stability(module);
   bind_offset_table(module);
   bind_sections(module);
+  bind_curve_fairness(module);
   bind_patch_set(module);
 }

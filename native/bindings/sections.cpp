@@ -10,6 +10,7 @@
 #include "analysis/sections/section_splines.h"
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "bindings/planes.h"
 
 namespace hull::bindings {
 namespace {
@@ -21,40 +22,6 @@ Axis axis_from(const std::string& name) {
   if (name == "y") return Axis::kY;
   if (name == "z") return Axis::kZ;
   throw std::invalid_argument("axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
-}
-
-// The plane normal·x = offset, for a normal of any length.
-Plane plane_from(const Vector3d& normal, double offset, const std::string& name) {
-  const double length = normal.norm();
-  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(offset)) {
-    std::string message = name;
-    message += " is no plane: its normal must not be zero, and all of its numbers finite.";
-    throw std::invalid_argument(message);
-  }
-  return {normal / length, offset / length};
-}
-
-std::vector<Plane> planes_from(const DoubleArray& array) {
-  if (array.ndim() != 2 || array.shape(1) != 4) {
-    throw std::invalid_argument(
-        "planes has to be of shape (n, 4): normals x, y, z and offsets of planes normal·p = "
-        "offset.");
-  }
-  const auto numbers = array.unchecked<2>();
-  std::vector<Plane> planes;
-  for (py::ssize_t i = 0; i < numbers.shape(0); ++i) {
-    const Vector3d normal(numbers(i, 0), numbers(i, 1), numbers(i, 2));
-    std::string name = "planes[";
-    name += std::to_string(i);
-    name += ']';
-    planes.push_back(plane_from(normal, numbers(i, 3), name));
-  }
-  return planes;
-}
-
-py::array_t<double> to_array(const Plane& plane) {
-  return bindings::to_array(
-      std::vector<double>{plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
 }
 
 SectionOptions options_from(const LimitSurface& surface,

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/fairness/cell_places.h"
+
+namespace hull {
+namespace {
+
+constexpr double kCornerU[] = {0.0, 1.0, 1.0, 0.0};
+constexpr double kCornerV[] = {0.0, 0.0, 1.0, 1.0};
+
+// A side's place `t` of the way along its half-edge.
+CellPlace on_side(int h, double t) {
+  switch (h % 4) {
+    case 0:
+      return {h / 4, t, 0.0};
+    case 1:
+      return {h / 4, 1.0, t};
+    case 2:
+      return {h / 4, 1.0 - t, 1.0};
+    default:
+      return {h / 4, 0.0, 1.0 - t};
+  }
+}
+
+void add_fan(const Topology& cells, int h, CellPlaces& places) {
+  const auto add = [&](int at) { places.push_back({at / 4, kCornerU[at % 4], kCornerV[at % 4]}); };
+  int at = h;
+  do {
+    at = cells.twin(cells.prev(at));
+    if (at < 0 || at == h) break;
+    add(at);
+  } while (true);
+  if (at == h) return;
+  // A border ends the fan: the rest of it lies the other way round.
+  for (at = cells.twin(h); at >= 0; at = cells.twin(at)) {
+    at = cells.next(at);
+    add(at);
+  }
+}
+
+}  // namespace
+
+CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& uv) {
+  CellPlaces places{{cell, uv.x(), uv.y()}};
+  const int h = 4 * cell;
+  for (int k = 0; k < 4; ++k) {
+    if (uv.x() != kCornerU[k] || uv.y() != kCornerV[k]) continue;
+    add_fan(cells, h + k, places);
+    return places;
+  }
+  const auto add_twin = [&](int side, double t) {
+    const int twin = cells.twin(h + side);
+    if (twin >= 0) places.push_back(on_side(twin, 1.0 - t));
+  };
+  if (uv.y() == 0.0) add_twin(0, uv.x());
+  if (uv.x() == 1.0) add_twin(1, uv.y());
+  if (uv.y() == 1.0) add_twin(2, 1.0 - uv.x());
+  if (uv.x() == 0.0) add_twin(3, 1.0 - uv.y());
+  return places;
+}
+
+}  // namespace hull

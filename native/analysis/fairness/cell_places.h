@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "surface/crease_curves.h"
+
+namespace hull {
+
+// All cells that have a point in common, and where each has it.
+using CellPlaces = std::vector<CellPlace>;
+
+// The given place first. A place is on a side or a corner of its cell where u or v is exactly 0 or
+// 1. REQUIRES: `cells` as LimitSurface::cells(); u and v in [0, 1].
+CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& uv);
+
+}  // namespace hull

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/fairness/curve_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/arithmetic/bracketed_root.h"
+
+namespace hull {
+namespace {
+
+constexpr int kPartsOfBreak = 4;
+constexpr double kShortestPart = 1e-6;  // of the curve's length
+constexpr double kRootWidth = 1e-10, kExtremumWidth = 1e-7;
+constexpr double kBulk = 0.95;  // of the length: what bends more is left to its own size
+
+struct Probe {
+  double s, curvature;
+};
+
+std::vector<Probe> probes(const MeasuredCurve& curve) {
+  std::vector<Probe> result;
+  const double shortest = kShortestPart * curve.length();
+  const auto add = [&](double s) { result.push_back({s, curve.at(s).signed_curvature}); };
+  add(0.0);
+  double from = 0.0;
+  for (const double to : curve.breaks()) {
+    if (to - from <= shortest) continue;
+    for (int part = 1; part < kPartsOfBreak; ++part) {
+      add(from + (to - from) * part / kPartsOfBreak);
+    }
+    add(to);
+    from = to;
+  }
+  return result;
+}
+
+double threshold_of(std::vector<Probe> along, const CurvatureNoise& noise) {
+  // Weights are the lengths up to the next probe.
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    along[i].s = along[i + 1].s - along[i].s;
+    total += along[i].s;
+    along[i].curvature = std::abs(along[i].curvature);
+  }
+  along.pop_back();
+  std::sort(along.begin(), along.end(),
+            [](const Probe& a, const Probe& b) { return a.curvature < b.curvature; });
+  double bulk = 0.0, sum = 0.0;
+  for (const Probe& p : along) {
+    bulk = p.curvature;
+    sum += p.s;
+    if (sum >= kBulk * total) break;
+  }
+  return std::max(noise.absolute, noise.relative * bulk);
+}
+
+class Marker {
+ public:
+  Marker(const MeasuredCurve& curve, std::vector<Probe> along, double threshold)
+      : curve_(curve), along_(std::move(along)), threshold_(threshold) {
+    if (curve.closed()) start_at_largest();
+  }
+
+  std::vector<CurveMark> marks() {
+    find_inflections();
+    find_extrema();
+    std::sort(marks_.begin(), marks_.end(),
+              [](const CurveMark& a, const CurveMark& b) { return a.arc_length < b.arc_length; });
+    return std::move(marks_);
+  }
+
+ private:
+  // A closed curve is run through from its greatest curvature on to that again, beyond its length.
+  void start_at_largest() {
+    along_.pop_back();
+    std::size_t start = 0;
+    for (std::size_t i = 1; i < along_.size(); ++i) {
+      if (along_[i].curvature > along_[start].curvature) start = i;
+    }
+    std::rotate(along_.begin(), along_.begin() + static_cast<std::ptrdiff_t>(start), along_.end());
+    const double length = curve_.length(), first = along_.front().s;
+    for (Probe& p : along_) p.s += p.s < first ? length : 0.0;
+    along_.push_back({first + length, along_.front().curvature});
+  }
+
+  double within(double s) const {
+    if (!curve_.closed()) return std::clamp(s, 0.0, curve_.length());
+    while (s > curve_.length()) s -= curve_.length();
+    while (s < 0.0) s += curve_.length();
+    return s;
+  }
+  double curvature(double s) const { return curve_.at(within(s)).signed_curvature; }
+
+  void add(CurveMark::Kind kind, double s, double value, bool peak) {
+    s = within(s);
+    marks_.push_back({kind, s, curve_.at(s).point, value, peak});
+  }
+
+  void find_inflections() {
+    const Probe* last = nullptr;  // that bends to a side
+    for (const Probe& p : along_) {
+      if (std::abs(p.curvature) <= threshold_) continue;
+      if (last && (last->curvature > 0.0) != (p.curvature > 0.0)) {
+        const auto f = [&](double s) { return curvature(s); };
+        const double s = bracketed_root(f, last->s, last->curvature, p.s, p.curvature,
+                                        kRootWidth * curve_.length());
+        add(CurveMark::Kind::kInflection, s, 0.0, false);
+      }
+      last = &p;
+    }
+  }
+
+  void find_extrema() {
+    std::size_t highest = 0, lowest = 0;
+    bool may_be_highest = true, may_be_lowest = true;  // what is looked for next
+    for (std::size_t i = 0; i < along_.size(); ++i) {
+      const double k = along_[i].curvature;
+      if (k > along_[highest].curvature) highest = i;
+      if (k < along_[lowest].curvature) lowest = i;
+      if (may_be_highest && k < along_[highest].curvature - threshold_) {
+        add_extremum(highest, 1.0);
+        may_be_highest = false;
+        may_be_lowest = true;
+        lowest = i;
+      } else if (may_be_lowest && k > along_[lowest].curvature + threshold_) {
+        add_extremum(lowest, -1.0);
+        may_be_lowest = false;
+        may_be_highest = true;
+        highest = i;
+      }
+    }
+  }
+
+  // The largest value of sign * curvature about a probe, by golden sections (Kiefer 1953).
+  void add_extremum(std::size_t at, double sign) {
+    if (at == 0 && !curve_.closed()) return;
+    const double before = at > 0 ? along_[at - 1].s : along_[at].s - (along_[1].s - along_[0].s);
+    double a = before, b = along_[std::min(at + 1, along_.size() - 1)].s;
+    constexpr double kGolden = 0.6180339887498949;
+    double x = b - kGolden * (b - a), y = a + kGolden * (b - a);
+    double fx = sign * curvature(x), fy = sign * curvature(y);
+    while (b - a > kExtremumWidth * curve_.length()) {
+      if (fx > fy) {
+        b = y;
+        y = x;
+        fy = fx;
+        x = b - kGolden * (b - a);
+        fx = sign * curvature(x);
+      } else {
+        a = x;
+        x = y;
+        fx = fy;
+        y = a + kGolden * (b - a);
+        fy = sign * curvature(y);
+      }
+    }
+    // A peak at the probe itself, at a knot, may be sharper than the search has seen.
+    double s = along_[at].s, value = sign * along_[at].curvature;
+    if (std::max(fx, fy) > value) {
+      s = fx > fy ? x : y;
+      value = std::max(fx, fy);
+    }
+    value *= sign;
+    const auto kind = sign > 0.0 ? CurveMark::Kind::kMaximum : CurveMark::Kind::kMinimum;
+    add(kind, s, value, sign * value > 0.0);
+  }
+
+  const MeasuredCurve& curve_;
+  std::vector<Probe> along_;
+  double threshold_;
+  std::vector<CurveMark> marks_;
+};
+
+}  // namespace
+
+double noise_threshold(const MeasuredCurve& curve, const CurvatureNoise& noise) {
+  return curve.length() > 0.0 ? threshold_of(probes(curve), noise) : noise.absolute;
+}
+
+std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise) {
+  if (!(curve.length() > 0.0)) return {};
+  std::vector<Probe> along = probes(curve);
+  const double threshold = threshold_of(along, noise);
+  return Marker(curve, std::move(along), threshold).marks();
+}
+
+}  // namespace hull

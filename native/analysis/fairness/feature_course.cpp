@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/fairness/feature_course.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/arithmetic/gauss.h"
+#include "analysis/fairness/plane_fit.h"
+
+namespace hull {
+namespace {
+
+constexpr int kPartsOfSpan = 4;
+constexpr int kNodes = 6;
+
+const GaussRule& rule() {
+  static const GaussRule gauss = gauss_rule(kNodes);
+  return gauss;
+}
+
+double length_between(const CreaseCurve& curve, double t0, double t1) {
+  double sum = 0.0;
+  for (int i = 0; i < kNodes; ++i) {
+    sum += rule().weights[i] * curve.evaluate(t0 + (t1 - t0) * rule().nodes[i], 1).d1.norm();
+  }
+  return (t1 - t0) * sum;
+}
+
+}  // namespace
+
+FeatureCourse::FeatureCourse(const CreaseCurve& curve, const std::optional<Vector3d>& seen_along)
+    : MeasuredCurve({0.0}, curve.closed()),
+      curve_(curve),
+      seen_along_(seen_along),
+      parameters_({curve.spline().begin()}) {
+  const std::vector<double>& knots = curve.spline().knots();
+  const double end = curve.spline().end();
+  for (std::size_t i = 3; i + 4 < knots.size(); ++i) {
+    for (int part = 1; part <= kPartsOfSpan; ++part) {
+      const double to = std::min(
+          end, knots[i] + (knots[i + 1] - knots[i]) * (static_cast<double>(part) / kPartsOfSpan));
+      const double length = length_between(curve, parameters_.back(), to);
+      if (!(length > 0.0)) continue;
+      breaks_.push_back(breaks_.back() + length);
+      parameters_.push_back(to);
+    }
+  }
+}
+
+double FeatureCourse::parameter_at(double s) const {
+  const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, s);
+  const std::size_t k = next - breaks_.begin() - 1;
+  if (k + 1 >= breaks_.size()) return parameters_.front();
+  const double t0 = parameters_[k], t1 = parameters_[k + 1];
+  const double wanted = s - breaks_[k];
+  double t = t0 + (t1 - t0) * wanted / (breaks_[k + 1] - breaks_[k]);
+  for (int step = 0; step < 3; ++step) {
+    const double speed = curve_.evaluate(t, 1).d1.norm();
+    if (!(speed > 0.0)) break;
+    t = std::clamp(t + (wanted - length_between(curve_, t0, t)) / speed, t0, t1);
+  }
+  return t;
+}
+
+CurveSample FeatureCourse::at(double s) const {
+  const CurveJet jet = curve_.evaluate(parameter_at(s), 2);
+  CurveSample sample;
+  sample.point = jet.point;
+  const double speed = jet.d1.norm();
+  if (!(speed > 0.0)) return sample;
+  sample.tangent = jet.d1 / speed;
+  if (!seen_along_) {
+    const Vector3d across = jet.d2 - sample.tangent.dot(jet.d2) * sample.tangent;
+    sample.curvature = across / (speed * speed);
+    sample.signed_curvature = sample.curvature.norm();
+    return sample;
+  }
+  const Vector3d& n = *seen_along_;
+  const Vector3d d1 = jet.d1 - n.dot(jet.d1) * n;
+  const double seen_speed = d1.norm();
+  // Where the curve runs along the view its picture is a point.
+  if (!(seen_speed > 1e-9 * speed)) return sample;
+  sample.signed_curvature = n.dot(d1.cross(jet.d2)) / (seen_speed * seen_speed * seen_speed);
+  sample.curvature = sample.signed_curvature / seen_speed * n.cross(d1);
+  return sample;
+}
+
+std::optional<Vector3d> normal_of_plane_curve(const CreaseCurve& curve, double tolerance) {
+  const std::vector<Vector3d>& points = curve.spline().points();
+  const PlaneFit fit = fit_plane(points);
+  double off_plane = 0.0, off_line = 0.0;
+  for (const Vector3d& p : points) {
+    off_plane = std::max(off_plane, std::abs(fit.plane.height(p)));
+    off_line = std::max(off_line, std::abs(fit.across.dot(p - points.front())));
+  }
+  if (off_plane > tolerance || off_line <= tolerance) return std::nullopt;
+  return fit.plane.normal;
+}
+
+}  // namespace hull

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/fairness/section_course.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/fairness/cell_places.h"
+
+namespace hull {
+namespace {
+
+constexpr int kMostSteps = 20;
+constexpr double kConverged = 1e-14;  // of the mesh's size
+constexpr double kOnCurve = 1e-10;
+
+// Length of an arc by its chord and the curvatures at its ends.
+double arc_length(double chord, double k0, double k1) {
+  const double bend = chord * chord * (k0 * k0 + k0 * k1 + k1 * k1) / 72.0;
+  // The series holds for arcs of less than about a radian.
+  return chord * (1.0 + std::min(bend, 0.1));
+}
+
+Vector3d hermite(const Vector3d& p0, const Vector3d& d0, const Vector3d& p1, const Vector3d& d1,
+                 double t) {
+  const double r = 1.0 - t;
+  return r * r * (1.0 + 2.0 * t) * p0 + r * r * t * d0 - r * t * t * d1 +
+         t * t * (1.0 + 2.0 * r) * p1;
+}
+
+std::vector<double> lengths_along(const SectionCurve& curve, const SmoothStretch& stretch) {
+  std::vector<double> lengths{0.0};
+  for (int i = stretch.first; i < stretch.last; ++i) {
+    const double chord = (curve.points[i + 1] - curve.points[i]).norm();
+    const double k0 = i == stretch.first ? stretch.first_curvature : curve.curvatures[i];
+    lengths.push_back(lengths.back() + arc_length(chord, k0, curve.curvatures[i + 1]));
+  }
+  return lengths;
+}
+
+// Direction and curvature of a curve in a plane, from its first and second derivative.
+struct Course {
+  Vector3d tangent = Vector3d::Zero();
+  double curvature = 0.0;
+};
+Course course_of(const Vector3d& d1, const Vector3d& d2, const Vector3d& normal) {
+  const double speed = d1.norm();
+  if (!(speed > 0.0)) return {};
+  return {d1 / speed, normal.dot(d1.cross(d2)) / (speed * speed * speed)};
+}
+
+// Where the height above a plane stays the same.
+Course level_course(const SurfaceJet& jet, const Vector3d& normal) {
+  const double gu = normal.dot(jet.du), gv = normal.dot(jet.dv);
+  const double slope2 = gu * gu + gv * gv;
+  if (!(slope2 > 0.0)) return {};
+  // Along w = (gv, -gu) the height is constant to first order; across it, to second order.
+  const double wu = gv, wv = -gu;
+  const Vector3d bend = wu * wu * jet.duu + 2.0 * wu * wv * jet.duv + wv * wv * jet.dvv;
+  const double across = -normal.dot(bend) / slope2;
+  return course_of(wu * jet.du + wv * jet.dv, bend + across * (gu * jet.du + gv * jet.dv), normal);
+}
+
+}  // namespace
+
+SectionCourse::SectionCourse(const LimitSurface& surface, const Plane& plane,
+                             const SectionCurve& curve, const SmoothStretch& stretch)
+    : MeasuredCurve(lengths_along(curve, stretch), curve.closed && curve.knuckles.empty()),
+      surface_(surface),
+      plane_(plane),
+      curve_(curve),
+      stretch_(stretch) {
+  for (int i = stretch.first; i < stretch.last; ++i) {
+    segments_.push_back(segment_between(i, i + 1));
+  }
+}
+
+SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
+  const CellPlaces from = cell_places(surface_.cells(), curve_.cells[a], curve_.uv[a]);
+  const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
+  Segment best{-1, {}, {}, false};
+  double best_height = std::numeric_limits<double>::infinity();
+  for (const CellPlace& q : to) {
+    for (const CellPlace& p : from) {
+      if (p.cell != q.cell) continue;
+      const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, p.u == q.u || p.v == q.v};
+      const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
+      const double height =
+          std::abs(plane_.height(surface_.position(p.cell, middle.x(), middle.y())));
+      if (height >= best_height) continue;
+      best = segment;
+      best_height = height;
+    }
+  }
+  best.along_side = best.along_side && best_height <= kOnCurve * surface_.mesh().size();
+  return best;
+}
+
+CurveSample SectionCourse::sample(const Vector3d& tangent, const Vector3d& point,
+                                  double curvature) const {
+  return {point, tangent, curvature * plane_.normal.cross(tangent), curvature};
+}
+
+CurveSample SectionCourse::known(int index) const {
+  if (index == stretch_.first) {
+    return sample(stretch_.first_tangent, curve_.points[index], stretch_.first_curvature);
+  }
+  return sample(curve_.tangents[index], curve_.points[index], curve_.curvatures[index]);
+}
+
+bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample& result) const {
+  const Eigen::Vector2d step = segment.to - segment.from;
+  const Eigen::Vector2d uv = segment.from + fraction * step;
+  const SurfaceJet jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
+  const Vector3d d1 = step.x() * jet.du + step.y() * jet.dv;
+  const Vector3d d2 = step.x() * step.x() * jet.duu + step.y() * step.y() * jet.dvv;
+  const Course course = course_of(d1, d2, plane_.normal);
+  result = sample(course.tangent, jet.point, course.curvature);
+  return true;
+}
+
+bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vector3d& near,
+                             const Vector3d& along, CurveSample& result) const {
+  const double size = surface_.mesh().size();
+  Eigen::Vector2d uv = segment.from + fraction * (segment.to - segment.from);
+  SurfaceJet jet;
+  double off = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kMostSteps && off > kConverged * size; ++step) {
+    surface_.evaluate(segment.cell, uv.x(), uv.y(), 1, jet);
+    const Eigen::Vector2d missed(plane_.height(jet.point), along.dot(jet.point - near));
+    off = missed.norm();
+    Eigen::Matrix2d slopes;
+    slopes << plane_.normal.dot(jet.du), plane_.normal.dot(jet.dv), along.dot(jet.du),
+        along.dot(jet.dv);
+    const double determinant = slopes.determinant();
+    if (determinant == 0.0) break;
+    const Eigen::Vector2d moved = (uv - slopes.inverse() * missed).cwiseMax(0.0).cwiseMin(1.0) - uv;
+    if (!moved.allFinite()) break;
+    if (moved.cwiseAbs().maxCoeff() == 0.0) break;
+    uv += moved;
+  }
+  jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
+  if (!(std::abs(plane_.height(jet.point)) <= kOnCurve * size)) return false;
+  if (!(std::abs(along.dot(jet.point - near)) <= kOnCurve * size)) return false;
+  Course course = level_course(jet, plane_.normal);
+  if (course.tangent.isZero(0.0)) return false;
+  if (course.tangent.dot(along) < 0.0) course = {-course.tangent, -course.curvature};
+  result = sample(course.tangent, jet.point, course.curvature);
+  return true;
+}
+
+CurveSample SectionCourse::at(double s) const {
+  const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, s);
+  const int k = static_cast<int>(next - breaks_.begin()) - 1;
+  const double length = breaks_[k + 1] - breaks_[k];
+  const CurveSample a = known(stretch_.first + k), b = known(stretch_.first + k + 1);
+  if (s <= breaks_[k] || !(length > 0.0)) return a;
+  if (s >= breaks_[k + 1]) return b;
+  const double fraction = (s - breaks_[k]) / length;
+  const Vector3d near = hermite(a.point, length * a.tangent, b.point, length * b.tangent, fraction);
+  const Segment& segment = segments_[k];
+  CurveSample result;
+  if (segment.cell >= 0) {
+    if (segment.along_side && on_line(segment, fraction, result)) return result;
+    const Vector3d along = (b.point - a.point).normalized();
+    if (on_plane(segment, fraction, near, along, result)) return result;
+  }
+  // Across a place at an irregular knot that the section was not followed into.
+  const Vector3d tangent = ((1.0 - fraction) * a.tangent + fraction * b.tangent).normalized();
+  return sample(tangent, near,
+                (1.0 - fraction) * a.signed_curvature + fraction * b.signed_curvature);
+}
+
+}  // namespace hull

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/fairness/curve_fairness.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+#include "bindings/planes.h"
+
+namespace hull::bindings {
+namespace {
+
+constexpr double kChordTolerance = 1e-5;  // of the mesh's size, unless given
+
+struct CurveMarks {
+  std::vector<CurveMark> all;
+};
+
+template <class Item, class Value>
+auto column(const std::vector<Item>& items, Value Item::*member) {
+  std::vector<Value> values;
+  values.reserve(items.size());
+  for (const Item& item : items) values.push_back(item.*member);
+  return to_array(values);
+}
+
+auto of_samples(Vector3d CurveSample::*member) {
+  return [member](const CurveFairness& c) { return column(c.samples, member); };
+}
+
+const char* name_of(CurveFairness::Kind kind) {
+  switch (kind) {
+    case CurveFairness::Kind::kCrease:
+      return "crease";
+    case CurveFairness::Kind::kBorder:
+      return "border";
+    case CurveFairness::Kind::kSection:
+      break;
+  }
+  return "section";
+}
+
+const char* name_of(CurveMark::Kind kind) {
+  switch (kind) {
+    case CurveMark::Kind::kMaximum:
+      return "maximum";
+    case CurveMark::Kind::kMinimum:
+      return "minimum";
+    case CurveMark::Kind::kInflection:
+      break;
+  }
+  return "inflection";
+}
+
+std::vector<const char*> kinds_of(const CurveMarks& marks) {
+  std::vector<const char*> kinds;
+  for (const CurveMark& mark : marks.all) kinds.push_back(name_of(mark.kind));
+  return kinds;
+}
+
+py::array_t<bool> peaks_of(const CurveMarks& marks) {
+  py::array_t<bool> flags(static_cast<py::ssize_t>(marks.all.size()));
+  std::transform(marks.all.begin(), marks.all.end(), flags.mutable_data(),
+                 [](const CurveMark& mark) { return mark.peak; });
+  return flags;
+}
+
+py::array_t<double> comb_of(const CurveFairness& curve, double scale) {
+  if (!std::isfinite(scale)) {
+    throw std::invalid_argument("The scale of a comb, m a tooth for 1/m, must be finite.");
+  }
+  const std::vector<Segment3> segments = comb(curve, scale);
+  py::array_t<double> array(
+      {static_cast<py::ssize_t>(segments.size()), py::ssize_t{2}, py::ssize_t{3}});
+  double* out = array.mutable_data();
+  for (const Segment3& segment : segments) {
+    for (const Vector3d& p : segment) out = std::copy_n(p.data(), 3, out);
+  }
+  return array;
+}
+
+void bind_marks(py::module_& module) {
+  py::class_<CurveMarks>(module, "CurveMarks",
+                         "Inflections and curvature extrema of a curve, in its order.")
+      .def("__len__", [](const CurveMarks& m) { return m.all.size(); })
+      .def_property_readonly(
+          "points", [](const CurveMarks& m) { return column(m.all, &CurveMark::point); },
+          "(n, 3), m.")
+      .def_property_readonly(
+          "arc_lengths", [](const CurveMarks& m) { return column(m.all, &CurveMark::arc_length); },
+          "(n,), m from the curve's start.")
+      .def_property_readonly(
+          "values", [](const CurveMarks& m) { return column(m.all, &CurveMark::curvature); },
+          "(n,) signed curvature, 1/m; 0 at inflections.")
+      .def_property_readonly("kinds", &kinds_of,
+                             "List of n: \"inflection\", or \"maximum\" or \"minimum\" of the "
+                             "signed curvature.")
+      .def_property_readonly("peaks", &peaks_of,
+                             "(n,) whether the curve bends more there than to both sides: maxima "
+                             "above and minima below zero.");
+}
+
+void bind_curve(py::module_& module) {
+  py::class_<CurveFairness>(
+      module, "CurveFairness",
+      "A curve as its fairness is judged: samples at even arc lengths between knuckles, exact on "
+      "the surface, and marks.")
+      .def_property_readonly(
+          "kind", [](const CurveFairness& c) { return name_of(c.kind); },
+          "\"section\", \"crease\" or \"border\".")
+      .def_property_readonly(
+          "vertices", [](const CurveFairness& c) { return to_array(c.vertices); },
+          "(n,) control vertices of a crease or border; empty for sections.")
+      .def_readonly("closed", &CurveFairness::closed)
+      .def_readonly("length", &CurveFairness::length, "m.")
+      .def_property_readonly("points", of_samples(&CurveSample::point),
+                             "(k, 3), m; knuckles are there twice, at the end of a stretch and at "
+                             "the start of the next.")
+      .def_property_readonly("tangents", of_samples(&CurveSample::tangent),
+                             "(k, 3), of unit length.")
+      .def_property_readonly("curvature_vectors", of_samples(&CurveSample::curvature),
+                             "(k, 3), 1/m, towards the centre of curvature.")
+      .def_property_readonly(
+          "curvatures",
+          [](const CurveFairness& c) { return column(c.samples, &CurveSample::signed_curvature); },
+          "(k,) signed, 1/m: positive where the curve turns left, seen against the plane's normal. "
+          "Of space curves the length of the curvature vector.")
+      .def_property_readonly(
+          "arc_lengths", [](const CurveFairness& c) { return to_array(c.arc_lengths); },
+          "(k,), m from the curve's start.")
+      .def_property_readonly(
+          "starts", [](const CurveFairness& c) { return to_array(c.starts); },
+          "(n + 1,): stretch i, between knuckles, is starts[i]:starts[i + 1].")
+      .def_property_readonly(
+          "marks", [](const CurveFairness& c) { return CurveMarks{c.marks}; },
+          "CurveMarks, by arc length from the curve's start.")
+      .def_property_readonly("inflection_count", &CurveFairness::inflection_count)
+      .def_property_readonly("extremum_count", &CurveFairness::extremum_count)
+      .def("comb", &comb_of, py::kw_only(), py::arg("scale"),
+           "The curvature comb as line segments (m, 2, 3), in m, ready to draw: the k teeth, from "
+           "each point to point - scale * curvature vector, away from the centre of curvature; "
+           "then the line through their ends, broken at knuckles. scale: length of a tooth in m "
+           "for a curvature of 1/m; ValueError unless it is finite.");
+}
+
+}  // namespace
+
+void bind_curve_fairness(py::module_& module) {
+  bind_marks(module);
+  bind_curve(module);
+  module.def(
+      "section_fairness",
+      [](const LimitSurface& surface, const DoubleArray& planes, std::optional<double> step,
+         std::optional<int> count, std::optional<double> chord_tolerance,
+         std::optional<double> flat_tolerance, std::optional<double> noise, double relative_noise) {
+        const std::vector<Plane> wanted = planes_from(planes);
+        const SectionOptions sampling{
+            chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
+        const py::gil_scoped_release release;
+        return section_fairness(surface, wanted, sampling, {step, count, noise, relative_noise});
+      },
+      py::arg("surface"), py::arg("planes"), py::kw_only(), py::arg("step") = py::none(),
+      py::arg("count") = py::none(), py::arg("chord_tolerance") = py::none(),
+      py::arg("flat_tolerance") = py::none(), py::arg("noise") = py::none(),
+      py::arg("relative_noise") = 1e-3,
+      "Sections by planes (n, 4), as for sections(), with what is needed to judge them: a list of "
+      "n lists of CurveFairness.\n\n"
+      "step: largest distance of samples along the curve, m (default 1/200 of the mesh's size); or "
+      "count: how many each stretch between knuckles has, 2 or more. Samples do not depend on the "
+      "tolerances of sections().\n\n"
+      "Inflections count between places that bend to different sides by more than the noise, "
+      "extrema where curvature falls by more than that on either side: noise (1/m; default 1e-3 "
+      "over the mesh's size), or relative_noise times the curvature that 95 % of the curve stay "
+      "below, whichever is more. ValueError for planes, tolerances and options out of range.");
+  module.def(
+      "feature_fairness",
+      [](const LimitSurface& surface, std::optional<double> step, std::optional<int> count,
+         const std::optional<DoubleArray>& direction, std::optional<double> noise,
+         double relative_noise) {
+        std::optional<Vector3d> view;
+        if (direction) view = point_from(*direction, "direction");
+        const py::gil_scoped_release release;
+        return feature_fairness(surface, view, {step, count, noise, relative_noise});
+      },
+      py::arg("surface"), py::kw_only(), py::arg("step") = py::none(),
+      py::arg("count") = py::none(), py::arg("direction") = py::none(),
+      py::arg("noise") = py::none(), py::arg("relative_noise") = 1e-3,
+      "The same for creases and borders, in the order of crease_curves(): a list of CurveFairness. "
+      "direction (3,), of any length: curves are judged as seen along it, (0, 0, 1) in plan, "
+      "(0, 1, 0) in profile. Without it plane curves are judged in their plane, whose normal has a "
+      "positive largest component; space curves by the length of their curvature vector: they have "
+      "extrema but no inflections.");
+  module.def("suggested_comb_scale", &suggested_comb_scale, py::arg("curves"), py::kw_only(),
+             py::arg("height"),
+             "Scale for CurveFairness.comb() at which 98 % of the curves' length have teeth no "
+             "longer than height (m). curves: list of CurveFairness. ValueError unless height is "
+             "above zero.");
+}
+
+}  // namespace hull::bindings
