@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/block_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace hull {
+namespace {
+
+class Cutter {
+ public:
+  explicit Cutter(const LimitSurface& surface)
+      : cells_(surface.cells()),
+        cuts_(cells_.edge_count(), 0),
+        crossed_(cells_.vertex_count(), 0),
+        irregular_(cells_.vertex_count(), 0) {
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      constexpr std::array<std::array<double, 2>, 4> kCorners{
+          {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
+      const auto& [u, v] = kCorners[h % 4];
+      if (surface.is_irregular_knot(h / 4, u, v)) irregular_[cells_.origin(h)] = 1;
+    }
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      if (!cells_.is_crease(h)) continue;
+      cross(h);
+      crossed_[cells_.origin(h)] = 1;
+    }
+    on_crease_ = crossed_;
+  }
+
+  // Lines that join two irregular points, the shortest first: one cut does the work of two.
+  void cut_between_irregular_points() {
+    std::vector<std::vector<int>> joining;
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      if (!irregular_[cells_.origin(h)] || is_cut(h)) continue;
+      std::vector<int> line = straight_line(h);
+      if (irregular_[end_of(line.back())]) joining.push_back(std::move(line));
+    }
+    std::stable_sort(joining.begin(), joining.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (const std::vector<int>& line : joining) {
+      if (is_free(line)) {
+        for (int h : line) cross(h);
+      }
+    }
+  }
+
+  // From all irregular points, a step for each line in turn.
+  void cut_from_irregular_points() {
+    std::vector<int> heads;
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      // A border vertex's edge that no half-edge leaves by is cut already.
+      if (irregular_[cells_.origin(h)]) heads.push_back(h);
+    }
+    run(std::move(heads));
+  }
+
+  // Along the line of h, both ways.
+  void cut_along(int h) {
+    std::vector<int> heads{h};
+    if (!crossed_[cells_.origin(h)]) {
+      crossed_[cells_.origin(h)] = 1;
+      const int beside = cells_.next(cells_.twin(h));
+      heads.push_back(cells_.next(cells_.twin(beside)));
+    }
+    run(std::move(heads));
+  }
+
+  const std::vector<char>& cuts() const { return cuts_; }
+  bool is_cut(int h) const { return cuts_[cells_.edge(h)] != 0; }
+
+ private:
+  void cut(int h) { cuts_[cells_.edge(h)] = 1; }
+  // Cuts along h and marks the point at its end.
+  void cross(int h) {
+    cut(h);
+    crossed_[end_of(h)] = 1;
+  }
+  int end_of(int h) const { return cells_.origin(cells_.next(h)); }
+  // The half-edge straight ahead of h. REQUIRES: the point between is regular and not on a border.
+  int ahead_of(int h) const { return cells_.next(cells_.twin(cells_.next(h))); }
+
+  // From h to the next irregular point, crease or border.
+  std::vector<int> straight_line(int h) const {
+    std::vector<int> line{h};
+    while (!irregular_[end_of(line.back())] && !on_crease_[end_of(line.back())] &&
+           line.size() < cuts_.size()) {
+      line.push_back(ahead_of(line.back()));
+    }
+    return line;
+  }
+
+  // Whether a line neither runs along cuts nor crosses one.
+  bool is_free(const std::vector<int>& line) const {
+    return std::all_of(line.begin(), line.end(), [&](int h) {
+      return !is_cut(h) && (h == line.back() || !crossed_[end_of(h)]);
+    });
+  }
+
+  void run(std::vector<int> heads) {
+    while (!heads.empty()) {
+      std::vector<int> still;
+      for (int h : heads) {
+        if (is_cut(h)) continue;
+        const bool ends = irregular_[end_of(h)] || crossed_[end_of(h)];
+        cross(h);
+        if (!ends) still.push_back(ahead_of(h));
+      }
+      heads = std::move(still);
+    }
+  }
+
+  const Topology& cells_;
+  std::vector<char> cuts_;       // per edge
+  std::vector<char> crossed_;    // per vertex: a cut passes or ends there
+  std::vector<char> irregular_;  // per vertex
+  std::vector<char> on_crease_;  // per vertex, borders included
+};
+
+// The cell beyond a cell's side u = 1, and beyond v = 1, by its side v = 0.
+int right_of(const Topology& cells, int side) { return cells.next(cells.twin(cells.next(side))); }
+int above(const Topology& cells, int side) { return cells.twin(cells.next(cells.next(side))); }
+
+// The block with the cell that has `side` at its lower left corner.
+Block block_from(const Topology& cells, const Cutter& cutter, int side) {
+  Block block;
+  for (int column = side;; column = right_of(cells, column)) {
+    int height = 0;
+    for (int at = column;; at = above(cells, at)) {
+      block.sides.push_back(at);
+      ++height;
+      if (cutter.is_cut(cells.next(cells.next(at)))) break;
+    }
+    assert(block.count_u == 0 || height == block.count_v);
+    block.count_v = height;
+    ++block.count_u;
+    if (cutter.is_cut(cells.next(column))) break;
+  }
+  return block;
+}
+
+}  // namespace
+
+BlockLayout::BlockLayout(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  Cutter cutter(surface);
+  cutter.cut_between_irregular_points();
+  cutter.cut_from_irregular_points();
+  std::vector<char> taken(cells.face_count(), 0);
+  const auto take_blocks = [&] {
+    for (int h = 0; h < cells.half_edge_count(); ++h) {
+      if (taken[h / 4] || !cutter.is_cut(h) || !cutter.is_cut(cells.prev(h))) continue;
+      blocks.push_back(block_from(cells, cutter, h));
+      for (int side : blocks.back().sides) taken[side / 4] = 1;
+    }
+  };
+  take_blocks();
+  // What is left has no corners: tubes and closed surfaces.
+  for (int cell = 0; cell < cells.face_count(); ++cell) {
+    while (!taken[cell]) {
+      int side = 4 * cell;
+      while (cutter.is_cut(side)) ++side;
+      cutter.cut_along(side);
+      take_blocks();
+    }
+  }
+  cuts = cutter.cuts();
+}
+
+}  // namespace hull

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "surface/limit_surface.h"
+
+namespace hull {
+
+// A rectangle of cells without a crease, or a point where the surface is only C¹, inside.
+struct Block {
+  int count_u = 0, count_v = 0;  // cells along u and v
+  // Of each cell the half-edge (of LimitSurface::cells()) that is its side v = 0 in the block's
+  // orientation; index i * count_v + j, i along u.
+  std::vector<int> sides;
+
+  int side(int i, int j) const { return sides[i * count_v + j]; }
+};
+
+// The cells of a surface, cut into few blocks.
+//
+// Cuts are the borders and creases, and straight lines along the cells' sides from every irregular
+// point to the next cut: a motorcycle graph (Eppstein, Goodrich, Kim & Tamstorf 2008), all of whose
+// faces are rectangles. So irregular points are corners of blocks, and a block's corner may lie
+// within its neighbour's side. Every line adds one block, wherever it ends, but for a line that
+// ends at another irregular point, where it makes another one unnecessary; such lines are cut
+// first. What has neither irregular points nor borders, as tubes, is cut along a line of it.
+struct BlockLayout {
+  explicit BlockLayout(const LimitSurface& surface);
+
+  std::vector<Block> blocks;
+  std::vector<char> cuts;  // per edge of cells()
+};
+
+}  // namespace hull

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/exact_patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "conversion/block_spans.h"
+
+namespace hull {
+namespace {
+
+// Of the mesh's size: a smaller jump of third differences is none.
+constexpr double kSmooth = 1e-13;
+
+// Weights of a uniform cubic span's control points in its blossom f(a, b, c), the symmetric
+// multiaffine form with f(t, t, t) = the curve (Ramshaw 1989); arguments counted in spans from its
+// beginning.
+Basis blossom_weights(double a, double b, double c) {
+  const auto affine = [](double t, double low, double high) {
+    return std::array<double, 2>{(high - t) / (high - low), (t - low) / (high - low)};
+  };
+  const auto [a0, a1] = affine(a, -2.0, 1.0);
+  const auto [a2, a3] = affine(a, -1.0, 2.0);
+  const auto [a4, a5] = affine(a, 0.0, 3.0);
+  const auto [b0, b1] = affine(b, -1.0, 1.0);
+  const auto [b2, b3] = affine(b, 0.0, 2.0);
+  const auto [c0, c1] = affine(c, 0.0, 1.0);
+  return {c0 * b0 * a0, c0 * (b0 * a1 + b1 * a2) + c1 * b2 * a2,
+          c0 * b1 * a3 + c1 * (b2 * a3 + b3 * a4), c1 * b3 * a5};
+}
+
+// The knots of one direction.
+struct KnotLine {
+  std::vector<double> lines;    // distinct knots
+  std::vector<double> samples;  // a place in each interval that is within a span
+
+  int intervals() const { return static_cast<int>(samples.size()); }
+  int count() const { return intervals() + 3; }
+  // Knot k of the clamped vector.
+  double knot(int k) const { return lines[std::clamp(k - 3, 0, intervals())]; }
+  // The intervals on which function i lives, those around its middle first.
+  std::array<int, 4> support(int i) const {
+    const auto within = [this](int k) { return std::clamp(k, 0, intervals() - 1); };
+    return {within(i - 2), within(i - 1), within(i - 3), within(i)};
+  }
+};
+
+Vector3d third_difference(const BlockSpan& span, int row, bool along_u) {
+  const auto point = [&](int k) -> const Vector3d& {
+    return span.points[along_u ? 4 * row + k : 4 * k + row];
+  };
+  return point(3) - 3.0 * (point(2) - point(1)) - point(0);
+}
+
+// Whether the surface is the same polynomial on both sides of two neighbouring spans' common side.
+bool is_smooth(const BlockSpan& a, const BlockSpan& b, bool along_u, double tolerance) {
+  if (a.is_in_corner || b.is_in_corner || a.size != b.size) return false;
+  for (int row = 0; row < 4; ++row) {
+    const Vector3d jump = third_difference(a, row, along_u) - third_difference(b, row, along_u);
+    if (jump.cwiseAbs().maxCoeff() > tolerance) return false;
+  }
+  return true;
+}
+
+// A place in each interval. Lines are at multiples of powers of two: none passes there.
+std::vector<double> places_between(const std::vector<double>& lines) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+    result.push_back(lines[k] + 0.6 * (lines[k + 1] - lines[k]));
+  }
+  return result;
+}
+
+// The lines that the surface needs as knots.
+KnotLine knot_line(const BlockSpans& spans, bool along_u, double tolerance) {
+  const std::vector<double>& all = along_u ? spans.lines_u() : spans.lines_v();
+  const std::vector<double> own = places_between(all);
+  const std::vector<double> across = places_between(along_u ? spans.lines_v() : spans.lines_u());
+  const auto span_at = [&](double t, double s) {
+    return along_u ? spans.at(t, s) : spans.at(s, t);
+  };
+  KnotLine knots{{all.front()}, {own.front()}};
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    const bool removable = std::all_of(across.begin(), across.end(), [&](double s) {
+      const BlockSpan *a = span_at(own[k - 1], s), *b = span_at(own[k], s);
+      return a && b && (a == b || is_smooth(*a, *b, along_u, tolerance));
+    });
+    if (removable) continue;
+    knots.lines.push_back(all[k]);
+    knots.samples.push_back(own[k]);
+  }
+  knots.lines.push_back(all.back());
+  return knots;
+}
+
+class PatchBuilder {
+ public:
+  PatchBuilder(const LimitSurface& surface, const Block& block, int grading)
+      : surface_(surface),
+        block_(block),
+        spans_(surface, block, grading),
+        u_(knot_line(spans_, true, kSmooth * surface.mesh().size())),
+        v_(knot_line(spans_, false, kSmooth * surface.mesh().size())) {}
+
+  BSplinePatch build() const {
+    BSplinePatch patch;
+    patch.count_u = u_.count();
+    patch.count_v = v_.count();
+    patch.knots_u = clamped_knots(u_);
+    patch.knots_v = clamped_knots(v_);
+    patch.cell = block_.sides.front() / 4;
+    for (int i = 0; i < u_.count(); ++i) {
+      for (int j = 0; j < v_.count(); ++j) patch.control_points.push_back(control_point(i, j));
+    }
+    return patch;
+  }
+
+ private:
+  static std::vector<double> clamped_knots(const KnotLine& line) {
+    std::vector<double> knots;
+    for (int k = 0; k < line.count() + 4; ++k) knots.push_back(line.knot(k) / line.lines.back());
+    return knots;
+  }
+
+  // From a span of the surface if the function lives on one outside the corner squares. Else it
+  // lives within one of these: then it is the point at a corner, or, beside modified edges, from a
+  // span that is there.
+  Vector3d control_point(int i, int j) const {
+    const bool at_end_u = i == u_.count() - 1, at_end_v = j == v_.count() - 1;
+    if ((i == 0 || at_end_u) && (j == 0 || at_end_v)) return corner_point(at_end_u, at_end_v);
+    const BlockSpan* inner = nullptr;
+    for (int a : u_.support(i)) {
+      for (int b : v_.support(j)) {
+        const BlockSpan* span = spans_.at(u_.samples[a], v_.samples[b]);
+        if (span && !span->is_in_corner) return blossom(*span, i, j);
+        if (span) inner = span;
+      }
+    }
+    assert(inner);
+    return blossom(*inner, i, j);
+  }
+
+  Vector3d blossom(const BlockSpan& span, int i, int j) const {
+    const auto weights = [&](const KnotLine& line, int k, double begin) {
+      const auto local = [&](int m) { return (line.knot(m) - begin) / span.size; };
+      return blossom_weights(local(k + 1), local(k + 2), local(k + 3));
+    };
+    const Basis wu = weights(u_, i, span.u), wv = weights(v_, j, span.v);
+    Vector3d point = Vector3d::Zero();
+    for (int b = 0; b < 4; ++b) {
+      for (int a = 0; a < 4; ++a) point += wu[a] * wv[b] * span.points[4 * b + a];
+    }
+    return point;
+  }
+
+  // The surface's point at a corner of the block, (1, 0) for the end of its side v = 0.
+  Vector3d corner_point(bool at_end_u, bool at_end_v) const {
+    const int side =
+        block_.side(at_end_u ? block_.count_u - 1 : 0, at_end_v ? block_.count_v - 1 : 0);
+    const int corner = (side + (at_end_v ? (at_end_u ? 2 : 3) : (at_end_u ? 1 : 0))) % 4;
+    return surface_.position(side / 4, corner == 1 || corner == 2, corner >= 2);
+  }
+
+  const LimitSurface& surface_;
+  const Block& block_;
+  BlockSpans spans_;
+  KnotLine u_, v_;
+};
+
+}  // namespace
+
+BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, int grading) {
+  if (grading < kLeastGrading || grading > kMostGrading) {
+    throw std::invalid_argument(
+        "The grading of patches must be between " + std::to_string(kLeastGrading) + " and " +
+        std::to_string(kMostGrading) + ", not " + std::to_string(grading) + ".");
+  }
+  return PatchBuilder(surface, block, grading).build();
+}
+
+}  // namespace hull
