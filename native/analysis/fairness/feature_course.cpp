@@ -54,7 +54,7 @@ double FeatureCourse::parameter_at(double s) const {
   if (k + 1 >= breaks_.size()) return parameters_.front();
   const double t0 = parameters_[k], t1 = parameters_[k + 1];
   const double wanted = s - breaks_[k];
-  double t = t0 + (t1 - t0) * wanted / (breaks_[k + 1] - breaks_[k]);
+  double t = std::clamp(t0 + (t1 - t0) * wanted / (breaks_[k + 1] - breaks_[k]), t0, t1);
   for (int step = 0; step < 3; ++step) {
     const double speed = curve_.evaluate(t, 1).d1.norm();
     if (!(speed > 0.0)) break;
