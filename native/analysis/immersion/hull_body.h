@@ -38,6 +38,8 @@ class HullBody {
   bool mirrored() const { return mirrored_; }
   double tolerance() const { return tolerance_; }
   Openings openings() const { return openings_; }
+  // Which connected body (hull, rudder, demi-hull) each cell belongs to.
+  const Bodies& bodies() const { return bodies_; }
   const CellBoxes& boxes() const { return boxes_; }
   const std::vector<BorderEdge>& border() const { return border_; }
   // What closes the shell, on the modelled side.

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/arithmetic/gauss.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 // Exact for the polynomials of degree 8 along a cubic.
 constexpr int kNodes = 5;
+constexpr double kAtCentre = 1e-6;  // of the size: bodies that reach the centre plane
 
 double derivative(const BezierCubic& c, double t) {
   const double s = 1.0 - t;
@@ -40,12 +42,34 @@ void add_cubic(const BezierCubic& a, const BezierCubic& b, const BezierCubic& y,
   }
 }
 
-// The border of the port half, seen athwartships: what closes it lies in the centre plane.
-void add_border(const StationCutter& cutter, const SectionFrame& frame, SectionIntegrals& sum) {
-  const bool whole = !cutter.body().mirrored();
-  for (const BorderEdge& edge : cutter.body().border()) {
+// One body of the ship and the plane of its profile.
+struct Profile {
+  int body;
+  bool is_half;  // of the port half, whose border is closed in the plane
+  Plane plane;
+};
+
+Profile profile_of(const HullBody& ship, int body) {
+  const CellBoxes& boxes = ship.boxes();
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int cell = 0; cell < boxes.size(); ++cell) {
+    if (ship.bodies().of_cell[cell] != body) continue;
+    low = std::min(low, boxes.low(cell).y());
+    high = std::max(high, boxes.high(cell).y());
+  }
+  const double reach = kAtCentre * ship.surface().mesh().size();
+  const bool beside = low > reach || high < -reach;
+  return {body, ship.mirrored() && !beside, {Vector3d::UnitY(), beside ? 0.5 * (low + high) : 0.0}};
+}
+
+// The border, seen athwartships: of a half, what closes it lies in the centre plane; of a whole
+// body, that of the port side.
+void add_border(const HullBody& ship, const Profile& profile, const SectionFrame& frame,
+                SectionIntegrals& sum) {
+  for (const BorderEdge& edge : ship.border()) {
+    if (ship.bodies().of_cell[edge.half_edge / 4] != profile.body) continue;
     BezierCubic y{};
-    if (whole) y = edge.along(Vector3d::UnitY(), 0.0);
+    if (!profile.is_half) y = edge.along(profile.plane.normal, profile.plane.offset);
     add_cubic(edge.along(frame.across, frame.across.dot(frame.origin)),
               edge.along(frame.up, frame.up.dot(frame.origin)), y, sum);
   }
@@ -69,12 +93,13 @@ void add_sides_in_plane(const ArcPiece& piece, const SectionFrame& frame, Sectio
   }
 }
 
-// Where a whole body crosses the centre plane, with the port side on the left. Seams in the plane
-// are not left to the cutting of squares: at the ends of the keel it would meet saddles.
-void add_seams_and_arcs(const StationCutter& cutter, const SectionFrame& frame,
-                        SectionIntegrals& sum) {
-  const LimitSurface& surface = cutter.body().surface();
-  for_each_arc_piece(surface, cutter.body().boxes(), frame, 0.0, [&](const ArcPiece& piece) {
+// Where a whole body crosses the plane, with the port side on the left. Seams in the plane are not
+// left to the cutting of squares: at the ends of the keel it would meet saddles.
+void add_seams_and_arcs(const StationCutter& cutter, const Profile& profile,
+                        const SectionFrame& frame, SectionIntegrals& sum) {
+  const HullBody& ship = cutter.body();
+  for_each_arc_piece(ship.surface(), ship.boxes(), frame, 0.0, [&](const ArcPiece& piece) {
+    if (ship.bodies().of_cell[piece.piece.cell] != profile.body) return;
     if (lowest(piece.h) >= 0.0) return add_sides_in_plane(piece, frame, sum);
     if (highest(piece.h) <= 0.0) return;
     for_each_arc_of(piece, frame, 0.0,
@@ -85,18 +110,22 @@ void add_seams_and_arcs(const StationCutter& cutter, const SectionFrame& frame,
 }  // namespace
 
 ProfileArea profile_area(const StationCutter& cutter, const Plane& water) {
-  const Plane centre_plane{Vector3d::UnitY(), 0.0};
   // At 90° of heel the water is parallel to the centre plane.
-  if (water.normal.cross(centre_plane.normal).norm() < 1e-12) return {};
-  const SectionFrame frame = SectionFrame::above_water(centre_plane, water);
-  SectionIntegrals sum;
-  add_border(cutter, frame, sum);
-  if (!cutter.body().mirrored()) add_seams_and_arcs(cutter, frame, sum);
+  if (water.normal.cross(Vector3d::UnitY()).norm() < 1e-12) return {};
+  const HullBody& ship = cutter.body();
   ProfileArea result;
-  result.area = sum.area;
-  if (sum.area > 0.0) {
-    result.centre = frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
+  Vector3d moment = Vector3d::Zero();
+  for (std::size_t body = 0; body < ship.bodies().first_cell.size(); ++body) {
+    const Profile profile = profile_of(ship, static_cast<int>(body));
+    const SectionFrame frame = SectionFrame::above_water(profile.plane, water);
+    SectionIntegrals sum;
+    add_border(ship, profile, frame, sum);
+    if (!profile.is_half) add_seams_and_arcs(cutter, profile, frame, sum);
+    if (!(sum.area > 0.0)) continue;
+    result.area += sum.area;
+    moment += sum.area * frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
   }
+  if (result.area > 0.0) result.centre = {moment.x() / result.area, 0.0, moment.z() / result.area};
   return result;
 }
 

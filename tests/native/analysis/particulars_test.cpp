@@ -83,6 +83,30 @@ TEST(Particulars, AreZeroInTheAir) {
   EXPECT_EQ(drowned.half_angle_of_entrance, 0.0);
 }
 
+// The demi-hulls of a catamaran, one modelled or both, and a rudder amidships.
+TEST(Particulars, LateralAreaOfACatamaran) {
+  constexpr double kL = 40.0;
+  MeshArrays demi = testing::creased_box(kL, 2.0, 5.0);
+  for (auto& p : demi.points) p.y() += 4.0;
+  const LimitSurface one{ControlMesh(demi)};
+  const Particulars half = hydrostatics(HullBody(one, true), {3.0}, {kL, 10.0, 3.0});
+  EXPECT_NEAR(half.lateral_area, kL * 3.0, 1e-10);
+  EXPECT_NEAR(half.lateral_x, 0.5 * kL, 1e-10);
+  EXPECT_NEAR(half.lateral_z, 1.5, 1e-10);
+  EXPECT_NEAR(half.displaced_volume, 2.0 * kL * 2.0 * 3.0, 1e-9);
+
+  MeshArrays with_rudder = demi;
+  MeshArrays rudder = testing::creased_box(2.0, 0.4, 2.0);
+  const int first = static_cast<int>(demi.points.size());
+  for (auto p : rudder.points) with_rudder.points.push_back(p + Eigen::Vector3d(-4.0, 0.0, 0.0));
+  for (int v : rudder.face_vertices) with_rudder.face_vertices.push_back(first + v);
+  for (int n : rudder.face_sizes) with_rudder.face_sizes.push_back(n);
+  for (auto e : rudder.creases) with_rudder.creases.push_back({first + e[0], first + e[1]});
+  const LimitSurface three{ControlMesh(with_rudder)};
+  const Particulars p = hydrostatics(HullBody(three, false), {3.0}, {kL, 10.0, 3.0});
+  EXPECT_NEAR(p.lateral_area, kL * 3.0 + 4.0, 1e-10);
+}
+
 TEST(Particulars, OfANaturalHull) {
   const testing::NaturalHull ship = testing::natural_ship();
   const LimitSurface surface{ControlMesh(ship.mesh)};
