@@ -270,6 +270,15 @@ Estimate refined_area(const SpanSquare& square, double tolerance, int depth) {
   return total;
 }
 
+ShellMoments moments_and_elements(const SpanSquare& square, SpanRule rule, Elements& elements) {
+  ShellNodes nodes;
+  take_square(square, rule, nodes);
+  ShellMoments moments;
+  sum_nodes(nodes, moments);
+  moments.area = area_elements(nodes, elements);
+  return moments;
+}
+
 }  // namespace
 
 void ShellNodes::add(const Vector3d& p, const Vector3d& n) {
@@ -293,31 +302,19 @@ void add_nodes(ShellNodes& nodes, ShellMoments& sum) {
 }
 
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule) {
-  ShellNodes nodes;
-  take_square(square, rule, nodes);
-  ShellMoments moments;
-  sum_nodes(nodes, moments);
   Elements elements;
-  moments.area = area_elements(nodes, elements);
-  return moments;
+  return moments_and_elements(square, rule, elements);
 }
 
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance) {
   assert(rule != SpanRule::kSmallest);
-  ShellNodes nodes;
-  take_square(square, rule, nodes);
-  ShellMoments moments;
-  sum_nodes(nodes, moments);
   Elements elements;
-  moments.area = area_elements(nodes, elements);
-  moments.area_error = area_error(elements, rule, moments.area);
-  if (moments.area_error > area_tolerance) {
-    Estimate area{moments.area, moments.area_error};
-    if (rule != SpanRule::kExact) area = area_of(square);
-    if (area.error > area_tolerance) area = refined_area(square, area_tolerance, 1);
-    moments.area = area.value;
-    moments.area_error = area.error;
-  }
+  ShellMoments moments = moments_and_elements(square, rule, elements);
+  Estimate area{moments.area, area_error(elements, rule, moments.area)};
+  if (area.error > area_tolerance && rule != SpanRule::kExact) area = area_of(square);
+  if (area.error > area_tolerance) area = refined_area(square, area_tolerance, 1);
+  moments.area = area.value;
+  moments.area_error = area.error;
   return moments;
 }
 
