@@ -21,6 +21,9 @@ void bind_stability(pybind11::module_& module);
 void bind_offset_table(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_curve_fairness(pybind11::module_& module);
+void bind_surface_fields(pybind11::module_& module);
+void bind_light_lines(pybind11::module_& module);
+void bind_flatness(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 
 }  // namespace hull::bindings

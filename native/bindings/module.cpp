@@ -19,5 +19,8 @@ PYBIND11_MODULE(_core, module) {
   bind_offset_table(module);
   bind_sections(module);
   bind_curve_fairness(module);
+  bind_surface_fields(module);
+  bind_light_lines(module);
+  bind_flatness(module);
   bind_patch_set(module);
 }

@@ -61,6 +61,12 @@ void bind_tessellation(py::module_& module) {
           "(l, 3) exact unit normals; zero where there is no tangent plane. One for each point, or "
           "several where creases split it.")
       .def_property_readonly(
+          "normal_cells", [](const Tessellation& t) { return bindings::to_array(t.normal_cells); },
+          "(l,) a cell that has each normal.")
+      .def_property_readonly(
+          "normal_uv", [](const Tessellation& t) { return bindings::to_array(t.normal_uv); },
+          "(l, 2) where in that cell.")
+      .def_property_readonly(
           "normal_indices", [](const Tessellation& t) { return to_array(t.corner_normals); },
           "(k, 4) which of `normals` each corner of each quadrilateral has. Corners share one "
           "where "

@@ -121,6 +121,8 @@ class Builder {
     result_.cells.assign(points_.count(), -1);
     result_.uv.resize(points_.count());
     result_.normals.resize(normals_.count());
+    result_.normal_cells.resize(normals_.count());
+    result_.normal_uv.resize(normals_.count());
     has_normal_.assign(normals_.count(), 0);
     const auto quads = static_cast<std::size_t>(divisions.quad_count());
     result_.quads.reserve(quads);
@@ -154,6 +156,8 @@ class Builder {
           value = unit_normal(samples_.du[sample], samples_.dv[sample]);
           // Derivatives vanish at irregular knots, where the tangent plane is had otherwise.
           if (value.isZero(0.0)) value = surface_.normal(cell, u, v);
+          result_.normal_cells[normal] = cell;
+          result_.normal_uv[normal] = {u, v};
         }
         if (result_.cells[point] >= 0) continue;
         result_.points[point] = samples_.points[sample];

@@ -17,6 +17,8 @@ struct Tessellation {
   std::vector<Eigen::Vector2d> uv;        // … and where in it
   std::vector<std::array<int, 4>> quads;  // points, counter-clockwise; of each cell in cell order
   std::vector<Vector3d> normals;  // exact, of unit length; zero where there is no tangent plane
+  std::vector<int> normal_cells;  // per normal: a cell that has it …
+  std::vector<Eigen::Vector2d> normal_uv;          // … and where
   std::vector<std::array<int, 4>> corner_normals;  // per quad: of its corners, indices of normals
 };
 

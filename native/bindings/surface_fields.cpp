@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "analysis/fairness/colour_scale.h"
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+#include "bindings/places.h"
+
+namespace hull::bindings {
+namespace {
+
+constexpr std::pair<const char*, FieldKind> kKinds[] = {{"gaussian", FieldKind::kGaussian},
+                                                        {"mean", FieldKind::kMean},
+                                                        {"maximum", FieldKind::kMaximum},
+                                                        {"minimum", FieldKind::kMinimum},
+                                                        {"slope", FieldKind::kSlope}};
+
+FieldKind kind_from(const std::string& name) {
+  for (const auto& [known, kind] : kKinds) {
+    if (name == known) return kind;
+  }
+  throw std::invalid_argument(
+      "kind is \"gaussian\", \"mean\", \"maximum\", \"minimum\" or \"slope\", not \"" + name +
+      "\".");
+}
+
+ColourScale::Mapping mapping_from(const std::string& name) {
+  if (name == "linear") return ColourScale::Mapping::kLinear;
+  if (name == "logarithmic") return ColourScale::Mapping::kLogarithmic;
+  throw std::invalid_argument("mapping is \"linear\" or \"logarithmic\", not \"" + name + "\".");
+}
+
+Vector3d slope_direction(const std::optional<DoubleArray>& array) {
+  if (!array) return Vector3d::UnitZ();
+  const Vector3d direction = point_from(*array, "direction");
+  const double length = direction.norm();
+  if (!(length > 0.0) || !std::isfinite(length)) {
+    throw std::invalid_argument("direction must not be zero, and be finite.");
+  }
+  return direction / length;
+}
+
+py::array_t<double> to_array(const std::vector<Colour>& colours) {
+  py::array_t<double> array({static_cast<py::ssize_t>(colours.size()), py::ssize_t{3}});
+  double* out = array.mutable_data();
+  for (const Colour& colour : colours) out = std::copy(colour.begin(), colour.end(), out);
+  return array;
+}
+
+ColourScale scale_from(const DoubleArray& array, const std::string& kind,
+                       const std::optional<DoubleArray>& weights, const std::string& mapping,
+                       double percentile, const std::optional<std::array<double, 2>>& limits) {
+  const FieldKind field = kind_from(kind);
+  const ColourScale::Mapping chosen = mapping_from(mapping);
+  if (limits) return {field, chosen, (*limits)[0], (*limits)[1]};
+  return ColourScale::fit(numbers_from(array, "values"),
+                          weights ? numbers_from(*weights, "weights") : std::vector<double>{},
+                          field, chosen, percentile);
+}
+
+template <class Value>
+std::vector<Value> of_ticks(const ColourScale& scale, Value ColourScale::Tick::*member) {
+  std::vector<Value> values;
+  for (const auto& tick : scale.ticks()) values.push_back(tick.*member);
+  return values;
+}
+
+void bind_scale(py::module_& module) {
+  py::class_<ColourScale>(module, "ColourScale",
+                          "From values of a field to colours, and to a legend. Curvatures are blue "
+                          "below zero, nearly white at zero and orange above; slopes go from dark "
+                          "to light. Both can be read with any common colour blindness.")
+      .def_property_readonly("low", &ColourScale::low, "The value at position 0: 1/m², 1/m or rad.")
+      .def_property_readonly("high", &ColourScale::high, "The value at position 1.")
+      .def_property_readonly("signed", &ColourScale::is_signed,
+                             "Whether 0 is in the middle and the range as wide to both sides.")
+      .def_property_readonly("mapping",
+                             [](const ColourScale& s) {
+                               return s.mapping() == ColourScale::Mapping::kLinear ? "linear"
+                                                                                   : "logarithmic";
+                             })
+      .def_property_readonly("unit", &ColourScale::unit, "Of the legend: \"1/m²\", \"1/m\", \"°\".")
+      .def(
+          "normalised",
+          [](const ColourScale& s, const DoubleArray& array) {
+            std::vector<double> values = numbers_from(array, "values");
+            for (double& value : values) value = s.position(value);
+            return bindings::to_array(values);
+          },
+          py::arg("values"), "Positions (k,) in [0, 1] of values (k,); NaN stays NaN.")
+      .def(
+          "colours",
+          [](const ColourScale& s, const DoubleArray& array) {
+            std::vector<Colour> colours;
+            for (const double value : numbers_from(array, "values")) {
+              colours.push_back(s.colour(value));
+            }
+            return to_array(colours);
+          },
+          py::arg("values"), "sRGB (k, 3), each in [0, 1], of values (k,); grey for NaN.")
+      .def(
+          "legend_colours",
+          [](const ColourScale& s, int n) {
+            if (n < 2) throw std::invalid_argument("A legend has 2 colours or more.");
+            std::vector<Colour> colours;
+            for (int i = 0; i < n; ++i) colours.push_back(s.colour_at(i / (n - 1.0)));
+            return to_array(colours);
+          },
+          py::arg("n"), "sRGB (n, 3) at even positions from 0 to 1.")
+      .def_property_readonly(
+          "tick_values",
+          [](const ColourScale& s) {
+            return bindings::to_array(of_ticks(s, &ColourScale::Tick::value));
+          },
+          "(n,) round numbers in `unit`, rising.")
+      .def_property_readonly(
+          "tick_positions",
+          [](const ColourScale& s) {
+            return bindings::to_array(of_ticks(s, &ColourScale::Tick::position));
+          },
+          "(n,) in [0, 1].")
+      .def_property_readonly(
+          "tick_labels",
+          [](const ColourScale& s) { return of_ticks(s, &ColourScale::Tick::label); },
+          "List of n texts, without the unit.");
+}
+
+}  // namespace
+
+void bind_surface_fields(py::module_& module) {
+  bind_scale(module);
+  module.def(
+      "surface_field",
+      [](const LimitSurface& surface, const Tessellation& tessellation, const std::string& kind,
+         const std::optional<DoubleArray>& direction) {
+        const FieldKind field = kind_from(kind);
+        const Vector3d along = slope_direction(direction);
+        for (const int cell : tessellation.normal_cells) {
+          if (cell < surface.cell_count()) continue;
+          throw std::invalid_argument("The tessellation is not of this surface: make it anew.");
+        }
+        std::vector<double> values;
+        {
+          const py::gil_scoped_release release;
+          values = surface_field(surface, tessellation, field, along);
+        }
+        return bindings::to_array(values);
+      },
+      py::arg("surface"), py::arg("tessellation"), py::kw_only(), py::arg("kind"),
+      py::arg("direction") = py::none(),
+      "A value (l,) for each of the tessellation's normals, so that both sides of a crease have "
+      "their own: values[tessellation.normal_indices] are those of the quadrilaterals' corners.\n\n"
+      "kind: \"gaussian\" curvature (1/m²), \"mean\", \"maximum\" or \"minimum\" (1/m; positive "
+      "where the surface bulges into the water), or \"slope\": the angle (rad) between the normal "
+      "and direction (3,), by default up. Values at irregular knots, where curvature may diverge, "
+      "are means of their neighbours; NaN only for slopes where there is no tangent plane. "
+      "ValueError for an unknown kind, a direction of no length, a tessellation of another "
+      "surface.");
+  module.def(
+      "surface_field_at",
+      [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
+         const std::string& kind, const std::optional<DoubleArray>& direction) {
+        const FieldKind field = kind_from(kind);
+        const Vector3d along = slope_direction(direction);
+        const Places places = places_from(surface, cells, uv);
+        std::vector<double> values;
+        {
+          const py::gil_scoped_release release;
+          values = surface_field(surface, places.cells, places.uv, field, along);
+        }
+        return bindings::to_array(values);
+      },
+      py::arg("surface"), py::arg("cells"), py::arg("uv"), py::kw_only(), py::arg("kind"),
+      py::arg("direction") = py::none(),
+      "The same (k,) at places: cells (k,), uv (k, 2). At irregular knots that at 2^-20 in u and v "
+      "beside; NaN where there is no tangent plane.");
+  module.def(
+      "field_weights",
+      [](const Tessellation& tessellation) {
+        return bindings::to_array(field_weights(tessellation));
+      },
+      py::arg("tessellation"),
+      "The area (l,) in m² that each of the tessellation's normals stands for.");
+  module.def("colour_scale", &scale_from, py::arg("values"), py::kw_only(), py::arg("kind"),
+             py::arg("weights") = py::none(), py::arg("mapping") = "linear",
+             py::arg("percentile") = 0.98, py::arg("limits") = py::none(),
+             "A ColourScale for values (k,) of a surface_field() of that kind. Its range is what "
+             "the part `percentile` of the area stays within, by weights (k,), see "
+             "field_weights(); or limits: (low, high), in 1/m², 1/m or rad. Curvatures: as wide to "
+             "both sides of 0.\n\n"
+             "mapping: \"linear\", or \"logarithmic\": to both signs, nearly linear below 1/1000 "
+             "of the range. ValueError for unknown names, weights of another length, a percentile "
+             "outside of (0, 1], limits that do not rise.");
+}
+
+}  // namespace hull::bindings
