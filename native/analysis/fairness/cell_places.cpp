@@ -7,6 +7,14 @@ namespace {
 constexpr double kCornerU[] = {0.0, 1.0, 1.0, 0.0};
 constexpr double kCornerV[] = {0.0, 0.0, 1.0, 1.0};
 
+// Of a cell: how near to a side a place is taken for being on it.
+constexpr double kOnSide = 1e-9;
+
+double snapped(double t) {
+  if (t <= kOnSide) return 0.0;
+  return t >= 1.0 - kOnSide ? 1.0 : t;
+}
+
 // A side's place `t` of the way along its half-edge.
 CellPlace on_side(int h, double t) {
   switch (h % 4) {
@@ -41,9 +49,10 @@ void add_fan(const Topology& cells, int h, CellPlaces& places) {
 
 CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& uv) {
   CellPlaces places{{cell, uv.x(), uv.y()}};
+  const double u = snapped(uv.x()), v = snapped(uv.y());
   const int h = 4 * cell;
   for (int k = 0; k < 4; ++k) {
-    if (uv.x() != kCornerU[k] || uv.y() != kCornerV[k]) continue;
+    if (u != kCornerU[k] || v != kCornerV[k]) continue;
     add_fan(cells, h + k, places);
     return places;
   }
@@ -51,10 +60,10 @@ CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& u
     const int twin = cells.twin(h + side);
     if (twin >= 0) places.push_back(on_side(twin, 1.0 - t));
   };
-  if (uv.y() == 0.0) add_twin(0, uv.x());
-  if (uv.x() == 1.0) add_twin(1, uv.y());
-  if (uv.y() == 1.0) add_twin(2, 1.0 - uv.x());
-  if (uv.x() == 0.0) add_twin(3, 1.0 - uv.y());
+  if (v == 0.0) add_twin(0, u);
+  if (u == 1.0) add_twin(1, v);
+  if (v == 1.0) add_twin(2, 1.0 - u);
+  if (u == 0.0) add_twin(3, 1.0 - v);
   return places;
 }
 

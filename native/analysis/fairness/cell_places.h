@@ -11,8 +11,8 @@ namespace hull {
 // All cells that have a point in common, and where each has it.
 using CellPlaces = std::vector<CellPlace>;
 
-// The given place first. A place is on a side or a corner of its cell where u or v is exactly 0 or
-// 1. REQUIRES: `cells` as LimitSurface::cells(); u and v in [0, 1].
+// The given place first, as it is; a place is on a side or a corner of its cell where u or v is
+// within 1e-9 of 0 or 1. REQUIRES: `cells` as LimitSurface::cells(); u and v in [0, 1].
 CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& uv);
 
 }  // namespace hull

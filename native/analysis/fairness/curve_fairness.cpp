@@ -17,6 +17,7 @@ namespace {
 constexpr double kStep = 1.0 / 200.0;  // of the mesh's size
 constexpr double kNoise = 1e-3;        // over the mesh's size
 constexpr double kPlaneCurve = 1e-9;   // of the mesh's size
+constexpr double kCoarsest = 1e-5;     // of the mesh's size: chords of sections
 constexpr int kMostSamples = 100000;   // of one stretch
 constexpr double kTallest = 0.98;
 
@@ -96,7 +97,9 @@ std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& sur
                                                          const SectionOptions& sampling,
                                                          const FairnessOptions& options) {
   const Rules rules = rules_from(surface, options);
-  const auto curves = sections(surface, planes, sampling);
+  SectionOptions fine = sampling;
+  fine.chord_tolerance = std::min(fine.chord_tolerance, kCoarsest * surface.mesh().size());
+  const auto curves = sections(surface, planes, fine);
   std::vector<std::vector<CurveFairness>> result(planes.size());
   constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a plane's curves take some 100 microseconds

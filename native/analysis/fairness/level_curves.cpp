@@ -251,7 +251,7 @@ class Tracer {
     double x0 = 0.0, f0 = height(place.cell, at(x0));
     double x1 = 1e-3, f1 = height(place.cell, at(x1));
     for (int step = 0; step < 30; ++step) {
-      if (f0 == 0.0) break;
+      if (f0 == 0.0 || f0 == f1) break;
       const double next = x0 - f0 * (x1 - x0) / (f1 - f0);
       if (!(std::abs(next) <= 1.0)) return false;
       x1 = x0;
