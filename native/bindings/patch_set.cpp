@@ -6,6 +6,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "conversion/exact_conversion.h"
 #include "conversion/per_cell.h"
 
 namespace hull::bindings {
@@ -17,6 +18,21 @@ py::array_t<int> fours(const std::vector<std::array<int, 4>>& rows) {
     for (int k = 0; k < 4; ++k) array.mutable_at(i, k) = rows[i][k];
   }
   return array;
+}
+
+py::list sides(const PatchSet& set) {
+  py::list result;
+  for (const auto& four : set.sides) {
+    py::list of_patch;
+    for (const PatchSide& side : four) {
+      py::list edges;
+      for (const SideEdge& part : side)
+        edges.append(py::make_tuple(part.edge, part.begin, part.end));
+      of_patch.append(edges);
+    }
+    result.append(of_patch);
+  }
+  return result;
 }
 
 // The patch with a number from Python, which may count from the end.
@@ -71,8 +87,8 @@ py::array_t<double> positions(const PatchSet& set, const py::object& patches,
 void bind_patch_set(py::module_& module) {
   py::class_<PatchSet>(
       module, "PatchSet",
-      "Bicubic B-spline patches over [0, 1]^2 that stand for the cells of a surface "
-      "and share their border curves, with the distance from it.")
+      "Bicubic B-spline patches over [0, 1]^2 that stand for a surface and share their border "
+      "curves, with the distance from it.")
       .def_property_readonly(
           "patch_count", [](const PatchSet& s) { return s.patches.size(); }, "Number of patches.")
       .def_readonly("vertex_count", &PatchSet::vertex_count)
@@ -81,8 +97,11 @@ void bind_patch_set(py::module_& module) {
           "corners", [](const PatchSet& s) { return fours(s.corners); },
           "(p, 4) vertex numbers of (0, 0), (1, 0), (1, 1), (0, 1).")
       .def_property_readonly(
-          "sides", [](const PatchSet& s) { return fours(s.sides); },
-          "(p, 4) edge numbers of the sides that begin at these corners.")
+          "sides", &sides,
+          "Of every patch four lists, one for each side from corner to corner, of its edges: "
+          "(number, begin, end), where on the side from 0 to 1 they are.")
+      .def_property_readonly("largest_gap", &PatchSet::largest_gap,
+                             "m: the largest distance of the curves of two patches at their edge.")
       .def_property_readonly(
           "largest_distance", [](const PatchSet& s) { return s.report.largest_distance; },
           "m: no sampled point of a patch is further from the surface.")
@@ -118,6 +137,16 @@ void bind_patch_set(py::module_& module) {
       "One bicubic B-spline patch of control_points x control_points per cell: corners on the "
       "surface, borders and interiors by least squares, borders shared exactly. Returns a "
       "PatchSet.");
+
+  module.def(
+      "exact_patches",
+      [](const LimitSurface& surface, int grading) {
+        const py::gil_scoped_release release;
+        return exact_patches(surface, grading);
+      },
+      py::arg("surface"), py::kw_only(), py::arg("grading") = kUsualGrading,
+      "Few large bicubic B-spline patches with graded knots, which equal the surface but for "
+      "squares of 2^-grading of a cell at irregular points. Returns a PatchSet.");
 }
 
 }  // namespace hull::bindings

@@ -46,6 +46,11 @@ BlockSpans::BlockSpans(const LimitSurface& surface, const Block& block, int grad
         for (double end : {span.u, span.u + span.size}) lines_u_.push_back(end);
         for (double end : {span.v, span.v + span.size}) lines_v_.push_back(end);
       });
+      for (const DomainSquare& square : corners) {
+        const DomainSquare seen = turned_square(turn_back, square);
+        lines_u_.push_back(i + seen.u + 0.5 * seen.size);
+        lines_v_.push_back(j + seen.v + 0.5 * seen.size);
+      }
     }
   }
   sort_unique(lines_u_);

@@ -22,7 +22,9 @@ class BlockSpans {
  public:
   BlockSpans(const LimitSurface& surface, const Block& block, int grading);
 
-  // The lines between spans outside the corner squares, rising, from 0 to the number of cells.
+  // The lines between spans outside the corner squares, rising, from 0 to the number of cells; and
+  // those through the middles of the corner squares. Some blocks need these, beside modified edges;
+  // all have them, so that neighbours have the same knots where their borders are not exact.
   const std::vector<double>& lines_u() const { return lines_u_; }
   const std::vector<double>& lines_v() const { return lines_v_; }
 

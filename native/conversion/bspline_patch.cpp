@@ -167,12 +167,11 @@ std::vector<double> BSplinePatch::side_knots(int side) const {
   return knots;
 }
 
-double BSplinePatch::side_length(int side) const {
-  const std::vector<Vector3d> points = side_points(side);
-  double length = 0.0;
-  for (size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
+BSplineCurve BSplinePatch::side_curve(int side) const {
+  return {side_degree(side), side_knots(side), side_points(side)};
 }
+
+double BSplinePatch::side_length(int side) const { return side_curve(side).polygon_length(); }
 
 BSplinePatch BSplinePatch::transposed() const {
   BSplinePatch result{degree_v, degree_u, knots_v, knots_u, count_v, count_u, {}, cell};

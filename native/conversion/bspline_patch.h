@@ -4,11 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "conversion/bspline_curve.h"
 #include "surface/bicubic.h"
 
 namespace hull {
-
-using Eigen::Vector3d;
 
 // Knots of an open-uniform (clamped) B-spline over [0, 1]: both ends repeated degree + 1 times, the
 // count - degree - 1 interior knots equally spaced and simple. REQUIRES: count > degree >= 1.
@@ -44,6 +43,7 @@ struct BSplinePatch {
   // control_points, its knots.
   std::vector<Vector3d> side_points(int side) const;
   std::vector<double> side_knots(int side) const;
+  BSplineCurve side_curve(int side) const;
   double side_length(int side) const;  // m, of the control polygon: an upper bound of the curve's
   int side_index(int side, int i) const;
   int side_count(int side) const { return side % 2 == 0 ? count_u : count_v; }

@@ -3,22 +3,72 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 namespace hull {
 namespace {
 
-// Reversing a knot vector rounds.
-constexpr double kKnotRounding = 1e-15;
-
 struct Use {
   int patch = -1, side = -1;
+  const SideEdge* part = nullptr;
 };
 
 [[noreturn]] void refuse(const BSplinePatch& patch, const std::string& what) {
   throw std::invalid_argument("patch of cell " + std::to_string(patch.cell) + ": " + what);
+}
+
+double gap_of(const PatchSet& set, const Use& first, const Use& second) {
+  return gap_between(set.curve(first.patch, first.side, *first.part),
+                     set.curve(second.patch, second.side, *second.part).reversed());
+}
+
+void check_vertex(const PatchSet& set, int p, int vertex) {
+  if (vertex >= 0 && vertex < set.vertex_count) return;
+  refuse(set.patches[p], "there is no vertex " + std::to_string(vertex));
+}
+
+void check_side(const PatchSet& set, int p, int k) {
+  const BSplinePatch& patch = set.patches[p];
+  check_vertex(set, p, set.corners[p][k]);
+  double at = 0.0;
+  int vertex = set.corners[p][k];
+  for (const SideEdge& part : set.sides[p][k]) {
+    if (part.edge < 0 || part.edge >= set.edge_count) {
+      refuse(patch, "there is no edge " + std::to_string(part.edge));
+    }
+    check_vertex(set, p, part.to);
+    if (part.from != vertex || part.begin != at || !(part.end > at)) {
+      refuse(patch, "edge " + std::to_string(part.edge) + " does not begin where side " +
+                        std::to_string(k) + " has come to");
+    }
+    vertex = part.to;
+    at = part.end;
+  }
+  if (at != 1.0 || vertex != set.corners[p][(k + 1) % 4]) {
+    refuse(patch, "the edges of side " + std::to_string(k) + " do not reach its end");
+  }
+}
+
+// Vertices within sides lie there.
+void check_inner_vertices(const PatchSet& set, const std::vector<Use>& vertices, double tolerance) {
+  for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
+    for (int k = 0; k < 4; ++k) {
+      const PatchSide& side = set.sides[p][k];
+      for (std::size_t i = 0; i + 1 < side.size(); ++i) {
+        const Use& use = vertices[side[i].to];
+        if (use.patch < 0) continue;
+        const BSplinePatch& other = set.patches[use.patch];
+        const Vector3d& corner = other.control_points[other.side_index(use.side, 0)];
+        const Vector3d here = set.patches[p].side_curve(k).position(side[i].end);
+        if (!((here - corner).norm() <= tolerance)) {
+          refuse(set.patches[p], "vertex " + std::to_string(side[i].to) +
+                                     " is not on the side where cell " +
+                                     std::to_string(other.cell) + " has it");
+        }
+      }
+    }
+  }
 }
 
 void check_numbers(const PatchSet& set) {
@@ -29,41 +79,39 @@ void check_numbers(const PatchSet& set) {
                                 std::to_string(set.sides.size()));
   }
   for (size_t p = 0; p < count; ++p) {
-    for (int k = 0; k < 4; ++k) {
-      const int vertex = set.corners[p][k], edge = set.sides[p][k];
-      if (vertex < 0 || vertex >= set.vertex_count) {
-        refuse(set.patches[p], "there is no vertex " + std::to_string(vertex));
-      }
-      if (edge < 0 || edge >= set.edge_count) {
-        refuse(set.patches[p], "there is no edge " + std::to_string(edge));
-      }
-    }
+    for (int k = 0; k < 4; ++k) check_side(set, static_cast<int>(p), k);
   }
 }
 
 // The second patch of an edge runs along it the other way.
-void check_joint(const PatchSet& set, const Use& first, const Use& second) {
+void check_joint(const PatchSet& set, const Use& first, const Use& second, double tolerance) {
   const BSplinePatch &one = set.patches[first.patch], &two = set.patches[second.patch];
-  const int begin_one = set.corners[first.patch][first.side];
-  const int begin_two = set.corners[second.patch][second.side];
-  const int end_one = set.corners[first.patch][(first.side + 1) % 4];
-  const int end_two = set.corners[second.patch][(second.side + 1) % 4];
-  const std::string edge = "edge " + std::to_string(set.sides[first.patch][first.side]);
+  const std::string edge = "edge " + std::to_string(first.part->edge);
   const std::string other = " as the patch of cell " + std::to_string(one.cell);
-  if (begin_one != end_two || end_one != begin_two) {
+  if (first.part->from != second.part->to || first.part->to != second.part->from) {
     refuse(two, edge + " does not run between the same vertices, the other way," + other);
   }
-  std::vector<Vector3d> points = two.side_points(second.side);
-  std::ranges::reverse(points);
-  if (points != one.side_points(first.side)) refuse(two, edge + " has not the same curve" + other);
-  const std::vector<double> knots = one.side_knots(first.side);
-  std::vector<double> others = two.side_knots(second.side);
-  std::ranges::reverse(others);
-  bool same = knots.size() == others.size();
-  for (size_t i = 0; same && i < knots.size(); ++i) {
-    same = std::abs(knots[i] - (1.0 - others[i])) <= kKnotRounding;
+  if (!(gap_of(set, first, second) <= tolerance)) {
+    refuse(two, edge + " has not the same curve" + other);
   }
-  if (!same) refuse(two, edge + " has not the same knots" + other);
+}
+
+// Calls visit(first, second) for every edge with two patches, and for more than two again.
+template <class Visit>
+void for_each_joint(const PatchSet& set, const Visit& visit) {
+  std::vector<Use> uses(set.edge_count);
+  for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
+    for (int k = 0; k < 4; ++k) {
+      for (const SideEdge& part : set.sides[p][k]) {
+        Use& use = uses[part.edge];
+        if (use.patch >= 0) {
+          visit(use, Use{p, k, &part});
+        } else {
+          use = {p, k, &part};
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -76,31 +124,42 @@ double PatchSet::size() const {
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
+double PatchSet::largest_gap() const {
+  double largest = 0.0;
+  for_each_joint(*this, [&](const Use& first, const Use& second) {
+    largest = std::max(largest, gap_of(*this, first, second));
+  });
+  return largest;
+}
+
 void PatchSet::check() const {
   for (const BSplinePatch& patch : patches) patch.check();
   check_numbers(*this);
-  std::vector<Use> edge_use(edge_count), vertex_use(vertex_count);
-  std::vector<bool> full(edge_count, false);
+  std::vector<Use> vertex_use(vertex_count);
   for (int p = 0; p < static_cast<int>(patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {
       Use& vertex = vertex_use[corners[p][k]];
       if (vertex.patch < 0) vertex = {p, k};
-      const Vector3d corner = patches[p].side_points(k).front();
-      if (corner != patches[vertex.patch].side_points(vertex.side).front()) {
+      const auto corner = [this](int patch, int side) {
+        return patches[patch].control_points[patches[patch].side_index(side, 0)];
+      };
+      if (corner(p, k) != corner(vertex.patch, vertex.side)) {
         refuse(patches[p], "vertex " + std::to_string(corners[p][k]) + " is not where cell " +
                                std::to_string(patches[vertex.patch].cell) + " has it");
       }
-      const int edge = sides[p][k];
-      if (full[edge])
-        refuse(patches[p], "edge " + std::to_string(edge) + " has more than 2 patches");
-      if (edge_use[edge].patch >= 0) {
-        check_joint(*this, edge_use[edge], {p, k});
-        full[edge] = true;
-      } else {
-        edge_use[edge] = {p, k};
-      }
     }
   }
+  const double tolerance = kLargestGap * size();
+  check_inner_vertices(*this, vertex_use, tolerance);
+  std::vector<bool> full(edge_count, false);
+  for_each_joint(*this, [&](const Use& first, const Use& second) {
+    const int edge = first.part->edge;
+    if (full[edge]) {
+      refuse(patches[second.patch], "edge " + std::to_string(edge) + " has more than 2 patches");
+    }
+    check_joint(*this, first, second, tolerance);
+    full[edge] = true;
+  });
 }
 
 }  // namespace hull

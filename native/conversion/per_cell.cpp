@@ -80,12 +80,14 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     BSplinePatch patch{3, 3, open_uniform_knots(3, n), open_uniform_knots(3, n), n, n, {}, cell};
     patch.control_points.assign(n * n, Vector3d::Zero());
-    std::array<int, 4> corners{}, sides{};
+    std::array<int, 4> corners{};
+    std::array<PatchSide, 4> sides;
     for (int k = 0; k < 4; ++k) {
       const int h = 4 * cell + k;
       corners[k] = cells.origin(h);
-      sides[k] = cells.edge(h);
-      auto& [along, points] = curves[sides[k]];
+      const int edge = cells.edge(h);
+      sides[k] = whole_side(edge, corners[k], cells.origin(cells.next(h)));
+      auto& [along, points] = curves[edge];
       if (along < 0) {
         along = h;
         points = edge_curve(surface, fit, h, vertices);
@@ -98,7 +100,7 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
     gauge.measure(patch, set.report);
     set.patches.push_back(std::move(patch));
     set.corners.push_back(corners);
-    set.sides.push_back(sides);
+    set.sides.push_back(std::move(sides));
   }
   return set;
 }

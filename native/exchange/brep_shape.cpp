@@ -5,13 +5,14 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <Geom2d_Line.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -70,23 +71,30 @@ Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch) {
                                  v.multiplicities(), patch.degree_u, patch.degree_v);
 }
 
-Handle(Geom_BSplineCurve) make_curve(const BSplinePatch& patch, int side) {
-  const std::vector<Vector3d> points = patch.side_points(side);
-  TColgp_Array1OfPnt poles(1, static_cast<int>(points.size()));
-  for (size_t i = 0; i < points.size(); ++i)
-    poles(static_cast<int>(i) + 1) = in_millimetres(points[i]);
-  const Knots knots(patch.side_knots(side));
-  return new Geom_BSplineCurve(poles, knots.array(), knots.multiplicities(),
-                               patch.side_degree(side));
+Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve) {
+  TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
+  for (size_t i = 0; i < curve.points.size(); ++i)
+    poles(static_cast<int>(i) + 1) = in_millimetres(curve.points[i]);
+  const Knots knots(curve.knots);
+  return new Geom_BSplineCurve(poles, knots.array(), knots.multiplicities(), curve.degree);
 }
 
-// The line in (u, v) along a side, from its begin at parameter 0 to its end at 1; or from end to
-// begin.
-Handle(Geom2d_Line) side_line(int side, bool backwards) {
+// The straight line in (u, v) along a part of a side, over [0, 1] from its begin to its end; or
+// from end to begin.
+Handle(Geom2d_BSplineCurve) side_line(int side, const SideEdge& part, bool backwards) {
   static const gp_Pnt2d kCorners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  gp_Pnt2d from = kCorners[side], to = kCorners[(side + 1) % 4];
-  if (backwards) std::swap(from, to);
-  return new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
+  const gp_XY from = kCorners[side].XY(), along = kCorners[(side + 1) % 4].XY() - from;
+  gp_Pnt2d begin(from + along * part.begin), end(from + along * part.end);
+  if (backwards) std::swap(begin, end);
+  TColgp_Array1OfPnt2d poles(1, 2);
+  poles(1) = begin;
+  poles(2) = end;
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 0.0;
+  knots(2) = 1.0;
+  TColStd_Array1OfInteger counts(1, 2);
+  counts.Init(2);
+  return new Geom2d_BSplineCurve(poles, knots, counts, 1);
 }
 
 class ShapeMaker {
@@ -129,15 +137,16 @@ class ShapeMaker {
     std::vector<int> first(set_.edge_count, -1);
     for (int p = 0; p < static_cast<int>(set_.patches.size()); ++p) {
       for (int k = 0; k < 4; ++k) {
-        const int edge = set_.sides[p][k];
-        ++uses_[edge];
-        if (set_.patches[p].side_length(k) <= kCollapsed * size_) {
-          collapsed_[edge] = true;
-          vertex_groups_.join(set_.corners[p][k], set_.corners[p][(k + 1) % 4]);
-        } else if (first[edge] < 0) {
-          first[edge] = p;
-        } else {
-          parts_.join(first[edge], p);
+        for (const SideEdge& part : set_.sides[p][k]) {
+          ++uses_[part.edge];
+          if (set_.curve(p, k, part).polygon_length() <= kCollapsed * size_) {
+            collapsed_[part.edge] = true;
+            vertex_groups_.join(part.from, part.to);
+          } else if (first[part.edge] < 0) {
+            first[part.edge] = p;
+          } else {
+            parts_.join(first[part.edge], p);
+          }
         }
       }
     }
@@ -161,26 +170,29 @@ class ShapeMaker {
     builder_.MakeFace(face, make_surface(patch), kTolerance);
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
-    for (int k = 0; k < 4; ++k) builder_.Add(wire, side_edge(p, k, face));
+    for (int k = 0; k < 4; ++k) {
+      for (const SideEdge& part : set_.sides[p][k]) {
+        builder_.Add(wire, side_edge(p, k, part, face));
+      }
+    }
     wire.Closed(true);
     builder_.Add(face, wire);
     return face;
   }
 
-  // The edge along a side of a patch, turned so that it runs in the side's direction.
-  TopoDS_Edge side_edge(int p, int k, const TopoDS_Face& face) {
-    const BSplinePatch& patch = set_.patches[p];
-    const TopoDS_Vertex begin = vertex(set_.corners[p][k], patch.side_points(k).front());
-    const TopoDS_Vertex end = vertex(set_.corners[p][(k + 1) % 4], patch.side_points(k).back());
-    const int number = set_.sides[p][k];
-    if (collapsed_[number]) return degenerated_edge(k, begin, face);
-
+  // The edge along a part of a patch's side, turned so that it runs in the side's direction.
+  TopoDS_Edge side_edge(int p, int k, const SideEdge& part, const TopoDS_Face& face) {
+    const int number = part.edge;
     const bool first = edges_[number].edge.IsNull();
     if (first) {
-      edges_[number].side = side_line(k, false);
+      const BSplineCurve curve = set_.curve(p, k, part);
+      const TopoDS_Vertex begin = vertex(part.from, curve.points.front());
+      const TopoDS_Vertex end = vertex(part.to, curve.points.back());
+      if (collapsed_[number]) return degenerated_edge(side_line(k, part, false), begin, face);
+      edges_[number].side = side_line(k, part, false);
       edges_[number].face = face;
       TopoDS_Edge edge;
-      builder_.MakeEdge(edge, make_curve(patch, k), kTolerance);
+      builder_.MakeEdge(edge, make_curve(curve), kTolerance);
       add_ends(edge, begin, end);
       builder_.Range(edge, 0.0, 1.0);
       edges_[number].edge = edge;
@@ -188,17 +200,18 @@ class ShapeMaker {
     const TopoDS_Edge& edge = edges_[number].edge;
     if (!first && edges_[number].face.IsSame(face)) {
       // Both sides of one patch: a seam has two lines on the same surface.
-      builder_.UpdateEdge(edge, edges_[number].side, side_line(k, true), face, kTolerance);
+      builder_.UpdateEdge(edge, edges_[number].side, side_line(k, part, true), face, kTolerance);
     } else {
-      builder_.UpdateEdge(edge, side_line(k, !first), face, kTolerance);
+      builder_.UpdateEdge(edge, side_line(k, part, !first), face, kTolerance);
     }
     return TopoDS::Edge(edge.Oriented(first ? TopAbs_FORWARD : TopAbs_REVERSED));
   }
 
-  TopoDS_Edge degenerated_edge(int k, const TopoDS_Vertex& vertex, const TopoDS_Face& face) {
+  TopoDS_Edge degenerated_edge(const Handle(Geom2d_BSplineCurve) & side,
+                               const TopoDS_Vertex& vertex, const TopoDS_Face& face) {
     TopoDS_Edge edge;
     builder_.MakeEdge(edge);
-    builder_.UpdateEdge(edge, side_line(k, false), face, kTolerance);
+    builder_.UpdateEdge(edge, side, face, kTolerance);
     add_ends(edge, vertex, vertex);
     builder_.Range(edge, face, 0.0, 1.0);
     builder_.Degenerated(edge, true);
@@ -224,8 +237,8 @@ class ShapeMaker {
 
   struct MadeEdge {
     TopoDS_Edge edge;
-    TopoDS_Face face;          // the first face that has it
-    Handle(Geom2d_Line) side;  // and its line there
+    TopoDS_Face face;                  // the first face that has it
+    Handle(Geom2d_BSplineCurve) side;  // and its line there
   };
 
   const PatchSet& set_;

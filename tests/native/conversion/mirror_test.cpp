@@ -22,7 +22,9 @@ PatchSet half_trough(double y_of_keel = 0.0) {
 int free_edges(const PatchSet& set) {
   std::vector<int> uses(set.edge_count, 0);
   for (const auto& sides : set.sides) {
-    for (int edge : sides) ++uses[edge];
+    for (const PatchSide& side : sides) {
+      for (const SideEdge& part : side) ++uses[part.edge];
+    }
   }
   return static_cast<int>(std::ranges::count(uses, 1));
 }

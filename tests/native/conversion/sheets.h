@@ -25,19 +25,26 @@ inline PatchSet joined(std::vector<BSplinePatch> patches) {
   PatchSet set;
   std::map<Key, int> vertices, edges;
   for (const BSplinePatch& patch : patches) {
-    std::array<int, 4> corners{}, sides{};
+    std::array<int, 4> corners{};
+    std::array<PatchSide, 4> sides;
+    for (int k = 0; k < 4; ++k) {
+      const int next_vertex = static_cast<int>(vertices.size());
+      const auto key = key_of({patch.side_points(k).front()});
+      corners[k] = vertices.try_emplace(key, next_vertex).first->second;
+    }
     for (int k = 0; k < 4; ++k) {
       const auto points = patch.side_points(k);
-      const int next_vertex = static_cast<int>(vertices.size());
-      corners[k] = vertices.try_emplace(key_of({points.front()}), next_vertex).first->second;
+      const auto whole = [&](int edge) {
+        return whole_side(edge, corners[k], corners[(k + 1) % 4]);
+      };
       const bool collapsed = std::ranges::all_of(points, [&](auto& p) { return p == points[0]; });
       if (collapsed) {
-        sides[k] = set.edge_count++;
+        sides[k] = whole(set.edge_count++);
         continue;
       }
       const auto [found, fresh] = edges.try_emplace(key_of(points), set.edge_count);
       if (fresh) ++set.edge_count;
-      sides[k] = found->second;
+      sides[k] = whole(found->second);
     }
     set.corners.push_back(corners);
     set.sides.push_back(sides);

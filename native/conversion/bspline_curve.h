@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace hull {
+
+using Eigen::Vector3d;
+
+// A B-spline curve, clamped over [0, 1].
+struct BSplineCurve {
+  int degree = 3;
+  std::vector<double> knots;     // count + degree + 1, clamped to 0 and 1
+  std::vector<Vector3d> points;  // metres
+
+  // Parameters outside [0, 1] are taken to the nearest end.
+  Vector3d position(double t) const;
+  double polygon_length() const;  // m, of the control polygon: an upper bound of the curve's
+
+  // The same curve the other way.
+  BSplineCurve reversed() const;
+  // Its part from `begin` to `end`, over [0, 1]. REQUIRES: 0 <= begin < end <= 1.
+  BSplineCurve part(double begin, double end) const;
+};
+
+// The largest distance of points at equal parameters, m: sampled often enough, between all knots of
+// both, that it is 0 to rounding only for curves that are equal.
+double gap_between(const BSplineCurve& one, const BSplineCurve& two);
+
+}  // namespace hull

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/exact_conversion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace hull {
+namespace {
+
+constexpr double kInPlane = 1e-7;  // of the mesh's size
+
+std::array<double, 2> corner_uv(int k) {
+  return {k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0};
+}
+
+// The half-edges along a side of a block, in the side's direction.
+std::vector<int> half_edges_of(const Topology& cells, const Block& block, int side) {
+  std::vector<int> result;
+  const int last_u = block.count_u - 1, last_v = block.count_v - 1;
+  const int count = side % 2 == 0 ? block.count_u : block.count_v;
+  for (int i = 0; i < count; ++i) {
+    const int bottom = side == 0   ? block.side(i, 0)
+                       : side == 1 ? block.side(last_u, i)
+                       : side == 2 ? block.side(last_u - i, last_v)
+                                   : block.side(0, last_v - i);
+    int h = bottom;
+    for (int turn = 0; turn < side; ++turn) h = cells.next(h);
+    result.push_back(h);
+  }
+  return result;
+}
+
+class SetBuilder {
+ public:
+  SetBuilder(const LimitSurface& surface, const BlockLayout& layout)
+      : surface_(surface),
+        cells_(surface.cells()),
+        layout_(layout),
+        points_(cells_.vertex_count(), Vector3d::Zero()),
+        is_end_(cells_.vertex_count(), 0) {
+    find_points();
+    find_ends_in_plane();
+    for (const Block& block : layout.blocks) {
+      for (int k = 0; k < 4; ++k) {
+        is_end_[cells_.origin(half_edges_of(cells_, block, k).front())] = 1;
+      }
+    }
+  }
+
+  PatchSet build(int grading) const {
+    PatchSet set;
+    set.vertex_count = cells_.vertex_count();
+    set.edge_count = cells_.edge_count();
+    for (const Block& block : layout_.blocks) {
+      BSplinePatch patch = exact_patch(surface_, block, grading);
+      std::array<int, 4> corners{};
+      std::array<PatchSide, 4> sides;
+      for (int k = 0; k < 4; ++k) {
+        sides[k] = side_of(half_edges_of(cells_, block, k));
+        corners[k] = sides[k].front().from;
+        patch.control_points[patch.side_index(k, 0)] = points_[corners[k]];
+      }
+      set.patches.push_back(std::move(patch));
+      set.corners.push_back(corners);
+      set.sides.push_back(std::move(sides));
+    }
+    return set;
+  }
+
+ private:
+  void find_points() {
+    std::vector<char> known(points_.size(), 0);
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      const int vertex = cells_.origin(h);
+      if (known[vertex]) continue;
+      const auto [u, v] = corner_uv(h % 4);
+      points_[vertex] = surface_.position(h / 4, u, v);
+      known[vertex] = 1;
+    }
+  }
+
+  // Borders end where they leave the centre plane, so that mirror images can be joined there.
+  void find_ends_in_plane() {
+    std::vector<char> in(points_.size(), 0), out(points_.size(), 0);
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      if (cells_.twin(h) >= 0) continue;
+      std::vector<char>& found = is_in_plane(h) ? in : out;
+      found[cells_.origin(h)] = found[cells_.origin(cells_.next(h))] = 1;
+    }
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (in[i] && out[i]) is_end_[i] = 1;
+    }
+  }
+
+  bool is_in_plane(int h) const {
+    const auto [u0, v0] = corner_uv(h % 4);
+    const auto [u1, v1] = corner_uv((h + 1) % 4);
+    for (double t : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+      const Vector3d p = surface_.position(h / 4, u0 + t * (u1 - u0), v0 + t * (v1 - v0));
+      if (std::abs(p.y()) > kInPlane * surface_.mesh().size()) return false;
+    }
+    return true;
+  }
+
+  // An edge has the least number of the cells' edges that it consists of.
+  PatchSide side_of(const std::vector<int>& half_edges) const {
+    PatchSide side;
+    const double count = static_cast<double>(half_edges.size());
+    for (std::size_t i = 0; i < half_edges.size(); ++i) {
+      const int h = half_edges[i], from = cells_.origin(h), to = cells_.origin(cells_.next(h));
+      if (i == 0 || is_end_[from]) {
+        side.push_back({cells_.edge(h), from, to, static_cast<double>(i) / count, 1.0});
+      }
+      SideEdge& part = side.back();
+      part.edge = std::min(part.edge, cells_.edge(h));
+      part.to = to;
+      part.end = static_cast<double>(i + 1) / count;
+    }
+    return side;
+  }
+
+  const LimitSurface& surface_;
+  const Topology& cells_;
+  const BlockLayout& layout_;
+  std::vector<Vector3d> points_;  // per vertex
+  std::vector<char> is_end_;      // per vertex: edges end there
+};
+
+}  // namespace
+
+PatchSet exact_patches(const LimitSurface& surface, int grading) {
+  const BlockLayout layout(surface);
+  return SetBuilder(surface, layout).build(grading);
+}
+
+}  // namespace hull
