@@ -42,6 +42,7 @@ struct KnotLine {
   int count() const { return intervals() + 3; }
   // Knot k of the clamped vector.
   double knot(int k) const { return lines[std::clamp(k - 3, 0, intervals())]; }
+  int intervals_to_end(int k) const { return std::min(k, intervals() - 1 - k); }
   // The intervals on which function i lives, those around its middle first.
   std::array<int, 4> support(int i) const {
     const auto within = [this](int k) { return std::clamp(k, 0, intervals() - 1); };
@@ -66,11 +67,13 @@ bool is_smooth(const BlockSpan& a, const BlockSpan& b, bool along_u, double tole
   return true;
 }
 
-// A place in each interval. Lines are at multiples of powers of two: none passes there.
+// A place in each interval, the same seen from both ends: neighbours that run the other way choose
+// the same spans. Lines are at multiples of powers of two: none passes there.
 std::vector<double> places_between(const std::vector<double>& lines) {
   std::vector<double> result;
   for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
-    result.push_back(lines[k] + 0.6 * (lines[k + 1] - lines[k]));
+    const bool is_first_half = lines[k] + lines[k + 1] < lines.front() + lines.back();
+    result.push_back(lines[k] + (is_first_half ? 0.6 : 0.4) * (lines[k + 1] - lines[k]));
   }
   return result;
 }
@@ -127,17 +130,22 @@ class PatchBuilder {
   }
 
   // From a span of the surface if the function lives on one outside the corner squares. Else it
-  // lives within one of these: then it is the point at a corner, or, beside modified edges, from a
-  // span that is there.
+  // lives within one of these: then it is the point at a corner, or from the span there that is
+  // farthest from that.
   Vector3d control_point(int i, int j) const {
     const bool at_end_u = i == u_.count() - 1, at_end_v = j == v_.count() - 1;
     if ((i == 0 || at_end_u) && (j == 0 || at_end_v)) return corner_point(at_end_u, at_end_v);
     const BlockSpan* inner = nullptr;
+    int farthest = -1;
     for (int a : u_.support(i)) {
       for (int b : v_.support(j)) {
         const BlockSpan* span = spans_.at(u_.samples[a], v_.samples[b]);
         if (span && !span->is_in_corner) return blossom(*span, i, j);
-        if (span) inner = span;
+        const int far = u_.intervals_to_end(a) + v_.intervals_to_end(b);
+        if (span && far > farthest) {
+          inner = span;
+          farthest = far;
+        }
       }
     }
     assert(inner);
