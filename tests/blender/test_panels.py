@@ -17,7 +17,7 @@ class Notebook:
     def _part(self, *unused, **more_unused):
         return Notebook(self.noted)
 
-    row = column = split = box = _part
+    row = column = split = box = grid_flow = _part
 
     def separator(self):
         pass

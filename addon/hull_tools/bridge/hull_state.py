@@ -16,8 +16,11 @@ import numpy as np
 
 from . import (
     afloat,
+    colours,
+    combs,
     hull_objects,
     hydrostatics,
+    level_lines,
     lines,
     mesh_arrays,
     mesh_check,
@@ -30,7 +33,7 @@ from . import (
 
 _states = {}
 
-_SHOWN_KEYS = ("shown surface", "shown faces", "normals")
+_SHOWN_KEYS = ("shown surface", "shown faces", "normals", "colours")
 
 
 @dataclass
@@ -39,7 +42,9 @@ class HullState:
 
     status: why the surface is not up to date, or "". hydrostatics: Hydrostatics or None, and then
     hydrostatics_status says why. lines: lines.Group by kind of those that are shown; lines_status:
-    why they are not up to date, or "". body: the hull_native.HullBody of `surface`; both change
+    why they are not up to date, or "". combs, level_lines and fairness_status: the same of what
+    fairness is judged by. colour_scale: the hull_native.ColourScale of the surface object's
+    colours, None when it has none. body: the hull_native.HullBody of `surface`; both change
     with the next edit, so that only `source`, the ship.ShipSource of both, is for threads.
     analyses: see bridge.analyses. keys: what each result was computed from. name: the object's.
     """
@@ -55,6 +60,10 @@ class HullState:
     hydrostatics_status: str = ""
     lines: dict = field(default_factory=dict)
     lines_status: str = ""
+    combs: dict = field(default_factory=dict)
+    level_lines: dict = field(default_factory=dict)
+    fairness_status: str = ""
+    colour_scale: object = None
     analyses: dict = field(default_factory=dict)
     keys: dict = field(default_factory=dict)
 
@@ -129,6 +138,7 @@ def _refresh(obj, scene, state):
     _show_surface(obj, state, scale, geometry_key)
     _update_hydrostatics(obj, state, scale)
     _update_lines(obj, state, scale, geometry_key)
+    _update_fairness(obj, state, scale, geometry_key)
 
 
 def _update_ship(obj, state, scale):
@@ -178,13 +188,16 @@ def _make_body(state, mesh, source, topology_key, geometry_key):
 def _show_surface(obj, state, scale, geometry_key):
     shown = shown_objects.surface_of(obj)
     if shown is None:
+        state.colour_scale = None
         return
     settings = obj.hull
     mesh = shown.data
     place_key = (geometry_key, settings.samples, shown.name_full)
     # Normals take Blender most of the time: while the mesh is edited those of before turn along.
     is_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
-    if state.keys.get("shown surface") == place_key and not is_due:
+    choice = colours.wanted(settings.fairness)
+    are_colours_due = state.keys.get("colours") != (place_key, choice)
+    if state.keys.get("shown surface") == place_key and not is_due and not are_colours_due:
         return
     tessellation = state.surface.tessellate(settings.samples)
     points, shared = surface_object.surface_points(tessellation, settings.half)
@@ -200,6 +213,20 @@ def _show_surface(obj, state, scale, geometry_key):
         state.keys["normals"] = place_key
     state.keys["shown faces"] = faces_key
     state.keys["shown surface"] = place_key
+    if are_colours_due:
+        state.colour_scale = _colour(shown, state.surface, tessellation, shared, choice)
+        state.keys["colours"] = (place_key, choice)
+
+
+def _colour(shown, surface, tessellation, shared, choice):
+    """Gives the surface object its colours; returns their scale, or None."""
+    if choice is None:
+        colours.remove_colours(shown)
+        return None
+    scale, of_normals = colours.coloured(surface, tessellation, choice)
+    corners = of_normals[tessellation.normal_indices]
+    colours.write_colours(shown, surface_object.both_sides(tessellation, shared, corners))
+    return scale
 
 
 def _update_lines(obj, state, scale, geometry_key):
@@ -210,6 +237,18 @@ def _update_lines(obj, state, scale, geometry_key):
         state.lines_status = ""
     except ValueError as error:
         state.lines_status = str(error)
+
+
+def _update_fairness(obj, state, scale, geometry_key):
+    settings, surface = obj.hull, state.surface
+    try:
+        state.combs = combs.combs(state.combs, surface, settings, geometry_key, scale)
+        state.level_lines = level_lines.level_lines(
+            state.level_lines, surface, settings, geometry_key
+        )
+        state.fairness_status = ""
+    except ValueError as error:
+        state.fairness_status = str(error)
 
 
 def _update_hydrostatics(obj, state, scale):

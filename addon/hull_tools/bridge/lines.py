@@ -67,13 +67,13 @@ class Section:
     def parts(self, points, values):
         """The stretches of `values` (k, 3), each belonging to one of a curve's points, of which
         the cut wants to know."""
-        flip = _TO_STARBOARD if self.cut.flip else 1.0
+        values = flipped(self.cut, values)
         if not self.cut.side:
-            return [values * flip]
-        wanted = points[:, 1] * self.cut.side >= 0.0
+            return [values]
+        wanted = kept_by(self.cut, points)
         ends = np.flatnonzero(np.diff(wanted)) + 1
         kept = np.split(values, ends)[0 if wanted[0] else 1 :: 2]
-        return [part * flip for part in kept if len(part) > 1]
+        return [part for part in kept if len(part) > 1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,12 +96,29 @@ class Group:
         return sum(1 for section in self.sections if section.curves and not section.cut.is_image)
 
 
+def kept_by(cut, points):
+    """(k,) which points (k, 3) a cut wants to know of."""
+    return points[:, 1] * cut.side >= 0.0
+
+
+def flipped(cut, values):
+    """Values (..., 3) found by a cut, to where they stand for."""
+    return values * _TO_STARBOARD if cut.flip else values
+
+
 def wanted_cuts(settings, points, metres_per_unit):
     """The Cuts that an Object.hull wants shown, as tuples by kind; only what is switched on.
 
     points: the control points (n, 3) in m. ValueError as line_places.
     """
-    lines = settings.lines
+    kinds = [kind for kind in KINDS if getattr(settings.lines, SWITCHES[kind])]
+    return cuts_of_kinds(settings, points, metres_per_unit, kinds)
+
+
+def cuts_of_kinds(settings, points, metres_per_unit, kinds):
+    """The Cuts of some KINDS, shown or not, as tuples by kind; ValueError as line_places."""
+    if not kinds:
+        return {}
     places = line_places(settings, metres_per_unit)
     stations, waterlines, buttocks = places.positions(points)
     draft = as_typed(settings.draft) * metres_per_unit
@@ -111,11 +128,11 @@ def wanted_cuts(settings, points, metres_per_unit):
         "waterline": [_across(2, z) for z in waterlines],
         "buttock": [_across(1, side * y, side < 0.0) for y in buttocks for side in sides],
         "diagonal": _diagonals(places.diagonals, settings.half),
-        "plane": _planes(lines.planes, settings.half, metres_per_unit),
+        "plane": _planes(settings.lines.planes, settings.half, metres_per_unit),
         "draft": [_across(2, draft)] if draft > 0.0 else [],
         "feature": [] if settings.half else [_across(1, 0.0)],
     }
-    return {kind: tuple(cuts[kind]) for kind in KINDS if getattr(lines, SWITCHES[kind])}
+    return {kind: tuple(cuts[kind]) for kind in kinds}
 
 
 def _across(axis, position, is_image=False):

@@ -31,6 +31,20 @@ def line_material(kind):
     return _material(f"Hull {kind}", LINE_COLOURS[kind], roughness=0.6)
 
 
+def attribute_material(attribute):
+    """A material that has the colours of a mesh's attribute, and its name."""
+    material = bpy.data.materials.get(attribute)
+    if material is None:
+        material = bpy.data.materials.new(attribute)
+        shader = _paint(material, (0.8, 0.8, 0.8), roughness=0.7)
+        node = material.node_tree.nodes.new("ShaderNodeAttribute")
+        node.attribute_name = attribute
+        node.location = (shader.location.x - 250.0, shader.location.y)
+        base = blender_versions.shader_input(shader, "Base Color")
+        material.node_tree.links.new(node.outputs["Color"], base)
+    return material
+
+
 def layer_material(name, colour):
     """A material of its own for a layer of an imported hull; colour sRGB, each part 0 to 1."""
     material = bpy.data.materials.new(name or "Shell")
@@ -47,9 +61,11 @@ def _material(name, colour, roughness):
 
 
 def _paint(material, colour, roughness):
+    """Returns the shader's node."""
     material.diffuse_color = (*colour, 1.0)
     material.roughness = roughness
     material.use_nodes = True
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     blender_versions.shader_input(shader, "Base Color").default_value = (*colour, 1.0)
     blender_versions.shader_input(shader, "Roughness").default_value = roughness
+    return shader

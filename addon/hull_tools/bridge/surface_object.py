@@ -36,6 +36,12 @@ def surface_faces(tessellation, shared):
     )
 
 
+def both_sides(tessellation, shared, values):
+    """Values (k, 4, ...) of the corners of the modelled side's faces, for all surface_faces."""
+    on_one_side = ~shared[tessellation.quads].all(axis=1)
+    return np.concatenate([values, values[on_one_side][:, ::-1]])
+
+
 def write_surface(mesh, points, quads, metres_per_unit):
     """Replaces the geometry of `mesh`; points (n, 3) in metres, quads (k, 4)."""
     sizes = np.full(len(quads), 4, dtype=np.int32)

@@ -8,6 +8,7 @@ from . import (
     deck_edge,
     export_hull,
     export_step,
+    fairness,
     import_hull,
     lines,
     loading_lists,
@@ -25,6 +26,7 @@ _CLASSES = (
     *export_step.CLASSES,
     *loading_lists.CLASSES,
     *lines.CLASSES,
+    *fairness.CLASSES,
 )
 
 

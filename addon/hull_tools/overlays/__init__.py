@@ -3,7 +3,9 @@
 that draws them with the graphics card."""
 
 from ..bridge import live_analyses
-from . import lines, plots
+from . import legend, lines, marks, plots
+
+_PARTS = (lines, marks, legend)
 
 
 def _view(shown, corner):
@@ -12,7 +14,8 @@ def _view(shown, corner):
 
 
 def register():
-    lines.register()
+    for part in _PARTS:
+        part.register()
     plots.register()
     live_analyses.plot_viewers.append(_view)
 
@@ -20,4 +23,5 @@ def register():
 def unregister():
     live_analyses.plot_viewers.remove(_view)
     plots.unregister()
-    lines.unregister()
+    for part in reversed(_PARTS):
+        part.unregister()

@@ -27,3 +27,9 @@ def strokes_of(polylines):
     starts[np.cumsum(lengths) - 1] = False  # no segment leaves the last point of a line
     firsts = np.flatnonzero(starts).astype(np.int32)
     return Strokes(points, np.stack([firsts, firsts + 1], axis=1))
+
+
+def strokes_of_segments(segments):
+    """The Strokes of segments (n, 2, 3)."""
+    points = segments.reshape(-1, 3).astype(np.float32)
+    return Strokes(points, np.arange(len(points), dtype=np.int32).reshape(-1, 2))

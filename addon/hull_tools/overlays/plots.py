@@ -142,7 +142,7 @@ def _redraw():
                     area.tag_redraw()
 
 
-def _free_room(area, region):
+def free_room(area, region):
     """(left, bottom, width, height) of the region that toolbar, sidebar and header leave free."""
     left, right = 0, region.width
     bottom, top = 0, region.height
@@ -179,7 +179,7 @@ def _draw():
     scale = context.preferences.system.ui_scale
     dots = DOTS_PER_MM * scale
     sizes = [(one.width_mm * dots, one.height_mm * dots) for one in _shown.arrays]
-    room = _free_room(context.area, context.region)
+    room = free_room(context.area, context.region)
     places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
     viewport = (context.region.width, context.region.height)
     blend = gpu.state.blend_get()

@@ -2,12 +2,10 @@
 """How overlays stand in the 3D view: on their hull, before its surface, in colours that can be told
 from what is behind them."""
 
-from contextlib import contextmanager
-
-import gpu
+import bpy
 from mathutils import Matrix, Vector
 
-from ..bridge import shown_objects
+from ..bridge import hull_state, lines, shown_objects, units
 
 # What lies on the surface is drawn nearer to the eye by this part of the hull's size, lest the
 # surface object's flat faces hide it.
@@ -18,27 +16,40 @@ _LARGEST_PART = 0.05  # of the distance to the eye
 _LIGHT = 0.18
 
 
-@contextmanager
-def on_hull(context, hull, size, metres_per_unit, is_image=False):
-    """Draws in the hull's metres, or in those of its mirror image; size in m."""
-    view = context.region_data.view_matrix
-    units = Matrix.Diagonal((1.0, -1.0 if is_image else 1.0, 1.0, metres_per_unit))
-    model = hull.matrix_world @ units
-    with gpu.matrix.push_pop():
-        gpu.matrix.load_matrix(
-            _nearer(context, view @ model, size / metres_per_unit) @ view @ model
-        )
-        yield
+class HullInView:
+    """A hull with its HullState, as one 3D view shows it."""
+
+    def __init__(self, context, hull, state):
+        self.context, self.hull, self.state = context, hull, state
+        self.metres_per_unit = units.metres_per_unit(context.scene)
+        self.size = lines.size_of(state.surface)
+        self.is_on_light = has_light_ground(context, hull)
+
+    def to_view(self, is_image=False):
+        """From the hull's metres, or those of its mirror image, to nearer view coordinates."""
+        scale = 1.0 / self.metres_per_unit
+        units = Matrix.Diagonal((scale, -scale if is_image else scale, scale, 1.0))
+        to_view = self.context.region_data.view_matrix @ self.hull.matrix_world @ units
+        return self._nearer(to_view) @ to_view
+
+    def _nearer(self, to_view):
+        """Brings what is in view coordinates nearer without moving it across the picture."""
+        shift = _NEARER * self.size / self.metres_per_unit
+        if not self.context.region_data.is_perspective:
+            return Matrix.Translation((0.0, 0.0, shift))
+        distance = max((to_view @ Vector((0.5 * self.size, 0.0, 0.0))).length, shift)
+        factor = 1.0 - min(shift / distance, _LARGEST_PART)
+        return Matrix.Diagonal((factor, factor, factor, 1.0))
 
 
-def _nearer(context, to_view, size):
-    """Brings what is in view coordinates nearer without moving it across the picture."""
-    shift = _NEARER * size
-    if not context.region_data.is_perspective:
-        return Matrix.Translation((0.0, 0.0, shift))
-    distance = max((to_view @ Vector((0.0, 0.0, 0.0))).length, shift)
-    factor = 1.0 - min(shift / distance, _LARGEST_PART)
-    return Matrix.Diagonal((factor, factor, factor, 1.0))
+def hulls_in_view():
+    """A HullInView of each hull that the view at hand shows; none where it shows no overlays."""
+    context = bpy.context
+    if context.region_data is None or not context.space_data.overlay.show_overlays:
+        return
+    for hull, state in hull_state.known_hulls(context.view_layer):
+        if state.surface is not None and hull.visible_in_viewport_get(context.space_data):
+            yield HullInView(context, hull, state)
 
 
 def has_light_ground(context, hull):
@@ -48,15 +59,28 @@ def has_light_ground(context, hull):
     is_seen = surface is not None and surface.visible_in_viewport_get(space)
     if is_seen and space.shading.type != "WIREFRAME":
         material = surface.active_material
-        colour = material.diffuse_color if material else (0.8, 0.8, 0.8)
-        return _luminance(colour) > _LIGHT
-    return has_light_background(context)
-
-
-def has_light_background(context):
+        return _luminance(material.diffuse_color if material else (0.8, 0.8, 0.8)) > _LIGHT
     gradients = context.preferences.themes[0].view_3d.space.gradients
     return _luminance([part**2.2 for part in gradients.high_gradient]) > _LIGHT
 
 
 def _luminance(colour):
     return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
+
+
+class Handler:
+    """A function that draws in 3D views, while it is registered."""
+
+    def __init__(self, draw, stage):
+        self._draw, self._stage, self._handle = draw, stage, None
+
+    def register(self):
+        if not bpy.app.background:
+            self._handle = bpy.types.SpaceView3D.draw_handler_add(
+                self._draw, (), "WINDOW", self._stage
+            )
+
+    def unregister(self):
+        if self._handle is not None:
+            bpy.types.SpaceView3D.draw_handler_remove(self._handle, "WINDOW")
+            self._handle = None

@@ -3,15 +3,17 @@
 
 import bpy
 
-from . import hull, lines_plan, results, sections, shown, stability
+from . import export, fairness, hull, lines_plan, results, sections, shown, stability
 
 _CLASSES = (
     *hull.CLASSES,
-    *results.CLASSES,
-    *stability.CLASSES,
     *shown.CLASSES,
     *sections.CLASSES,
+    *fairness.CLASSES,
+    *results.CLASSES,
+    *stability.CLASSES,
     *lines_plan.CLASSES,
+    *export.CLASSES,
 )
 
 

@@ -31,9 +31,8 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
         for kind in ("draft", "feature"):
             self._draw_switch(layout, settings, found, kind)
         layout.prop(settings, "frame_spacing")
-        row = layout.row(align=True)
-        row.prop(settings, "in_front")
-        row.prop(settings, "width")
+        layout.prop(settings, "in_front")
+        layout.prop(settings, "width")
         layout.operator("hull.lines_as_curves", icon="OUTLINER_OB_CURVE")
 
     def _draw_switch(self, layout, settings, found, kind):
@@ -42,7 +41,9 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
         row = column.row(align=True)
         row.prop(settings, lines.SWITCHES[kind])
         if kind in found:
-            row.label(text=count_of(found[kind]))
+            count = row.row()
+            count.alignment = "RIGHT"
+            count.label(text=count_of(found[kind]))
         rest = column.column(align=True)
         rest.active = getattr(settings, lines.SWITCHES[kind])
         return rest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the hull is shown: surface and layers; and its way out."""
+"""How the hull is shown: surface and layers."""
 
 import bpy
 
@@ -35,14 +35,4 @@ class HULL_PT_surface(HullPanel, bpy.types.Panel):
                 column.prop(layer, "in_hydrostatics", text=layer.material.name)
 
 
-class HULL_PT_export(HullPanel, bpy.types.Panel):
-    bl_label = "Export"
-
-    def draw(self, context):
-        column = self.layout.column(align=True)
-        column.operator("hull.export_step", icon="EXPORT")
-        column.operator("hull.export_lines", icon="EXPORT")
-        column.operator("hull.export_hull", icon="EXPORT")
-
-
-CLASSES = (HULL_PT_surface, HULL_PT_export)
+CLASSES = (HULL_PT_surface,)

@@ -18,7 +18,7 @@ from bpy.props import (
     StringProperty,
 )
 
-from . import line_settings, output_settings, stability_settings
+from . import fairness_settings, line_settings, output_settings, stability_settings
 from .shared import angle, changed, length
 
 
@@ -97,6 +97,7 @@ class HullSettings(bpy.types.PropertyGroup):
     layers: CollectionProperty(type=HullLayer)
 
     lines: PointerProperty(type=line_settings.HullLines)
+    fairness: PointerProperty(type=fairness_settings.HullFairness)
     loading: PointerProperty(type=stability_settings.HullLoading)
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
@@ -105,6 +106,7 @@ class HullSettings(bpy.types.PropertyGroup):
 
 CLASSES = (
     *line_settings.CLASSES,
+    *fairness_settings.CLASSES,
     *stability_settings.CLASSES,
     *output_settings.CLASSES,
     HullLayer,

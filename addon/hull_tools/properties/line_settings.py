@@ -93,7 +93,7 @@ class HullLines(bpy.types.PropertyGroup):
         "Half-breadths with blanks between, ranges as first:last:step; blank: by the spacing",
     )
     diagonals: _text(
-        "Diagonals m/°",
+        "List m/°",
         "Each a height at the centre plane in m, a slash, and the angle below the horizontal in "
         "degrees: 5.2/35 4/50",
     )
@@ -101,7 +101,7 @@ class HullLines(bpy.types.PropertyGroup):
     active_plane: IntProperty(name="Plane")
 
     width: FloatProperty(
-        name="Width",
+        name="Line width",
         description="Of the lines in the 3D view, in dots",
         default=1.5,
         min=0.5,

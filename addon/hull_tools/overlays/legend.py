@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the colours of the surface mean: a bar with numbers at the left of the 3D view."""
+
+import blf
+import bpy
+import gpu
+from gpu_extras.batch import batch_for_shader
+
+from ..bridge import blender_versions, colours, hull_objects, hull_state
+from .legend_arrays import HEIGHT_MM, LegendArrays, arrays_of
+from .plots import DOTS_PER_MM, free_room
+from .view import Handler
+
+_PAPER = (0.97, 0.97, 0.96, 0.96)
+_INK = (0.12, 0.12, 0.12, 1.0)
+_FONT = 0
+_TEXT_MM = 2.5
+_GAP = 12.0  # dots to the region's border, at a scale of 1
+
+_made = (None, "", None)  # of the last time: scale, title, LegendArrays
+
+
+def legend_of(hull):
+    """The LegendArrays of the colours that a hull's surface has, None when it has none."""
+    global _made
+    state = hull_state.state_of(hull) if hull is not None else None
+    if state is None or state.colour_scale is None:
+        return None
+    title = colours.TITLES[hull.hull.fairness.colours]
+    if _made[0] is not state.colour_scale or _made[1] != title:
+        _made = state.colour_scale, title, arrays_of(state.colour_scale, title)
+    return _made[2]
+
+
+def _draw():
+    context = bpy.context
+    if context.region is None or not context.space_data.overlay.show_overlays:
+        return
+    arrays = legend_of(hull_objects.hull_of(context.view_layer.objects.active))
+    if arrays is not None:
+        _draw_legend(context, arrays)
+
+
+def _draw_legend(context, arrays: LegendArrays):
+    scale = context.preferences.system.ui_scale
+    dots = DOTS_PER_MM * scale
+    left, bottom, _, height = free_room(context.area, context.region)
+    dots *= min(1.0, height / ((HEIGHT_MM + 8.0) * dots))
+    blf.size(_FONT, _TEXT_MM * dots)
+    texts = [arrays.title, *(text for _, text in arrays.labels)]
+    widest = max(blf.dimensions(_FONT, text)[0] for text in texts) / dots
+    width = arrays.card_width_mm(widest)
+    x = left + _GAP * scale
+    y = bottom + 0.5 * (height - HEIGHT_MM * dots)
+    shader = blender_versions.builtin_shader("SMOOTH_COLOR")
+    gpu.state.blend_set("ALPHA")
+    with gpu.matrix.push_pop():
+        gpu.matrix.translate((x, y))
+        gpu.matrix.scale((dots, dots))
+        for points, shades in (arrays.card(width, _PAPER), arrays.bar, arrays.ticks(_INK)):
+            batch_for_shader(shader, "TRIS", {"pos": points, "color": shades}).draw(shader)
+    blf.color(_FONT, *_INK)
+    for (place_x, place_y), text in arrays.placed_texts():
+        blf.position(_FONT, x + place_x * dots, y + place_y * dots, 0.0)
+        blf.draw(_FONT, text)
+    gpu.state.blend_set("NONE")
+
+
+_handler = Handler(_draw, "POST_PIXEL")
+register, unregister = _handler.register, _handler.unregister

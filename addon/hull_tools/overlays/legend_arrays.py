@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The legend of a colour scale as arrays for the graphics card. Millimetres from the lower left
+corner of its card, y up."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+HEIGHT_MM = 78.0
+_MARGIN, _BAR_WIDTH, _TITLE_ROOM = 3.0, 5.0, 7.0
+_TICK_LENGTH, _TICK_WIDTH, _TEXT_GAP = 1.2, 0.25, 1.0
+_HALF_LETTER = 0.9
+_STEPS = 128
+
+_CORNERS = (0, 1, 2, 0, 2, 3)
+
+
+@dataclass(frozen=True)
+class LegendArrays:
+    """title: with the unit. bar: triangles (points (n, 3), colours (n, 4)). labels: pairs of height
+    in mm and text."""
+
+    title: str
+    bar: tuple
+    labels: tuple
+
+    def card_width_mm(self, widest_text_mm):
+        beside_bar = _MARGIN + _BAR_WIDTH + _TICK_LENGTH + _TEXT_GAP
+        return max(beside_bar + widest_text_mm, _MARGIN + widest_text_mm) + _MARGIN
+
+    def card(self, width_mm, colour):
+        """The paper below it all, as bar."""
+        return _rectangles([(0.0, 0.0, width_mm, HEIGHT_MM)], [(colour, colour)])
+
+    def ticks(self, colour):
+        left = _MARGIN + _BAR_WIDTH
+        half = 0.5 * _TICK_WIDTH
+        places = [(left, y - half, left + _TICK_LENGTH, y + half) for y, _ in self.labels]
+        return _rectangles(places, [(colour, colour)] * len(places))
+
+    def placed_texts(self):
+        """((x, y), text) of title and numbers: lower left corners."""
+        yield (_MARGIN, HEIGHT_MM - _MARGIN - 2.0 * _HALF_LETTER), self.title
+        left = _MARGIN + _BAR_WIDTH + _TICK_LENGTH + _TEXT_GAP
+        for y, text in self.labels:
+            yield (left, y - _HALF_LETTER), text
+
+
+def arrays_of(scale, title):
+    """LegendArrays of a hull_native.ColourScale."""
+    low, high = _MARGIN, HEIGHT_MM - _MARGIN - _TITLE_ROOM
+    edges = np.linspace(low, high, _STEPS + 1)
+    shades = [(*colour, 1.0) for colour in scale.legend_colours(_STEPS + 1)]
+    right = _MARGIN + _BAR_WIDTH
+    places = [(_MARGIN, a, right, b) for a, b in zip(edges[:-1], edges[1:])]
+    labels = tuple(
+        (float(low + position * (high - low)), text)
+        for position, text in zip(scale.tick_positions, scale.tick_labels)
+    )
+    return LegendArrays(
+        f"{title} {scale.unit}", _rectangles(places, list(zip(shades[:-1], shades[1:]))), labels
+    )
+
+
+def _rectangles(places, shades):
+    """Two triangles each of (left, low, right, high), coloured from below to above."""
+    points, colours = [], []
+    for (left, low, right, high), (below, above) in zip(places, shades):
+        corners = ((left, low, 0.0), (right, low, 0.0), (right, high, 0.0), (left, high, 0.0))
+        own = (below, below, above, above)
+        points += [corners[i] for i in _CORNERS]
+        colours += [own[i] for i in _CORNERS]
+    return points, colours

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marks of inflections and curvature extrema over the 3D view, as large whatever the distance."""
+
+import gpu
+import numpy as np
+from gpu.types import GPUBatch, GPUVertBuf
+from mathutils import Matrix
+
+from ..bridge import blender_versions
+from .mark_arrays import RADIUS, SHAPES, in_picture, symbols
+from .view import Handler, hulls_in_view
+
+_SWITCHES = {
+    "inflection": "show_inflections",
+    "maximum": "show_extrema",
+    "minimum": "show_extrema",
+}
+# sRGB on light and on dark grounds; told apart by their shapes too.
+_COLOURS = {
+    "inflection": ((0.80, 0.15, 0.00), (1.00, 0.75, 0.20)),
+    "maximum": ((0.00, 0.35, 0.45), (0.35, 0.95, 0.95)),
+    "minimum": (((0.40, 0.40, 0.45)), (0.75, 0.75, 0.80)),
+}
+_RING_WIDTH = 2.0
+
+
+def _draw():
+    for shown in hulls_in_view():
+        fairness = shown.hull.hull.fairness
+        names = [name for name in SHAPES if getattr(fairness, _SWITCHES[name])]
+        if not shown.state.combs or not names:
+            continue
+        gpu.state.blend_set("ALPHA")
+        gpu.state.depth_test_set("NONE" if shown.hull.hull.lines.in_front else "LESS_EQUAL")
+        with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
+            gpu.matrix.load_matrix(Matrix.Identity(4))
+            gpu.matrix.load_projection_matrix(Matrix.Identity(4))
+            for name in names:
+                _draw_marks(shown, name)
+        gpu.state.depth_test_set("NONE")
+        gpu.state.blend_set("NONE")
+
+
+def _draw_marks(shown, name):
+    places = _places(shown, name)
+    if not len(places):
+        return
+    viewport = gpu.state.viewport_get()[2:]
+    scale = shown.context.preferences.system.ui_scale
+    corners = symbols(name, places, RADIUS * scale, viewport)
+    form = SHAPES[name][0]
+    shader = blender_versions.builtin_shader(
+        "POLYLINE_UNIFORM_COLOR" if form == "LINES" else "UNIFORM_COLOR"
+    )
+    points = GPUVertBuf(shader.format_calc(), len(corners))
+    points.attr_fill("pos", corners)
+    shader.bind()
+    if form == "LINES":
+        shader.uniform_float("viewportSize", viewport)
+        shader.uniform_float("lineWidth", _RING_WIDTH * scale)
+    on_light, on_dark = _COLOURS[name]
+    shader.uniform_float("color", (*(on_light if shown.is_on_light else on_dark), 1.0))
+    GPUBatch(type=form, buf=points).draw(shader)
+
+
+def _places(shown, name):
+    """Where the marks are in the picture, (n, 3), those of the mirror image too."""
+    projection = shown.context.region_data.window_matrix
+    found = [np.empty((0, 3))]
+    for group in shown.state.combs.values():
+        for is_image in (False, True) if group.is_mirrored else (False,):
+            to_clip = projection @ shown.to_view(is_image)
+            found.append(in_picture(group.marks[name], to_clip))
+    return np.concatenate(found)
+
+
+_handler = Handler(_draw, "POST_VIEW")
+register, unregister = _handler.register, _handler.unregister

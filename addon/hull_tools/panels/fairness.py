@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""By what fairness is judged: combs and their marks, colours, reflection lines, flat regions."""
+
+import bpy
+
+from ..bridge import combs, hull_objects, hull_state
+from .shared import HullPanel, label_value, label_wrapped
+
+_MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
+
+_NAMES = {
+    "station": "Stations",
+    "waterline": "Waterlines",
+    "buttock": "Buttocks",
+    "diagonal": "Diagonals",
+    "plane": "Planes",
+    "feature": "Knuckles, borders",
+}
+
+
+def _at_hand(context):
+    hull = hull_objects.hull_of(context.object)
+    return hull.hull.fairness, hull_state.state_of(hull)
+
+
+class HULL_PT_fairness(HullPanel, bpy.types.Panel):
+    bl_label = "Fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        fairness, state = _at_hand(context)
+        layout = self.layout
+        if state is not None and state.fairness_status:
+            label_wrapped(layout, context, state.fairness_status, icon="ERROR")
+        layout.prop(fairness, "colours", text="")
+        if fairness.colours != "NONE":
+            column = layout.column(align=True)
+            if fairness.colours != "SLOPE":
+                column.prop(fairness, "logarithmic")
+            column.prop(fairness, "colour_limit")
+        layout.operator("hull.check_flat", icon="MESH_PLANE")
+
+
+class HULL_PT_combs(HullPanel, bpy.types.Panel):
+    """Curvature combs, inflections and extrema"""
+
+    bl_label = "Combs"
+    bl_parent_id = "HULL_PT_fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        fairness, state = _at_hand(context)
+        layout = self.layout
+        flow = layout.grid_flow(columns=1, align=True)
+        for switch in combs.SWITCHES.values():
+            flow.prop(fairness, switch)
+        column = layout.column(align=True)
+        column.prop(fairness, "comb_factor")
+        column.prop(fairness, "comb_step")
+        row = layout.row(align=True)
+        row.prop(fairness, "show_inflections")
+        row.prop(fairness, "show_extrema")
+        if state is None or not state.combs:
+            return
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+        column.label(text="Tooth for 1/m")
+        for kind, group in state.combs.items():
+            label_value(column, _NAMES[kind], f"{group.scale * fairness.comb_factor:.4g} m")
+        for mark, name in _MARK_NAMES.items():
+            count = sum(group.mark_counts[mark] for group in state.combs.values())
+            label_value(column, name, str(count))
+
+
+class HULL_PT_reflections(HullPanel, bpy.types.Panel):
+    """Reflection lines, isophotes and silhouette"""
+
+    bl_label = "Light and Outline"
+    bl_parent_id = "HULL_PT_fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        fairness, state = _at_hand(context)
+        layout = self.layout
+        layout.prop(fairness, "show_reflections")
+        if fairness.show_reflections:
+            column = layout.column(align=True)
+            column.prop(fairness, "reflection_spacing")
+            layout.column(align=True).prop(fairness, "line_direction")
+            layout.column(align=True).prop(fairness, "light_direction")
+        layout.prop(fairness, "show_isophotes")
+        if fairness.show_isophotes:
+            layout.prop(fairness, "isophote_spacing")
+            layout.column(align=True).prop(fairness, "isophote_direction")
+        layout.prop(fairness, "show_silhouette")
+        if fairness.show_reflections or fairness.show_silhouette:
+            layout.column(align=True).prop(fairness, "eye_direction")
+            layout.operator("hull.eye_from_view", icon="HIDE_OFF")
+        layout.prop(fairness, "divisions")
+
+
+CLASSES = (HULL_PT_fairness, HULL_PT_combs, HULL_PT_reflections)
