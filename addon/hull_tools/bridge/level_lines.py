@@ -106,5 +106,5 @@ def _polylines(surface, kind, options, divisions, turned):
             divisions=divisions,
         )
     else:
-        found = hull_native.silhouette(surface, direction=directions[0], divisions=divisions)
+        found = hull_native.silhouette(surface, eye_direction=directions[0], divisions=divisions)
     return [curve.points for curve in found]
