@@ -158,17 +158,19 @@ void bind_curve_fairness(py::module_& module) {
       "section_fairness",
       [](const LimitSurface& surface, const DoubleArray& planes, std::optional<double> step,
          std::optional<int> count, std::optional<double> chord_tolerance,
-         std::optional<double> flat_tolerance, std::optional<double> noise, double relative_noise) {
+         std::optional<double> flat_tolerance, std::optional<double> noise, double relative_noise,
+         bool marks) {
         const std::vector<Plane> wanted = planes_from(planes);
         const SectionOptions sampling{
             chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
         const py::gil_scoped_release release;
-        return section_fairness(surface, wanted, sampling, {step, count, noise, relative_noise});
+        return section_fairness(surface, wanted, sampling,
+                                {step, count, noise, relative_noise, marks});
       },
       py::arg("surface"), py::arg("planes"), py::kw_only(), py::arg("step") = py::none(),
       py::arg("count") = py::none(), py::arg("chord_tolerance") = py::none(),
       py::arg("flat_tolerance") = py::none(), py::arg("noise") = py::none(),
-      py::arg("relative_noise") = 1e-3,
+      py::arg("relative_noise") = 1e-3, py::arg("marks") = true,
       "Sections by planes (n, 4), as for sections(), with what is needed to judge them: a list of "
       "n lists of CurveFairness.\n\n"
       "step: largest distance of samples along the curve, m (default 1/200 of the mesh's size); or "
@@ -178,20 +180,21 @@ void bind_curve_fairness(py::module_& module) {
       "Inflections count between places that bend to different sides by more than the noise, "
       "extrema where curvature falls by more than that on either side: noise (1/m; default 1e-3 "
       "over the mesh's size), or relative_noise times the curvature that 95 % of the curve stay "
-      "below, whichever is more. ValueError for planes, tolerances and options out of range.");
+      "below, whichever is more. With marks=False none are looked for, which takes half the time. "
+      "ValueError for planes, tolerances and options out of range.");
   module.def(
       "feature_fairness",
       [](const LimitSurface& surface, std::optional<double> step, std::optional<int> count,
          const std::optional<DoubleArray>& direction, std::optional<double> noise,
-         double relative_noise) {
+         double relative_noise, bool marks) {
         std::optional<Vector3d> view;
         if (direction) view = point_from(*direction, "direction");
         const py::gil_scoped_release release;
-        return feature_fairness(surface, view, {step, count, noise, relative_noise});
+        return feature_fairness(surface, view, {step, count, noise, relative_noise, marks});
       },
       py::arg("surface"), py::kw_only(), py::arg("step") = py::none(),
       py::arg("count") = py::none(), py::arg("direction") = py::none(),
-      py::arg("noise") = py::none(), py::arg("relative_noise") = 1e-3,
+      py::arg("noise") = py::none(), py::arg("relative_noise") = 1e-3, py::arg("marks") = true,
       "The same for creases and borders, in the order of crease_curves(): a list of CurveFairness. "
       "direction (3,), of any length: curves are judged as seen along it, (0, 0, 1) in plan, "
       "(0, 1, 0) in profile. Without it plane curves are judged in their plane, whose normal has a "

@@ -152,6 +152,15 @@ def test_round_sections_are_closed_and_have_no_inflections():
     assert finer.marks.kinds.count("maximum") == 16 and finer.marks.peaks.sum() == 16
 
 
+def test_curves_without_marks():
+    surface = hn.LimitSurface(grid(lambda x, y: 0.02 * x**3))
+    for curves in (
+        hn.section_fairness(surface, [[0, 1, 0, 0.25]], marks=False)[0],
+        hn.feature_fairness(surface, marks=False),
+    ):
+        assert curves and all(len(c.marks) == 0 and len(c.points) > 10 for c in curves)
+
+
 def test_straight_and_trembling_lines_have_no_marks():
     random = np.random.default_rng(5)
     noise = 1e-9 * random.normal(size=(SIDE + 1, SIDE + 1))

@@ -25,6 +25,7 @@ struct Rules {
   double step;
   int count;  // 0: by step
   CurvatureNoise noise;
+  bool marks;
 };
 
 Rules rules_from(const LimitSurface& surface, const FairnessOptions& options) {
@@ -34,7 +35,8 @@ Rules rules_from(const LimitSurface& surface, const FairnessOptions& options) {
   }
   Rules rules{options.step.value_or(kStep * size),
               options.count.value_or(0),
-              {options.noise.value_or(kNoise / size), options.relative_noise}};
+              {options.noise.value_or(kNoise / size), options.relative_noise},
+              options.marks};
   if (!(rules.step > 0.0) || !std::isfinite(rules.step)) {
     throw std::invalid_argument("The step between samples must be a positive length, not " +
                                 std::to_string(rules.step) + " m.");
@@ -65,11 +67,12 @@ void add_stretch(const MeasuredCurve& curve, const Rules& rules, CurveFairness& 
     result.arc_lengths.push_back(before + s);
   }
   result.starts.push_back(static_cast<int>(result.samples.size()));
+  result.length += length;
+  if (!rules.marks) return;
   for (CurveMark& mark : curve_marks(curve, rules.noise)) {
     mark.arc_length += before;
     result.marks.push_back(mark);
   }
-  result.length += length;
 }
 
 CurveFairness judged(const LimitSurface& surface, const Plane& plane, const SectionCurve& curve,

@@ -34,6 +34,7 @@ struct FairnessOptions {
   // By default 1e-3 over the mesh's size: what bends less is straight to the eye.
   std::optional<double> noise;
   double relative_noise = 1e-3;
+  bool marks = true;  // whether marks are looked for, which takes most of the time
 };
 
 // Sections by planes, branch by branch as sections() gives them; every sample is exact. Arc

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPartsOfBreak = 4;
 constexpr double kShortestPart = 1e-6;  // of the curve's length
-constexpr double kRootWidth = 1e-10, kExtremumWidth = 1e-7;
+constexpr double kRootWidth = 1e-10, kExtremumWidth = 1e-6;
 constexpr double kBulk = 0.95;  // of the length: what bends more is left to its own size
 
 struct Probe {
@@ -174,10 +174,6 @@ class Marker {
 };
 
 }  // namespace
-
-double noise_threshold(const MeasuredCurve& curve, const CurvatureNoise& noise) {
-  return curve.length() > 0.0 ? threshold_of(probes(curve), noise) : noise.absolute;
-}
 
 std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise) {
   if (!(curve.length() > 0.0)) return {};

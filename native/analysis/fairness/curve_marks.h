@@ -22,19 +22,17 @@ struct CurveMark {
   bool peak;         // a place where the curve bends more than to both sides
 };
 
-// The threshold of a curve, 1/m: the larger of the two noises.
-double noise_threshold(const MeasuredCurve& curve, const CurvatureNoise& noise);
-
 // Inflections and extrema of the signed curvature along a curve, in order.
 //
-// An inflection lies between two places that bend to different sides by more than the threshold.
+// The threshold is the larger of the two noises. An inflection lies between two places that bend to
+// different sides by more than it.
 // An extremum differs by more than the threshold from what the curvature falls (or rises) to on
 // either side before it comes as far again. So straight parts have none, however they tremble. Ends
 // of open curves are no extrema.
 //
 // Both are looked for between four places to each of the curve's breaks, so that what comes and
 // goes within less is not found; and then refined on the curve itself, inflections to 1e-10 of its
-// length, extrema to 1e-7 (a curvature hardly changes beside its extremum). Where a curve is
+// length, extrema to 1e-6 (a curvature hardly changes beside its extremum). Where a curve is
 // straight between two bends an inflection is somewhere on the straight part.
 std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise);
 

@@ -30,23 +30,36 @@ struct Place {
 // The surface and the function on the grid, whatever the level.
 struct Samples {
   Tessellation grid;
-  std::vector<double> values;                 // per normal
-  std::vector<std::array<double, 2>> ranges;  // per cell
+  std::vector<double> values;  // per normal
+  struct Range {
+    double at, low, high;  // values are from at + low to at + high, by the shortest way round
+  };
+  std::vector<Range> ranges;  // per cell
 };
 
-Samples take_samples(const LimitSurface& surface, const NormalFunction& function, int divisions) {
+// The shortest way from one value to another.
+double step_between(double from, double to, double period) {
+  return std::isinf(period) ? to - from : std::remainder(to - from, period);
+}
+
+Samples take_samples(const LimitSurface& surface, const NormalFunction& function, int divisions,
+                     double period) {
   Samples samples{tessellate(surface, divisions), {}, {}};
   samples.values = normal_field(samples.grid, function);
   const std::size_t squares = static_cast<std::size_t>(divisions) * divisions;
   for (std::size_t q = 0; q < samples.grid.quads.size(); ++q) {
-    if (q % squares == 0) {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      samples.ranges.push_back({kInfinity, -kInfinity});
-    }
-    auto& [low, high] = samples.ranges.back();
-    for (const int normal : samples.grid.corner_normals[q]) {
-      low = std::fmin(low, samples.values[normal]);
-      high = std::fmax(high, samples.values[normal]);
+    const auto& normals = samples.grid.corner_normals[q];
+    if (q % squares == 0) samples.ranges.push_back({samples.values[normals[0]], 0.0, 0.0});
+    auto& range = samples.ranges.back();
+    for (const int normal : normals) {
+      const double step = step_between(range.at, samples.values[normal], period);
+      if (std::isnan(step)) {
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        range = {0.0, -kInfinity, kInfinity};  // no level can be left out
+        continue;
+      }
+      range.low = std::min(step, range.low);
+      range.high = std::max(step, range.high);
     }
   }
   return samples;
@@ -80,10 +93,7 @@ class Tracer {
     int cell;
   };
 
-  double wrapped(double value) const {
-    const double height = value - level_;
-    return std::isinf(period_) ? height : std::remainder(height, period_);
-  }
+  double wrapped(double value) const { return step_between(level_, value, period_); }
   double height(int cell, const Eigen::Vector2d& uv) const {
     const SurfaceJet jet = surface_.evaluate(cell, uv.x(), uv.y(), 1);
     Vector3d normal = unit_normal(jet.du, jet.dv);
@@ -92,9 +102,10 @@ class Tracer {
   }
 
   void march(int cell) {
-    if (std::isinf(period_)) {
-      const auto& [low, high] = samples_.ranges[cell];
-      if (!(low < level_ - kOnLevel && high >= level_ - kOnLevel)) return;
+    const auto& range = samples_.ranges[cell];
+    if (range.high - range.low < 0.5 * period_) {
+      const double level = step_between(range.at, level_, period_);
+      if (level < range.low - kOnLevel || level > range.high + kOnLevel) return;
     }
     const std::size_t squares = static_cast<std::size_t>(n_) * n_;
     for (std::size_t q = cell * squares; q < (cell + 1) * squares; ++q) {
@@ -291,7 +302,7 @@ std::vector<LevelCurve> level_curves(const LimitSurface& surface, const NormalFu
   for (const double level : levels) {
     if (!std::isfinite(level)) throw std::invalid_argument("Levels must be finite numbers.");
   }
-  const Samples samples = take_samples(surface, function, options.divisions);
+  const Samples samples = take_samples(surface, function, options.divisions, period);
   std::vector<std::vector<LevelCurve>> found(levels.size());
   constexpr int kAllProcessors = 0;
   parallel_for(
