@@ -174,7 +174,7 @@ KINDS = ("GAUSSIAN", "MEAN", "MAXIMUM", "MINIMUM", "SLOPE")
 @pytest.mark.parametrize("kind", KINDS)
 def test_colours_are_those_of_the_native_module(kind):
     hull = round_hull()
-    hull.hull.fairness.colours = kind
+    hull.hull.fairness.colours, hull.hull.fairness.logarithmic = kind, False
     update()
     state, native = state_of(hull), part("bridge.native").require()
     tessellation = state.surface.tessellate(hull.hull.samples)
@@ -241,7 +241,7 @@ def test_undo_brings_colours_back():
 def test_a_limit_and_decades():
     hull = round_hull()
     fairness = hull.hull.fairness
-    fairness.colours, fairness.colour_limit = "MEAN", 0.25
+    fairness.colours, fairness.colour_limit, fairness.logarithmic = "MEAN", 0.25, False
     update()
     scale = state_of(hull).colour_scale
     assert (scale.low, scale.high) == pytest.approx((-0.25, 0.25))
@@ -261,7 +261,7 @@ def test_the_legend_says_what_the_colours_mean():
     hull.hull.fairness.colours = "GAUSSIAN"
     update()
     arrays = legend.legend_of(hull)
-    assert arrays.title == "Gaussian curvature 1/m²"
+    assert (arrays.title, arrays.unit) == ("Gaussian curvature", "1/m²")
     heights = [height for height, _ in arrays.labels]
     assert len(heights) >= 3 and heights == sorted(heights)
     assert legend.legend_of(hull) is arrays

@@ -36,7 +36,8 @@ _STRAIGHT = 1e-3
 class CombGroup:
     """hull_native.CurveFairness of all lines of one kind; pairs (lines.Cut or None, curves).
 
-    scale: m of tooth for a curvature of 1/m, before the factor of the settings.
+    scale: m of tooth for a curvature of 1/m, before the factor of the settings. straight: a
+    curvature in 1/m that is none.
     """
 
     kind: str
@@ -44,6 +45,7 @@ class CombGroup:
     is_mirrored: bool
     sections: tuple
     scale: float
+    straight: float
 
     @cached_property
     def curves(self):
@@ -73,19 +75,20 @@ class CombGroup:
     @cached_property
     def marks(self):
         """Points (n, 3) in m by MARKS: inflections, where the curve bends most and least."""
-        return _marks(self._cut_curves())
+        return _marks(self._cut_curves(), self.straight)
 
     @cached_property
     def mark_counts(self):
         """How many there are of each of MARKS, those of the other side's images left out."""
         own = ((cut, one) for cut, one in self._cut_curves() if cut is None or not cut.is_image)
-        return {name: len(points) for name, points in _marks(own).items()}
+        return {name: len(points) for name, points in _marks(own, self.straight).items()}
 
     def _cut_curves(self):
         return ((cut, curve) for cut, curves in self.sections for curve in curves)
 
 
-def _marks(cut_curves):
+def _marks(cut_curves, straight):
+    """straight: 1/m, a curvature that is none."""
     found = {name: [] for name in MARKS}
     for cut, curve in cut_curves:
         marks = curve.marks
@@ -96,7 +99,8 @@ def _marks(cut_curves):
         if cut is not None:
             kept, points = lines.kept_by(cut, points), lines.flipped(cut, points)
         is_inflection = np.array(marks.kinds) == "inflection"
-        peaks = marks.peaks
+        # What is straight to rounding bends to neither side.
+        peaks = marks.peaks & (np.abs(marks.values) > straight)
         found["inflection"].append(points[kept & is_inflection])
         found["maximum"].append(points[kept & ~is_inflection & peaks])
         found["minimum"].append(points[kept & ~is_inflection & ~peaks])
@@ -129,7 +133,7 @@ def combs(known, surface, settings, geometry_key, metres_per_unit):
         else:
             scale = _handy_scale([curve for _, curves in sections for curve in curves], size)
         is_mirrored = settings.half and kind != "plane"
-        groups[kind] = CombGroup(kind, key, is_mirrored, sections, scale)
+        groups[kind] = CombGroup(kind, key, is_mirrored, sections, scale, _STRAIGHT / size)
     return groups
 
 

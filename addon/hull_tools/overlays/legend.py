@@ -47,9 +47,8 @@ def _draw_legend(context, arrays: LegendArrays):
     left, bottom, _, height = free_room(context.area, context.region)
     dots *= min(1.0, height / ((HEIGHT_MM + 8.0) * dots))
     blf.size(_FONT, _TEXT_MM * dots)
-    texts = [arrays.title, *(text for _, text in arrays.labels)]
-    widest = max(blf.dimensions(_FONT, text)[0] for text in texts) / dots
-    width = arrays.card_width_mm(widest)
+    widest = max((_width(text) for _, text in arrays.labels), default=0.0)
+    width = arrays.card_width_mm(_width(arrays.title) / dots, widest / dots)
     x = left + _GAP * scale
     y = bottom + 0.5 * (height - HEIGHT_MM * dots)
     shader = blender_versions.builtin_shader("SMOOTH_COLOR")
@@ -64,6 +63,10 @@ def _draw_legend(context, arrays: LegendArrays):
         blf.position(_FONT, x + place_x * dots, y + place_y * dots, 0.0)
         blf.draw(_FONT, text)
     gpu.state.blend_set("NONE")
+
+
+def _width(text):
+    return blf.dimensions(_FONT, text)[0]
 
 
 _handler = Handler(_draw, "POST_PIXEL")

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-HEIGHT_MM = 78.0
-_MARGIN, _BAR_WIDTH, _TITLE_ROOM = 3.0, 5.0, 7.0
+HEIGHT_MM = 62.0
+_MARGIN, _BAR_WIDTH, _TITLE_ROOM, _LINE = 2.5, 4.5, 9.0, 3.6
 _TICK_LENGTH, _TICK_WIDTH, _TEXT_GAP = 1.2, 0.25, 1.0
 _HALF_LETTER = 0.9
 _STEPS = 128
@@ -17,16 +17,18 @@ _CORNERS = (0, 1, 2, 0, 2, 3)
 
 @dataclass(frozen=True)
 class LegendArrays:
-    """title: with the unit. bar: triangles (points (n, 3), colours (n, 4)). labels: pairs of height
+    """bar: triangles (points (n, 3), colours (n, 4)). labels: pairs of height
     in mm and text."""
 
     title: str
+    unit: str
     bar: tuple
     labels: tuple
 
-    def card_width_mm(self, widest_text_mm):
-        beside_bar = _MARGIN + _BAR_WIDTH + _TICK_LENGTH + _TEXT_GAP
-        return max(beside_bar + widest_text_mm, _MARGIN + widest_text_mm) + _MARGIN
+    def card_width_mm(self, title_mm, widest_number_mm):
+        """For texts of these widths."""
+        beside_bar = _BAR_WIDTH + _TICK_LENGTH + _TEXT_GAP + widest_number_mm
+        return max(beside_bar, title_mm) + 2.0 * _MARGIN
 
     def card(self, width_mm, colour):
         """The paper below it all, as bar."""
@@ -40,7 +42,9 @@ class LegendArrays:
 
     def placed_texts(self):
         """((x, y), text) of title and numbers: lower left corners."""
-        yield (_MARGIN, HEIGHT_MM - _MARGIN - 2.0 * _HALF_LETTER), self.title
+        top = HEIGHT_MM - _MARGIN - 2.0 * _HALF_LETTER
+        yield (_MARGIN, top), self.title
+        yield (_MARGIN, top - _LINE), self.unit
         left = _MARGIN + _BAR_WIDTH + _TICK_LENGTH + _TEXT_GAP
         for y, text in self.labels:
             yield (left, y - _HALF_LETTER), text
@@ -57,9 +61,8 @@ def arrays_of(scale, title):
         (float(low + position * (high - low)), text)
         for position, text in zip(scale.tick_positions, scale.tick_labels)
     )
-    return LegendArrays(
-        f"{title} {scale.unit}", _rectangles(places, list(zip(shades[:-1], shades[1:]))), labels
-    )
+    bar = _rectangles(places, list(zip(shades[:-1], shades[1:])))
+    return LegendArrays(title, scale.unit, bar, labels)
 
 
 def _rectangles(places, shades):

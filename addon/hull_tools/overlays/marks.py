@@ -22,6 +22,7 @@ _COLOURS = {
     "minimum": (((0.40, 0.40, 0.45)), (0.75, 0.75, 0.80)),
 }
 _RING_WIDTH = 2.0
+_LAYER = 6  # before lines, and so that the hull's own slope does not cut symbols
 
 
 def _draw():
@@ -69,7 +70,7 @@ def _places(shown, name):
     found = [np.empty((0, 3))]
     for group in shown.state.combs.values():
         for is_image in (False, True) if group.is_mirrored else (False,):
-            to_clip = projection @ shown.to_view(is_image)
+            to_clip = projection @ shown.to_view(is_image, _LAYER)
             found.append(in_picture(group.marks[name], to_clip))
     return np.concatenate(found)
 

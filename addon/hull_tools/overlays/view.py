@@ -25,16 +25,17 @@ class HullInView:
         self.size = lines.size_of(state.surface)
         self.is_on_light = has_light_ground(context, hull)
 
-    def to_view(self, is_image=False):
-        """From the hull's metres, or those of its mirror image, to nearer view coordinates."""
+    def to_view(self, is_image=False, layer=1):
+        """From the hull's metres, or those of its mirror image, to view coordinates, the nearer the
+        higher the layer."""
         scale = 1.0 / self.metres_per_unit
         units = Matrix.Diagonal((scale, -scale if is_image else scale, scale, 1.0))
         to_view = self.context.region_data.view_matrix @ self.hull.matrix_world @ units
-        return self._nearer(to_view) @ to_view
+        return self._nearer(to_view, layer) @ to_view
 
-    def _nearer(self, to_view):
+    def _nearer(self, to_view, layer):
         """Brings what is in view coordinates nearer without moving it across the picture."""
-        shift = _NEARER * self.size / self.metres_per_unit
+        shift = layer * _NEARER * self.size / self.metres_per_unit
         if not self.context.region_data.is_perspective:
             return Matrix.Translation((0.0, 0.0, shift))
         distance = max((to_view @ Vector((0.5 * self.size, 0.0, 0.0))).length, shift)

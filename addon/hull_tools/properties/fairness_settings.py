@@ -71,7 +71,11 @@ class HullFairness(bpy.types.PropertyGroup):
         ),
         update=_colours_changed,
     )  # fmt: skip
-    logarithmic: _switch("Logarithmic", "Decades of curvature have equal shares of the colours")
+    logarithmic: _switch(
+        "Logarithmic",
+        "Decades of curvature have equal shares of the colours, for bilge and sides alike",
+        True,
+    )
     colour_limit: FloatProperty(
         name="Limit",
         description="Greatest value that the colours tell apart, in the legend's unit; 0: what "
