@@ -288,8 +288,7 @@ def test_isophotes_have_their_angle():
     wanted = native.isophotes(
         surface, direction=np.array([0.0, 1.0, 0.0]), angles=np.radians([30, 60, 90, 120, 150])
     )
-    port = [line for line in group.polylines if line[:, 1].min() > -1e-9]
-    assert len(wanted) >= 1 and len(port) >= len(wanted)
+    assert len(wanted) == len(group.polylines) >= 1 and group.is_mirrored
     for ours, theirs in zip(group.polylines, wanted):
         assert np.abs(ours - theirs.points).max() < 1e-6 * LENGTH
 
@@ -303,6 +302,9 @@ def test_lines_of_light_of_both_sides():
     found = level_lines(hull)
     assert list(found) == ["reflection", "silhouette"]
     before = found["silhouette"]
+    assert found["reflection"].is_mirrored and not before.is_mirrored
+    y = np.concatenate(before.polylines)[:, 1]
+    assert y.min() < -0.1 and y.max() > 0.1
     fairness.light_direction = (0.0, 0.8, 0.6)
     update()
     assert level_lines(hull)["silhouette"] is before

@@ -21,16 +21,14 @@ SWITCHES = {
 
 @dataclass(frozen=True, eq=False)
 class LevelGroup:
-    """All lines of one kind, of both sides of the ship; polylines (k, 3) in m."""
+    """All lines of one kind; polylines (k, 3) in m. is_mirrored: whether their mirror images belong
+    to it too. The other side of a half hull has light and eye of its own for reflection lines and
+    isophotes, so that both sides look alike; the silhouette is that of the whole ship."""
 
     kind: str
     key: tuple
     polylines: list
-    is_mirrored: bool = False
-
-    @property
-    def cut_count(self):
-        return len(self.polylines)
+    is_mirrored: bool
 
 
 def level_lines(known, surface, settings, geometry_key):
@@ -45,12 +43,14 @@ def level_lines(known, surface, settings, geometry_key):
         if kind in known and known[kind].key == key:
             found[kind] = known[kind]
             continue
-        curves = _polylines(surface, kind, options, fairness.divisions, lambda v: v)
-        if settings.half:
-            # The other side sees light and eye as the modelled one sees their mirror images.
-            image = _polylines(surface, kind, options, fairness.divisions, lines.mirror_image)
+        curves = _polylines(surface, kind, options, fairness.divisions)
+        if settings.half and kind == "silhouette":
+            # The other side sees the eye as the modelled one sees the eye's mirror image.
+            image_eye = tuple(lines.mirror_image(np.array(options[0])).tolist())
+            image = _polylines(surface, kind, (image_eye,), fairness.divisions)
             curves += [lines.mirror_image(points) for points in image]
-        found[kind] = LevelGroup(kind, key, curves)
+        is_mirrored = settings.half and kind != "silhouette"
+        found[kind] = LevelGroup(kind, key, curves, is_mirrored)
     return found
 
 
@@ -86,10 +86,9 @@ _OPTIONS = {
 }
 
 
-def _polylines(surface, kind, options, divisions, turned):
-    """`turned` takes a direction to the one that counts."""
+def _polylines(surface, kind, options, divisions):
     hull_native = native.require()
-    directions = [turned(np.array(part)) for part in options if isinstance(part, tuple)]
+    directions = [np.array(part) for part in options if isinstance(part, tuple)]
     if kind == "isophote":
         angles = np.arange(options[1], pi * (1.0 - 1e-9), options[1])
         found = hull_native.isophotes(
