@@ -80,21 +80,32 @@ Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve) {
 }
 
 // The straight line in (u, v) along a part of a side, over [0, 1] from its begin to its end; or
-// from end to begin.
-Handle(Geom2d_BSplineCurve) side_line(int side, const SideEdge& part, bool backwards) {
+// from end to begin. It has a pole at each of the patch's knots: Open CASCADE integrates over faces
+// by a Gauss rule for each interval of these lines, which is exact only within one polynomial.
+Handle(Geom2d_BSplineCurve)
+    side_line(const BSplinePatch& patch, int side, const SideEdge& part, bool backwards) {
   static const gp_Pnt2d kCorners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const gp_XY from = kCorners[side].XY(), along = kCorners[(side + 1) % 4].XY() - from;
-  gp_Pnt2d begin(from + along * part.begin), end(from + along * part.end);
-  if (backwards) std::swap(begin, end);
-  TColgp_Array1OfPnt2d poles(1, 2);
-  poles(1) = begin;
-  poles(2) = end;
-  TColStd_Array1OfReal knots(1, 2);
-  knots(1) = 0.0;
-  knots(2) = 1.0;
-  TColStd_Array1OfInteger counts(1, 2);
-  counts.Init(2);
-  return new Geom2d_BSplineCurve(poles, knots, counts, 1);
+  constexpr double kNear = 1e-12;
+  std::vector<double> shares{0.0};
+  for (double knot : patch.side_knots(side)) {
+    const double share = (knot - part.begin) / (part.end - part.begin);
+    if (share > shares.back() + kNear && share < 1.0 - kNear) shares.push_back(share);
+  }
+  shares.push_back(1.0);
+  const int count = static_cast<int>(shares.size());
+  TColgp_Array1OfPnt2d poles(1, count);
+  TColStd_Array1OfReal knots(1, count);
+  TColStd_Array1OfInteger multiplicities(1, count);
+  multiplicities.Init(1);
+  multiplicities(1) = multiplicities(count) = 2;
+  for (int i = 0; i < count; ++i) {
+    const double share = shares[i];
+    const int place = backwards ? count - i : i + 1;
+    poles(place) = from + along * ((1.0 - share) * part.begin + share * part.end);
+    knots(place) = backwards ? 1.0 - share : share;
+  }
+  return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
 }
 
 class ShapeMaker {
@@ -188,8 +199,9 @@ class ShapeMaker {
       const BSplineCurve curve = set_.curve(p, k, part);
       const TopoDS_Vertex begin = vertex(part.from, curve.points.front());
       const TopoDS_Vertex end = vertex(part.to, curve.points.back());
-      if (collapsed_[number]) return degenerated_edge(side_line(k, part, false), begin, face);
-      edges_[number].side = side_line(k, part, false);
+      if (collapsed_[number])
+        return degenerated_edge(side_line(set_.patches[p], k, part, false), begin, face);
+      edges_[number].side = side_line(set_.patches[p], k, part, false);
       edges_[number].face = face;
       TopoDS_Edge edge;
       builder_.MakeEdge(edge, make_curve(curve), kTolerance);
@@ -200,9 +212,10 @@ class ShapeMaker {
     const TopoDS_Edge& edge = edges_[number].edge;
     if (!first && edges_[number].face.IsSame(face)) {
       // Both sides of one patch: a seam has two lines on the same surface.
-      builder_.UpdateEdge(edge, edges_[number].side, side_line(k, part, true), face, kTolerance);
+      builder_.UpdateEdge(edge, edges_[number].side, side_line(set_.patches[p], k, part, true),
+                          face, kTolerance);
     } else {
-      builder_.UpdateEdge(edge, side_line(k, part, !first), face, kTolerance);
+      builder_.UpdateEdge(edge, side_line(set_.patches[p], k, part, !first), face, kTolerance);
     }
     return TopoDS::Edge(edge.Oriented(first ? TopAbs_FORWARD : TopAbs_REVERSED));
   }

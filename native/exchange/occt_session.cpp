@@ -22,7 +22,7 @@ OcctSession::OcctSession() : lock_(occt_mutex()) {
   const bool set = Interface_Static::SetCVal("xstep.cascade.unit", "MM") &&
                    Interface_Static::SetCVal("write.step.unit", "M") &&
                    Interface_Static::SetCVal("write.step.schema", "AP214IS") &&
-                   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+                   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
   if (!set) throw std::runtime_error("this Open CASCADE refuses the settings of STEP files");
   auto& active = Message::DefaultMessenger()->ChangePrinters();
   printers_ = active;

@@ -32,6 +32,10 @@
 namespace hull {
 namespace {
 
+// Relative, of each face's integrals. Without one Open CASCADE takes a single Gauss rule a face,
+// which is off by 1e-4 on faces of many spans.
+constexpr double kIntegralTolerance = 1e-8;
+
 Eigen::Vector3d in_metres(const gp_Pnt& point) {
   return Eigen::Vector3d(point.X(), point.Y(), point.Z()) / kMillimetresPerMetre;
 }
@@ -61,11 +65,11 @@ void count_edges(const TopoDS_Shape& shape, StepReport& report) {
 
 void measure(const TopoDS_Shape& shape, StepReport& report) {
   GProp_GProps surface;
-  BRepGProp::SurfaceProperties(shape, surface);
+  BRepGProp::SurfaceProperties(shape, surface, kIntegralTolerance);
   report.area = surface.Mass() / (kMillimetresPerMetre * kMillimetresPerMetre);
   if (report.free_edges > 0 || report.faces == 0) return;
   GProp_GProps volume;
-  BRepGProp::VolumeProperties(shape, volume);
+  BRepGProp::VolumeProperties(shape, volume, kIntegralTolerance);
   report.volume = volume.Mass() / std::pow(kMillimetresPerMetre, 3);
 }
 
