@@ -86,7 +86,8 @@ def draw_lines(hull, folder):
 def render(hull, path):
     hull.hull.samples = RENDER_SAMPLES_PER_CELL
     part("bridge.hull_state").refresh(hull, bpy.context.scene)
-    bpy.ops.hull.lines_as_curves()
+    with demo_scene.quiet_output():
+        bpy.ops.hull.lines_as_curves()
     demo_scene.set_up(hull)
     bpy.context.scene.render.filepath = str(path)
     with demo_scene.quiet_output():

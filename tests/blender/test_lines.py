@@ -337,4 +337,6 @@ def test_every_kind_has_its_colours_and_switch():
     lines, overlay = part("bridge.lines"), part("overlays.lines")
     kinds = set(lines.KINDS)
     assert set(lines.SWITCHES) == set(part("bridge.materials").LINE_COLOURS) == kinds
-    assert set(overlay.COLOURS_ON_LIGHT) == set(overlay.COLOURS_ON_DARK) == kinds
+    drawn = kinds | set(part("bridge.level_lines").SWITCHES)
+    assert set(overlay.COLOURS_ON_LIGHT) == set(overlay.COLOURS_ON_DARK) == drawn
+    assert set(overlay.COMB_COLOURS) == set(part("bridge.combs").SWITCHES) <= kinds
