@@ -223,6 +223,26 @@ def test_colours_follow_and_go():
     assert state_of(hull).colour_scale is None
 
 
+def shading():
+    screens = (area for screen in bpy.data.screens for area in screen.areas)
+    view = next(area for area in screens if area.type == "VIEW_3D")
+    return view.spaces.active.shading
+
+
+def test_solid_views_show_colours_while_there_are_some():
+    hull = round_hull()
+    shading().color_type, shading().light = "OBJECT", "MATCAP"
+    hull.hull.fairness.colours = "MEAN"
+    assert (shading().color_type, shading().light) == ("VERTEX", "FLAT")
+    hull.hull.fairness.colours = "SLOPE"
+    hull.hull.fairness.colours = "NONE"
+    assert (shading().color_type, shading().light) == ("OBJECT", "MATCAP")
+    hull.hull.fairness.colours = "MEAN"
+    shading().color_type = "RANDOM"
+    hull.hull.fairness.colours = "NONE"
+    assert shading().color_type == "RANDOM"
+
+
 def test_undo_brings_colours_back():
     hull = round_hull()
     hull.hull.fairness.colours = "MEAN"

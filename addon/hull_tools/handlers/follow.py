@@ -4,7 +4,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import hull_objects, hull_state, live_analyses
+from ..bridge import colour_views, hull_objects, hull_state, live_analyses
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False
@@ -51,14 +51,17 @@ def after_undo(*unused):
     hull_state.forget_deleted()
     hull_state.forget_shown()
     _follow_all()
+    colour_views.follow()
 
 
 @persistent
 def before_load(*unused):
     forget_all()
+    colour_views.forget()
 
 
 @persistent
 def after_load(*unused):
     forget_all()
     _follow_all()
+    colour_views.follow()

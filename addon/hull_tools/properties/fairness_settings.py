@@ -6,7 +6,7 @@ from math import radians
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge import colour_views, hull_objects
+from ..bridge import colour_views
 from .shared import angle, changed, length
 
 
@@ -30,8 +30,7 @@ def _direction(name, description, default):
 
 def _colours_changed(settings, context):
     changed(settings, context)
-    hulls = hull_objects.hulls(bpy.data.objects)
-    colour_views.follow(any(hull.hull.fairness.colours != "NONE" for hull in hulls))
+    colour_views.follow()
 
 
 class HullFairness(bpy.types.PropertyGroup):
