@@ -384,6 +384,16 @@ def test_the_point_at_fault_is_selected():
     assert selected_points(hull) == {index}
 
 
+def test_points_around_bend_the_rim():
+    """A smooth box: its faces have flat control polygons, but their surface is round."""
+    hull = round_hull()
+    select_faces(hull, lambda centre: centre.y > 1.9)
+    inside = selected_points(hull)
+    check = part("bridge.flat_check").check_selected(hull, bpy.context.scene, 0.0)
+    assert check.distance > 0.01 and "around" in check.message
+    assert check.at_fault and not inside & set(check.at_fault)
+
+
 def test_flatness_needs_faces():
     hull, _ = flat_hull()
     select_faces(hull, lambda centre: False)

@@ -13,7 +13,8 @@ from . import hull_state, lines, native, units
 @dataclass(frozen=True)
 class FlatCheck:
     """distance: the largest of the surface from the plane that fits it best, in m. at_fault:
-    Blender's indices of the control points too far from it."""
+    Blender's indices of the control points of the faces that are too far from it, or else of those
+    around the faces that bend their rim."""
 
     distance: float
     at_fault: tuple
@@ -36,20 +37,24 @@ def check_selected(obj, scene, tolerance):
     scale = units.metres_per_unit(scene)
     allowed = tolerance * scale or lines.flat_tolerance(state.surface)
     found = native.require().flatness(state.surface, faces=faces, tolerance=allowed)
-    at_fault = tuple(control.vertex_ids[found.at_fault].tolist())
-    return FlatCheck(
-        found.surface_distance, at_fault, _message(scene, found, len(at_fault), allowed)
-    )
-
-
-def _message(scene, found, count, allowed):
+    own, around = found.at_fault, found.neighbours_at_fault
     furthest = units.format_value(scene, found.surface_distance, "m")
-    control = units.format_value(scene, found.control_distance, "m")
-    if not count:
-        return f"Flat: the surface is at most {1e3 * found.surface_distance:.3g} mm from its plane"
-    return (
-        f"The surface is up to {furthest} from its plane, control points up to {control}: "
-        f"{count} selected"
+    if len(own):
+        at_fault = own
+        furthest_point = units.format_value(scene, found.control_distance, "m")
+        reason = f"control points up to {furthest_point}: {len(own)} selected"
+    elif found.surface_distance > allowed:
+        at_fault = around
+        reason = (
+            f"though its control points are in it: {len(around)} around, which bend it, selected"
+        )
+    else:
+        furthest_mm = 1e3 * found.surface_distance
+        message = f"Flat: the surface is at most {furthest_mm:.3g} mm from its plane"
+        return FlatCheck(found.surface_distance, (), message)
+    message = f"The surface is up to {furthest} from its plane, {reason}"
+    return FlatCheck(
+        found.surface_distance, tuple(state.source.control.vertex_ids[at_fault].tolist()), message
     )
 
 
