@@ -17,6 +17,8 @@ _FONT = 0
 _TEXT_MM = 2.5
 _GAP = 12.0  # dots to the region's border, at a scale of 1
 
+_TEXTS = 56.0  # dots that Blender's own texts take at the top, at a scale of 1
+
 _made = (None, "", None)  # of the last time: scale, title, LegendArrays
 
 
@@ -36,12 +38,14 @@ def _draw():
     context = bpy.context
     if context.region is None or not context.space_data.overlay.show_overlays:
         return
-    arrays = legend_of(hull_objects.hull_of(context.view_layer.objects.active))
+    hull = hull_objects.hull_of(context.view_layer.objects.active)
+    arrays = legend_of(hull)
     if arrays is not None:
-        _draw_legend(context, arrays)
+        _draw_legend(context, arrays, is_low=hull.hull.plots.corner == "TOP_LEFT")
 
 
-def _draw_legend(context, arrays: LegendArrays):
+def _draw_legend(context, arrays: LegendArrays, is_low):
+    """Where no plot is: at the bottom if `is_low`, else below the texts at the top."""
     scale = context.preferences.system.ui_scale
     dots = DOTS_PER_MM * scale
     left, bottom, _, height = free_room(context.area, context.region)
@@ -50,7 +54,8 @@ def _draw_legend(context, arrays: LegendArrays):
     widest = max((_width(text) for _, text in arrays.labels), default=0.0)
     width = arrays.card_width_mm(_width(arrays.title) / dots, widest / dots)
     x = left + _GAP * scale
-    y = bottom + 0.5 * (height - HEIGHT_MM * dots)
+    below_texts = max(height - HEIGHT_MM * dots - _TEXTS * scale, 0.0)
+    y = bottom + (_GAP * scale if is_low else below_texts)
     shader = blender_versions.builtin_shader("SMOOTH_COLOR")
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():

@@ -59,6 +59,8 @@ def has_light_ground(context, hull):
     space = context.space_data
     is_seen = surface is not None and surface.visible_in_viewport_get(space)
     if is_seen and space.shading.type != "WIREFRAME":
+        if hull.hull.fairness.colours == "SLOPE":
+            return False  # the sides of a ship are in the dark middle of its colours
         material = surface.active_material
         return _luminance(material.diffuse_color if material else (0.8, 0.8, 0.8)) > _LIGHT
     gradients = context.preferences.themes[0].view_3d.space.gradients
