@@ -70,7 +70,10 @@ def last_outcome(obj, scene, name):
 
 
 def outcome_of(obj, scene, name):
-    """The Outcome for the hull as hull_state knows it, computed when it is not of now."""
+    """The Outcome for the hull as hull_state knows it, computed when it is not of now.
+
+    Those that follow every change are as close as live numbers are, the others as close as can be.
+    """
     state = hull_state.state_of(obj)
     if state is None or state.body is None:
         return Outcome(message=state.status if state else "")
@@ -78,7 +81,8 @@ def outcome_of(obj, scene, name):
     if is_current:
         return outcome or Outcome(message=state.status)
     key = key_of(obj, scene, name)
-    outcome = computed(name, state.ship, key)
+    ship = state.ship if ANALYSES[name].IS_LIVE else state.source.new_ship()
+    outcome = computed(name, ship, key)
     keep(state, name, key, outcome)
     return outcome
 
@@ -96,11 +100,15 @@ def keep(state, name, key, outcome):
 
 
 def result_of(obj, scene, name):
-    """The result for the hull as it is now; ValueError with the reason when there is none."""
+    """The result for the hull as it is now, as close as can be; ValueError with the reason when there
+    is none."""
     state = hull_state.refresh(obj, scene)
     if state.status:
         raise ValueError(state.status)
-    outcome = outcome_of(obj, scene, name)
+    if ANALYSES[name].IS_LIVE and state.body is not None:
+        outcome = computed(name, state.source.new_ship(), key_of(obj, scene, name))
+    else:
+        outcome = outcome_of(obj, scene, name)
     if outcome.message:
         raise ValueError(outcome.message)
     return outcome.result
