@@ -100,8 +100,8 @@ def keep(state, name, key, outcome):
 
 
 def result_of(obj, scene, name):
-    """The result for the hull as it is now, as close as can be; ValueError with the reason when there
-    is none."""
+    """The result for the hull as it is now, as close as can be; ValueError with the reason when
+    there is none."""
     state = hull_state.refresh(obj, scene)
     if state.status:
         raise ValueError(state.status)
