@@ -16,6 +16,7 @@ SWITCHES = (
     "show_diagonals",
     "show_planes",
     "show_design_waterline",
+    "show_flats",
     "show_features",
 )
 
@@ -41,7 +42,7 @@ def test_each_kind_lies_in_its_planes():
     found = lines_of(lined_hull())
     assert {kind: group.cut_count for kind, group in found.items()} == {
         "station": 5, "waterline": 2, "buttock": 2, "diagonal": 1, "plane": 1, "draft": 1,
-        "feature": 0,
+        "flat": 0, "feature": 0,
     }  # fmt: skip
     assert sorted({float(line[0, 0]) for line in found["station"].polylines}) == pytest.approx(
         [0.0, 2.5, 5.0, 7.5, 10.0], abs=1e-6
@@ -99,13 +100,18 @@ def test_a_whole_hull_has_both_sides():
 @pytest.mark.parametrize("switch", SWITCHES)
 def test_what_is_off_is_not_computed(switch, monkeypatch):
     hull, lines = lined_hull(), part("bridge.lines")
-    cuts_asked, curves, features = [], lines._curves, lines._features
+    cuts_asked, curves = [], lines._curves
     monkeypatch.setattr(
         lines, "_curves", lambda surface, cuts: cuts_asked.append(cuts) or curves(surface, cuts)
     )
-    monkeypatch.setattr(
-        lines, "_features", lambda surface: cuts_asked.append("features") or features(surface)
-    )
+    other = lines._other_curves
+
+    def other_curves(kind, surface):
+        if kind in ("flat", "feature"):
+            cuts_asked.append("features")
+        return other(kind, surface)
+
+    monkeypatch.setattr(lines, "_other_curves", other_curves)
 
     def asked_by_a_move():
         cuts_asked.clear()
@@ -340,3 +346,19 @@ def test_every_kind_has_its_colours_and_switch():
     drawn = kinds | set(part("bridge.level_lines").SWITCHES)
     assert set(overlay.COLOURS_ON_LIGHT) == set(overlay.COLOURS_ON_DARK) == drawn
     assert set(overlay.COMB_COLOURS) == set(part("bridge.combs").SWITCHES) <= kinds
+
+
+def test_rims_of_flats():
+    assert bpy.ops.hull.load_sample(name="coaster") == {"FINISHED"}
+    hull = bpy.context.object
+    for name in SWITCHES:
+        setattr(hull.hull.lines, name, name == "show_flats")
+    (group,) = state_after_update(hull).lines.values()
+    # Those of the bottom, the side and the transom.
+    assert len(group.features) == 3
+    for rim in group.features:
+        assert rim[0] == pytest.approx(rim[-1])
+        assert np.linalg.svd(rim - rim.mean(axis=0), compute_uv=False)[2] < 1e-4
+    assert bpy.ops.hull.lines_as_curves() == {"FINISHED"}
+    (curves,) = hull.hull.lines.curves.objects
+    assert curves.name.endswith("flats") and len(curves.data.splines) >= 3

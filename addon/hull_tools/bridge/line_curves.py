@@ -24,6 +24,7 @@ _NAMES = {
     "diagonal": "diagonals",
     "plane": "planes",
     "draft": "design waterline",
+    "flat": "flats",
     "feature": "knuckles and borders",
 }
 
@@ -113,12 +114,21 @@ def _splines_of(surface, group):
             for spline in (one for branch in branches for one in branch.splines):
                 knots = bezier_knots(spline.knots, spline.control_points)
                 chains += section.parts(knots[:, 1], knots)
+    chains += [cubic_knots(one.cubics) for one in lines.flat_borders(surface, group.kind)]
     if group.kind == "feature":
         chains += [
             bezier_knots(curve.knots, curve.control_points)
             for curve in hull_native.crease_curves(surface)
         ]
     return chains
+
+
+def cubic_knots(cubics):
+    """(left handle, point, right handle) of a chain of Bézier cubics (m, 4, 3), (m + 1, 3, 3)."""
+    points = np.concatenate([cubics[:, 0], cubics[-1:, 3]])
+    before = np.concatenate([cubics[:1, 0], cubics[:, 2]])
+    after = np.concatenate([cubics[:, 1], cubics[-1:, 3]])
+    return np.stack([before, points, after], axis=1)
 
 
 def bezier_knots(knots, control_points):

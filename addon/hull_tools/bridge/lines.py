@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The hull's lines: its sections by planes of several kinds, knuckles and borders.
+"""The hull's lines: its sections by planes of several kinds, knuckles and borders, rims of flats.
 
 A kind that is switched off costs nothing, and only what has changed is computed anew, all planes of
 it in one go.
@@ -15,7 +15,7 @@ from .line_places import line_places
 from .units import as_typed
 
 # In the order in which they are drawn: what is most important last.
-KINDS = ("station", "waterline", "buttock", "diagonal", "plane", "draft", "feature")
+KINDS = ("station", "waterline", "buttock", "diagonal", "plane", "draft", "flat", "feature")
 
 # The switch of each in Object.hull.lines.
 SWITCHES = {
@@ -25,6 +25,7 @@ SWITCHES = {
     "diagonal": "show_diagonals",
     "plane": "show_planes",
     "draft": "show_design_waterline",
+    "flat": "show_flats",
     "feature": "show_features",
 }
 
@@ -33,6 +34,8 @@ SWITCHES = {
 _CHORD_TOLERANCE = 1e-5
 _FLAT_TOLERANCE = 2e-7
 _SAMPLES_PER_EDGE = 16
+# Flats smaller than this part of the size squared are not what is called one.
+_SMALLEST_FLAT = 1e-4
 
 _TO_STARBOARD = np.array([1.0, -1.0, 1.0])
 
@@ -130,6 +133,7 @@ def cuts_of_kinds(settings, points, metres_per_unit, kinds):
         "diagonal": _diagonals(places.diagonals, settings.half),
         "plane": _planes(settings.lines.planes, settings.half, metres_per_unit),
         "draft": [_across(2, draft)] if draft > 0.0 else [],
+        "flat": [],
         "feature": [] if settings.half else [_across(1, 0.0)],
     }
     return {kind: tuple(cuts[kind]) for kind in kinds}
@@ -188,7 +192,7 @@ def groups(known, surface, wanted, half, geometry_key):
             keys[kind],
             half and kind != "plane",  # whose images are among the cuts
             tuple(Section(cut, next(curves)) for cut in wanted[kind]),
-            _features(surface) if kind == "feature" else (),
+            _other_curves(kind, surface),
         )
     return {kind: found[kind] for kind in KINDS if kind in found}
 
@@ -202,6 +206,22 @@ def _curves(surface, cuts):
         _CHORD_TOLERANCE * size_of(surface),
         flat_tolerance=flat_tolerance(surface),
     )
+
+
+def _other_curves(kind, surface):
+    """Those of a kind that no planes cut."""
+    if kind == "feature":
+        return _features(surface)
+    return tuple(border.points(_SAMPLES_PER_EDGE) for border in flat_borders(surface, kind))
+
+
+def flat_borders(surface, kind="flat"):
+    """The hull_native.FlatBorders around the flats of side, bottom and transom."""
+    if kind != "flat":
+        return []
+    size = size_of(surface)
+    flats = native.require().flat_regions(surface, smallest_area=_SMALLEST_FLAT * size * size)
+    return [border for flat in flats for border in flat.borders]
 
 
 def _features(surface):

@@ -93,6 +93,7 @@ LINE_KINDS = (
     "diagonals",
     "planes",
     "design_waterline",
+    "flats",
     "features",
 )
 

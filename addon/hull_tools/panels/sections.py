@@ -28,7 +28,7 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
                 column.prop(settings, name)
             if kind == "station" and settings.stations:
                 column.prop(settings, "stations_in", text="")
-        for kind in ("draft", "feature"):
+        for kind in ("draft", "flat", "feature"):
             self._draw_switch(layout, settings, found, kind)
         layout.prop(settings, "frame_spacing")
         layout.prop(settings, "in_front")
@@ -50,8 +50,9 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
 
 
 def count_of(group):
-    """How many planes meet the hull, or how many knuckles and borders there are."""
-    return str(len(group.features) if group.kind == "feature" else group.cut_count)
+    """How many planes meet the hull, or how many curves of other kinds there are."""
+    is_cut = group.kind not in ("flat", "feature")
+    return str(group.cut_count if is_cut else len(group.features))
 
 
 class HULL_UL_planes(bpy.types.UIList):

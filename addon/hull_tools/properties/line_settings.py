@@ -59,6 +59,7 @@ class HullLines(bpy.types.PropertyGroup):
     show_diagonals: _switch("Diagonals", "Show diagonals in the 3D view")
     show_planes: _switch("Planes", "Show sections by planes of one's own in the 3D view")
     show_design_waterline: _switch("Design waterline", "Show the waterline at the draft")
+    show_flats: _switch("Flats", "Show the rims of flat sides, bottoms and transoms in the 3D view")
     show_features: _switch("Knuckles, borders", "Show knuckles and borders in the 3D view")
     in_front: _switch("Through the surface", "Show lines behind the surface too", default=False)
 
