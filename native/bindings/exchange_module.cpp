@@ -5,9 +5,12 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "bindings/companion_module.h"
+#include "conversion/exact_conversion.h"
+#include "conversion/per_cell.h"
 #include "exchange/step_file.h"
 
 namespace py = pybind11;
@@ -43,6 +46,19 @@ StepReport write(const PatchSet& patches, const std::filesystem::path& path,
   return write_step(patches, path.string(), {.name = name, .mirrored = mirrored});
 }
 
+StepReport convert_and_write(const LimitSurface& surface, const std::filesystem::path& path,
+                             const std::string& name, bool mirrored, const std::string& conversion,
+                             double tolerance) {
+  if (conversion != "exact" && conversion != "per_cell") {
+    throw std::invalid_argument("conversion must be \"exact\" or \"per_cell\", not \"" +
+                                conversion + "\".");
+  }
+  const py::gil_scoped_release release;
+  const PatchSet patches = conversion == "exact" ? exact_patches(surface, {.tolerance = tolerance})
+                                                 : fit_per_cell(surface);
+  return write_step(patches, path.string(), {.name = name, .mirrored = mirrored});
+}
+
 StepReport read(const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   return read_step_report(path.string());
@@ -67,6 +83,16 @@ PYBIND11_MODULE(_exchange, module) {
       "The file is complete and read back, or it is not there and one of the same name is "
       "untouched. Returns the report of read_step_report. Raises ValueError if the patches "
       "make no valid shape, OSError if the file can't be written.");
+  module.def(
+      "write_step",
+      [](const hull::LimitSurface& surface, const std::filesystem::path& path,
+         const std::string& name, bool mirrored, const std::string& conversion, double tolerance) {
+        return to_dict(convert_and_write(surface, path, name, mirrored, conversion, tolerance));
+      },
+      py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("name") = "hull",
+      py::arg("mirrored") = false, py::arg("conversion") = "exact", py::arg("tolerance") = 1e-6,
+      "The same for a surface, which is converted first: \"exact\" as by exact_patches() with the "
+      "tolerance, \"per_cell\" as by fit_per_cell().");
   module.def(
       "read_step_report", [](const std::filesystem::path& path) { return to_dict(read(path)); },
       py::arg("path"),

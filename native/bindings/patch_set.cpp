@@ -140,13 +140,17 @@ void bind_patch_set(py::module_& module) {
 
   module.def(
       "exact_patches",
-      [](const LimitSurface& surface, int grading) {
+      [](const LimitSurface& surface, double tolerance, double seam_angle, int grading) {
         const py::gil_scoped_release release;
-        return exact_patches(surface, grading);
+        return exact_patches(surface, {tolerance, seam_angle, grading});
       },
-      py::arg("surface"), py::kw_only(), py::arg("grading") = kUsualGrading,
-      "Few large bicubic B-spline patches with graded knots, which equal the surface but for "
-      "squares of 2^-grading of a cell at irregular points. Returns a PatchSet.");
+      py::arg("surface"), py::kw_only(), py::arg("tolerance") = 1e-6, py::arg("seam_angle") = 0.0,
+      py::arg("grading") = 0,
+      "Few large bicubic B-spline patches with knots graded towards irregular points, which equal "
+      "the surface but for small squares there. tolerance: how far they may be from the surface, "
+      "of the mesh's largest extent; seam_angle (rad): how much normals of neighbours may differ, "
+      "0 for what goes with the tolerance; grading: how often knots are halved, 0 for as often as "
+      "these need. Returns a PatchSet.");
 }
 
 }  // namespace hull::bindings

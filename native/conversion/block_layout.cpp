@@ -142,6 +142,20 @@ Block block_from(const Topology& cells, const Cutter& cutter, int side) {
 
 }  // namespace
 
+std::vector<int> Block::half_edges(const Topology& cells, int k) const {
+  std::vector<int> result;
+  const int last_u = count_u - 1, last_v = count_v - 1;
+  for (int i = 0; i < (k % 2 == 0 ? count_u : count_v); ++i) {
+    int h = k == 0   ? side(i, 0)
+            : k == 1 ? side(last_u, i)
+            : k == 2 ? side(last_u - i, last_v)
+                     : side(0, last_v - i);
+    for (int turn = 0; turn < k; ++turn) h = cells.next(h);
+    result.push_back(h);
+  }
+  return result;
+}
+
 BlockLayout::BlockLayout(const LimitSurface& surface) {
   const Topology& cells = surface.cells();
   Cutter cutter(surface);

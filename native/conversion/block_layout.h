@@ -15,6 +15,9 @@ struct Block {
   std::vector<int> sides;
 
   int side(int i, int j) const { return sides[i * count_v + j]; }
+
+  // The half-edges along side k (numbered as those of a BSplinePatch), in its direction.
+  std::vector<int> half_edges(const Topology& cells, int k) const;
 };
 
 // The cells of a surface, cut into few blocks.

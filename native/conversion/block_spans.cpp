@@ -17,6 +17,12 @@ bool contains(const DomainSquare& square, const SurfacePiece& piece) {
          piece.v < square.v + square.size;
 }
 
+// The corner of the cell that a smaller square lies at.
+int corner_of(const CornerSquare& square) {
+  const bool at_begin_u = square.u == 0.0, at_begin_v = square.v == 0.0;
+  return at_begin_u ? (at_begin_v ? 0 : 3) : (at_begin_v ? 1 : 2);
+}
+
 void sort_unique(std::vector<double>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -24,16 +30,20 @@ void sort_unique(std::vector<double>& values) {
 
 }  // namespace
 
-BlockSpans::BlockSpans(const LimitSurface& surface, const Block& block, int grading)
+BlockSpans::BlockSpans(const LimitSurface& surface, const Block& block, const Gradings& gradings)
     : count_v_(block.count_v), spans_(block.sides.size()) {
-  const double corner = std::exp2(-grading), smallest = std::exp2(-grading - kDeeperRings);
+  const Topology& cells = surface.cells();
   for (int i = 0; i < block.count_u; ++i) {
     for (int j = 0; j < block.count_v; ++j) {
       const int side = block.side(i, j), turn_back = (4 - side % 4) % 4;
       std::vector<DomainSquare> corners;
       const auto descend = [&](const CornerSquare& square) {
-        if (square.size == corner) corners.push_back({square.u, square.v, square.size});
-        return square.size > smallest;
+        if (square.size == 1.0) return true;
+        const int grading = gradings[cells.origin(4 * square.cell + corner_of(square))];
+        if (square.size == std::exp2(-grading)) {
+          corners.push_back({square.u, square.v, square.size});
+        }
+        return square.size > std::exp2(-grading - kDeeperRings);
       };
       for_each_piece(surface, side / 4, descend, [&](const SurfacePiece& piece) {
         const bool is_in_corner = std::any_of(corners.begin(), corners.end(),

@@ -8,6 +8,9 @@
 
 namespace hull {
 
+// Of each vertex of LimitSurface::cells() how often the knots are halved there, if it is irregular.
+using Gradings = std::vector<int>;
+
 // A square of a block on which the surface is one bicubic span; in the block's coordinates, in
 // which every cell is a unit square.
 struct BlockSpan {
@@ -20,7 +23,7 @@ struct BlockSpan {
 // 2^-grading of a cell that are left at irregular corners.
 class BlockSpans {
  public:
-  BlockSpans(const LimitSurface& surface, const Block& block, int grading);
+  BlockSpans(const LimitSurface& surface, const Block& block, const Gradings& gradings);
 
   // The lines between spans outside the corner squares, rising, from 0 to the number of cells; and
   // those through the middles of the corner squares. Some blocks need these, beside modified edges;

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
+
+#include "conversion/grading.h"
 
 namespace hull {
 namespace {
@@ -13,23 +17,6 @@ constexpr double kInPlane = 1e-7;  // of the mesh's size
 
 std::array<double, 2> corner_uv(int k) {
   return {k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0};
-}
-
-// The half-edges along a side of a block, in the side's direction.
-std::vector<int> half_edges_of(const Topology& cells, const Block& block, int side) {
-  std::vector<int> result;
-  const int last_u = block.count_u - 1, last_v = block.count_v - 1;
-  const int count = side % 2 == 0 ? block.count_u : block.count_v;
-  for (int i = 0; i < count; ++i) {
-    const int bottom = side == 0   ? block.side(i, 0)
-                       : side == 1 ? block.side(last_u, i)
-                       : side == 2 ? block.side(last_u - i, last_v)
-                                   : block.side(0, last_v - i);
-    int h = bottom;
-    for (int turn = 0; turn < side; ++turn) h = cells.next(h);
-    result.push_back(h);
-  }
-  return result;
 }
 
 class SetBuilder {
@@ -44,28 +31,29 @@ class SetBuilder {
     find_ends_in_plane();
     for (const Block& block : layout.blocks) {
       for (int k = 0; k < 4; ++k) {
-        is_end_[cells_.origin(half_edges_of(cells_, block, k).front())] = 1;
+        is_end_[cells_.origin(block.half_edges(cells_, k).front())] = 1;
       }
     }
   }
 
-  PatchSet build(int grading) const {
+  PatchSet build(std::vector<BSplinePatch> patches) const {
     PatchSet set;
     set.vertex_count = cells_.vertex_count();
     set.edge_count = cells_.edge_count();
-    for (const Block& block : layout_.blocks) {
-      BSplinePatch patch = exact_patch(surface_, block, grading);
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const Block& block = layout_.blocks[p];
+      BSplinePatch& patch = patches[p];
       std::array<int, 4> corners{};
       std::array<PatchSide, 4> sides;
       for (int k = 0; k < 4; ++k) {
-        sides[k] = side_of(half_edges_of(cells_, block, k));
+        sides[k] = side_of(block.half_edges(cells_, k));
         corners[k] = sides[k].front().from;
         patch.control_points[patch.side_index(k, 0)] = points_[corners[k]];
       }
-      set.patches.push_back(std::move(patch));
       set.corners.push_back(corners);
       set.sides.push_back(std::move(sides));
     }
+    set.patches = std::move(patches);
     return set;
   }
 
@@ -128,11 +116,33 @@ class SetBuilder {
   std::vector<char> is_end_;      // per vertex: edges end there
 };
 
+void check(const ExactOptions& options) {
+  const auto refuse = [](const std::string& what, const std::string& range, double value) {
+    throw std::invalid_argument("The " + what + " of patches must be " + range + ", not " +
+                                std::to_string(value) + ".");
+  };
+  const auto& [tolerance, angle, grading] = options;
+  if (!(tolerance >= 1e-10 && tolerance <= 0.1)) {
+    refuse("tolerance", "between 1e-10 and 0.1 of the largest extent", tolerance);
+  }
+  if (!(angle >= 0.0 && angle <= 1.0)) refuse("seam angle", "between 0 and 1 rad", angle);
+  if (grading != 0 && (grading < kLeastGrading || grading > kMostGrading)) {
+    refuse("grading", "0, or from 2 to 30", grading);
+  }
+}
+
 }  // namespace
 
-PatchSet exact_patches(const LimitSurface& surface, int grading) {
+PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options) {
+  check(options);
   const BlockLayout layout(surface);
-  return SetBuilder(surface, layout).build(grading);
+  const SetBuilder builder(surface, layout);
+  if (options.grading == 0) return builder.build(graded_patches(surface, layout, options));
+  std::vector<BSplinePatch> patches;
+  for (const Block& block : layout.blocks) {
+    patches.push_back(exact_patch(surface, block, options.grading));
+  }
+  return builder.build(std::move(patches));
 }
 
 }  // namespace hull

@@ -102,10 +102,10 @@ KnotLine knot_line(const BlockSpans& spans, bool along_u, double tolerance) {
 
 class PatchBuilder {
  public:
-  PatchBuilder(const LimitSurface& surface, const Block& block, int grading)
+  PatchBuilder(const LimitSurface& surface, const Block& block, const Gradings& gradings)
       : surface_(surface),
         block_(block),
-        spans_(surface, block, grading),
+        spans_(surface, block, gradings),
         u_(knot_line(spans_, true, kSmooth * surface.mesh().size())),
         v_(knot_line(spans_, false, kSmooth * surface.mesh().size())) {}
 
@@ -182,12 +182,18 @@ class PatchBuilder {
 }  // namespace
 
 BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, int grading) {
-  if (grading < kLeastGrading || grading > kMostGrading) {
+  return exact_patch(surface, block, Gradings(surface.cells().vertex_count(), grading));
+}
+
+BSplinePatch exact_patch(const LimitSurface& surface, const Block& block,
+                         const Gradings& gradings) {
+  for (int grading : gradings) {
+    if (grading >= kLeastGrading && grading <= kMostGrading) continue;
     throw std::invalid_argument(
         "The grading of patches must be between " + std::to_string(kLeastGrading) + " and " +
         std::to_string(kMostGrading) + ", not " + std::to_string(grading) + ".");
   }
-  return PatchBuilder(surface, block, grading).build();
+  return PatchBuilder(surface, block, gradings).build();
 }
 
 }  // namespace hull

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "conversion/block_layout.h"
+#include "conversion/block_spans.h"
 #include "conversion/bspline_patch.h"
 
 namespace hull {
@@ -17,7 +17,11 @@ inline constexpr int kLeastGrading = 2, kMostGrading = 30;
 // Lines between cells of one face of the control mesh are no knots where the surface is one
 // polynomial across them. The patch's (u, v) in [0, 1]² are the block's.
 //
+// The lines of knots run through the whole patch: where two corners at the ends of a side are
+// irregular, their gradings must be the same.
+//
 // Throws std::invalid_argument unless kLeastGrading <= grading <= kMostGrading.
 BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, int grading);
+BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, const Gradings& gradings);
 
 }  // namespace hull

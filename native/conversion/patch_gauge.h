@@ -23,8 +23,6 @@ class PatchGauge {
   void measure(const BSplinePatch& patch, FitReport& report);
 
  private:
-  double distance(const Vector3d& point, int cell, double u, double v) const;
-
   const LimitSurface& surface_;
   double negligible_;  // metres; below this no closer point is looked for
   std::vector<double> nodes_;

@@ -84,3 +84,32 @@ def test_step_of_a_ship(name, tmp_path):
     assert report["shells"] == 1
     # No gaps: what is free is the hull's own border.
     assert report["free_edge_length"] == pytest.approx(real_border_length(surface), rel=2e-3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_exact_patches_of_a_ship(name, tmp_path):
+    data, surface = surface_of(name)
+    patches = hn.exact_patches(surface)
+    length = np.ptp(surface.mesh.points[:, 0])
+    assert patches.patch_count <= surface.cell_count / 6
+    assert patches.largest_gap <= 1e-13 * surface.mesh.size
+    # Closest points of the whole surface, crowded towards the patches' corners.
+    t = np.concatenate([[0.0, 1.0], 0.5 ** np.arange(1, 12), 1.0 - 0.5 ** np.arange(2, 12)])
+    uv = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
+    chosen = np.repeat(np.arange(patches.patch_count), 100)
+    random = np.random.default_rng(101)
+    points = patches.positions(chosen, uv[random.integers(len(uv), size=len(chosen))])
+    found = hn.SurfaceTree(surface).closest_points(points)
+    assert found.distances.max() <= 1e-6 * length
+    path = tmp_path / "hull.step"
+    hn.write_step(surface, path, name=data.name, mirrored=data.half)
+    report = hn.read_step_report(path)
+    assert report["valid"]
+    assert report["shells"] == 1
+    assert report["free_edge_length"] == pytest.approx(real_border_length(surface), rel=2e-3)
+
+
+def test_conversion_must_be_known(tmp_path):
+    _, surface = surface_of(NAMES[0])
+    with pytest.raises(ValueError, match="per_cell"):
+        hn.write_step(surface, tmp_path / "hull.step", conversion="other")
