@@ -247,7 +247,7 @@ def test_criteria_are_those_of_the_native_function():
         part("bridge.native")
         .require()
         .stability_criteria(
-            state_of(hull).body,
+            state_of(hull).source.new_ship().body,
             mass_t=state_of(hull).hydrostatics.displacement_t,
             centre_of_gravity=(state_of(hull).hydrostatics.lcb, 0.0, 1.2),
             water_density=DENSITY,

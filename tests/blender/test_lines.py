@@ -255,7 +255,7 @@ def test_lines_as_curves(form):
     hull = lined_hull()
     assert bpy.ops.hull.lines_as_curves(form=form) == {"FINISHED"}
     made = curves_of(hull)
-    assert len(made) == 7
+    assert len(made) == 8
     stations = made["box stations"]
     assert stations.parent == hull and stations.data.bevel_depth > 0.0
     assert stations.data.materials[0].name == "Hull station"
@@ -276,7 +276,7 @@ def test_curves_are_replaced_and_undone():
     count = len(bpy.data.curves)
     hull.hull.lines.show_buttocks = False
     bpy.ops.hull.lines_as_curves()
-    assert len(curves_of(hull)) == 6 and len(bpy.data.curves) == count - 1
+    assert len(curves_of(hull)) == 7 and len(bpy.data.curves) == count - 1
     assert len(bpy.data.collections) == 1
     bpy.context.view_layer.objects.active = next(iter(curves_of(hull).values()))
     assert bpy.ops.hull.lines_as_curves() == {"FINISHED"}
@@ -295,7 +295,7 @@ def test_a_copy_of_a_hull_makes_curves_of_its_own():
     bpy.context.view_layer.objects.active = twin
     bpy.ops.hull.lines_as_curves()
     assert twin.hull.lines.curves != hull.hull.lines.curves
-    assert len(curves_of(hull)) == len(curves_of(twin)) == 7
+    assert len(curves_of(hull)) == len(curves_of(twin)) == 8
 
 
 def test_bezier_curves_are_the_same_as_the_splines():

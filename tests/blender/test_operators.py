@@ -47,7 +47,7 @@ def test_make_hull_fills_in_the_particulars_and_shows_surface_and_lines():
     assert len(settings.surface_object.data.polygons) == 2 * 4 * 4 * settings.samples**2
     lines = state_of(hull).lines
     assert {kind for kind, group in lines.items() if group.polylines} == {
-        "station", "waterline", "buttock", "draft", "feature"
+        "station", "waterline", "buttock", "draft", "flat", "feature"
     }  # fmt: skip
 
 
