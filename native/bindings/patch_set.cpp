@@ -104,10 +104,12 @@ void bind_patch_set(py::module_& module) {
                              "m: the largest distance of the curves of two patches at their edge.")
       .def_property_readonly(
           "largest_distance", [](const PatchSet& s) { return s.report.largest_distance; },
-          "m: no sampled point of a patch is further from the surface.")
+          "m: no sampled point of a patch is further from the surface. NaN for exact patches, "
+          "which "
+          "are not sampled.")
       .def_property_readonly(
           "rms_distance", [](const PatchSet& s) { return s.report.rms_distance; },
-          "m: root of the mean square of the samples' distances.")
+          "m: root of the mean square of the samples' distances, or NaN.")
       .def_property_readonly(
           "largest_distance_at",
           [](const PatchSet& s) {
