@@ -25,12 +25,6 @@ const EstimatingRule& EstimatingRule::of(int n) {
   return rules[n - 2];
 }
 
-double EstimatingRule::integral(const Values& values) const {
-  double sum = 0.0;
-  for (int i = 0; i < count(); ++i) sum += rule_.weights[i] * values[i];
-  return sum;
-}
-
 double EstimatingRule::error(const Values& values) const {
   double a = 0.0, b = 0.0, mean = 0.0;
   for (int i = 0; i < count(); ++i) {

@@ -22,7 +22,6 @@ class EstimatingRule {
   int count() const { return static_cast<int>(rule_.nodes.size()); }
   double node(int i) const { return rule_.nodes[i]; }
   double weight(int i) const { return rule_.weights[i]; }
-  double integral(const Values& values) const;
   double error(const Values& values) const;
 
  private:

@@ -11,13 +11,6 @@ namespace {
 
 constexpr int kMostHalvings = 6;
 
-// Across the water's surface: exact for polynomials up to the rule's degree.
-const GaussRule& inner_rule(SpanRule rule) {
-  static const std::array<GaussRule, 4> rules{gauss_rule(3), gauss_rule(4), gauss_rule(5),
-                                              gauss_rule(6)};
-  return rules[static_cast<int>(rule) - 3];
-}
-
 // A span as a cubic across, at one parameter along: its points, and their derivatives along.
 struct Across {
   std::array<Vector3d, 4> points, slopes;
@@ -89,7 +82,7 @@ class CutIntegrator {
 
   void add_column(const CutSquare& square, double u, double from, double to, double weight,
                   ShellNodes& nodes) const {
-    const GaussRule& inner = inner_rule(rules_.span);
+    const GaussRule& inner = gauss(rules_.span);  // exact for polynomials up to its degree
     const double begin = square.swapped ? square.u : square.v;
     const Across across(points_, (square.swapped ? square.v : square.u) + square.size * u,
                         square.swapped);

@@ -45,13 +45,13 @@ HullBody::HullBody(const LimitSurface& surface, bool mirrored, Openings openings
 
 void HullBody::update() {
   parts_.update();
+  boxes_ = CellBoxes(surface());
   close();
 }
 
 void HullBody::close() {
   const Vector3d& centre = parts_.rules().centre;
   border_ = border_edges(surface());
-  boxes_ = CellBoxes(surface());
   closings_ = closing_spans(surface(), border_, mirrored_);
   caps_.resize(closings_.size());
   for (std::size_t i = 0; i < caps_.size(); ++i) {

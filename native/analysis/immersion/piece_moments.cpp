@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "analysis/arithmetic/gauss.h"
 #include "surface/wide_code.h"
 
 namespace hull {
@@ -51,11 +50,15 @@ class PerRule {
   std::array<Value, 4> values_;
 };
 
+}  // namespace
+
 const GaussRule& gauss(SpanRule rule) {
   static const PerRule<GaussRule> rules(
       [](SpanRule which) { return gauss_rule(static_cast<int>(which)); });
   return rules[rule];
 }
+
+namespace {
 
 const LineRule& whole_line(SpanRule rule) {
   static const PerRule<LineRule> lines(

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/shell_moments.h"
 #include "surface/bicubic.h"
 
@@ -31,6 +32,7 @@ struct SpanSquare {
 // degree 3 + 3 + 5 = 11 in u and in v: six nodes are exact. Five are exact for volumes (degree 8).
 // Fewer serve for small pieces, and where 1e-9 of a span's share will do.
 enum class SpanRule { kExact = 6, kVolume = 5, kSmall = 4, kSmallest = 3 };
+const GaussRule& gauss(SpanRule rule);
 
 // Moments of the square, without an estimate of the area's error.
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule);
