@@ -4,14 +4,10 @@
 from math import radians
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
 from ..bridge import colour_views
-from .shared import angle, changed, length
-
-
-def _switch(name, description, default=False):
-    return BoolProperty(name=name, description=description, default=default, update=changed)
+from .shared import angle, changed, length, switch
 
 
 def _direction(name, description, default):
@@ -34,12 +30,12 @@ def _colours_changed(settings, context):
 
 
 class HullFairness(bpy.types.PropertyGroup):
-    comb_stations: _switch("Stations", "Curvature combs on the stations")
-    comb_waterlines: _switch("Waterlines", "Curvature combs on the waterlines")
-    comb_buttocks: _switch("Buttocks", "Curvature combs on the buttocks")
-    comb_diagonals: _switch("Diagonals", "Curvature combs on the diagonals")
-    comb_planes: _switch("Planes", "Curvature combs on sections by planes of one's own")
-    comb_features: _switch("Knuckles, borders", "Curvature combs on knuckles and borders")
+    comb_stations: switch("Stations", "Curvature combs on the stations")
+    comb_waterlines: switch("Waterlines", "Curvature combs on the waterlines")
+    comb_buttocks: switch("Buttocks", "Curvature combs on the buttocks")
+    comb_diagonals: switch("Diagonals", "Curvature combs on the diagonals")
+    comb_planes: switch("Planes", "Curvature combs on sections by planes of one's own")
+    comb_features: switch("Knuckles, borders", "Curvature combs on knuckles and borders")
     comb_factor: FloatProperty(
         name="Scale ×",
         description="Length of the teeth; at 1 most are shorter than a twentieth of the hull as it "
@@ -52,8 +48,8 @@ class HullFairness(bpy.types.PropertyGroup):
         update=changed,
     )
     comb_step: length("Distance", "Largest distance of the teeth; 0: a 200th of the hull", 0.0)
-    show_inflections: _switch("Inflections", "Mark where the bend changes sides", True)
-    show_extrema: _switch("Extrema", "Mark where curvature is locally greatest or least", True)
+    show_inflections: switch("Inflections", "Mark where the bend changes sides", True)
+    show_extrema: switch("Extrema", "Mark where curvature is locally greatest or least", True)
 
     colours: EnumProperty(
         name="Colours",
@@ -70,7 +66,7 @@ class HullFairness(bpy.types.PropertyGroup):
         ),
         update=_colours_changed,
     )  # fmt: skip
-    logarithmic: _switch(
+    logarithmic: switch(
         "Logarithmic",
         "Decades of curvature have equal shares of the colours, for bilge and sides alike",
         True,
@@ -84,7 +80,7 @@ class HullFairness(bpy.types.PropertyGroup):
         update=changed,
     )
 
-    show_reflections: _switch("Reflection lines", "Light lines as a mirroring hull shows them")
+    show_reflections: switch("Reflection lines", "Light lines as a mirroring hull shows them")
     line_direction: _direction(
         "Lines along", "Direction of the light lines, in the mesh's axes", (1.0, 0.0, 0.0)
     )
@@ -95,14 +91,14 @@ class HullFairness(bpy.types.PropertyGroup):
         "Spacing", "Between light lines, as an angle about their direction",
         radians(5.0), radians(0.25), radians(45.0),
     )  # fmt: skip
-    show_isophotes: _switch("Isophotes", "Lines of equal angle between surface and light")
+    show_isophotes: switch("Isophotes", "Lines of equal angle between surface and light")
     isophote_direction: _direction(
         "Light from", "Direction of the light, in the mesh's axes", (0.0, 0.0, 1.0)
     )
     isophote_spacing: angle(
         "Spacing", "Between isophotes", radians(5.0), radians(0.25), radians(45.0)
     )
-    show_silhouette: _switch("Silhouette", "The outline of the hull as it is seen by the eye")
+    show_silhouette: switch("Silhouette", "The outline of the hull as it is seen by the eye")
     eye_direction: _direction(
         "Eye", "Where the eye is, seen from the hull, for reflection lines and silhouette",
         (0.0, 1.0, 0.0),

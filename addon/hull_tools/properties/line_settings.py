@@ -4,7 +4,6 @@ the table of offsets are of the same."""
 
 import bpy
 from bpy.props import (
-    BoolProperty,
     CollectionProperty,
     EnumProperty,
     FloatProperty,
@@ -14,11 +13,7 @@ from bpy.props import (
     StringProperty,
 )
 
-from .shared import changed, length
-
-
-def _switch(name, description, default=True):
-    return BoolProperty(name=name, description=description, default=default, update=changed)
+from .shared import changed, length, switch
 
 
 def _text(name, description):
@@ -29,7 +24,7 @@ class HullPlane(bpy.types.PropertyGroup):
     """A plane that the hull is cut by, in the mesh's axes and the scene's units."""
 
     name: StringProperty(name="Name", default="Plane", update=changed)
-    is_shown: _switch("Shown", "Show the section by this plane in the 3D view")
+    is_shown: switch("Shown", "Show the section by this plane in the 3D view", True)
     normal: FloatVectorProperty(
         name="Normal",
         description="Direction across the plane",
@@ -53,15 +48,17 @@ class HullLines(bpy.types.PropertyGroup):
     """Lists are texts, in metres whatever the scene's units; one that is not blank counts before
     the spacing."""
 
-    show_stations: _switch("Stations", "Show sections across the ship in the 3D view")
-    show_waterlines: _switch("Waterlines", "Show sections along the water in the 3D view")
-    show_buttocks: _switch("Buttocks", "Show sections along the centre plane in the 3D view")
-    show_diagonals: _switch("Diagonals", "Show diagonals in the 3D view")
-    show_planes: _switch("Planes", "Show sections by planes of one's own in the 3D view")
-    show_design_waterline: _switch("Design waterline", "Show the waterline at the draft")
-    show_flats: _switch("Flats", "Show the rims of flat sides, bottoms and transoms in the 3D view")
-    show_features: _switch("Knuckles, borders", "Show knuckles and borders in the 3D view")
-    in_front: _switch("Through the surface", "Show lines behind the surface too", default=False)
+    show_stations: switch("Stations", "Show sections across the ship in the 3D view", True)
+    show_waterlines: switch("Waterlines", "Show sections along the water in the 3D view", True)
+    show_buttocks: switch("Buttocks", "Show sections along the centre plane in the 3D view", True)
+    show_diagonals: switch("Diagonals", "Show diagonals in the 3D view", True)
+    show_planes: switch("Planes", "Show sections by planes of one's own in the 3D view", True)
+    show_design_waterline: switch("Design waterline", "Show the waterline at the draft", True)
+    show_flats: switch(
+        "Flats", "Show the rims of flat sides, bottoms and transoms in the 3D view", True
+    )
+    show_features: switch("Knuckles, borders", "Show knuckles and borders in the 3D view", True)
+    in_front: switch("Through the surface", "Show lines behind the surface too")
 
     station_count: IntProperty(
         name="Lpp /",

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
-from .shared import changed, length
+from .shared import changed, length, switch
 
 
 class HullTable(bpy.types.PropertyGroup):
@@ -21,7 +21,7 @@ class HullTable(bpy.types.PropertyGroup):
 
 
 def _switch(name):
-    return BoolProperty(name=name, description="Show this plot over the 3D view", update=changed)
+    return switch(name, "Show this plot over the 3D view")
 
 
 class HullPlots(bpy.types.PropertyGroup):

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the groups of properties have in common."""
 
-from bpy.props import FloatProperty
+from bpy.props import BoolProperty, FloatProperty
 
 
 def changed(settings, context):
     """Blender tells handlers of changes made in the window by itself, but not of a script's."""
     settings.id_data.update_tag(refresh={"DATA"})
+
+
+def switch(name, description, default=False):
+    return BoolProperty(name=name, description=description, default=default, update=changed)
 
 
 def length(name, description, default=0.0, minimum=0.0):
