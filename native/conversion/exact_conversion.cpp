@@ -57,6 +57,7 @@ class SetBuilder {
       set.sides.push_back(std::move(sides));
     }
     set.patches = std::move(patches);
+    set.blocks = layout_.blocks;
     return set;
   }
 

@@ -192,6 +192,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
     kept.patches.push_back(std::move(all.patches[p]));
     kept.corners.push_back(all.corners[p]);
     kept.sides.push_back(std::move(all.sides[p]));
+    if (!all.blocks.empty()) kept.blocks.push_back(std::move(all.blocks[p]));
   }
   if (!result.left_out.empty()) {
     unify_vertices(kept, vertices);

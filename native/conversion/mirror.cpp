@@ -79,6 +79,7 @@ std::vector<int> image_numbers(const std::vector<bool>& on_seam, int& count) {
 PatchSet with_mirror_image(const PatchSet& half) {
   const Seam seam = find_seam(half);
   PatchSet whole = half;
+  if (!half.blocks.empty()) whole.blocks.resize(2 * half.patches.size());
   const std::vector<int> vertices = image_numbers(seam.vertices, whole.vertex_count);
   const std::vector<int> edges = image_numbers(seam.edges, whole.edge_count);
   const double tolerance = kSeamTolerance * half.size();

@@ -78,6 +78,10 @@ void check_numbers(const PatchSet& set) {
                                 std::to_string(set.corners.size()) + " and sides of " +
                                 std::to_string(set.sides.size()));
   }
+  if (!set.blocks.empty() && set.blocks.size() != count) {
+    throw std::invalid_argument(std::to_string(count) + " patches, but blocks of " +
+                                std::to_string(set.blocks.size()));
+  }
   for (size_t p = 0; p < count; ++p) {
     for (int k = 0; k < 4; ++k) check_side(set, static_cast<int>(p), k);
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "conversion/block_layout.h"
 #include "conversion/bspline_patch.h"
 
 namespace hull {
@@ -47,6 +48,9 @@ struct PatchSet {
   std::vector<BSplinePatch> patches;
   std::vector<std::array<int, 4>> corners;      // per patch, vertex numbers 0 ... vertex_count - 1
   std::vector<std::array<PatchSide, 4>> sides;  // per patch, of edges 0 ... edge_count - 1
+  // Per patch the cells that it stands for, whose (u, v) are the patch's; one without sides where
+  // it stands for none, as caps and mirror images do. Empty where nothing is known of any.
+  std::vector<Block> blocks;
   int vertex_count = 0;
   int edge_count = 0;
   FitReport report;
@@ -65,7 +69,7 @@ struct PatchSet {
   // Throws std::invalid_argument naming the cell if a patch is malformed, a number is out of range,
   // the parts of a side do not follow one another, an edge has more than two patches or two that
   // run the same way along it, the two curves of an edge differ by more than kLargestGap of the
-  // size, or the corners of one vertex do at all.
+  // size, or the corners of one vertex do at all; and if there are blocks, but not one per patch.
   void check() const;
 };
 

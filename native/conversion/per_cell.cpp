@@ -101,6 +101,7 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
     set.patches.push_back(std::move(patch));
     set.corners.push_back(corners);
     set.sides.push_back(std::move(sides));
+    set.blocks.push_back({1, 1, {4 * cell}});
   }
   return set;
 }

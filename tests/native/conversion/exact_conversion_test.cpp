@@ -35,6 +35,7 @@ TEST(ExactConversion, HasNoGapsWhateverMeets) {
     const PatchSet set = exact_patches(surface, {.grading = 2 + trial % 9});
     ASSERT_NO_THROW(set.check());
     EXPECT_LE(set.largest_gap(), 1e-13 * set.size());
+    EXPECT_EQ(set.blocks.size(), set.patches.size());
     for (const auto& sides : set.sides) {
       for (const PatchSide& side : sides) most = std::max(most, side.size());
     }

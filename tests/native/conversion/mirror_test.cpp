@@ -39,6 +39,17 @@ TEST(WithMirrorImage, JoinsAlongTheCentreLineOnly) {
   EXPECT_EQ(free_edges(whole), 14);
 }
 
+TEST(WithMirrorImage, HasNoCellsOfItsOwn) {
+  PatchSet half = half_trough();
+  for (int cell = 0; cell < 6; ++cell) half.blocks.push_back({1, 1, {4 * cell}});
+  const PatchSet whole = with_mirror_image(half);
+  ASSERT_NO_THROW(whole.check());
+  EXPECT_EQ(whole.blocks[5].sides, (std::vector<int>{20}));
+  EXPECT_TRUE(whole.blocks[6].sides.empty());
+  half.blocks.pop_back();
+  EXPECT_THROW(half.check(), std::invalid_argument);
+}
+
 TEST(WithMirrorImage, MirrorsPointsAndNormals) {
   const PatchSet half = half_trough(), whole = with_mirror_image(half);
   for (size_t p = 0; p < half.patches.size(); ++p) {

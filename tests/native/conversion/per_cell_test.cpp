@@ -31,6 +31,7 @@ TEST(FitPerCell, ReproducesRegularCells) {
     EXPECT_LT(set.report.largest_distance, 1e-13 * surface.mesh().size()) << n;
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       EXPECT_EQ(set.patches[cell].cell, cell);
+      EXPECT_EQ(set.blocks[cell].sides, (std::vector<int>{4 * cell}));
       for (double u : {0.0, 0.31, 1.0}) {
         for (double v : {0.0, 0.77, 1.0}) {
           EXPECT_LT((set.patches[cell].position(u, v) - surface.position(cell, u, v)).norm(),
