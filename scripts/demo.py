@@ -7,6 +7,7 @@ Makes hydrostatics.csv, plots of sectional areas, hydrostatic curves and rightin
 lines.pdf, lines.svg and lines.dxf, offsets.csv, hull.step, render.png and hull.blend.
 """
 
+import math
 import sys
 import time
 from pathlib import Path
@@ -67,6 +68,16 @@ def describe(hull):
         )
 
 
+def describe_patches(hull, patches):
+    """How good the patches of the STEP file are."""
+    surface = part("bridge.hull_state").state_of(hull).surface
+    found = part("bridge.native").require().measure_quality(surface, patches)
+    print(
+        f"      {found.patch_count} patches, at most {1e3 * found.largest_distance:.3g} mm from "
+        f"the exact surface, normals within {math.degrees(found.largest_seam_angle):.2g} degrees"
+    )
+
+
 def draw_plots(hull, folder):
     """A plot that this hull has not, such as levers of one that sinks, is told of and left out."""
     for file_name, analysis in PLOTS.items():
@@ -113,7 +124,7 @@ def make(source, folder):
     step("lines.pdf, .svg, .dxf", lambda: draw_lines(hull, folder))
     step("offsets.csv", lambda: exports.export_table(hull, scene, "offset_table", offsets))
     patches = step("hull.step", lambda: exports.export_step(hull, scene, solid))
-    print(f"      at most {1e3 * patches.largest_distance:.3g} mm from the exact surface")
+    describe_patches(hull, patches)
     step("render.png", lambda: render(hull, folder / "render.png"))
     step("hull.blend", lambda: save(folder / "hull.blend"))
 

@@ -25,5 +25,6 @@ void bind_surface_fields(pybind11::module_& module);
 void bind_light_lines(pybind11::module_& module);
 void bind_flatness(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
+void bind_quality_report(pybind11::module_& module);
 
 }  // namespace hull::bindings

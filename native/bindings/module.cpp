@@ -23,4 +23,5 @@ PYBIND11_MODULE(_core, module) {
   bind_light_lines(module);
   bind_flatness(module);
   bind_patch_set(module);
+  bind_quality_report(module);
 }

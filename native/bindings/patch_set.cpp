@@ -88,7 +88,7 @@ void bind_patch_set(py::module_& module) {
   py::class_<PatchSet>(
       module, "PatchSet",
       "Bicubic B-spline patches over [0, 1]^2 that stand for a surface and share their border "
-      "curves, with the distance from it.")
+      "curves.")
       .def_property_readonly(
           "patch_count", [](const PatchSet& s) { return s.patches.size(); }, "Number of patches.")
       .def_readonly("vertex_count", &PatchSet::vertex_count)
@@ -102,27 +102,6 @@ void bind_patch_set(py::module_& module) {
           "(number, begin, end), where on the side from 0 to 1 they are.")
       .def_property_readonly("largest_gap", &PatchSet::largest_gap,
                              "m: the largest distance of the curves of two patches at their edge.")
-      .def_property_readonly(
-          "largest_distance", [](const PatchSet& s) { return s.report.largest_distance; },
-          "m: no sampled point of a patch is further from the surface. NaN for exact patches, "
-          "which "
-          "are not sampled.")
-      .def_property_readonly(
-          "rms_distance", [](const PatchSet& s) { return s.report.rms_distance; },
-          "m: root of the mean square of the samples' distances, or NaN.")
-      .def_property_readonly(
-          "largest_distance_at",
-          [](const PatchSet& s) {
-            return py::make_tuple(s.report.cell, s.report.uv.x(), s.report.uv.y());
-          },
-          "(cell, u, v) of the patch point that is furthest off.")
-      .def_property_readonly(
-          "patch_distances",
-          [](const PatchSet& s) {
-            const auto& values = s.report.cell_largest;
-            return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-          },
-          "(p,), m: the largest distance of each patch.")
       .def("control_points", &control_points, py::arg("index"),
            "(nu, nv, 3), m: the control points of one patch, the first index along u.")
       .def("knots", &knots, py::arg("index"), "The knots of one patch along u and along v.")

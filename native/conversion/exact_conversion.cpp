@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,8 +38,6 @@ class SetBuilder {
 
   PatchSet build(std::vector<BSplinePatch> patches) const {
     PatchSet set;
-    set.report.largest_distance = set.report.rms_distance =
-        std::numeric_limits<double>::quiet_NaN();  // measured where gradings are chosen only
     set.vertex_count = cells_.vertex_count();
     set.edge_count = cells_.edge_count();
     for (std::size_t p = 0; p < patches.size(); ++p) {

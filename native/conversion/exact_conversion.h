@@ -27,8 +27,6 @@ struct ExactOptions {
 //     irregular points that are joined by sides of blocks. They go no further than 16, and where a
 //     corner square is smaller than the tolerance its normals do not count.
 //
-// The set's report is empty: distances are NaN.
-//
 // Throws std::invalid_argument unless the tolerance is from 1e-10 to 0.1, the angle 0 to 1, and the
 // grading 0 or one of exact_patch().
 PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options = {});

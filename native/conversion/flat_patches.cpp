@@ -183,7 +183,6 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   PatchSet& kept = result.patches;
   kept.vertex_count = all.vertex_count;
   kept.edge_count = all.edge_count;
-  kept.report = all.report;
   for (int p = 0; p < count; ++p) {
     if (is_left_out[p]) {
       result.left_out.push_back(all.patches[p].cell);

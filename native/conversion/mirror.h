@@ -13,8 +13,9 @@ namespace hull {
 // the centre plane; they are put on it exactly. Patches or inner edges lying in the plane (a thin
 // skeg) get images of their own and are not joined: they are the two sides of something thin.
 //
-// Images have blocks without sides. The report is the half's. REQUIRES: half.check() does not
-// throw.
+// Images have blocks without sides.
+//
+// REQUIRES: half.check() does not throw.
 PatchSet with_mirror_image(const PatchSet& half);
 
 }  // namespace hull

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -9,22 +8,6 @@
 #include "conversion/bspline_patch.h"
 
 namespace hull {
-
-// How far patches are from the surface they stand for, over samples that are not those the patches
-// were fitted to and lie closer together.
-//
-// The distance of a sample is that between a point of the patch and the closest point found in the
-// same cell of the surface, starting from the same (u, v): never more than the distance at equal
-// (u, v), never less than that to the closest point of the whole surface, of which it is therefore
-// an upper bound.
-struct FitReport {
-  double largest_distance = 0.0;  // metres, over all samples
-  double rms_distance = 0.0;      // metres, root of the mean square over all samples
-  int cell = -1;                  // where the largest distance is; -1: nothing was sampled
-  Eigen::Vector2d uv = Eigen::Vector2d::Zero();
-  std::vector<double> cell_largest;  // metres, the largest distance of each patch
-  int samples_per_cell = 0;
-};
 
 // A part of a patch's side: an edge that the patch shares with at most one other.
 struct SideEdge {
@@ -53,7 +36,6 @@ struct PatchSet {
   std::vector<Block> blocks;
   int vertex_count = 0;
   int edge_count = 0;
-  FitReport report;
 
   // Diagonal of the box around all control points, m; 0 without any. What tolerances refer to.
   double size() const;

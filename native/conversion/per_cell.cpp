@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "conversion/patch_gauge.h"
 #include "conversion/uniform_fit.h"
 
 namespace hull {
@@ -76,7 +75,6 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
   PatchSet set;
   set.vertex_count = cells.vertex_count();
   set.edge_count = cells.edge_count();
-  PatchGauge gauge(surface, open_uniform_knots(3, n), 2 * fit.intervals());
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     BSplinePatch patch{3, 3, open_uniform_knots(3, n), open_uniform_knots(3, n), n, n, {}, cell};
     patch.control_points.assign(n * n, Vector3d::Zero());
@@ -97,7 +95,6 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
       }
     }
     fit.interior(inner_data(surface, cell, fit.intervals()), patch.control_points);
-    gauge.measure(patch, set.report);
     set.patches.push_back(std::move(patch));
     set.corners.push_back(corners);
     set.sides.push_back(std::move(sides));

@@ -14,9 +14,8 @@ constexpr int kMinControlPoints = 4, kMaxControlPoints = 16;
 //
 //   - Corners lie on the surface. Each is computed once per vertex and shared bit for bit.
 //   - Each border curve is fitted once per edge and shared bit for bit: the patches have no gaps.
-//   - A cell that is bicubic is reproduced to rounding; others are approximated, and the report
-//   says
-//     how closely. 5 control points are a good trade (section 7.3), more come closer.
+//   - A cell that is bicubic is reproduced to rounding; others are approximated (measure_quality()
+//     says how closely). 5 control points are a good trade (section 7.3), more come closer.
 //   - A cell with borders of no length (points that coincide) gets a patch like any other.
 //
 // Throws std::invalid_argument unless kMinControlPoints <= control_points <= kMaxControlPoints.

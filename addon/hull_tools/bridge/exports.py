@@ -45,7 +45,7 @@ class StepExport:
         self._is_cancelled = True
 
     def run(self):
-        """Writes the hull as one shell; returns the PatchSet with its report of the distance."""
+        """Writes the hull as one shell; returns the PatchSet."""
         hull_native = native.require()
         patches = hull_native.fit_per_cell(self._source.new_surface())
         with replacing(self._path) as beside:
@@ -56,7 +56,7 @@ class StepExport:
 
 
 def export_step(obj, scene, path):
-    """Writes the hull as one shell; returns the PatchSet with its report of the distance."""
+    """Writes the hull as one shell; returns the PatchSet."""
     return StepExport(obj, scene, path).run()
 
 

@@ -71,8 +71,7 @@ class HULL_OT_export_step(bpy.types.Operator, ExportHull):
         self._pool.shutdown(wait=False)
 
     def _finish(self, patches):
-        largest_mm = 1e3 * patches.largest_distance
-        self.report({"INFO"}, f"STEP written, at most {largest_mm:.3g} mm from the surface")
+        self.report({"INFO"}, f"STEP written: {patches.patch_count} patches")
         return {"FINISHED"}
 
 

@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -28,7 +28,6 @@ TEST(FitPerCell, ReproducesRegularCells) {
     const PatchSet set = fit_per_cell(surface, n);
     ASSERT_NO_THROW(set.check());
     ASSERT_EQ(static_cast<int>(set.patches.size()), surface.cell_count());
-    EXPECT_LT(set.report.largest_distance, 1e-13 * surface.mesh().size()) << n;
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       EXPECT_EQ(set.patches[cell].cell, cell);
       EXPECT_EQ(set.blocks[cell].sides, (std::vector<int>{4 * cell}));
@@ -60,77 +59,13 @@ TEST(FitPerCell, SharesBordersBitForBitAndInterpolatesCorners) {
   }
 }
 
-// The distance from a point to one cell, found without the gauge: the closest of a grid, refined
-// around the best sample.
-double brute_distance(const LimitSurface& surface, int cell, const Vector3d& point) {
-  double best = 1e300, best_u = 0.5, best_v = 0.5;
-  for (double step = 1.0 / 8; step > 1e-7; step /= 3) {
-    const double u = best_u, v = best_v;
-    for (int i = -4; i <= 4; ++i) {
-      for (int j = -4; j <= 4; ++j) {
-        const double at_u = std::clamp(u + i * step, 0.0, 1.0);
-        const double at_v = std::clamp(v + j * step, 0.0, 1.0);
-        const double distance = (surface.position(cell, at_u, at_v) - point).norm();
-        if (distance >= best) continue;
-        best = distance;
-        best_u = at_u;
-        best_v = at_v;
-      }
-    }
-  }
-  return best;
-}
-
-// The closest point may lie in another cell.
-double brute_distance(const LimitSurface& surface, const Vector3d& point) {
-  double best = 1e300;
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    const Vector3d middle = surface.position(cell, 0.5, 0.5);
-    if ((middle - point).norm() > 0.25 * surface.mesh().size()) continue;
-    best = std::min(best, brute_distance(surface, cell, point));
-  }
-  return best;
-}
-
-// The report's samples differ from those here, so "never less" holds up to what lies between its
-// samples: a twentieth.
-TEST(FitPerCell, ReportBoundsAnIndependentMeasurement) {
-  constexpr unsigned kSeed = 11;
-  RecordProperty("seed", static_cast<int>(kSeed));
-  std::mt19937 random(kSeed);
-  std::uniform_real_distribution<double> parameter(0.0, 1.0);
-  for (const ControlMesh& mesh : {cube(), fan(5)}) {
-    const LimitSurface surface(mesh);
-    const PatchSet set = fit_per_cell(surface, 5);
-    double largest = 0.0, at_equal_parameters = 0.0;
-    for (size_t p = 0; p < set.patches.size(); p += 3) {
-      const BSplinePatch& patch = set.patches[p];
-      for (int i = 0; i < 4; ++i) {
-        // Half of them near the borders and corners, where the patches are furthest off.
-        const double bend = i % 2 == 0 ? 1.0 : 4.0;
-        const double u = std::pow(parameter(random), bend), v = std::pow(parameter(random), bend);
-        const Vector3d point = patch.position(u, v);
-        largest = std::max(largest, brute_distance(surface, point));
-        at_equal_parameters =
-            std::max(at_equal_parameters, (point - surface.position(patch.cell, u, v)).norm());
-      }
-    }
-    EXPECT_GT(largest, 0.0);
-    EXPECT_LE(largest, 1.05 * set.report.largest_distance);
-    EXPECT_LT(set.report.largest_distance, at_equal_parameters);  // irregular corners slide
-    EXPECT_LT(set.report.rms_distance, set.report.largest_distance);
-    EXPECT_EQ(*std::ranges::max_element(set.report.cell_largest), set.report.largest_distance);
-    EXPECT_EQ(set.report.cell_largest[set.report.cell], set.report.largest_distance);
-  }
-}
-
 TEST(FitPerCell, MoreControlPointsComeCloser) {
   const LimitSurface surface(fan(5));
   double last = 1e300;
   for (int n : {4, 5, 6, 7, 12}) {
-    const FitReport report = fit_per_cell(surface, n).report;
-    EXPECT_LT(report.rms_distance, last) << n;
-    last = report.rms_distance;
+    const double rms = measure_quality(surface, fit_per_cell(surface, n)).rms_distance;
+    EXPECT_LT(rms, last) << n;
+    last = rms;
   }
 }
 
@@ -155,10 +90,10 @@ TEST(FitPerCell, TakesCellsWithoutWidth) {
   std::vector<Vector3d> points = mesh.points();
   for (int j = 0; j <= 3; ++j) points[j * 5 + 2] = points[j * 5 + 1];  // a column of no width
   points[0] = points[1];                                               // a side of no length
-  const PatchSet set = fit_per_cell(LimitSurface(mesh.with_points(points)), 5);
+  const LimitSurface surface(mesh.with_points(points));
+  const PatchSet set = fit_per_cell(surface, 5);
   ASSERT_NO_THROW(set.check());
-  EXPECT_TRUE(std::isfinite(set.report.largest_distance));
-  EXPECT_LT(set.report.largest_distance, 1e-13 * mesh.size());
+  EXPECT_LT(measure_quality(surface, set).distance.value, 1e-13 * mesh.size());
 }
 
 TEST(FitPerCell, RefusesOtherNumbersOfControlPoints) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "conversion/block_layout.h"
+#include "conversion/near_point.h"
+
+namespace hull {
+
+// The place `along` half-edge h of the cells and `across` it to its left, both from its begin; of
+// h / 4, in [0, 1].
+inline CellPoint place_beside_half_edge(int h, double along, double across) {
+  switch (h % 4) {
+    case 0:
+      return {h / 4, along, across};
+    case 1:
+      return {h / 4, 1.0 - across, along};
+    case 2:
+      return {h / 4, 1.0 - along, 1.0 - across};
+    default:
+      return {h / 4, across, 1.0 - along};
+  }
+}
+
+// The place of the surface that has (u, v) in [0, 1]^2 of a block's patch. REQUIRES: the block has
+// cells.
+CellPoint place_in_block(const Block& block, double u, double v);
+
+// Where a patch has the place s of its side k.
+inline std::array<double, 2> place_on_side(int k, double s) {
+  return k == 0   ? std::array<double, 2>{s, 0.0}
+         : k == 1 ? std::array<double, 2>{1.0, s}
+         : k == 2 ? std::array<double, 2>{1.0 - s, 1.0}
+                  : std::array<double, 2>{0.0, 1.0 - s};
+}
+
+}  // namespace hull

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/quality/patch_measure.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "conversion/block_places.h"
+#include "conversion/quality/near_surface.h"
+#include "conversion/quality/sample_line.h"
+#include "surface/closest_point.h"
+
+namespace hull {
+namespace {
+
+// Knots of one direction, and the borders of cells.
+std::vector<double> breaks_of(const std::vector<double>& knots, int cells) {
+  std::vector<double> numbers = knots;
+  for (int i = 1; i < cells; ++i) numbers.push_back(static_cast<double>(i) / cells);
+  return breaks_between(std::move(numbers));
+}
+
+int distinct_count(const std::vector<double>& knots) {
+  return static_cast<int>(breaks_between(knots).size());
+}
+
+// The functions of one direction at all samples.
+std::vector<BasisValues> basis_at(const std::vector<double>& knots, int degree,
+                                  const SampleLine& line) {
+  std::vector<BasisValues> result;
+  for (double at : line.at) result.push_back(basis_values(knots, degree, at));
+  return result;
+}
+
+class PatchMeasure {
+ public:
+  PatchMeasure(const QualityGauge& gauge, int patch)
+      : gauge_(gauge), patch_(gauge.set.patches[patch]), block_(gauge.set.blocks[patch]) {
+    const std::array<bool, 4> fine = irregular_corners();
+    std::vector<double> u = breaks_of(patch_.knots_u, block_.count_u);
+    std::vector<double> v = breaks_of(patch_.knots_v, block_.count_v);
+    refine_ends(u, fine[0] || fine[3], fine[1] || fine[2]);
+    refine_ends(v, fine[0] || fine[1], fine[2] || fine[3]);
+    u_ = sample_line(u, gauge.rule);
+    v_ = sample_line(v, gauge.rule);
+    along_v_ = basis_at(patch_.knots_v, patch_.degree_v, v_);
+    const std::size_t intervals = static_cast<std::size_t>(u_.interval_count) * v_.interval_count;
+    areas_.assign(intervals, 0.0);
+    largest_.assign(intervals, 0.0);
+  }
+
+  PatchQuality measure(const Progress& progress) {
+    const std::vector<BasisValues> along_u = basis_at(patch_.knots_u, patch_.degree_u, u_);
+    for (std::size_t i = 0; i < along_u.size(); ++i) {
+      tell(progress, static_cast<double>(i), static_cast<double>(along_u.size()));
+      contract(along_u[i]);
+      for (std::size_t j = 0; j < along_v_.size(); ++j) take_sample(i, j);
+    }
+    const double exact = QualityReport::kExactDistance * gauge_.length;
+    for (std::size_t k = 0; k < areas_.size(); ++k) {
+      found_.area += areas_[k];
+      if (largest_[k] <= exact) found_.exact_area += areas_[k];
+    }
+    if (found_.area > 0.0) found_.rms_distance = std::sqrt(squares_ / found_.area);
+    return found_;
+  }
+
+ private:
+  std::array<bool, 4> irregular_corners() const {
+    const Topology& cells = gauge_.surface.cells();
+    std::array<bool, 4> result{};
+    for (int k = 0; k < 4; ++k) {
+      result[k] = gauge_.irregular[cells.origin(block_.half_edges(cells, k).front())] != 0;
+    }
+    return result;
+  }
+
+  // The curve along v at one u: its control points, and those of its change along u.
+  void contract(const BasisValues& u) {
+    points_.assign(patch_.count_v, Vector3d::Zero());
+    slopes_.assign(patch_.count_v, Vector3d::Zero());
+    for (int a = 0; a <= patch_.degree_u; ++a) {
+      for (int j = 0; j < patch_.count_v; ++j) {
+        const Vector3d& point = patch_.control_point(u.first + a, j);
+        points_[j] += u.rows(0, a) * point;
+        slopes_[j] += u.rows(1, a) * point;
+      }
+    }
+  }
+
+  void take_sample(std::size_t i, std::size_t j) {
+    const BasisValues& v = along_v_[j];
+    Vector3d point = Vector3d::Zero(), du = Vector3d::Zero(), dv = Vector3d::Zero();
+    for (int b = 0; b <= patch_.degree_v; ++b) {
+      point += v.rows(0, b) * points_[v.first + b];
+      dv += v.rows(1, b) * points_[v.first + b];
+      du += v.rows(0, b) * slopes_[v.first + b];
+    }
+    NearPoint near{place_in_block(block_, u_.at[i], v_.at[j]), 0.0};
+    const auto [cell, cell_u, cell_v] = near.place;
+    near.distance = (point - gauge_.surface.position(cell, cell_u, cell_v)).norm();
+    if (near.distance > gauge_.negligible()) {
+      near = near_surface(gauge_.surface, point, near.place, gauge_.negligible());
+    }
+    if (near.distance > std::max(found_.distance.value, gauge_.negligible())) {
+      near = nearest(point, near);
+    }
+    const double area = u_.weights[i] * v_.weights[j] * du.cross(dv).norm();
+    const int interval = u_.intervals[i] * v_.interval_count + v_.intervals[j];
+    areas_[interval] += area;
+    largest_[interval] = std::max(largest_[interval], near.distance);
+    squares_ += area * near.distance * near.distance;
+    found_.distance.take(near.distance, point, near.place);
+  }
+
+  // No descent can be trusted with a largest distance: the surface may be nearer elsewhere.
+  NearPoint nearest(const Vector3d& point, const NearPoint& near) const {
+    const ClosestPoint closest = closest_point(gauge_.tree, point, near.distance);
+    if (closest.cell < 0 || !(closest.distance < near.distance)) return near;
+    return {{closest.cell, closest.u, closest.v}, closest.distance};
+  }
+
+  const QualityGauge& gauge_;
+  const BSplinePatch& patch_;
+  const Block& block_;
+  SampleLine u_, v_;
+  std::vector<BasisValues> along_v_;
+  std::vector<Vector3d> points_, slopes_;
+  std::vector<double> areas_, largest_;  // per pair of intervals
+  double squares_ = 0.0;
+  PatchQuality found_;
+};
+
+}  // namespace
+
+std::vector<char> irregular_vertices(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  std::vector<char> result(cells.vertex_count(), 0);
+  for (int h = 0; h < cells.half_edge_count(); ++h) {
+    const CellPoint corner = place_beside_half_edge(h, 0.0, 0.0);
+    if (surface.is_irregular_knot(corner.cell, corner.u, corner.v)) result[cells.origin(h)] = 1;
+  }
+  return result;
+}
+
+PatchQuality measure_patch(const QualityGauge& gauge, int patch, const Progress& progress) {
+  const BSplinePatch& measured = gauge.set.patches[patch];
+  const Block& block = gauge.set.blocks[patch];
+  PatchQuality found;
+  if (!block.sides.empty()) found = PatchMeasure(gauge, patch).measure(progress);
+  found.cells = static_cast<int>(block.sides.size());
+  found.knot_count = distinct_count(measured.knots_u) + distinct_count(measured.knots_v);
+  found.control_point_count = static_cast<int>(measured.control_points.size());
+  return found;
+}
+
+}  // namespace hull

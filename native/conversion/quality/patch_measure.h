@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/arithmetic/gauss.h"
+#include "conversion/patch_set.h"
+#include "conversion/progress.h"
+#include "conversion/quality/quality_report.h"
+#include "surface/surface_tree.h"
+
+namespace hull {
+
+// What patches and seams are measured with.
+struct QualityGauge {
+  const LimitSurface& surface;
+  const SurfaceTree& tree;  // of the surface
+  const PatchSet& set;
+  GaussRule rule;
+  double length = 0.0;          // m
+  double reach = 0.0;           // m, around irregular points
+  std::vector<char> irregular;  // per vertex of the cells
+
+  // Below this a distance is rounding, m: no nearer point is looked for.
+  double negligible() const { return 1e-13 * length; }
+};
+
+// The vertices of the cells where the surface is only C¹, seen from any cell.
+std::vector<char> irregular_vertices(const LimitSurface& surface);
+
+// Distances of one patch. rms_distance is the root of the mean, over its area, of squares.
+PatchQuality measure_patch(const QualityGauge& gauge, int patch, const Progress& progress);
+
+}  // namespace hull
