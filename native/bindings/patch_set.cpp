@@ -59,8 +59,10 @@ py::tuple knots(const PatchSet& set, py::ssize_t index) {
   return py::make_tuple(array(patch.knots_u), array(patch.knots_v));
 }
 
-py::array_t<double> positions(const PatchSet& set, const py::object& patches,
-                              const DoubleArray& uv) {
+// Calls visit(patch, u, v) for places given by Python.
+template <class Visit>
+void for_each_place(const PatchSet& set, const py::object& patches, const DoubleArray& uv,
+                    const Visit& visit) {
   const std::vector<int> indices = integers_from(patches, "patches");
   const std::vector<Eigen::Vector2d> parameters = parameters_from(uv, "uv");
   if (indices.size() != parameters.size()) {
@@ -68,7 +70,6 @@ py::array_t<double> positions(const PatchSet& set, const py::object& patches,
                                 std::to_string(indices.size()) + " and " +
                                 std::to_string(parameters.size()) + ".");
   }
-  std::vector<Vector3d> points;
   const int count = static_cast<int>(set.patches.size());
   for (size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] < 0 || indices[i] >= count) {
@@ -76,10 +77,36 @@ py::array_t<double> positions(const PatchSet& set, const py::object& patches,
                                   std::to_string(indices[i]) + ", but the patches are 0 to " +
                                   std::to_string(count - 1) + ".");
     }
-    const BSplinePatch& patch = set.patches[indices[i]];
-    points.push_back(patch.position(parameters[i].x(), parameters[i].y()));
+    visit(set.patches[indices[i]], parameters[i].x(), parameters[i].y());
   }
+}
+
+py::array_t<double> positions(const PatchSet& set, const py::object& patches,
+                              const DoubleArray& uv) {
+  std::vector<Vector3d> points;
+  for_each_place(set, patches, uv, [&](const BSplinePatch& patch, double u, double v) {
+    points.push_back(patch.position(u, v));
+  });
   return to_array(points);
+}
+
+py::tuple evaluate(const PatchSet& set, const py::object& patches, const DoubleArray& uv) {
+  std::array<std::vector<Vector3d>, 6> values;
+  for_each_place(set, patches, uv, [&](const BSplinePatch& patch, double u, double v) {
+    const SurfaceJet jet = patch.evaluate(u, v);
+    const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
+    for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(*parts[k]);
+  });
+  py::tuple result(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) result[k] = to_array(values[k]);
+  return result;
+}
+
+// The half-edges of a patch's cells, (0, 0) where it stands for none.
+py::array_t<int> half_edges(const PatchSet& set, py::ssize_t index) {
+  const auto at = static_cast<size_t>(&patch_at(set, index) - set.patches.data());
+  const Block block = set.blocks.empty() ? Block{} : set.blocks[at];
+  return to_array(block.sides).reshape({py::ssize_t{block.count_u}, py::ssize_t{block.count_v}});
 }
 
 }  // namespace
@@ -106,7 +133,15 @@ void bind_patch_set(py::module_& module) {
            "(nu, nv, 3), m: the control points of one patch, the first index along u.")
       .def("knots", &knots, py::arg("index"), "The knots of one patch along u and along v.")
       .def("positions", &positions, py::arg("patches"), py::arg("uv"),
-           "Points (k, 3) of the patches (k,) at uv (k, 2).");
+           "Points (k, 3) of the patches (k,) at uv (k, 2).")
+      .def("evaluate", &evaluate, py::arg("patches"), py::arg("uv"),
+           "The same with derivatives with respect to the patch's (u, v): point, du, dv, duu, duv, "
+           "dvv, each (k, 3).")
+      .def(
+          "half_edges", &half_edges, py::arg("index"),
+          "(nu, nv): of each cell that a patch stands for 4 times its number plus the side that is "
+          "its v = 0 in the patch: 0: (0,0)->(1,0), 1: (1,0)->(1,1), 2: (1,1)->(0,1), 3: "
+          "(0,1)->(0,0). (0, 0) where it stands for none.");
 
   module.def(
       "fit_per_cell",

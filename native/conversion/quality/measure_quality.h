@@ -26,8 +26,8 @@ struct QualityOptions {
 //     `samples` Gauss nodes in each direction, and the patch's sides as many more.
 //   - A distance is that from a point of the patch to the nearest point of the surface that a
 //     descent from its own place finds, also beyond the borders of cells: an upper bound of the
-//     distance to the surface, and in general equal to it. The largest ones are to the nearest of
-//     all points of the surface.
+//     distance to the surface, and in general equal to it. The largest of a patch is to the
+//     nearest of all points of the surface, and may be 1e-3 of it too small.
 //   - Areas and root mean squares are integrals over the patches.
 //   - Seams are sampled in the intervals of both sides' knots, halved towards irregular points.
 //     Gaps are from points of one curve to near points of the other. Curvature is that of the

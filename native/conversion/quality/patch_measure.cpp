@@ -14,6 +14,9 @@
 namespace hull {
 namespace {
 
+// Of a largest distance: what a longer search for it may gain.
+constexpr double kAlmost = 0.999;
+
 // Knots of one direction, and the borders of cells.
 std::vector<double> breaks_of(const std::vector<double>& knots, int cells) {
   std::vector<double> numbers = knots;
@@ -57,6 +60,7 @@ class PatchMeasure {
       contract(along_u[i]);
       for (std::size_t j = 0; j < along_v_.size(); ++j) take_sample(i, j);
     }
+    take_largest();
     const double exact = QualityReport::kExactDistance * gauge_.length;
     for (std::size_t k = 0; k < areas_.size(); ++k) {
       found_.area += areas_[k];
@@ -103,22 +107,32 @@ class PatchMeasure {
     if (near.distance > gauge_.negligible()) {
       near = near_surface(gauge_.surface, point, near.place, gauge_.negligible());
     }
-    if (near.distance > std::max(found_.distance.value, gauge_.negligible())) {
-      near = nearest(point, near);
-    }
     const double area = u_.weights[i] * v_.weights[j] * du.cross(dv).norm();
     const int interval = u_.intervals[i] * v_.interval_count + v_.intervals[j];
     areas_[interval] += area;
     largest_[interval] = std::max(largest_[interval], near.distance);
     squares_ += area * near.distance * near.distance;
-    found_.distance.take(near.distance, point, near.place);
+    if (near.distance > gauge_.negligible()) {
+      candidates_.push_back({near.distance, point, near.place});
+    } else {
+      found_.distance.take(near.distance, point, near.place);
+    }
   }
 
-  // No descent can be trusted with a largest distance: the surface may be nearer elsewhere.
-  NearPoint nearest(const Vector3d& point, const NearPoint& near) const {
-    const ClosestPoint closest = closest_point(gauge_.tree, point, near.distance);
-    if (closest.cell < 0 || !(closest.distance < near.distance)) return near;
-    return {{closest.cell, closest.u, closest.v}, closest.distance};
+  // No descent can be trusted with the largest distances: the surface may be nearer elsewhere.
+  void take_largest() {
+    std::sort(candidates_.begin(), candidates_.end(),
+              [](const Worst& a, const Worst& b) { return a.value > b.value; });
+    for (const Worst& candidate : candidates_) {
+      if (kAlmost * candidate.value <= found_.distance.value) return;
+      const ClosestPoint closest = closest_point(gauge_.tree, candidate.point, candidate.value);
+      if (closest.cell >= 0 && closest.distance < candidate.value) {
+        const CellPoint place{closest.cell, closest.u, closest.v};
+        found_.distance.take(closest.distance, candidate.point, place);
+      } else {
+        found_.distance.take(candidate);
+      }
+    }
   }
 
   const QualityGauge& gauge_;
@@ -128,6 +142,7 @@ class PatchMeasure {
   std::vector<BasisValues> along_v_;
   std::vector<Vector3d> points_, slopes_;
   std::vector<double> areas_, largest_;  // per pair of intervals
+  std::vector<Worst> candidates_;        // what a descent has found, above what is negligible
   double squares_ = 0.0;
   PatchQuality found_;
 };
