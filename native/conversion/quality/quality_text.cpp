@@ -11,6 +11,7 @@ namespace hull {
 namespace {
 
 constexpr int kWorstPatches = 5;
+constexpr std::size_t kNameWidth = 42, kValueWidth = 20;
 
 std::string formatted(const char* format, double value) {
   char buffer[64];
@@ -43,7 +44,7 @@ std::string place_of(const Worst& worst) {
 // One line of the table; `factor` from SI to the unit.
 void add_line(std::string& text, const std::string& name, const Worst& worst, double factor,
               const std::string& unit) {
-  text += padded(name, 34);
+  text += padded(name, kNameWidth);
   if (!worst.is_measured()) {
     text += "-\n";
     return;
@@ -51,13 +52,13 @@ void add_line(std::string& text, const std::string& name, const Worst& worst, do
   std::string value = number(factor * worst.value);
   value += ' ';
   value += unit;
-  text += padded(value, 20);
+  text += padded(value, kValueWidth);
   text += place_of(worst);
   text += '\n';
 }
 
 void add_entry(std::string& text, const std::string& name, const std::string& value) {
-  text += padded(name, 34);
+  text += padded(name, kNameWidth);
   text += value;
   text += '\n';
 }
@@ -85,20 +86,20 @@ void add_worst_patches(std::string& text, const QualityReport& report) {
 std::string QualityReport::text() const {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   std::string text;
-  text += padded("", 34);
-  text += padded("largest", 20);
+  text += padded("", kNameWidth);
+  text += padded("largest", kValueWidth);
   text += "at x, y, z in m\n";
   add_line(text, "Distance from the surface", distance, 1e3, "mm");
   add_entry(text, "  of the length", number(1e3 * distance_per_length()) + " per mille");
   add_entry(text, "  root mean square", number(1e3 * rms_distance) + " mm");
   add_line(text, "Gap between patches", worst_seams.gap, 1e3, "mm");
   add_line(text, "Angle across seams", worst_seams.angle, kDegrees, "degrees");
-  const std::string reach = number(1e3 * normal_reach) + " mm";
-  add_line(text, "  within " + reach + " of points", worst_seams.angle_at_points, kDegrees,
-           "degrees");
+  std::string near_points = "  within ";
+  near_points += number(1e3 * normal_reach);
+  near_points += " mm of irregular points";
+  add_line(text, near_points, worst_seams.angle_at_points, kDegrees, "degrees");
   add_line(text, "Jump of curvature across seams", worst_seams.curvature_jump, 1.0, "1/m");
-  add_line(text, "  within " + reach + " of points", worst_seams.curvature_jump_at_points, 1.0,
-           "1/m");
+  add_line(text, near_points, worst_seams.curvature_jump_at_points, 1.0, "1/m");
   text += '\n';
   add_entry(text, "Exact share of the area", formatted("%.7g", 100.0 * exact_share) + " %");
   std::string count = std::to_string(patches.size());
