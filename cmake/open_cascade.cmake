@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The target OpenCascade::Step: what reading and writing STEP files needs.
+# The target OpenCascade::Exchange: what reading and writing STEP and IGES files needs.
 #
 # Not find_package(OpenCASCADE): Debian's file for it asks for libtbb.so, which its packages do not
-# require. Release 7.8 has renamed the STEP toolkits to one, TKDESTEP.
+# require. Release 7.8 has put the toolkits of a format into one, TKDESTEP and TKDEIGES.
 find_path(OPEN_CASCADE_INCLUDE_DIR STEPControl_Writer.hxx PATH_SUFFIXES opencascade occt REQUIRED)
-add_library(OpenCascade::Step INTERFACE IMPORTED)
-target_include_directories(OpenCascade::Step SYSTEM INTERFACE ${OPEN_CASCADE_INCLUDE_DIR})
+add_library(OpenCascade::Exchange INTERFACE IMPORTED)
+target_include_directories(OpenCascade::Exchange SYSTEM INTERFACE ${OPEN_CASCADE_INCLUDE_DIR})
 
 find_library(OPEN_CASCADE_TKDESTEP TKDESTEP)
 if(OPEN_CASCADE_TKDESTEP)
-  set(step_toolkits TKDESTEP)
+  set(exchange_toolkits TKDESTEP TKDEIGES)
 else()
-  set(step_toolkits TKSTEP TKSTEPBase)
+  set(exchange_toolkits TKSTEP TKSTEPAttr TKSTEPBase TKIGES)
 endif()
-foreach(toolkit ${step_toolkits} TKXSBase TKTopAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
+foreach(toolkit ${exchange_toolkits} TKXSBase TKTopAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
   find_library(OPEN_CASCADE_${toolkit} ${toolkit} REQUIRED)
-  target_link_libraries(OpenCascade::Step INTERFACE ${OPEN_CASCADE_${toolkit}})
+  target_link_libraries(OpenCascade::Exchange INTERFACE ${OPEN_CASCADE_${toolkit}})
 endforeach()

@@ -7,10 +7,14 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "bindings/arrays.h"
 #include "bindings/companion_module.h"
+#include "bindings/progress.h"
 #include "conversion/exact_conversion.h"
 #include "conversion/per_cell.h"
+#include "exchange/iges_file.h"
 #include "exchange/step_file.h"
 
 namespace py = pybind11;
@@ -18,14 +22,40 @@ namespace py = pybind11;
 namespace hull::bindings {
 namespace {
 
-py::dict to_dict(const StepReport& report) {
+using WriteFile = CadReport (*)(const PatchSet&, const std::string&, const CadOptions&);
+
+// How much of the time of both a conversion takes.
+constexpr double kConverted = 0.1;
+
+py::list regions_of(const CadReport& report) {
+  py::list regions;
+  for (const CadRegion& region : report.regions) {
+    py::dict dict;
+    dict["name"] = region.name;
+    dict["colour"] = py::none();
+    if (region.colour) {
+      const Colour& c = *region.colour;
+      dict["colour"] = py::make_tuple(c[0], c[1], c[2]);
+    }
+    dict["faces"] = region.faces;
+    dict["area"] = region.area;
+    regions.append(dict);
+  }
+  return regions;
+}
+
+py::dict to_dict(const CadReport& report) {
   py::array_t<double> box({2, 3});
   for (int axis = 0; axis < 3; ++axis) {
     box.mutable_at(0, axis) = report.box_min(axis);
     box.mutable_at(1, axis) = report.box_max(axis);
   }
   py::dict dict;
+  dict["format"] = report.format;
+  dict["unit"] = report.unit;
+  dict["product"] = report.product;
   dict["valid"] = report.valid;
+  dict["closed"] = report.closed;
   dict["solids"] = report.solids;
   dict["shells"] = report.shells;
   dict["faces"] = report.faces;
@@ -35,33 +65,157 @@ py::dict to_dict(const StepReport& report) {
   dict["area"] = report.area;
   dict["volume"] = report.volume;
   dict["box"] = box;
-  dict["product"] = report.product;
+  dict["curves"] = report.curves;
+  dict["regions"] = regions_of(report);
+  dict["layers"] = report.layers;
   dict["cells_left_out"] = report.cells_left_out;
+  dict["bytes"] = report.bytes;
   return dict;
 }
 
-StepReport write(const PatchSet& patches, const std::filesystem::path& path,
-                 const std::string& name, bool mirrored) {
-  const py::gil_scoped_release release;
-  return write_step(patches, path.string(), {.name = name, .mirrored = mirrored});
+StepSchema schema_from(const std::string& name) {
+  if (name == "AP214") return StepSchema::kAp214;
+  if (name == "AP242") return StepSchema::kAp242;
+  throw std::invalid_argument("schema must be \"AP214\" or \"AP242\", not \"" + name + "\".");
 }
 
-StepReport convert_and_write(const LimitSurface& surface, const std::filesystem::path& path,
-                             const std::string& name, bool mirrored, const std::string& conversion,
-                             double tolerance) {
+Colour colour_from(const std::string& region, const py::handle& value) {
+  const auto numbers = value.cast<std::vector<double>>();
+  for (double number : numbers) {
+    if (numbers.size() == 3 && number >= 0.0 && number <= 1.0) continue;
+    throw std::invalid_argument("colours[\"" + region +
+                                "\"] must be three numbers from 0 to 1: red, green, blue.");
+  }
+  if (numbers.empty()) throw std::invalid_argument("colours[\"" + region + "\"] is empty.");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+CadCurve curve_from(const py::handle& value) {
+  const auto parts = value.cast<py::tuple>();
+  if (parts.size() != 3 && parts.size() != 4) {
+    throw std::invalid_argument(
+        "A curve must be (name, layer, spline) or (name, layer, knots, control_points).");
+  }
+  CadCurve curve{parts[0].cast<std::string>(), parts[1].cast<std::string>(), {}};
+  const py::object knots = parts.size() == 4 ? py::object(parts[2]) : parts[2].attr("knots");
+  const py::object points =
+      parts.size() == 4 ? py::object(parts[3]) : parts[2].attr("control_points");
+  curve.curve.knots = numbers_from(knots.cast<DoubleArray>(), "knots");
+  curve.curve.points = points_from(points.cast<DoubleArray>(), "control_points");
+  curve.curve.degree =
+      static_cast<int>(curve.curve.knots.size()) - static_cast<int>(curve.curve.points.size()) - 1;
+  return curve;
+}
+
+struct Arguments {
+  std::string name, unit;
+  bool mirrored, solid;
+  py::object regions, colours;
+  py::iterable curves;
+  py::object progress;
+};
+
+CadOptions options_from(const Arguments& arguments, const std::string& schema) {
+  CadOptions options;
+  options.schema = schema_from(schema);
+  options.name = arguments.name;
+  options.unit = cad_unit_from(arguments.unit);
+  options.mirrored = arguments.mirrored;
+  options.solid = arguments.solid;
+  if (!arguments.regions.is_none()) {
+    options.regions = arguments.regions.cast<std::vector<std::string>>();
+  }
+  if (!arguments.colours.is_none()) {
+    for (const auto& [region, colour] : arguments.colours.cast<py::dict>()) {
+      const auto text = region.cast<std::string>();
+      options.colours[text] = colour_from(text, colour);
+    }
+  }
+  for (const py::handle& curve : arguments.curves) options.curves.push_back(curve_from(curve));
+  options.progress = progress_from(arguments.progress);
+  return options;
+}
+
+py::dict write(WriteFile write_file, const PatchSet& patches, const std::filesystem::path& path,
+               const CadOptions& options) {
+  CadReport report;
+  {
+    const py::gil_scoped_release release;
+    report = write_file(patches, path.string(), options);
+  }
+  return to_dict(report);
+}
+
+py::dict convert_and_write(WriteFile write_file, const LimitSurface& surface,
+                           const std::filesystem::path& path, const std::string& conversion,
+                           double tolerance, CadOptions options) {
   if (conversion != "exact" && conversion != "per_cell") {
     throw std::invalid_argument("conversion must be \"exact\" or \"per_cell\", not \"" +
                                 conversion + "\".");
   }
-  const py::gil_scoped_release release;
-  const PatchSet patches = conversion == "exact" ? exact_patches(surface, {.tolerance = tolerance})
-                                                 : fit_per_cell(surface);
-  return write_step(patches, path.string(), {.name = name, .mirrored = mirrored});
+  CadReport report;
+  {
+    const py::gil_scoped_release release;
+    const Progress whole = options.progress;
+    tell(whole, 0.0, 1.0);
+    const PatchSet patches = conversion == "exact"
+                                 ? exact_patches(surface, {.tolerance = tolerance})
+                                 : fit_per_cell(surface);
+    options.progress = part_of(whole, kConverted, 1.0);
+    report = write_file(patches, path.string(), options);
+  }
+  return to_dict(report);
 }
 
-StepReport read(const std::filesystem::path& path) {
-  const py::gil_scoped_release release;
-  return read_step_report(path.string());
+constexpr char kOptions[] =
+    "\n\nunit: of the file's numbers, \"m\", \"cm\", \"mm\", \"ft\" or \"in\". mirrored: the image "
+    "on y = 0 too, joined along the centre line. solid: close open borders with caps, plane ones "
+    "where borders are plane, athwartships ruled ones elsewhere, and the centre plane of a half "
+    "hull. regions: names of the patches' regions, which become layers, one a patch; None for "
+    "\"shell\", \"flat side\", \"flat bottom\", \"transom\" and \"deck\" by their shape. colours: "
+    "a dict from names of regions to (red, green, blue) from 0 to 1. curves: a list of (name, "
+    "layer, spline) or (name, layer, knots, control_points). progress: a callable that takes the "
+    "share done; raising in it cancels.\n\nThe file is complete and was read back, or it is not "
+    "there and one of the same name is untouched. Returns the report of read_cad_report. Raises "
+    "ValueError if the patches make no valid shape, OSError if the file can't be written.";
+
+// Both overloads of write_step() or write_iges().
+void bind_writing(py::module_& module, const char* function, WriteFile write_file,
+                  const std::string& what, const std::string& default_schema) {
+  const std::string of_patches = what + kOptions;
+  module.def(
+      function,
+      [write_file](const PatchSet& patches, const std::filesystem::path& path,
+                   const std::string& schema, const std::string& name, const std::string& unit,
+                   bool mirrored, bool solid, const py::object& regions, const py::object& colours,
+                   const py::iterable& curves, const py::object& progress) {
+        return write(write_file, patches, path,
+                     options_from({name, unit, mirrored, solid, regions, colours, curves, progress},
+                                  schema));
+      },
+      py::arg("patches"), py::arg("path"), py::kw_only(), py::arg("schema") = default_schema,
+      py::arg("name") = "hull", py::arg("unit") = "m", py::arg("mirrored") = false,
+      py::arg("solid") = false, py::arg("regions") = py::none(), py::arg("colours") = py::none(),
+      py::arg("curves") = py::tuple(), py::arg("progress") = py::none(), of_patches.c_str());
+  module.def(
+      function,
+      [write_file](const LimitSurface& surface, const std::filesystem::path& path,
+                   const std::string& conversion, double tolerance, const std::string& schema,
+                   const std::string& name, const std::string& unit, bool mirrored, bool solid,
+                   const py::object& regions, const py::object& colours, const py::iterable& curves,
+                   const py::object& progress) {
+        return convert_and_write(
+            write_file, surface, path, conversion, tolerance,
+            options_from({name, unit, mirrored, solid, regions, colours, curves, progress},
+                         schema));
+      },
+      py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("conversion") = "exact",
+      py::arg("tolerance") = 1e-6, py::arg("schema") = default_schema, py::arg("name") = "hull",
+      py::arg("unit") = "m", py::arg("mirrored") = false, py::arg("solid") = false,
+      py::arg("regions") = py::none(), py::arg("colours") = py::none(),
+      py::arg("curves") = py::tuple(), py::arg("progress") = py::none(),
+      "The same for a surface, which is converted first: \"exact\" as by exact_patches() with the "
+      "tolerance, \"per_cell\" as by fit_per_cell().");
 }
 
 }  // namespace
@@ -71,35 +225,29 @@ PYBIND11_MODULE(_exchange, module) {
   using namespace hull::bindings;
   module.doc() = "Files of CAD systems, by way of Open CASCADE.";
   join_core(module);
-
+  bind_writing(module, "write_step", &hull::write_step,
+               "Write patches as a STEP file: one shell whose faces share their edges, a solid "
+               "where it is closed. schema: \"AP214\" or \"AP242\".",
+               "AP214");
+  bind_writing(module, "write_iges", &hull::write_iges,
+               "Write patches as an IGES 5.3 file of B-rep entities: one shell whose faces share "
+               "their edges, a solid where it is closed. schema does not matter.",
+               "AP214");
   module.def(
-      "write_step",
-      [](const hull::PatchSet& patches, const std::filesystem::path& path, const std::string& name,
-         bool mirrored) { return to_dict(write(patches, path, name, mirrored)); },
-      py::arg("patches"), py::arg("path"), py::kw_only(), py::arg("name") = "hull",
-      py::arg("mirrored") = false,
-      "Write patches as a STEP file (AP214, metres): one shell whose faces share their edges, a "
-      "solid where it is closed. mirrored adds the image on y = 0, joined along the centre line. "
-      "The file is complete and read back, or it is not there and one of the same name is "
-      "untouched. Returns the report of read_step_report. Raises ValueError if the patches "
-      "make no valid shape, OSError if the file can't be written.");
-  module.def(
-      "write_step",
-      [](const hull::LimitSurface& surface, const std::filesystem::path& path,
-         const std::string& name, bool mirrored, const std::string& conversion, double tolerance) {
-        return to_dict(convert_and_write(surface, path, name, mirrored, conversion, tolerance));
+      "read_cad_report",
+      [](const std::filesystem::path& path) {
+        hull::CadReport report;
+        {
+          const py::gil_scoped_release release;
+          report = hull::read_cad_report(path.string());
+        }
+        return to_dict(report);
       },
-      py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("name") = "hull",
-      py::arg("mirrored") = false, py::arg("conversion") = "exact", py::arg("tolerance") = 1e-6,
-      "The same for a surface, which is converted first: \"exact\" as by exact_patches() with the "
-      "tolerance, \"per_cell\" as by fit_per_cell().");
-  module.def(
-      "read_step_report", [](const std::filesystem::path& path) { return to_dict(read(path)); },
       py::arg("path"),
-      "What Open CASCADE finds in a STEP file, as a dict: valid (its own check), numbers of "
-      "solids, "
-      "shells, faces, edges and free_edges (with one face), free_edge_length (m), area (m2), "
-      "volume "
-      "(m3, or None unless closed), box (2, 3; m), product (its name), and from write_step "
-      "cells_left_out (cells without area). Raises OSError if the file can't be read.");
+      "What Open CASCADE finds in a STEP or IGES file, as a dict: format, unit (\"\" for one that "
+      "write_step does not know), product (its name), valid (its own check), closed (no edge is "
+      "free), numbers of solids, shells, faces, edges and free_edges (with one face), "
+      "free_edge_length (m), area (m2), volume (m3, or None unless closed), box (2, 3; m), curves "
+      "(of no face), regions (dicts of name, colour, faces and area), layers, bytes, and from "
+      "writing cells_left_out (cells without area). Raises OSError if the file can't be read.");
 }

@@ -40,6 +40,22 @@ void saturate(BSplineCurve& curve, double t) {
   }
 }
 
+// Over [0, 1] the part between two knots that the curve passes through control points at.
+BSplineCurve between(const BSplineCurve& whole, double begin, double end) {
+  const int degree = whole.degree;
+  const auto inner = std::upper_bound(whole.knots.begin(), whole.knots.end(), begin);
+  const auto outer = std::lower_bound(inner, whole.knots.end(), end);
+  const auto first = inner - whole.knots.begin() - degree - 1;
+  BSplineCurve result{degree, std::vector<double>(degree + 1, 0.0), {}};
+  for (auto knot = inner; knot != outer; ++knot) {
+    result.knots.push_back((*knot - begin) / (end - begin));
+  }
+  result.knots.insert(result.knots.end(), degree + 1, 1.0);
+  const auto count = result.knots.size() - degree - 1;
+  result.points.assign(whole.points.begin() + first, whole.points.begin() + first + count);
+  return result;
+}
+
 }  // namespace
 
 Vector3d BSplineCurve::position(double t) const {
@@ -70,17 +86,14 @@ BSplineCurve BSplineCurve::part(double begin, double end) const {
   end = snapped(knots, end);
   if (begin > 0.0) saturate(whole, begin);
   if (end < 1.0) saturate(whole, end);
-  const auto inner = std::upper_bound(whole.knots.begin(), whole.knots.end(), begin);
-  const auto outer = std::lower_bound(inner, whole.knots.end(), end);
-  const auto first = inner - whole.knots.begin() - degree - 1;
-  BSplineCurve result{degree, std::vector<double>(degree + 1, 0.0), {}};
-  for (auto knot = inner; knot != outer; ++knot) {
-    result.knots.push_back((*knot - begin) / (end - begin));
-  }
-  result.knots.insert(result.knots.end(), degree + 1, 1.0);
-  const auto count = result.knots.size() - degree - 1;
-  result.points.assign(whole.points.begin() + first, whole.points.begin() + first + count);
-  return result;
+  return between(whole, begin, end);
+}
+
+BSplineCurve clamped(BSplineCurve curve) {
+  const double begin = curve.knots[curve.degree], end = curve.knots[curve.points.size()];
+  saturate(curve, begin);
+  saturate(curve, end);
+  return between(curve, begin, end);
 }
 
 double gap_between(const BSplineCurve& one, const BSplineCurve& two) {

@@ -24,6 +24,11 @@ struct BSplineCurve {
   BSplineCurve part(double begin, double end) const;
 };
 
+// A curve with any knots, as one over [0, 1] that starts and ends in its first and last control
+// points. REQUIRES: degree + 1 knots more than points, ascending, and not all of those between the
+// first degree and the last degree of them equal.
+BSplineCurve clamped(BSplineCurve curve);
+
 // The largest distance of points at equal parameters, m: sampled often enough, between all knots of
 // both, that it is 0 to rounding only for curves that are equal.
 double gap_between(const BSplineCurve& one, const BSplineCurve& two);

@@ -184,6 +184,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   kept.vertex_count = all.vertex_count;
   kept.edge_count = all.edge_count;
   for (int p = 0; p < count; ++p) {
+    result.is_kept.push_back(!is_left_out[p]);
     if (is_left_out[p]) {
       result.left_out.push_back(all.patches[p].cell);
       continue;

@@ -10,6 +10,7 @@ namespace hull {
 struct WithoutFlatPatches {
   PatchSet patches;           // numbers of vertices and edges as before; some may be unused
   std::vector<int> left_out;  // cells
+  std::vector<bool> is_kept;  // of every patch given
 };
 
 // Leaves out patches that have no area because they are folded onto a line or a point: they have no

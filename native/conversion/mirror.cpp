@@ -8,14 +8,12 @@
 namespace hull {
 namespace {
 
-constexpr double kSeamTolerance = 1e-7;  // of the size
-
 struct Seam {
   std::vector<bool> edges, vertices;
 };
 
 Seam find_seam(const PatchSet& set) {
-  const double tolerance = kSeamTolerance * set.size();
+  const double tolerance = kOnCentrePlane * set.size();
   std::vector<int> uses(set.edge_count, 0);
   for (const auto& sides : set.sides) {
     for (const PatchSide& side : sides) {
@@ -74,18 +72,25 @@ std::vector<int> image_numbers(const std::vector<bool>& on_seam, int& count) {
   return numbers;
 }
 
+PatchSet flattened(const PatchSet& half, const Seam& seam) {
+  PatchSet result = half;
+  const double tolerance = kOnCentrePlane * half.size();
+  for (size_t p = 0; p < half.patches.size(); ++p) {
+    flatten(result.patches[p], half.corners[p], half.sides[p], seam, tolerance);
+  }
+  return result;
+}
+
 }  // namespace
+
+PatchSet with_seam_in_plane(const PatchSet& half) { return flattened(half, find_seam(half)); }
 
 PatchSet with_mirror_image(const PatchSet& half) {
   const Seam seam = find_seam(half);
-  PatchSet whole = half;
+  PatchSet whole = flattened(half, seam);
   if (!half.blocks.empty()) whole.blocks.resize(2 * half.patches.size());
   const std::vector<int> vertices = image_numbers(seam.vertices, whole.vertex_count);
   const std::vector<int> edges = image_numbers(seam.edges, whole.edge_count);
-  const double tolerance = kSeamTolerance * half.size();
-  for (size_t p = 0; p < half.patches.size(); ++p) {
-    flatten(whole.patches[p], half.corners[p], half.sides[p], seam, tolerance);
-  }
   for (size_t p = 0; p < half.patches.size(); ++p) {
     BSplinePatch image = whole.patches[p].transposed();
     for (Vector3d& point : image.control_points) point.y() = 0.0 - point.y();  // never -0

@@ -1,91 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/brep_shape.h"
 
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Precision.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
-#include <TColgp_Array2OfPnt.hxx>
+#include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
 #include <map>
 #include <utility>
 
+#include "conversion/edge_uses.h"
 #include "conversion/groups.h"
+#include "exchange/face_integrals.h"
+#include "exchange/occt_geometry.h"
 
 namespace hull {
 namespace {
 
-constexpr double kCollapsed = 1e-9;  // of the size: shorter sides have no length
 constexpr double kTolerance = 1e-7;  // millimetres, Open CASCADE's smallest
 
-gp_Pnt in_millimetres(const Vector3d& point) {
-  const Vector3d p = point * kMillimetresPerMetre;
-  return {p.x(), p.y(), p.z()};
-}
+constexpr std::array<std::array<double, 2>, 4> kCorners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-// Knots as Open CASCADE wants them: each once, with how often it is repeated.
-struct Knots {
-  explicit Knots(const std::vector<double>& repeated) {
-    for (double knot : repeated) {
-      if (values.empty() || knot != values.back()) {
-        values.push_back(knot);
-        counts.push_back(0);
-      }
-      ++counts.back();
-    }
-  }
-  TColStd_Array1OfReal array() const {
-    return TColStd_Array1OfReal(values.front(), 1, static_cast<int>(values.size()));
-  }
-  TColStd_Array1OfInteger multiplicities() const {
-    return TColStd_Array1OfInteger(counts.front(), 1, static_cast<int>(counts.size()));
-  }
-  std::vector<double> values;
-  std::vector<int> counts;
-};
-
-Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch) {
-  TColgp_Array2OfPnt poles(1, patch.count_u, 1, patch.count_v);
-  for (int i = 0; i < patch.count_u; ++i) {
-    for (int j = 0; j < patch.count_v; ++j) {
-      poles(i + 1, j + 1) = in_millimetres(patch.control_point(i, j));
-    }
-  }
-  const Knots u(patch.knots_u), v(patch.knots_v);
-  return new Geom_BSplineSurface(poles, u.array(), v.array(), u.multiplicities(),
-                                 v.multiplicities(), patch.degree_u, patch.degree_v);
-}
-
-Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve) {
-  TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
-  for (size_t i = 0; i < curve.points.size(); ++i)
-    poles(static_cast<int>(i) + 1) = in_millimetres(curve.points[i]);
-  const Knots knots(curve.knots);
-  return new Geom_BSplineCurve(poles, knots.array(), knots.multiplicities(), curve.degree);
+gp_Pnt2d on_side(int side, double share) {
+  const auto &from = kCorners[side], &to = kCorners[(side + 1) % 4];
+  return {(1.0 - share) * from[0] + share * to[0], (1.0 - share) * from[1] + share * to[1]};
 }
 
 // The straight line in (u, v) along a part of a side, over [0, 1] from its begin to its end; or
 // from end to begin. It has a pole at each of the patch's knots: Open CASCADE integrates over faces
 // by a Gauss rule for each interval of these lines, which is exact only within one polynomial.
-Handle(Geom2d_BSplineCurve)
-    side_line(const BSplinePatch& patch, int side, const SideEdge& part, bool backwards) {
-  static const gp_Pnt2d kCorners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const gp_XY from = kCorners[side].XY(), along = kCorners[(side + 1) % 4].XY() - from;
+ParameterCurve side_line(const BSplinePatch& patch, int side, const SideEdge& part,
+                         bool backwards) {
   constexpr double kNear = 1e-12;
   std::vector<double> shares{0.0};
   for (double knot : patch.side_knots(side)) {
@@ -93,76 +48,78 @@ Handle(Geom2d_BSplineCurve)
     if (share > shares.back() + kNear && share < 1.0 - kNear) shares.push_back(share);
   }
   shares.push_back(1.0);
-  const int count = static_cast<int>(shares.size());
-  TColgp_Array1OfPnt2d poles(1, count);
-  TColStd_Array1OfReal knots(1, count);
-  TColStd_Array1OfInteger multiplicities(1, count);
-  multiplicities.Init(1);
-  multiplicities(1) = multiplicities(count) = 2;
-  for (int i = 0; i < count; ++i) {
-    const double share = shares[i];
-    const int place = backwards ? count - i : i + 1;
-    poles(place) = from + along * ((1.0 - share) * part.begin + share * part.end);
-    knots(place) = backwards ? 1.0 - share : share;
+  ParameterCurve line{1, {0.0}, {}};
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double share = backwards ? shares[shares.size() - 1 - i] : shares[i];
+    line.points.push_back(on_side(side, (1.0 - share) * part.begin + share * part.end));
+    line.knots.push_back(backwards ? 1.0 - share : share);
   }
-  return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
+  line.knots.push_back(1.0);
+  return line;
 }
 
 class ShapeMaker {
  public:
-  explicit ShapeMaker(const PatchSet& set)
+  ShapeMaker(const PatchSet& set, const Closing& closing)
       : set_(set),
+        closing_(closing),
+        uses_(set),
         size_(set.size()),
-        vertex_groups_(set.vertex_count),
-        parts_(static_cast<int>(set.patches.size())) {
-    find_collapsed_sides_and_parts();
+        vertex_groups_(set.vertex_count + static_cast<int>(closing.vertices.size())),
+        parts_(static_cast<int>(set.patches.size() + closing.caps.size())),
+        vertices_(set.vertex_count + closing.vertices.size()),
+        edges_(set.edge_count + closing.edges.size()),
+        first_(edges_.size(), -1),
+        faces_of_(edges_.size(), 0) {
+    for (int v = 0; v < set.vertex_count; ++v) vertex_groups_.join(v, uses_.vertex(v));
+    for (const CapEdge& edge : closing.edges) {
+      if (is_collapsed(edge)) vertex_groups_.join(edge.from, edge.to);
+    }
   }
 
   BRepShape make() {
     BRepShape result;
-    std::map<int, TopoDS_Shell> shells;  // by part
     for (int p = 0; p < static_cast<int>(set_.patches.size()); ++p) {
-      TopoDS_Shell& shell = shells[parts_.find(p)];
-      if (shell.IsNull()) builder_.MakeShell(shell);
       result.faces.push_back(make_face(p));
-      builder_.Add(shell, result.faces.back());
     }
-    for (int e = 0; e < set_.edge_count; ++e) {
-      if (uses_[e] == 1 && !collapsed_[e]) ++result.free_edges;
+    for (int c = 0; c < static_cast<int>(closing_.caps.size()); ++c) {
+      const Cap& cap = closing_.caps[c];
+      number_ = static_cast<int>(set_.patches.size()) + c;
+      result.faces.push_back(cap.patch ? make_ruled_face(cap) : make_plane_face(cap));
     }
-    if (shells.size() == 1) {
-      result.shape = finished(shells.begin()->second);
-    } else {
-      TopoDS_Compound compound;
-      builder_.MakeCompound(compound);
-      for (auto& [part, shell] : shells) builder_.Add(compound, finished(shell));
-      result.shape = compound;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!edges_[e].edge.IsNull() && faces_of_[e] == 1) ++result.free_edges;
     }
+    std::map<int, TopoDS_Shell> shells;  // by part
+    for (std::size_t f = 0; f < result.faces.size(); ++f) {
+      TopoDS_Shell& shell = shells[parts_.find(static_cast<int>(f))];
+      if (shell.IsNull()) builder_.MakeShell(shell);
+      builder_.Add(shell, result.faces[f]);
+    }
+    TopoDS_Compound compound;
+    builder_.MakeCompound(compound);
+    for (auto& [part, shell] : shells) {
+      result.shape = finished(shell);
+      if (result.shape.ShapeType() == TopAbs_SOLID) ++result.solids;
+      builder_.Add(compound, result.shape);
+    }
+    if (shells.size() > 1) result.shape = compound;
     return result;
   }
 
  private:
-  void find_collapsed_sides_and_parts() {
-    collapsed_.assign(set_.edge_count, false);
-    uses_.assign(set_.edge_count, 0);
-    std::vector<int> first(set_.edge_count, -1);
-    for (int p = 0; p < static_cast<int>(set_.patches.size()); ++p) {
-      for (int k = 0; k < 4; ++k) {
-        for (const SideEdge& part : set_.sides[p][k]) {
-          ++uses_[part.edge];
-          if (set_.curve(p, k, part).polygon_length() <= kCollapsed * size_) {
-            collapsed_[part.edge] = true;
-            vertex_groups_.join(part.from, part.to);
-          } else if (first[part.edge] < 0) {
-            first[part.edge] = p;
-          } else {
-            parts_.join(first[part.edge], p);
-          }
-        }
-      }
-    }
-    vertices_.resize(set_.vertex_count);
-    edges_.resize(set_.edge_count);
+  struct MadeEdge {
+    TopoDS_Edge edge;
+    TopoDS_Face face;                  // the first face that has it
+    Handle(Geom2d_BSplineCurve) side;  // and its line there
+  };
+
+  bool is_collapsed(const CapEdge& edge) const {
+    return edge.curve.polygon_length() <= kCollapsed * size_;
+  }
+  bool is_collapsed(int edge) const {
+    return edge < set_.edge_count ? uses_.is_collapsed(edge)
+                                  : is_collapsed(closing_.edges[edge - set_.edge_count]);
   }
 
   TopoDS_Vertex vertex(int number, const Vector3d& position) {
@@ -175,10 +132,38 @@ class ShapeMaker {
     return vertex;
   }
 
+  // The edge as an object, made from the curve where it is first met. One face more has it.
+  MadeEdge& made(int number, const BSplineCurve& curve, int from, int to) {
+    MadeEdge& result = edges_[number];
+    if (result.edge.IsNull()) {
+      builder_.MakeEdge(result.edge, make_curve(curve), kTolerance);
+      add_ends(result.edge, vertex(from, curve.points.front()), vertex(to, curve.points.back()));
+      builder_.Range(result.edge, 0.0, 1.0);
+    }
+    ++faces_of_[number];
+    if (first_[number] < 0) {
+      first_[number] = number_;
+    } else {
+      parts_.join(first_[number], number_);
+    }
+    return result;
+  }
+
+  // An edge of a cap.
+  MadeEdge& made(int number) {
+    if (number >= set_.edge_count) {
+      const CapEdge& own = closing_.edges[number - set_.edge_count];
+      return made(number, own.curve, own.from, own.to);
+    }
+    const EdgeUse& use = uses_.of(number)[0];
+    const SideEdge& part = uses_.part(use);
+    return made(number, uses_.curve(use), part.from, part.to);
+  }
+
   TopoDS_Face make_face(int p) {
-    const BSplinePatch& patch = set_.patches[p];
+    number_ = p;
     TopoDS_Face face;
-    builder_.MakeFace(face, make_surface(patch), kTolerance);
+    builder_.MakeFace(face, make_surface(set_.patches[p]), kTolerance);
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
     for (int k = 0; k < 4; ++k) {
@@ -193,31 +178,26 @@ class ShapeMaker {
 
   // The edge along a part of a patch's side, turned so that it runs in the side's direction.
   TopoDS_Edge side_edge(int p, int k, const SideEdge& part, const TopoDS_Face& face) {
-    const int number = part.edge;
-    const bool first = edges_[number].edge.IsNull();
-    if (first) {
+    const BSplinePatch& patch = set_.patches[p];
+    if (is_collapsed(part.edge)) {
       const BSplineCurve curve = set_.curve(p, k, part);
-      const TopoDS_Vertex begin = vertex(part.from, curve.points.front());
-      const TopoDS_Vertex end = vertex(part.to, curve.points.back());
-      if (collapsed_[number])
-        return degenerated_edge(side_line(set_.patches[p], k, part, false), begin, face);
-      edges_[number].side = side_line(set_.patches[p], k, part, false);
-      edges_[number].face = face;
-      TopoDS_Edge edge;
-      builder_.MakeEdge(edge, make_curve(curve), kTolerance);
-      add_ends(edge, begin, end);
-      builder_.Range(edge, 0.0, 1.0);
-      edges_[number].edge = edge;
+      return degenerated_edge(make_curve(side_line(patch, k, part, false)),
+                              vertex(part.from, curve.points.front()), face);
     }
-    const TopoDS_Edge& edge = edges_[number].edge;
-    if (!first && edges_[number].face.IsSame(face)) {
+    const bool first = edges_[part.edge].edge.IsNull();
+    MadeEdge& edge = made(part.edge, set_.curve(p, k, part), part.from, part.to);
+    const Handle(Geom2d_BSplineCurve) line = make_curve(side_line(patch, k, part, !first));
+    if (first) {
+      edge.side = line;
+      edge.face = face;
+    }
+    if (!first && edge.face.IsSame(face)) {
       // Both sides of one patch: a seam has two lines on the same surface.
-      builder_.UpdateEdge(edge, edges_[number].side, side_line(set_.patches[p], k, part, true),
-                          face, kTolerance);
+      builder_.UpdateEdge(edge.edge, edge.side, line, face, kTolerance);
     } else {
-      builder_.UpdateEdge(edge, side_line(set_.patches[p], k, part, !first), face, kTolerance);
+      builder_.UpdateEdge(edge.edge, line, face, kTolerance);
     }
-    return TopoDS::Edge(edge.Oriented(first ? TopAbs_FORWARD : TopAbs_REVERSED));
+    return TopoDS::Edge(edge.edge.Oriented(first ? TopAbs_FORWARD : TopAbs_REVERSED));
   }
 
   TopoDS_Edge degenerated_edge(const Handle(Geom2d_BSplineCurve) & side,
@@ -236,40 +216,136 @@ class ShapeMaker {
     builder_.Add(edge, end.Oriented(TopAbs_REVERSED));
   }
 
+  static TopoDS_Edge directed(const TopoDS_Edge& edge, bool reversed) {
+    return TopoDS::Edge(edge.Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
+  }
+
+  TopoDS_Face make_plane_face(const Cap& cap) {
+    const gp_Dir normal(cap.normal.x(), cap.normal.y(), cap.normal.z());
+    TopoDS_Face face;
+    builder_.MakeFace(face, new Geom_Plane(in_millimetres(cap.origin), normal), kTolerance);
+    for (const EdgePath& loop : cap.loops) {
+      TopoDS_Wire wire;
+      builder_.MakeWire(wire);
+      for (const DirectedEdge& part : loop) {
+        if (is_collapsed(part.edge)) continue;
+        const TopoDS_Edge edge = made(part.edge).edge;
+        allow_distance(edge, part.edge, cap);
+        builder_.Add(wire, directed(edge, part.reversed));
+      }
+      wire.Closed(true);
+      builder_.Add(face, wire);
+    }
+    return face;
+  }
+
+  void allow_distance(const TopoDS_Edge& edge, int number, const Cap& cap) {
+    const BSplineCurve curve = number < set_.edge_count
+                                   ? uses_.curve(uses_.of(number)[0])
+                                   : closing_.edges[number - set_.edge_count].curve;
+    double largest = 0.0;
+    for (const Vector3d& point : curve.points) {
+      largest = std::max(largest, std::abs(cap.normal.dot(point - cap.origin)));
+    }
+    const double tolerance = kTolerance + largest * kMillimetresPerMetre;
+    builder_.UpdateEdge(edge, tolerance);
+    for (TopoDS_Iterator end(edge); end.More(); end.Next()) {
+      builder_.UpdateVertex(TopoDS::Vertex(end.Value()), tolerance);
+    }
+  }
+
+  TopoDS_Face make_ruled_face(const Cap& cap) {
+    TopoDS_Face face;
+    builder_.MakeFace(face, make_surface(*cap.patch), kTolerance);
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (int k = 0; k < 4; ++k) {
+      bool any = false;
+      for (const DirectedEdge& part : cap.loops[k]) {
+        if (is_collapsed(part.edge)) continue;
+        const TopoDS_Edge edge = made(part.edge).edge;
+        builder_.UpdateEdge(edge, cap_line(cap, k, part), face, kTolerance);
+        builder_.Add(wire, directed(edge, part.reversed));
+        any = true;
+      }
+      if (any) continue;
+      const TopoDS_Vertex at = vertex_between(cap, k);
+      builder_.Add(
+          wire, degenerated_edge(make_curve(ParameterCurve{
+                                     1, {0.0, 0.0, 1.0, 1.0}, {on_side(k, 0.0), on_side(k, 1.0)}}),
+                                 at, face));
+    }
+    wire.Closed(true);
+    builder_.Add(face, wire);
+    return face;
+  }
+
+  // Where a side of no length is: at the begin of the side that follows.
+  TopoDS_Vertex vertex_between(const Cap& cap, int side) {
+    const DirectedEdge next = cap.loops[(side + 1) % 4].front();
+    const TopoDS_Edge edge = edges_[next.edge].edge;
+    const TopAbs_Orientation wanted = next.reversed ? TopAbs_REVERSED : TopAbs_FORWARD;
+    for (TopoDS_Iterator end(edge); end.More(); end.Next()) {
+      if (end.Value().Orientation() == wanted) {
+        return TopoDS::Vertex(end.Value().Oriented(TopAbs_FORWARD));
+      }
+    }
+    assert(false);
+    return {};
+  }
+
+  // An edge of a ruled cap in its (u, v), in the direction of the edge's curve. Sides 0 and 2 are
+  // one edge each, with the patch's own parameter; on the others v is as far athwart as the curve.
+  Handle(Geom2d_BSplineCurve) cap_line(const Cap& cap, int side, const DirectedEdge& part) {
+    const BSplinePatch& patch = *cap.patch;
+    if (side % 2 == 0) {
+      const bool backwards = (side == 2) != part.reversed;
+      const double v = side == 2 ? 1.0 : 0.0;
+      const double from = backwards ? 1.0 : 0.0;
+      ParameterCurve line;
+      line.points = {{from, v}, {1.0 - from, v}};
+      return make_curve(line);
+    }
+    const double u = side == 1 ? 1.0 : 0.0;
+    const int last = side == 1 ? patch.count_u - 1 : 0;
+    const double far = patch.control_point(last, 0).y(), near = patch.control_point(last, 1).y();
+    const BSplineCurve curve = part.edge < set_.edge_count
+                                   ? uses_.curve(uses_.of(part.edge)[0])
+                                   : closing_.edges[part.edge - set_.edge_count].curve;
+    ParameterCurve line{curve.degree, curve.knots, {}};
+    for (const Vector3d& point : curve.points) {
+      line.points.emplace_back(u, std::clamp((point.y() - far) / (near - far), 0.0, 1.0));
+    }
+    return make_curve(line);
+  }
+
   TopoDS_Shape finished(TopoDS_Shell& shell) {
     shell.Closed(BRep_Tool::IsClosed(shell));
-    if (!shell.Closed()) return shell;
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shell, properties);
-    if (properties.Mass() <= 0.0) return shell;
+    if (!shell.Closed() || integrals_of(shell).volume <= 0.0) return shell;
     TopoDS_Solid solid;
     builder_.MakeSolid(solid);
     builder_.Add(solid, shell);
     return solid;
   }
 
-  struct MadeEdge {
-    TopoDS_Edge edge;
-    TopoDS_Face face;                  // the first face that has it
-    Handle(Geom2d_BSplineCurve) side;  // and its line there
-  };
-
   const PatchSet& set_;
+  const Closing& closing_;
+  EdgeUses uses_;
   BRep_Builder builder_;
   double size_;
   Groups vertex_groups_, parts_;
-  std::vector<bool> collapsed_;
-  std::vector<int> uses_;
   std::vector<TopoDS_Vertex> vertices_;
   std::vector<MadeEdge> edges_;
+  std::vector<int> first_, faces_of_;  // of each edge
+  int number_ = 0;                     // of the face being made
 };
 
 }  // namespace
 
-BRepShape make_brep_shape(const PatchSet& set) {
+BRepShape make_brep_shape(const PatchSet& set, const Closing& closing) {
   set.check();
   assert(!set.patches.empty());
-  return ShapeMaker(set).make();
+  return ShapeMaker(set, closing).make();
 }
 
 }  // namespace hull

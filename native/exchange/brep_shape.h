@@ -5,28 +5,29 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
+#include "conversion/caps.h"
 #include "conversion/patch_set.h"
 
 namespace hull {
 
-constexpr double kMillimetresPerMetre = 1000.0;
-
 // A boundary representation of patches in millimetres, Open CASCADE's own unit.
 struct BRepShape {
-  // A solid where the patches enclose one and their normals point out of it, otherwise a shell; a
-  // compound of these if the patches fall into several parts that share no edge.
+  // A solid where the faces enclose one and their normals point out of it, otherwise a shell; a
+  // compound of these if the faces fall into several parts that share no edge.
   TopoDS_Shape shape;
-  std::vector<TopoDS_Face> faces;  // number p is that of patch p
+  std::vector<TopoDS_Face> faces;  // number p is that of patch p, then those of the caps
   int free_edges = 0;              // edges with one face, those of no length not counted
+  int solids = 0;
 };
 
 // Faces carry the patches as they are. Joined faces share one edge object, whose curve is the
 // border curve of both; so there is nothing to sew, and no tolerance beyond rounding. A side of no
 // length (all its control points within 1e-9 of the set's size) becomes a degenerated edge, its
-// ends one vertex.
+// ends one vertex. Caps are faces like the others; edges of plane faces have as tolerance their
+// distance from the plane.
 //
 // Throws std::invalid_argument if set.check() does. REQUIRES: at least one patch, none without area
 // (see without_flat_patches).
-BRepShape make_brep_shape(const PatchSet& set);
+BRepShape make_brep_shape(const PatchSet& set, const Closing& closing = {});
 
 }  // namespace hull

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/occt_session.h"
 
+#include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -15,15 +16,45 @@ std::mutex& occt_mutex() {
   return mutex;
 }
 
+const char* unit_setting(CadUnit unit) {
+  switch (unit) {
+    case CadUnit::kMetre:
+      return "M";
+    case CadUnit::kCentimetre:
+      return "CM";
+    case CadUnit::kMillimetre:
+      return "MM";
+    case CadUnit::kFoot:
+      return "FT";
+    case CadUnit::kInch:
+      break;
+  }
+  return "INCH";
+}
+
+void set(const char* name, const char* value) {
+  if (!Interface_Static::SetCVal(name, value)) {
+    throw std::runtime_error(std::string("this Open CASCADE refuses the setting ") + name);
+  }
+}
+
+void set(const char* name, int value) {
+  if (!Interface_Static::SetIVal(name, value)) {
+    throw std::runtime_error(std::string("this Open CASCADE refuses the setting ") + name);
+  }
+}
+
 }  // namespace
 
-OcctSession::OcctSession() : lock_(occt_mutex()) {
-  STEPControl_Controller::Init();  // declares the settings below
-  const bool set = Interface_Static::SetCVal("xstep.cascade.unit", "MM") &&
-                   Interface_Static::SetCVal("write.step.unit", "M") &&
-                   Interface_Static::SetCVal("write.step.schema", "AP214IS") &&
-                   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
-  if (!set) throw std::runtime_error("this Open CASCADE refuses the settings of STEP files");
+OcctSession::OcctSession(const CadOptions& options) : lock_(occt_mutex()) {
+  STEPControl_Controller::Init();  // these declare the settings below
+  IGESControl_Controller::Init();
+  set("xstep.cascade.unit", "MM");
+  set("write.step.unit", unit_setting(options.unit));
+  set("write.step.schema", options.schema == StepSchema::kAp242 ? "AP242DIS" : "AP214IS");
+  set("write.surfacecurve.mode", 1);
+  set("write.iges.unit", unit_setting(options.unit));
+  set("write.iges.brep.mode", 1);  // shells whose faces share edges, and no bare trimmed surfaces
   auto& active = Message::DefaultMessenger()->ChangePrinters();
   printers_ = active;
   active.Clear();

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <string>
 
+#include "exchange/cad_options.h"
+
 namespace hull {
 
 // Sole use of Open CASCADE's data exchange, whose settings and messages are global to the process
@@ -13,7 +15,9 @@ namespace hull {
 // come back at its end. A session must not be opened inside another.
 class OcctSession {
  public:
-  OcctSession();
+  // The settings of files written in this session. Reading heeds only that shapes come in
+  // millimetres.
+  explicit OcctSession(const CadOptions& options = {});
   ~OcctSession();
   OcctSession(const OcctSession&) = delete;
   OcctSession& operator=(const OcctSession&) = delete;

@@ -2,144 +2,166 @@
 #include "exchange/step_file.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
-#include <Eigen/Geometry>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
+#include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
-#include <TCollection_HAsciiString.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <algorithm>
+#include <map>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
+#include <vector>
 
-#include "conversion/flat_patches.h"
-#include "conversion/mirror.h"
-#include "exchange/brep_shape.h"
-#include "exchange/occt_session.h"
-#include "exchange/step_text.h"
+#include "exchange/cad_file.h"
+#include "exchange/occt_geometry.h"
+#include "exchange/occt_progress.h"
+#include "exchange/regions.h"
+#include "exchange/step_styles.h"
+#include "exchange/text_holders.h"
 #include "files/atomic_file.h"
 
 namespace hull {
 namespace {
 
-constexpr double kSizeTolerance = 1e-6;  // of the size
-
-// Stands for the product's name until the text is there: Open CASCADE writes bytes above 127 as
-// they are, which the format forbids, and would double the backslashes of the directives for them.
-constexpr char kNameHolder[] = "HULL-PRODUCT-NAME";
+using Item = Handle(StepRepr_RepresentationItem);
 
 Handle(TCollection_HAsciiString) text_of(const char* value) {
   return new TCollection_HAsciiString(value);
 }
 
-void set_names(const Handle(StepData_StepModel) & model) {
-  APIHeaderSection_MakeHeader header(model);
-  header.SetName(text_of(kNameHolder));
-  header.SetAuthorValue(1, text_of(""));
-  header.SetOrganizationValue(1, text_of(""));
-  header.SetOriginatingSystem(text_of("Hull Tools"));
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i));
-    if (product.IsNull()) continue;
-    product->SetId(text_of(kNameHolder));
-    product->SetName(text_of(kNameHolder));
+class StepText {
+ public:
+  StepText(const CadModel& model, const CadOptions& options, const Progress& progress)
+      : model_(model), options_(options), progress_(progress) {
+    // Millimetres come in, others go out. Release 7.8 heeds this and not the global setting for the
+    // numbers, but that setting for the unit it declares.
+    writer_.Model()->SetLocalLengthUnit(1.0);
+    writer_.Model()->SetWriteLengthUnit(millimetres_in(options.unit));
   }
-}
 
-std::string with_name(std::string text, const std::string& name) {
-  const std::string holder = kNameHolder, encoded = encode_step_string(name);
-  for (size_t at = text.find(holder); at != text.npos; at = text.find(holder, at)) {
-    text.replace(at, holder.size(), encoded);
-    at += encoded.size();
+  std::string make() {
+    transfer(model_.brep.shape, STEPControl_AsIs, 0.0, 0.5);
+    add_regions();
+    add_curves();
+    set_names();
+    tell(progress_, 0.6, 1.0);
+    return texts_.filled(printed());
   }
-  return text;
-}
 
-// The file's text. REQUIRES: an OcctSession lives.
-std::string step_text(const TopoDS_Shape& shape, const std::string& name) {
-  STEPControl_Writer writer;
-  // Millimetres come in, metres go out. Release 7.8 heeds this and not the global setting for the
-  // numbers, but that setting for the unit it declares.
-  writer.Model()->SetLocalLengthUnit(1.0);
-  writer.Model()->SetWriteLengthUnit(kMillimetresPerMetre);
-  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone) {
-    throw FileError("Open CASCADE could not translate the patches to STEP");
-  }
-  set_names(writer.Model());
-  StepData_StepWriter text(writer.Model());
-  // 17 digits: doubles come back as they were. Trailing zeros stay, because Open CASCADE's way of
-  // cutting them off loses the exponent.
-  text.FloatWriter().SetFormat("%.16E");
-  text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
-  std::ostringstream stream;
-  if (!text.Print(stream)) throw FileError("Open CASCADE could not print the STEP file");
-  return with_name(stream.str(), name);
-}
-
-// The box of the patches, from the same points as that of a StepReport.
-Eigen::AlignedBox3d box_of(const PatchSet& set) {
-  Eigen::AlignedBox3d box;
-  for (const BSplinePatch& patch : set.patches) {
-    for (int i = 0; i <= kBoxSteps; ++i) {
-      for (int j = 0; j <= kBoxSteps; ++j) {
-        box.extend(
-            patch.position(static_cast<double>(i) / kBoxSteps, static_cast<double>(j) / kBoxSteps));
-      }
+ private:
+  void transfer(const TopoDS_Shape& shape, STEPControl_StepModelType type, double begin,
+                double end) {
+    Handle(OcctProgress) indicator = new OcctProgress(progress_, begin, end);
+    const IFSelect_ReturnStatus status =
+        writer_.Transfer(shape, type, Standard_True, indicator->Start());
+    indicator->rethrow();
+    if (status != IFSelect_RetDone) {
+      throw FileError("Open CASCADE could not translate the patches to STEP");
     }
   }
-  return box;
-}
 
-// What was read back and not meant; empty if all is well.
-std::string difference(const PatchSet& set, const BRepShape& meant, const StepReport& found) {
-  const auto numbers = [](int have, int want) {
-    return std::to_string(have) + " of " + std::to_string(want);
-  };
-  const int faces = static_cast<int>(meant.faces.size());
-  if (found.faces != faces) return numbers(found.faces, faces) + " faces";
-  if (found.free_edges != meant.free_edges) {
-    return numbers(found.free_edges, meant.free_edges) + " free edges";
+  Item item_of(const TopoDS_Shape& shape) const {
+    return STEPConstruct::FindEntity(writer_.WS()->TransferWriter()->FinderProcess(), shape);
   }
-  const Eigen::AlignedBox3d box = box_of(set);
-  const double error =
-      std::max((found.box_min - box.min()).norm(), (found.box_max - box.max()).norm());
-  if (!(error <= kSizeTolerance * set.size())) return "a shape of another size";
-  return found.valid ? "" : "a shape that is not valid";
+
+  void add_regions() {
+    std::map<std::string, std::vector<Item>> regions;
+    StepColours colours;
+    for (std::size_t f = 0; f < model_.brep.faces.size(); ++f) {
+      const Item item = item_of(model_.brep.faces[f]);
+      if (item.IsNull()) continue;  // the file read back will show it
+      const std::string& region = model_.regions[f];
+      const auto given = options_.colours.find(region);
+      colours.add(item, given != options_.colours.end() ? given->second : region_colour(region));
+      regions[region].push_back(item);
+    }
+    colours.put_into(writer_.Model());
+    for (const auto& [name, items] : regions) {
+      add_step_layer(writer_.Model(), texts_, name, items);
+    }
+  }
+
+  void add_curves() {
+    std::map<std::string, std::vector<const CadCurve*>> layers;
+    for (const CadCurve& curve : model_.curves) layers[curve.layer].push_back(&curve);
+    for (const auto& [layer, curves] : layers) {
+      BRep_Builder builder;
+      TopoDS_Compound compound;
+      builder.MakeCompound(compound);
+      std::vector<TopoDS_Edge> edges;
+      for (const CadCurve* curve : curves) {
+        edges.push_back(BRepBuilderAPI_MakeEdge(make_curve(curve->curve)).Edge());
+        builder.Add(compound, edges.back());
+      }
+      transfer(compound, STEPControl_GeometricCurveSet, 0.5, 0.5);
+      products_.push_back(layer);
+      std::vector<Item> items;
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Item item = item_of(edges[i]);
+        if (item.IsNull()) continue;
+        item->SetName(texts_.holder(curves[i]->name));
+        items.push_back(item);
+      }
+      add_step_layer(writer_.Model(), texts_, layer, items);
+    }
+  }
+
+  // Products come in the order of transfers.
+  void set_names() {
+    APIHeaderSection_MakeHeader header(writer_.Model());
+    header.SetName(texts_.holder(options_.name));
+    header.SetAuthorValue(1, text_of(""));
+    header.SetOrganizationValue(1, text_of(""));
+    header.SetOriginatingSystem(text_of("Hull Tools"));
+    std::size_t next = 0;
+    for (int i = 1; i <= writer_.Model()->NbEntities(); ++i) {
+      const auto product = Handle(StepBasic_Product)::DownCast(writer_.Model()->Value(i));
+      if (product.IsNull()) continue;
+      const std::string& name =
+          next == 0 || next > products_.size() ? options_.name : products_[next - 1];
+      ++next;
+      product->SetId(texts_.holder(name));
+      product->SetName(texts_.holder(name));
+    }
+  }
+
+  std::string printed() {
+    StepData_StepWriter text(writer_.Model());
+    // 17 digits: doubles come back as they were. Trailing zeros stay, because Open CASCADE's way of
+    // cutting them off loses the exponent.
+    text.FloatWriter().SetFormat("%.16E");
+    text.SendModel(Handle(StepData_Protocol)::DownCast(writer_.WS()->Protocol()));
+    std::ostringstream stream;
+    if (!text.Print(stream)) throw FileError("Open CASCADE could not print the STEP file");
+    return stream.str();
+  }
+
+  const CadModel& model_;
+  const CadOptions& options_;
+  const Progress& progress_;
+  STEPControl_Writer writer_;
+  TextHolders texts_;
+  std::vector<std::string> products_;  // after the hull
+};
+
+std::string step_text(const CadModel& model, const CadOptions& options, const Progress& progress) {
+  return StepText(model, options, progress).make();
 }
 
 }  // namespace
 
-StepReport write_step(const PatchSet& patches, const std::string& path,
-                      const StepOptions& options) {
-  patches.check();
-  WithoutFlatPatches flat = without_flat_patches(patches);
-  if (flat.patches.patches.empty())
-    throw std::invalid_argument("no patch has an area: nothing to write");
-  const PatchSet set = options.mirrored ? with_mirror_image(flat.patches) : std::move(flat.patches);
-  std::string text;
-  BRepShape brep;
-  try {
-    const OcctSession session;
-    brep = make_brep_shape(set);
-    text = step_text(brep.shape, options.name);
-  } catch (const Standard_Failure& failure) {
-    throw FileError("Open CASCADE could not make the STEP file: " + describe(failure));
-  }
-  std::istringstream stream(text);
-  StepReport report = read_step_report(stream, path);
-  if (const std::string wrong = difference(set, brep, report); !wrong.empty()) {
-    throw std::invalid_argument("the STEP file was not written, because reading it back gave " +
-                                wrong +
-                                "; look for faces that are tiny or folded over, and for "
-                                "points that almost coincide");
-  }
-  write_file_atomically(path, text);
-  report.cells_left_out = std::move(flat.left_out);
-  return report;
+CadReport write_step(const PatchSet& patches, const std::string& path, const CadOptions& options) {
+  return write_cad_file(patches, path, options, step_text);
 }
 
 }  // namespace hull

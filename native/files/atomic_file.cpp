@@ -12,12 +12,11 @@
 #include <filesystem>
 
 namespace hull {
-namespace {
 
 namespace fs = std::filesystem;
 
 // A new file that is removed again unless it is renamed to its final name.
-class NewFile {
+class ReplacingFile::NewFile {
  public:
   explicit NewFile(const fs::path& target) {
     // Nobody else has this name: the process and a running number make it.
@@ -25,7 +24,7 @@ class NewFile {
     do {
       name_ = target.string() + "." + std::to_string(getpid()) + "." + std::to_string(number++) +
               ".part";
-      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) fail();
   }
@@ -38,7 +37,7 @@ class NewFile {
 
   void write_all(std::string_view bytes) {
     while (!bytes.empty()) {
-      const ssize_t count = write(descriptor_, bytes.data(), bytes.size());
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) fail();
       bytes.remove_prefix(static_cast<size_t>(count));
@@ -56,6 +55,8 @@ class NewFile {
     name_.clear();
   }
 
+  const std::string& name() const { return name_; }
+
  private:
   [[noreturn]] static void fail() { throw std::runtime_error(std::strerror(errno)); }
 
@@ -63,10 +64,23 @@ class NewFile {
   int descriptor_ = -1;
 };
 
+namespace {
+
+template <class Do>
+void or_file_error(const std::string& path, const Do& action) {
+  try {
+    action();
+  } catch (const fs::filesystem_error& error) {
+    throw FileError("Cannot write \"" + path + "\": " + error.code().message());
+  } catch (const std::runtime_error& error) {
+    throw FileError("Cannot write \"" + path + "\": " + error.what());
+  }
+}
+
 }  // namespace
 
-void write_file_atomically(const std::string& path, std::string_view bytes) {
-  try {
+ReplacingFile::ReplacingFile(const std::string& path) : path_(path) {
+  or_file_error(path_, [&] {
     fs::path target = path;
     if (fs::is_symlink(target)) target = fs::weakly_canonical(target);
     const fs::path folder = target.parent_path();
@@ -76,14 +90,27 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
     if (!target.has_filename() || fs::is_directory(target)) {
       throw std::runtime_error("it is a folder; give a file name");
     }
-    NewFile file(target);
-    file.write_all(bytes);
-    file.rename_to(target);
-  } catch (const fs::filesystem_error& error) {
-    throw FileError("Cannot write \"" + path + "\": " + error.code().message());
-  } catch (const std::runtime_error& error) {
-    throw FileError("Cannot write \"" + path + "\": " + error.what());
-  }
+    target_ = target.string();
+    file_ = std::make_unique<NewFile>(target);
+  });
+}
+
+ReplacingFile::~ReplacingFile() = default;
+
+const std::string& ReplacingFile::name() const { return file_->name(); }
+
+void ReplacingFile::write(std::string_view bytes) {
+  or_file_error(path_, [&] { file_->write_all(bytes); });
+}
+
+void ReplacingFile::replace() {
+  or_file_error(path_, [&] { file_->rename_to(target_); });
+}
+
+void write_file_atomically(const std::string& path, std::string_view bytes) {
+  ReplacingFile file(path);
+  file.write(bytes);
+  file.replace();
 }
 
 }  // namespace hull

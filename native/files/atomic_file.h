@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,9 +14,32 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Makes the file at `path` hold `bytes`, completely or not at all: they go to a new file beside it,
-// which is forced to the disk and then renamed over `path`. A symbolic link stays one: the file it
+// A file that takes the place of the one at `path` when it is complete: until then its bytes are in
+// a new file beside it, which is gone with this object. A symbolic link stays one: the file it
 // points to is replaced.
+class ReplacingFile {
+ public:
+  // Throws FileError if the folder does not exist or can't be written to, or `path` is a folder.
+  explicit ReplacingFile(const std::string& path);
+  ~ReplacingFile();
+  ReplacingFile(const ReplacingFile&) = delete;
+  ReplacingFile& operator=(const ReplacingFile&) = delete;
+
+  // Of the new file, to be read by others after write().
+  const std::string& name() const;
+  // Throws FileError if the disk is full.
+  void write(std::string_view bytes);
+  // Forces the bytes to the disk and renames the new file. Throws FileError if that fails.
+  void replace();
+
+ private:
+  class NewFile;
+  std::string path_, target_;
+  std::unique_ptr<NewFile> file_;
+};
+
+// Makes the file at `path` hold `bytes`, completely or not at all: they are written
+// as a ReplacingFile.
 //
 // Throws FileError, leaving nothing behind and a file that was there untouched, if the folder does
 // not exist or can't be written to, if `path` is a folder, or if the disk is full.

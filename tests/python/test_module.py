@@ -37,7 +37,7 @@ def test_modelling_loads_neither_open_cascade_nor_cairo():
 
 
 def test_names_of_later_parts_are_listed():
-    assert {"write_step", "read_step_report", "write_lines_drawing"} <= set(dir(hn))
+    assert {"write_step", "write_iges", "read_cad_report", "write_lines_drawing"} <= set(dir(hn))
     with pytest.raises(AttributeError, match="no_such_thing"):
         hn.no_such_thing
 

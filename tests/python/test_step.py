@@ -79,7 +79,7 @@ def test_step_of_a_ship(name, tmp_path):
     assert largest_distance(patches, surface) <= 1e-3 * length
     path = tmp_path / "hull.step"
     hn.write_step(patches, path, name=data.name, mirrored=data.half)
-    report = hn.read_step_report(path)
+    report = hn.read_cad_report(path)
     assert report["valid"]
     assert report["shells"] == 1
     # No gaps: what is free is the hull's own border.
@@ -103,7 +103,7 @@ def test_exact_patches_of_a_ship(name, tmp_path):
     assert found.distances.max() <= 1e-6 * length
     path = tmp_path / "hull.step"
     hn.write_step(surface, path, name=data.name, mirrored=data.half)
-    report = hn.read_step_report(path)
+    report = hn.read_cad_report(path)
     assert report["valid"]
     assert report["shells"] == 1
     assert report["free_edge_length"] == pytest.approx(real_border_length(surface), rel=2e-3)

@@ -12,7 +12,8 @@ from ._core import *  # noqa: F401,F403
 # These need large libraries, which modelling should not have to load.
 _LATER = {
     "write_step": "._exchange",
-    "read_step_report": "._exchange",
+    "write_iges": "._exchange",
+    "read_cad_report": "._exchange",
     "write_lines_drawing": ".lines_plan",
     "Plot": "._drawing",
     "PlotSheet": "._drawing",

@@ -56,7 +56,7 @@ PatchSet half_bowl() {
 TEST_F(StepFile, OfTheCubesSurfaceIsASolid) {
   const PatchSet set = fit_per_cell(LimitSurface(ControlMesh(testing::cube())), 7);
   write_step(set, path_, {.name = "cube"});
-  const StepReport report = read_step_report(path_);
+  const CadReport report = read_cad_report(path_);
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 1);
   EXPECT_EQ(report.shells, 1);
@@ -73,7 +73,7 @@ TEST_F(StepFile, OfTheCubesSurfaceIsASolid) {
 
 TEST_F(StepFile, HasTheTrueSize) {
   write_step(testing::rectangle(6.0, 4.0, 3, 2), path_);
-  const StepReport report = read_step_report(path_);
+  const CadReport report = read_cad_report(path_);
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 0);
   EXPECT_EQ(report.shells, 1);
@@ -90,7 +90,7 @@ TEST_F(StepFile, HasTheTrueSize) {
 }
 
 TEST_F(StepFile, OfAHalfHasOnlyItsRealBorders) {
-  const StepReport report = write_step(half_bowl(), path_);
+  const CadReport report = write_step(half_bowl(), path_);
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.shells, 1);
   EXPECT_EQ(report.faces, 12);
@@ -98,8 +98,8 @@ TEST_F(StepFile, OfAHalfHasOnlyItsRealBorders) {
 }
 
 TEST_F(StepFile, MirroredIsJoinedAlongTheCentreLine) {
-  const StepReport half = write_step(half_bowl(), path_);
-  const StepReport whole = write_step(half_bowl(), path_, {.mirrored = true});
+  const CadReport half = write_step(half_bowl(), path_);
+  const CadReport whole = write_step(half_bowl(), path_, {.mirrored = true});
   EXPECT_TRUE(whole.valid);
   EXPECT_EQ(whole.shells, 1);
   EXPECT_EQ(whole.faces, 24);
@@ -117,7 +117,7 @@ TEST_F(StepFile, MirroredHalfOfAClosedBoxIsASolidWithOutwardNormals) {
   half.face_vertices = {0, 3, 2, 1, 4, 5, 6, 7, 3, 7, 6, 2, 0, 4, 7, 3, 1, 2, 6, 5};
   half.creases = {{0, 3}, {1, 2}, {2, 3}, {4, 7}, {5, 6}, {6, 7}, {3, 7}, {2, 6}};
   const PatchSet set = fit_per_cell(LimitSurface(ControlMesh(half)), 4);
-  const StepReport report = write_step(set, path_, {.mirrored = true});
+  const CadReport report = write_step(set, path_, {.mirrored = true});
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 1);
   EXPECT_EQ(report.free_edges, 0);
@@ -132,7 +132,7 @@ TEST_F(StepFile, KeepsPartsApart) {
     patch.cell = 4;
     patches.push_back(patch);
   }
-  const StepReport report = write_step(testing::joined(patches), path_);
+  const CadReport report = write_step(testing::joined(patches), path_);
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.shells, 2);
   EXPECT_EQ(report.faces, 5);
@@ -145,7 +145,7 @@ TEST_F(StepFile, TakesSidesOfNoLength) {
     if (t == 1.0) return Vector3d(0, 0, 2);
     return Vector3d(radius * std::cos(angle), radius * std::sin(angle), 2.0 * t * (2.0 - t));
   });
-  const StepReport report = write_step(set, path_);
+  const CadReport report = write_step(set, path_);
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.faces, 6);
   EXPECT_EQ(report.edges, 3 + 3 + 4 + 4);
@@ -160,7 +160,7 @@ TEST_F(StepFile, LeavesOutCellsWithoutAreaAndSaysWhich) {
       p.z() = p.x() * p.y();
     }
   }
-  const StepReport report = write_step(set, path_);
+  const CadReport report = write_step(set, path_);
   EXPECT_EQ(report.cells_left_out, (std::vector<int>{1, 4}));
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.shells, 1);
@@ -171,24 +171,24 @@ TEST_F(StepFile, LeavesOutCellsWithoutAreaAndSaysWhich) {
 TEST_F(StepFile, KeepsNamesInAnyScript) {
   const std::string name = "Fähre 'Süd' \\ 漢字 ⛵🚢";
   write_step(testing::rectangle(6.0, 4.0), path_, {.name = name});
-  EXPECT_EQ(read_step_report(path_).product, name);
+  EXPECT_EQ(read_cad_report(path_).product, name);
   for (char c : text()) ASSERT_TRUE(c == '\n' || (c >= ' ' && c < 127));
   write_step(testing::rectangle(6.0, 4.0), path_, {.name = std::string(300, 'x')});
-  EXPECT_EQ(read_step_report(path_).product, std::string(300, 'x'));
+  EXPECT_EQ(read_cad_report(path_).product, std::string(300, 'x'));
 }
 
 TEST_F(StepFile, PrintsNothing) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   write_step(testing::rectangle(6.0, 4.0), path_);
-  EXPECT_THROW(read_step_report((folder_ / "none.step").string()), FileError);
+  EXPECT_THROW(read_cad_report((folder_ / "none.step").string()), FileError);
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(StepFile, CanBeWrittenFromSeveralThreads) {
   std::vector<std::thread> threads;
-  std::array<StepReport, 3> reports;
+  std::array<CadReport, 3> reports;
   for (int i = 0; i < 3; ++i) {
     threads.emplace_back([&, i] {
       reports[i] = write_step(testing::rectangle(6.0, 4.0, i + 1, 2),
@@ -233,10 +233,10 @@ TEST_F(StepFile, NeedsAFolderToGoTo) {
 
 TEST_F(StepFile, ReadingRefusesWhatIsNoStepFile) {
   std::ofstream(path_) << "solid cube\nendsolid\n";
-  EXPECT_THROW(read_step_report(path_), FileError);
+  EXPECT_THROW(read_cad_report(path_), FileError);
   std::ofstream(path_, std::ios::trunc);
-  EXPECT_THROW(read_step_report(path_), FileError);
-  EXPECT_THROW(read_step_report(folder_.string()), FileError);
+  EXPECT_THROW(read_cad_report(path_), FileError);
+  EXPECT_THROW(read_cad_report(folder_.string()), FileError);
 }
 
 }  // namespace

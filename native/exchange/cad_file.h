@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "conversion/patch_set.h"
+#include "exchange/cad_model.h"
+#include "exchange/cad_report.h"
+
+namespace hull {
+
+// Makes the text of a file; it may call the progress with shares of its own from 0 to 1.
+using CadText =
+    std::function<std::string(const CadModel&, const CadOptions&, const Progress& progress)>;
+
+// What write_step() and write_iges() have in common: makes the model, its text, the file beside the
+// one at `path`, reads that back, compares, and puts it into its place.
+CadReport write_cad_file(const PatchSet& patches, const std::string& path,
+                         const CadOptions& options, const CadText& text_of);
+
+}  // namespace hull

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/cad_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "conversion/flat_patches.h"
+#include "conversion/mirror.h"
+#include "exchange/cad_report.h"
+#include "exchange/regions.h"
+
+namespace hull {
+namespace {
+
+void extend_box(Eigen::AlignedBox3d& box, const BSplinePatch& patch) {
+  for (int i = 0; i <= kBoxSteps; ++i) {
+    for (int j = 0; j <= kBoxSteps; ++j) {
+      box.extend(
+          patch.position(static_cast<double>(i) / kBoxSteps, static_cast<double>(j) / kBoxSteps));
+    }
+  }
+}
+
+// Regions of the patches that are left, in their order.
+std::vector<std::string> regions_of(const PatchSet& all, const PatchSet& kept,
+                                    const std::vector<bool>& is_kept,
+                                    const std::vector<std::string>& given) {
+  if (given.empty()) return find_regions(kept);
+  if (given.size() != all.patches.size()) {
+    throw std::invalid_argument("regions must be one for each of the " +
+                                std::to_string(all.patches.size()) + " patches, not " +
+                                std::to_string(given.size()) + ".");
+  }
+  std::vector<std::string> regions;
+  for (std::size_t p = 0; p < given.size(); ++p) {
+    if (is_kept[p]) regions.push_back(given[p].empty() ? "shell" : given[p]);
+  }
+  return regions;
+}
+
+void check_curve(const CadCurve& curve) {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument("curve \"" + curve.name + "\": " + what);
+  };
+  const BSplineCurve& c = curve.curve;
+  if (c.degree < 1 || c.points.size() < static_cast<std::size_t>(c.degree) + 1 ||
+      c.knots.size() != c.points.size() + c.degree + 1) {
+    refuse(
+        "there must be degree + 1 knots more than control points, and at least degree + 1 of "
+        "these.");
+  }
+  if (!std::ranges::is_sorted(c.knots) || !(c.knots.back() > c.knots.front())) {
+    refuse("knots must ascend.");
+  }
+  if (!std::ranges::all_of(c.points, [](const Vector3d& p) { return p.allFinite(); })) {
+    refuse("a control point is not finite.");
+  }
+}
+
+std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
+  std::vector<CadCurve> curves;
+  for (CadCurve curve : options.curves) {
+    check_curve(curve);
+    curve.curve = clamped(curve.curve);
+    const bool in_plane = std::ranges::all_of(curve.curve.points, [&](const Vector3d& p) {
+      return std::abs(p.y()) <= kOnCentrePlane * size;
+    });
+    curves.push_back(curve);
+    if (!options.mirrored || in_plane) continue;
+    for (Vector3d& point : curve.curve.points) point.y() = 0.0 - point.y();
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace
+
+CadModel make_cad_model(const PatchSet& patches, const CadOptions& options) {
+  patches.check();
+  WithoutFlatPatches flat = without_flat_patches(patches);
+  if (flat.patches.patches.empty()) {
+    throw std::invalid_argument("no patch has an area: nothing to write");
+  }
+  CadModel model;
+  model.regions = regions_of(patches, flat.patches, flat.is_kept, options.regions);
+  model.cells_left_out = std::move(flat.left_out);
+  PatchSet set = options.mirrored ? with_mirror_image(flat.patches)
+                 : options.solid  ? with_seam_in_plane(flat.patches)
+                                  : std::move(flat.patches);
+  if (options.mirrored) {
+    const std::vector<std::string> half = model.regions;
+    model.regions.insert(model.regions.end(), half.begin(), half.end());
+  }
+  const Closing closing = options.solid ? closing_of(set) : Closing{};
+  model.brep = make_brep_shape(set, closing);
+  for (const BSplinePatch& patch : set.patches) extend_box(model.box, patch);
+  for (const Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
+  model.size = set.size();
+  model.curves = curves_of(options, model.size);
+  return model;
+}
+
+}  // namespace hull

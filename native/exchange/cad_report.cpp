@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/cad_report.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "exchange/cad_reading.h"
+#include "exchange/face_integrals.h"
+#include "exchange/occt_geometry.h"
+#include "exchange/occt_session.h"
+#include "files/atomic_file.h"
+
+namespace hull {
+namespace {
+
+// Share of the time that reading takes; checks take the rest.
+constexpr double kRead = 0.8;
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  TopTools_IndexedMapOfShape found;
+  TopExp::MapShapes(shape, type, found);
+  return found.Extent();
+}
+
+void count_edges(const TopoDS_Shape& shape, CadReport& report) {
+  // The faces are listed once for each time they use the edge, so a seam within one face counts
+  // two.
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(faces.FindKey(i));
+    if (BRep_Tool::Degenerated(edge)) continue;
+    if (faces(i).IsEmpty()) {
+      ++report.curves;
+      continue;
+    }
+    ++report.edges;
+    if (faces(i).Extent() != 1) continue;
+    ++report.free_edges;
+    GProp_GProps properties;
+    BRepGProp::LinearProperties(edge, properties);
+    report.free_edge_length += properties.Mass() / kMillimetresPerMetre;
+  }
+}
+
+void measure(const TopoDS_Shape& shape, CadReport& report) {
+  const SurfaceIntegrals integrals = integrals_of(shape);
+  report.area = integrals.area;
+  report.closed = report.faces > 0 && report.free_edges == 0;
+  if (report.closed) report.volume = integrals.volume;
+}
+
+void find_box(const TopoDS_Shape& shape, CadReport& report) {
+  Eigen::AlignedBox3d box;
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(faces(f)), Standard_False);
+    if (surface.GetType() != GeomAbs_BSplineSurface) continue;
+    const double u0 = surface.FirstUParameter(), u1 = surface.LastUParameter();
+    const double v0 = surface.FirstVParameter(), v1 = surface.LastVParameter();
+    for (int i = 0; i <= kBoxSteps; ++i) {
+      for (int j = 0; j <= kBoxSteps; ++j) {
+        const double u = u0 + (u1 - u0) * i / kBoxSteps, v = v0 + (v1 - v0) * j / kBoxSteps;
+        box.extend(in_metres(surface.Value(u, v)));
+      }
+    }
+  }
+  if (box.isEmpty()) return;
+  report.box_min = box.min();
+  report.box_max = box.max();
+}
+
+void find_layers(const std::vector<CadLayer>& layers, CadReport& report) {
+  std::map<std::string, CadRegion> regions;
+  for (const CadLayer& layer : layers) {
+    if (!std::ranges::count(report.layers, layer.name)) report.layers.push_back(layer.name);
+    for (const CadLayer::Member& member : layer.members) {
+      if (member.shape.ShapeType() != TopAbs_FACE) continue;
+      CadRegion& region = regions[layer.name];
+      if (region.faces == 0) region.colour = member.colour;
+      ++region.faces;
+      region.area += integrals_of(member.shape).area;
+    }
+  }
+  std::ranges::sort(report.layers);
+  for (auto& [name, region] : regions) {
+    region.name = name;
+    report.regions.push_back(std::move(region));
+  }
+}
+
+// The first line of a file that is not too long for one of text.
+std::string first_line(const std::string& path, const std::string& refusal) {
+  if (std::filesystem::is_directory(path)) throw FileError(refusal + "it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(refusal + std::strerror(errno));
+  std::string line(80, ' ');
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(file.gcount()));
+  return line;
+}
+
+CadContent read(const std::string& path, const std::string& refusal, const Progress& progress) {
+  const std::string line = first_line(path, refusal);
+  if (line.find("ISO-10303-21") != line.npos) return read_step(path, refusal, progress);
+  // Lines of IGES name their section in column 73.
+  if (line.size() > 72 && line[72] == 'S') return read_iges(path, refusal, progress);
+  throw FileError(refusal + "it is neither a STEP nor an IGES file");
+}
+
+}  // namespace
+
+CadReport read_cad_report(const std::string& path, const std::string& name,
+                          const Progress& progress) {
+  const std::string refusal = "Cannot read \"" + name + "\": ";
+  try {
+    const OcctSession session;
+    const CadContent content = read(path, refusal, part_of(progress, 0.0, kRead));
+    if (content.shape.IsNull()) throw FileError(refusal + "it holds no shape");
+    CadReport report;
+    report.format = content.format;
+    report.unit = content.unit;
+    report.product = content.product;
+    report.bytes = std::filesystem::file_size(path);
+    report.valid = BRepCheck_Analyzer(content.shape).IsValid();
+    tell(progress, 0.95, 1.0);
+    report.solids = count(content.shape, TopAbs_SOLID);
+    report.shells = count(content.shape, TopAbs_SHELL);
+    report.faces = count(content.shape, TopAbs_FACE);
+    count_edges(content.shape, report);
+    measure(content.shape, report);
+    find_box(content.shape, report);
+    find_layers(content.layers, report);
+    tell(progress, 1.0, 1.0);
+    return report;
+  } catch (const Standard_Failure& failure) {
+    throw FileError(refusal + describe(failure));
+  }
+}
+
+}  // namespace hull

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/face_integrals.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Plane.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <cmath>
+#include <optional>
+
+#include "exchange/occt_geometry.h"
+
+namespace hull {
+namespace {
+
+constexpr double kIntegralTolerance = 1e-8;
+
+bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) {
+  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+  surface.Bounds(u0, u1, v0, v1);
+  const double near_u = 1e-6 * (u1 - u0), near_v = 1e-6 * (v1 - v0);
+  const auto is_on_border = [&](const gp_Pnt2d& p) {
+    return std::abs(p.X() - u0) <= near_u || std::abs(p.X() - u1) <= near_u ||
+           std::abs(p.Y() - v0) <= near_v || std::abs(p.Y() - v1) <= near_v;
+  };
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    double begin = 0.0, end = 0.0;
+    const Handle(Geom2d_Curve) line =
+        BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Current()), face, begin, end);
+    if (line.IsNull()) return false;
+    for (double share : {0.0, 0.37, 1.0}) {
+      if (!is_on_border(line->Value(begin + share * (end - begin)))) return false;
+    }
+  }
+  return true;
+}
+
+std::optional<SurfaceIntegrals> of_whole_patch(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
+  if (surface.IsNull() || !location.IsIdentity() || surface->IsURational() ||
+      surface->IsVRational() || surface->IsUPeriodic() || surface->IsVPeriodic() ||
+      !covers_whole_surface(face, *surface)) {
+    return std::nullopt;
+  }
+  return integrals_of(patch_of(*surface));
+}
+
+// Half the sum of ∫ (p - origin) x dp along an edge, by three Gauss nodes in every span: exact for
+// cubic splines.
+Vector3d area_along(const TopoDS_Edge& edge, const Vector3d& origin) {
+  const BRepAdaptor_Curve curve(edge);
+  const int count = curve.NbIntervals(GeomAbs_CN);
+  TColStd_Array1OfReal knots(1, count + 1);
+  curve.Intervals(knots, GeomAbs_CN);
+  Vector3d sum = Vector3d::Zero();
+  for (int i = 1; i <= count; ++i) {
+    const double middle = 0.5 * (knots(i) + knots(i + 1)), half = 0.5 * (knots(i + 1) - knots(i));
+    for (int node : {-1, 0, 1}) {
+      const double place = std::sqrt(0.6) * node, weight = node == 0 ? 8.0 / 9.0 : 5.0 / 9.0;
+      gp_Pnt point;
+      gp_Vec slope;
+      curve.D1(middle + half * place, point, slope);
+      const Vector3d away = in_metres(point) - origin;
+      sum += 0.5 * half * weight * away.cross(in_metres(gp_Pnt(slope.XYZ())));
+    }
+  }
+  return edge.Orientation() == TopAbs_REVERSED ? Vector3d(-sum) : sum;
+}
+
+// As oriented FORWARD.
+std::optional<SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
+  const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
+  if (plane.IsNull()) return std::nullopt;
+  const Vector3d origin = in_metres(plane->Location());
+  const gp_Ax3 axes = plane->Position();
+  const gp_Vec up = gp_Vec(axes.XDirection()).Crossed(gp_Vec(axes.YDirection()));
+  const Vector3d normal(up.X(), up.Y(), up.Z());
+  double area = 0.0;
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    area += area_along(TopoDS::Edge(edge.Current()), origin).dot(normal);
+  }
+  return SurfaceIntegrals{area, area * origin.dot(normal) / 3.0};
+}
+
+SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
+  GProp_GProps area, volume;
+  BRepGProp::SurfaceProperties(face, area, kIntegralTolerance);
+  BRepGProp::VolumeProperties(face, volume, kIntegralTolerance);
+  return {area.Mass() / std::pow(kMillimetresPerMetre, 2),
+          volume.Mass() / std::pow(kMillimetresPerMetre, 3)};
+}
+
+SurfaceIntegrals of_face(const TopoDS_Face& face) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  std::optional<SurfaceIntegrals> found = of_whole_patch(forward);
+  if (!found) found = of_plane(forward);
+  if (!found) found = by_open_cascade(forward);
+  if (face.Orientation() == TopAbs_REVERSED) found->volume = -found->volume;
+  return *found;
+}
+
+}  // namespace
+
+SurfaceIntegrals integrals_of(const TopoDS_Shape& shape) {
+  SurfaceIntegrals sum;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    sum += of_face(TopoDS::Face(face.Current()));
+  }
+  return sum;
+}
+
+}  // namespace hull

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Pnt2d.hxx>
+#include <vector>
+
+#include "conversion/bspline_patch.h"
+
+namespace hull {
+
+// Open CASCADE works in millimetres.
+constexpr double kMillimetresPerMetre = 1000.0;
+
+gp_Pnt in_millimetres(const Vector3d& point);
+Vector3d in_metres(const gp_Pnt& point);
+
+Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch);
+Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve);
+
+// A curve in a surface's parameters.
+struct ParameterCurve {
+  int degree = 1;
+  std::vector<double> knots = {0.0, 0.0, 1.0, 1.0};
+  std::vector<gp_Pnt2d> points;
+};
+Handle(Geom2d_BSplineCurve) make_curve(const ParameterCurve& curve);
+
+// The surface as a patch over [0, 1] x [0, 1]. REQUIRES: it is neither rational nor periodic.
+BSplinePatch patch_of(const Geom_BSplineSurface& surface);
+
+}  // namespace hull

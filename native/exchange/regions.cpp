@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exchange/regions.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace hull {
+namespace {
+
+// Of the size; models in single precision have flat parts that are no flatter.
+constexpr double kFlat = 1e-6;
+
+std::string region_of(const BSplinePatch& patch, double tolerance, double aft) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : patch.control_points) box.extend(point);
+  const Vector3d extent = box.sizes();
+  if (extent.y() <= tolerance) {
+    return box.center().cwiseAbs().y() > tolerance ? "flat side" : "shell";
+  }
+  if (extent.z() <= tolerance) {
+    const SurfaceJet middle = patch.evaluate(0.5, 0.5);
+    return middle.du.cross(middle.dv).z() < 0.0 ? "flat bottom" : "deck";
+  }
+  return extent.x() <= tolerance && box.min().x() <= aft + tolerance ? "transom" : "shell";
+}
+
+}  // namespace
+
+std::vector<std::string> find_regions(const PatchSet& set) {
+  double aft = std::numeric_limits<double>::infinity();
+  for (const BSplinePatch& patch : set.patches) {
+    for (const Vector3d& point : patch.control_points) aft = std::min(aft, point.x());
+  }
+  std::vector<std::string> regions;
+  for (const BSplinePatch& patch : set.patches) {
+    regions.push_back(region_of(patch, kFlat * set.size(), aft));
+  }
+  return regions;
+}
+
+std::string region_of(Cap::Kind kind) {
+  switch (kind) {
+    case Cap::Kind::kDeck:
+      return "deck";
+    case Cap::Kind::kTransom:
+      return "transom";
+    case Cap::Kind::kCentrePlane:
+      return "centre plane";
+    case Cap::Kind::kOpening:
+      break;
+  }
+  return "opening";
+}
+
+Colour region_colour(const std::string& region) {
+  // Told apart by the colour blind too (Okabe & Ito 2008), on a grey shell.
+  static const std::map<std::string, Colour> kColours = {
+      {"shell", {0.70, 0.72, 0.75}},      {"flat side", {0.34, 0.71, 0.91}},
+      {"flat bottom", {0.84, 0.37, 0.0}}, {"transom", {0.0, 0.62, 0.45}},
+      {"deck", {0.94, 0.89, 0.26}},       {"centre plane", {0.80, 0.47, 0.65}},
+      {"opening", {0.90, 0.62, 0.0}},
+  };
+  const auto found = kColours.find(region);
+  return found != kColours.end() ? found->second : kColours.at("shell");
+}
+
+}  // namespace hull
