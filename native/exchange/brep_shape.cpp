@@ -91,11 +91,15 @@ class ShapeMaker {
       if (!edges_[e].edge.IsNull() && faces_of_[e] == 1) ++result.free_edges;
     }
     std::map<int, TopoDS_Shell> shells;  // by part
-    for (std::size_t f = 0; f < result.faces.size(); ++f) {
+    // Caps come first: readers find out by a line from the first face which side of a shell is
+    // outside, and lines meet plane faces most safely.
+    for (std::size_t i = 0; i < result.faces.size(); ++i) {
+      const std::size_t f = (i + set_.patches.size()) % result.faces.size();
       TopoDS_Shell& shell = shells[parts_.find(static_cast<int>(f))];
       if (shell.IsNull()) builder_.MakeShell(shell);
       builder_.Add(shell, result.faces[f]);
     }
+    result.parts = static_cast<int>(shells.size());
     TopoDS_Compound compound;
     builder_.MakeCompound(compound);
     for (auto& [part, shell] : shells) {

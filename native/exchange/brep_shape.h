@@ -17,7 +17,8 @@ struct BRepShape {
   TopoDS_Shape shape;
   std::vector<TopoDS_Face> faces;  // number p is that of patch p, then those of the caps
   int free_edges = 0;              // edges with one face, those of no length not counted
-  int solids = 0;
+  int parts = 0;                   // that share no edge
+  int solids = 0;                  // those that are solids
 };
 
 // Faces carry the patches as they are. Joined faces share one edge object, whose curve is the

@@ -14,7 +14,8 @@
 namespace hull {
 namespace {
 
-constexpr double kSizeTolerance = 1e-6;  // of the size
+constexpr double kSizeTolerance = 1e-6;      // of the size
+constexpr double kIntegralTolerance = 1e-6;  // of the area, and of the area times the size
 
 // Shares of the time that the steps take, about.
 constexpr double kModelDone = 0.05, kTextDone = 0.3;
@@ -81,6 +82,13 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
       std::max((found.box_min - model.box.min()).norm(), (found.box_max - model.box.max()).norm());
   if (!(error <= kSizeTolerance * model.size)) return "a shape of another size";
   if (!found.valid) return "a shape that is not valid";
+  const double area = model.integrals.area;
+  if (!(std::abs(found.area - area) <= kIntegralTolerance * area)) return "another area";
+  if (found.closed && !(std::abs(*found.volume - model.integrals.volume) <=
+                        kIntegralTolerance * area * model.size)) {
+    return *found.volume * model.integrals.volume < 0.0 ? "a solid turned inside out"
+                                                        : "another volume";
+  }
   const int curves = static_cast<int>(model.curves.size());
   if (found.curves != curves) return of(found.curves, curves, "curves");
   if (found.unit != name_of(options.unit)) return "another unit of length";

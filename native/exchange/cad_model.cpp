@@ -9,6 +9,7 @@
 #include "conversion/flat_patches.h"
 #include "conversion/mirror.h"
 #include "exchange/cad_report.h"
+#include "exchange/face_integrals.h"
 #include "exchange/regions.h"
 
 namespace hull {
@@ -75,6 +76,19 @@ std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
   return curves;
 }
 
+void check_solid(const BRepShape& brep) {
+  if (brep.free_edges > 0) {
+    throw std::invalid_argument("no solid: " + std::to_string(brep.free_edges) +
+                                " edges of the hull and its caps have one face only; export "
+                                "without closing to see where");
+  }
+  if (brep.solids < brep.parts) {
+    throw std::invalid_argument(
+        "no solid: the closed hull, or a part of it, has no volume or normals that point inwards; "
+        "turn its faces");
+  }
+}
+
 }  // namespace
 
 CadModel make_cad_model(const PatchSet& patches, const CadOptions& options) {
@@ -95,6 +109,8 @@ CadModel make_cad_model(const PatchSet& patches, const CadOptions& options) {
   }
   const Closing closing = options.solid ? closing_of(set) : Closing{};
   model.brep = make_brep_shape(set, closing);
+  if (options.solid) check_solid(model.brep);
+  model.integrals = integrals_of(model.brep.shape);
   for (const BSplinePatch& patch : set.patches) extend_box(model.box, patch);
   for (const Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
   model.size = set.size();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "conversion/patch_integrals.h"
 #include "conversion/patch_set.h"
 #include "exchange/brep_shape.h"
 #include "exchange/cad_options.h"
@@ -18,6 +19,7 @@ struct CadModel {
   std::vector<CadCurve> curves;      // clamped, images included
   std::vector<int> cells_left_out;   // those without area
   Eigen::AlignedBox3d box;           // of the faces, by the points of a CadReport
+  SurfaceIntegrals integrals;        // of all faces
   double size = 0.0;
 };
 

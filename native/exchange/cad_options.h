@@ -37,10 +37,11 @@ struct CadOptions {
   bool solid = false;     // close open borders with caps (closing_of), so that a solid comes out
   // Per patch the region that it belongs to; none: what find_regions() says. An image's is that of
   // its patch. A region is a layer of its name, whose faces have its colour.
-  std::vector<std::string> regions;
-  std::map<std::string, Colour> colours;  // beside or instead of region_colour()
-  std::vector<CadCurve> curves;
-  Progress progress;  // called now and then; what it throws ends the task and leaves nothing behind
+  std::vector<std::string> regions{};
+  std::map<std::string, Colour> colours{};  // beside or instead of region_colour()
+  std::vector<CadCurve> curves{};
+  Progress
+      progress{};  // called now and then; what it throws ends the task and leaves nothing behind
 };
 
 }  // namespace hull

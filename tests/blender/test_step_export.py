@@ -9,7 +9,7 @@ from addon_under_test import add_hull, part, state_of
 
 
 def read_back(path):
-    return part("bridge.native").require().read_step_report(str(path))
+    return part("bridge.native").require().read_cad_report(str(path))
 
 
 def test_step_is_one_valid_shell(tmp_path):
