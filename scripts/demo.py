@@ -68,10 +68,8 @@ def describe(hull):
         )
 
 
-def describe_patches(hull, patches):
-    """How good the patches of the STEP file are."""
-    surface = part("bridge.hull_state").state_of(hull).surface
-    found = part("bridge.native").require().measure_quality(surface, patches)
+def describe_patches(found):
+    """How good the patches of the STEP file are, by their hull_native.QualityReport."""
     print(
         f"      {found.patch_count} patches, at most {1e3 * found.largest_distance:.3g} mm from "
         f"the exact surface, normals within {math.degrees(found.largest_seam_angle):.2g} degrees"
@@ -123,8 +121,8 @@ def make(source, folder):
     step("plots", lambda: draw_plots(hull, folder))
     step("lines.pdf, .svg, .dxf", lambda: draw_lines(hull, folder))
     step("offsets.csv", lambda: exports.export_table(hull, scene, "offset_table", offsets))
-    patches = step("hull.step", lambda: exports.export_step(hull, scene, solid))
-    describe_patches(hull, patches)
+    written = step("hull.step", lambda: part("bridge.cad_files").export(hull, scene, solid))
+    describe_patches(written.converted.quality)
     step("render.png", lambda: render(hull, folder / "render.png"))
     step("hull.blend", lambda: save(folder / "hull.blend"))
 

@@ -184,14 +184,3 @@ def test_nothing_is_kept_of_what_is_no_hull_any_longer():
     assert_is_fresh(bpy.data.objects["second"])
     bpy.ops.ed.redo()
     assert len(kept) == 0
-
-
-def test_a_file_that_is_written_has_a_surface_of_its_own(tmp_path):
-    hull, choice = coaster(), random.Random(SEED)
-    exports = part("bridge.exports")
-    export = exports.StepExport(hull, bpy.context.scene, str(tmp_path / "before.step"))
-    volume = state_of(hull).hydrostatics.displaced_volume
-    before = export._source.new_ship().body.shell_area
-    move(hull, choice)
-    assert state_of(hull).hydrostatics.displaced_volume != volume
-    assert export._source.new_ship().body.shell_area == before

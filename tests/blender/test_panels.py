@@ -53,19 +53,22 @@ class Drawn:
         return MethodType(value, self) if isinstance(value, FunctionType) else value
 
 
-def context():
+def context(dialog_of=None):
+    """dialog_of: the name of the class of the operator whose file dialog is open."""
+    operator = dialog_of and SimpleNamespace(bl_idname=dialog_of)
     return SimpleNamespace(
         object=bpy.context.object,
         scene=bpy.context.scene,
         region=SimpleNamespace(width=4000),
+        space_data=SimpleNamespace(active_operator=operator),
         # Without a window Blender's own scale is 0.
         preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),
     )
 
 
-def texts():
+def texts(dialog_of=None):
     """All that the panels that are there say, by the name of the panel's class."""
-    panels, now = part("panels")._CLASSES, context()
+    panels, now = part("panels")._CLASSES, context(dialog_of)
     said = {}
     for cls in panels:
         if issubclass(cls, bpy.types.Panel) and (not hasattr(cls, "poll") or cls.poll(now)):
@@ -147,3 +150,28 @@ def test_panels_of_a_hull_of_which_nothing_is_known(hull):
 
 def test_without_a_hull_there_are_only_beginnings():
     assert "HULL_PT_stability" not in texts()
+
+
+def test_conversion_and_its_report(hull):
+    said = texts()["HULL_PT_patches"]
+    assert "operator hull.convert" in said and "operator hull.copy_report" not in said
+    bpy.ops.hull.convert()
+    said = texts()["HULL_PT_patches"]
+    assert value_after(said, "Exact") == "100 %" and value_after(said, "Gaps") == "none"
+    assert value_after(said, "Patches") == "4, least 4"
+    assert "operator hull.copy_report" in said and "operator hull.show_worst_spot" in said
+    assert "Out of date" not in " ".join(said)
+    hull.hull.export.bezier = True
+    assert "Out of date" in " ".join(texts()["HULL_PT_patches"])
+
+
+def test_file_dialogs_say_how_far_the_patches_are(hull):
+    assert not any("dialog" in name for name in texts())
+    assert not any("dialog" in name for name in texts("HULL_OT_export_lines"))
+    bpy.ops.hull.convert()
+    step, iges = texts("HULL_OT_export_step"), texts("HULL_OT_export_iges")
+    for said in (step, iges):
+        assert value_after(said["HULL_PT_dialog_report"], "Gaps") == "none"
+        assert "property extent" in said["HULL_PT_dialog_file"]
+    assert "property schema" in step["HULL_PT_dialog_file"]
+    assert "property schema" not in iges["HULL_PT_dialog_file"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files made from a hull as it is now: hull file, STEP, lines plan, tables and plots of its
-analyses."""
+"""Files made at once from a hull as it is now: hull file, lines plan, tables and plots of its
+analyses, the report of its conversion."""
 
 from dataclasses import replace
 
@@ -8,6 +8,7 @@ from ..io import write_hull_file
 from . import (
     afloat,
     analyses,
+    conversions,
     hull_saving,
     hull_state,
     hydrostatics,
@@ -25,39 +26,6 @@ def _up_to_date(obj, scene):
     if state.status:
         raise ValueError(state.status)
     return state
-
-
-class StepExport:
-    """The writing of a STEP file, which may be run in a thread of its own: no Blender in it.
-
-    Taken from the hull as it is when this is made; ValueError when its mesh has no surface.
-    """
-
-    def __init__(self, obj, scene, path):
-        self._source = _up_to_date(obj, scene).source
-        self._path = path
-        self._name = obj.name
-        self._mirrored = obj.hull.half
-        self._is_cancelled = False
-
-    def cancel(self):
-        """From any thread: the file of this name, if there is one, stays as it is."""
-        self._is_cancelled = True
-
-    def run(self):
-        """Writes the hull as one shell; returns the PatchSet."""
-        hull_native = native.require()
-        patches = hull_native.fit_per_cell(self._source.new_surface())
-        with replacing(self._path) as beside:
-            hull_native.write_step(patches, beside, name=self._name, mirrored=self._mirrored)
-            if self._is_cancelled:
-                raise ValueError("The export was cancelled")
-        return patches
-
-
-def export_step(obj, scene, path):
-    """Writes the hull as one shell; returns the PatchSet."""
-    return StepExport(obj, scene, path).run()
 
 
 def export_lines_drawing(obj, scene, path):
@@ -111,3 +79,12 @@ def export_plot(obj, scene, name, path):
     """Draws one of analyses.PLOTTED on paper; SVG, PDF or PNG by the file name's ending."""
     result = analyses.result_of(obj, scene, name)
     native.require().write_plot(analyses.PLOTTED[name].plot(result, obj.name), path)
+
+
+def export_report(obj, path):
+    """Writes how far the patches of the last conversion are from the surface, which must be of the
+    hull as it is; as JSON if the file's name ends so, else as text."""
+    report = conversions.report_of(obj)
+    content = report.json() if path.lower().endswith(".json") else report.text()
+    with replacing(path) as beside, open(beside, "w", encoding="utf-8") as stream:
+        stream.write(content)

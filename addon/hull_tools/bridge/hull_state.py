@@ -46,7 +46,9 @@ class HullState:
     fairness is judged by. colour_scale: the hull_native.ColourScale of the surface object's
     colours, None when it has none. body: the hull_native.HullBody of `surface`; both change
     with the next edit, so that only `source`, the ship.ShipSource of both, is for threads.
-    analyses: see bridge.analyses. keys: what each result was computed from. name: the object's.
+    analyses: see bridge.analyses. task, conversion: what is converted or written, and what came of
+    the last conversion: see bridge.conversions. worst_spot: the one of patches.SPOTS that is marked
+    in the 3D view, or "". keys: what each result was computed from. name: the object's.
     """
 
     name: str
@@ -65,6 +67,9 @@ class HullState:
     fairness_status: str = ""
     colour_scale: object = None
     analyses: dict = field(default_factory=dict)
+    task: object = None
+    conversion: object = None
+    worst_spot: str = ""
     keys: dict = field(default_factory=dict)
 
     @property

@@ -17,7 +17,8 @@ _LINE_RADIUS = 6e-4
 # Curves nearer to the centre plane than this part of the hull's size have no mirror image.
 _CENTRE_PLANE_TOLERANCE = 1e-6
 
-_NAMES = {
+# Of the kinds of lines, in lists and files.
+LAYER_NAMES = {
     "station": "stations",
     "waterline": "waterlines",
     "buttock": "buttocks",
@@ -77,7 +78,7 @@ def _belongs_to_another(collection, obj):
 
 
 def _new_curve(obj, collection, kind):
-    curve = bpy.data.curves.new(f"{obj.name} {_NAMES[kind]}", "CURVE")
+    curve = bpy.data.curves.new(f"{obj.name} {LAYER_NAMES[kind]}", "CURVE")
     curve.dimensions = "3D"
     curve.bevel_resolution = 1
     curve.materials.append(materials.line_material(kind))

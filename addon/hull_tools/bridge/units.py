@@ -75,6 +75,29 @@ def format_value(scene, value, unit):
     return f"{_digits(value)} {_METRIC_SYMBOLS[unit]}"
 
 
+# What is smaller is rounding of the numbers, and of no use to people.
+_LEAST_SHOWN = 1e-6
+
+
+def format_mm(metres):
+    """A small length as text, in millimetres."""
+    return f"{_small(1e3 * metres)} mm"
+
+
+def format_small_angle(radians):
+    """A small angle as text, in degrees."""
+    return f"{_small(degrees(radians))}°"
+
+
+def format_jump(curvature):
+    """A small difference of curvatures in 1/m as text."""
+    return f"{_small(curvature)} 1/m"
+
+
+def _small(value):
+    return f"{value:.3g}" if value == 0.0 or value >= _LEAST_SHOWN else f"below {_LEAST_SHOWN:.0e}"
+
+
 def _digits(value):
     """Three decimals up to a thousand, fewer above, as tables print them."""
     decimals = 3 if abs(value) < 1e3 else 2 if abs(value) < 1e4 else 1 if abs(value) < 1e5 else 0

@@ -4,7 +4,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import colour_views, hull_objects, hull_state, live_analyses
+from ..bridge import colour_views, conversions, hull_objects, hull_state, live_analyses
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False
@@ -12,6 +12,7 @@ _is_following = False
 
 def forget_all():
     live_analyses.stop()
+    conversions.stop()
     hull_state.forget_all()
 
 

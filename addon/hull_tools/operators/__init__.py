@@ -5,9 +5,10 @@ import bpy
 
 from . import (
     check_mesh,
+    convert,
     deck_edge,
+    export_cad,
     export_hull,
-    export_step,
     fairness,
     import_hull,
     lines,
@@ -23,7 +24,8 @@ _CLASSES = (
     *check_mesh.CLASSES,
     *import_hull.CLASSES,
     *export_hull.CLASSES,
-    *export_step.CLASSES,
+    *convert.CLASSES,
+    *export_cad.CLASSES,
     *loading_lists.CLASSES,
     *lines.CLASSES,
     *fairness.CLASSES,

@@ -5,8 +5,8 @@ import bmesh
 import bpy
 from bpy.props import IntProperty
 
-from ..bridge import face_turning, hull_objects, hull_state
-from .shared import has_hull, native_is_there, reporting_errors
+from ..bridge import face_turning, hull_state
+from .shared import HullOperator
 
 _SELECT_MODES = {
     "vertex": (True, False, False),
@@ -15,44 +15,30 @@ _SELECT_MODES = {
 }
 
 
-class HULL_OT_check_mesh(bpy.types.Operator):
+class HULL_OT_check_mesh(bpy.types.Operator, HullOperator):
     """Check the control mesh and say how many problems it has"""
 
     bl_idname = "hull.check_mesh"
     bl_label = "Check Mesh"
     bl_options = {"REGISTER"}
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         problems = hull_state.refresh(hull, context.scene).check.problems
         if problems:
             self.report({"WARNING"}, f"{len(problems)} found, first: {problems[0].message}")
         else:
             self.report({"INFO"}, "The mesh is sound")
-        return {"FINISHED"}
 
 
-class HULL_OT_select_problem(bpy.types.Operator):
+class HULL_OT_select_problem(bpy.types.Operator, HullOperator):
     """Select the points, edges or faces of this problem in edit mode"""
 
     bl_idname = "hull.select_problem"
     bl_label = "Select"
-    bl_options = {"REGISTER", "UNDO"}
 
     index: IntProperty(name="Problem", description="Its place in the list", default=0, min=0)
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         problems = hull_state.refresh(hull, context.scene).check.problems
         if self.index >= len(problems):
             raise ValueError("This problem is no longer there")
@@ -61,26 +47,17 @@ class HULL_OT_select_problem(bpy.types.Operator):
         if problem.elements:
             _select(context, hull.data, problem.kind, problem.elements)
         self.report({"INFO"}, problem.message)
-        return {"FINISHED"}
 
 
-class HULL_OT_turn_outwards(bpy.types.Operator):
+class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
     """Turn all faces the same way, outwards, into the water"""
 
     bl_idname = "hull.turn_outwards"
     bl_label = "Turn Faces Outwards"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         face_turning.turn_outwards(hull)
         hull_state.refresh(hull, context.scene)
-        return {"FINISHED"}
 
 
 def _enter_edit_mode(context, hull):

@@ -3,14 +3,12 @@
 
 import bpy
 
-from ..bridge import deck_edge, hull_objects
-from .shared import has_hull, in_mesh_edit_mode, native_is_there, reporting_errors
+from ..bridge import deck_edge
+from .shared import HullOperator, in_mesh_edit_mode
 
 
-class DeckEdgeOperator:
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and in_mesh_edit_mode(cls, context) and has_hull(cls, context)
+class DeckEdgeOperator(HullOperator):
+    needs = (in_mesh_edit_mode, *HullOperator.needs)
 
 
 class HULL_OT_mark_deck_edge(bpy.types.Operator, DeckEdgeOperator):
@@ -19,13 +17,10 @@ class HULL_OT_mark_deck_edge(bpy.types.Operator, DeckEdgeOperator):
 
     bl_idname = "hull.mark_deck_edge"
     bl_label = "Mark as Deck Edge"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
-        count = deck_edge.mark(hull_objects.hull_of(context.object), context.scene)
+    def run_on(self, hull, context):
+        count = deck_edge.mark(hull, context.scene)
         self.report({"INFO"}, f"The deck edge has {count} edges")
-        return {"FINISHED"}
 
 
 class HULL_OT_clear_deck_edge(bpy.types.Operator, DeckEdgeOperator):
@@ -33,12 +28,9 @@ class HULL_OT_clear_deck_edge(bpy.types.Operator, DeckEdgeOperator):
 
     bl_idname = "hull.clear_deck_edge"
     bl_label = "Clear Deck Edge"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
-        deck_edge.clear(hull_objects.hull_of(context.object))
-        return {"FINISHED"}
+    def run_on(self, hull, context):
+        deck_edge.clear(hull)
 
 
 class HULL_OT_select_deck_edge(bpy.types.Operator, DeckEdgeOperator):
@@ -46,14 +38,11 @@ class HULL_OT_select_deck_edge(bpy.types.Operator, DeckEdgeOperator):
 
     bl_idname = "hull.select_deck_edge"
     bl_label = "Select Deck Edge"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
+    def run_on(self, hull, context):
         context.tool_settings.mesh_select_mode = (False, True, False)
-        if not deck_edge.select(hull_objects.hull_of(context.object)):
+        if not deck_edge.select(hull):
             raise ValueError("No edge is marked: the deck edge is the borders along the ship")
-        return {"FINISHED"}
 
 
 CLASSES = (HULL_OT_mark_deck_edge, HULL_OT_clear_deck_edge, HULL_OT_select_deck_edge)

@@ -6,15 +6,13 @@ from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
 from ..bridge import analyses, exports, hull_objects
-from .shared import has_hull, native_is_there, reporting_errors
+from .shared import HullOperator
 
 
-class ExportHull(ExportHelper):
+class ExportHull(HullOperator, ExportHelper):
     """Subclasses write a file of a hull and return what is to be said then: write(hull, scene)."""
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
+    bl_options = {"REGISTER"}
 
     def invoke(self, context, event):
         if not self.properties.is_property_set("filepath"):
@@ -28,11 +26,8 @@ class ExportHull(ExportHelper):
         """What stands between the hull's name and the ending."""
         return ""
 
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         self.report({"INFO"}, self.write(hull, context.scene))
-        return {"FINISHED"}
 
 
 class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
@@ -40,7 +35,6 @@ class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
 
     bl_idname = "hull.export_hull"
     bl_label = "Export Hull File"
-    bl_options = {"REGISTER"}
 
     filename_ext = ".hull.json"
     check_extension = None  # Blender knows endings of one part only
@@ -57,7 +51,6 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
 
     bl_idname = "hull.export_lines"
     bl_label = "Export Lines Plan"
-    bl_options = {"REGISTER"}
 
     filename_ext = ".pdf"
     check_extension = None
@@ -87,7 +80,6 @@ class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
 
     bl_idname = "hull.export_table"
     bl_label = "Export Table"
-    bl_options = {"REGISTER"}
 
     filename_ext = ".csv"
     filter_glob: StringProperty(default="*.csv", options={"HIDDEN"})
@@ -103,7 +95,6 @@ class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis):
 
     bl_idname = "hull.export_plot"
     bl_label = "Export Plot"
-    bl_options = {"REGISTER"}
 
     filename_ext = ".pdf"
     check_extension = None
@@ -119,6 +110,7 @@ def draw_export_menu(self, context):
     layout = self.layout
     layout.operator(HULL_OT_export_hull.bl_idname, text="Ship hull (.hull.json)")
     layout.operator("hull.export_step", text="Hull surface (.step)")
+    layout.operator("hull.export_iges", text="Hull surface (.igs)")
     layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.pdf, .svg, .png, .dxf)")
     layout.operator_menu_enum("hull.export_table", "analysis", text="Hull table (.csv)")
     layout.operator_menu_enum("hull.export_plot", "analysis", text="Hull plot (.pdf, .svg, .png)")

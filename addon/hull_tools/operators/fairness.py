@@ -4,39 +4,30 @@
 import bpy
 from bpy.props import FloatProperty
 
-from ..bridge import flat_check, hull_objects, hull_state
-from .shared import has_hull, in_mesh_edit_mode, native_is_there, reporting_errors
+from ..bridge import flat_check, hull_state
+from .shared import HullOperator, in_3d_view, in_mesh_edit_mode
 
 
-class HULL_OT_eye_from_view(bpy.types.Operator):
+class HULL_OT_eye_from_view(bpy.types.Operator, HullOperator):
     """Take the direction of this 3D view for the eye of reflection lines and silhouette"""
 
     bl_idname = "hull.eye_from_view"
     bl_label = "Eye as in This View"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        if context.region_data is None:
-            cls.poll_message_set("Only in a 3D view")
-            return False
-        return native_is_there(cls) and has_hull(cls, context)
+    needs = (in_3d_view, *HullOperator.needs)
 
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         # The view looks along its own -z.
         hull.hull.fairness.eye_direction = context.region_data.view_matrix.to_3x3()[2]
         hull_state.refresh(hull, context.scene)
-        return {"FINISHED"}
 
 
-class HULL_OT_check_flat(bpy.types.Operator):
+class HULL_OT_check_flat(bpy.types.Operator, HullOperator):
     """How far the surface of the selected faces is from the plane that fits it best; the control
     points at fault are selected"""
 
     bl_idname = "hull.check_flat"
     bl_label = "Check Flatness"
-    bl_options = {"REGISTER", "UNDO"}
 
     tolerance: FloatProperty(
         name="Tolerance",
@@ -48,19 +39,14 @@ class HULL_OT_check_flat(bpy.types.Operator):
         precision=5,
     )
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and in_mesh_edit_mode(cls, context) and has_hull(cls, context)
+    needs = (in_mesh_edit_mode, *HullOperator.needs)
 
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         found = flat_check.check_selected(hull, context.scene, self.tolerance)
         if found.at_fault:
             context.tool_settings.mesh_select_mode = (True, False, False)
             flat_check.select_points(hull, found.at_fault)
         self.report({"WARNING" if found.at_fault else "INFO"}, found.message)
-        return {"FINISHED"}
 
 
 CLASSES = (HULL_OT_eye_from_view, HULL_OT_check_flat)

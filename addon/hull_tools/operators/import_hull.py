@@ -7,7 +7,7 @@ from bpy_extras.io_utils import ImportHelper
 
 from .. import io
 from ..bridge import hull_creation, samples
-from .shared import in_object_mode, native_is_there, reporting_errors
+from .shared import BaseOperator, in_object_mode, native_is_there
 
 
 def _import(operator, context, path):
@@ -24,22 +24,18 @@ def _import(operator, context, path):
     return {"FINISHED"}
 
 
-class HULL_OT_import_hull(bpy.types.Operator, ImportHelper):
+class HULL_OT_import_hull(bpy.types.Operator, BaseOperator, ImportHelper):
     """Read a hull from a FREE!ship file (.fbm, .ftm) or a hull file (.hull.json)"""
 
     bl_idname = "hull.import_hull"
     bl_label = "Import Hull"
-    bl_options = {"REGISTER", "UNDO"}
 
     filter_glob: StringProperty(default="*.fbm;*.ftm;*.hull.json", options={"HIDDEN"})
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and in_object_mode(cls, context)
+    needs = (native_is_there, in_object_mode)
 
-    @reporting_errors
-    def execute(self, context):
-        return _import(self, context, self.filepath)
+    def run(self, context):
+        _import(self, context, self.filepath)
 
 
 # Blender keeps no reference to the texts of a dynamic enumeration; this does.
@@ -54,25 +50,21 @@ def _list_samples(self, context):
     return _sample_items
 
 
-class HULL_OT_load_sample(bpy.types.Operator):
+class HULL_OT_load_sample(bpy.types.Operator, BaseOperator):
     """Load one of the hulls that come with the add-on"""
 
     bl_idname = "hull.load_sample"
     bl_label = "Load Sample Hull"
-    bl_options = {"REGISTER", "UNDO"}
 
     name: EnumProperty(name="Sample", items=_list_samples)
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and in_object_mode(cls, context)
+    needs = (native_is_there, in_object_mode)
 
-    @reporting_errors
-    def execute(self, context):
+    def run(self, context):
         files = samples.sample_files()
         if self.name not in files:
             raise ValueError("There is no sample hull beside the add-on")
-        return _import(self, context, str(files[self.name]))
+        _import(self, context, str(files[self.name]))
 
 
 def draw_import_menu(self, context):

@@ -5,15 +5,14 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..bridge import cut_planes, hull_objects, hull_state, line_curves, units
-from .shared import has_hull, in_object_mode, native_is_there, reporting_errors
+from .shared import HullOperator, in_object_mode
 
 
-class HULL_OT_add_plane(bpy.types.Operator):
+class HULL_OT_add_plane(bpy.types.Operator, HullOperator):
     """Cut the hull by a plane through the 3D cursor"""
 
     bl_idname = "hull.add_plane"
     bl_label = "Section at 3D Cursor"
-    bl_options = {"REGISTER", "UNDO"}
 
     direction: EnumProperty(
         name="Plane",
@@ -26,43 +25,34 @@ class HULL_OT_add_plane(bpy.types.Operator):
         ),
     )
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         cut_planes.add(hull, context.scene.cursor.matrix, self.direction)
         hull_state.refresh(hull, context.scene)
-        return {"FINISHED"}
 
 
-class HULL_OT_remove_plane(bpy.types.Operator):
+def _has_plane(cls, context):
+    hull = hull_objects.hull_of(context.object)
+    return hull is not None and bool(hull.hull.lines.planes)
+
+
+class HULL_OT_remove_plane(bpy.types.Operator, HullOperator):
     """Cut the hull by the chosen plane no longer"""
 
     bl_idname = "hull.remove_plane"
     bl_label = "Remove Plane"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        hull = hull_objects.hull_of(context.object)
-        return hull is not None and bool(hull.hull.lines.planes)
+    needs = (_has_plane,)
 
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         cut_planes.remove(hull)
         hull_state.refresh(hull, context.scene)
-        return {"FINISHED"}
 
 
-class HULL_OT_lines_as_curves(bpy.types.Operator):
+class HULL_OT_lines_as_curves(bpy.types.Operator, HullOperator):
     """Make curve objects of the lines that are shown, one a kind, in place of those made before"""
 
     bl_idname = "hull.lines_as_curves"
     bl_label = "Lines as Curves"
-    bl_options = {"REGISTER", "UNDO"}
 
     form: EnumProperty(
         name="Form",
@@ -73,13 +63,9 @@ class HULL_OT_lines_as_curves(bpy.types.Operator):
         ),
     )
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and in_object_mode(cls, context) and has_hull(cls, context)
+    needs = (in_object_mode, *HullOperator.needs)
 
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         state = hull_state.refresh(hull, context.scene)
         reason = state.status or state.lines_status
         if reason:
@@ -93,7 +79,6 @@ class HULL_OT_lines_as_curves(bpy.types.Operator):
         if not count:
             raise ValueError("No lines are shown: switch some on")
         self.report({"INFO"}, f"{count} curves")
-        return {"FINISHED"}
 
 
 CLASSES = (HULL_OT_add_plane, HULL_OT_remove_plane, HULL_OT_lines_as_curves)

@@ -4,38 +4,31 @@
 import bpy
 
 from ..bridge import hull_objects, loading
-from .shared import has_hull, native_is_there, reporting_errors
+from .shared import HullOperator
 
 
-class AddEntry:
+class AddEntry(HullOperator):
     """Subclasses add an entry: add(hull, scene)."""
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
-
-    @reporting_errors
-    def execute(self, context):
-        self.add(hull_objects.hull_of(context.object), context.scene)
-        return {"FINISHED"}
+    def run_on(self, hull, context):
+        self.add(hull, context.scene)
 
 
-class RemoveEntry:
+def _has_entry(cls, context):
+    if not getattr(hull_objects.hull_of(context.object).hull.loading, cls.entries):
+        cls.poll_message_set(cls.none_there)
+        return False
+    return True
+
+
+class RemoveEntry(HullOperator):
     """Removes the chosen one of Object.hull.loading's `entries`; none_there says that there is
     none."""
 
-    @classmethod
-    def poll(cls, context):
-        if not native_is_there(cls) or not has_hull(cls, context):
-            return False
-        if not getattr(hull_objects.hull_of(context.object).hull.loading, cls.entries):
-            cls.poll_message_set(cls.none_there)
-            return False
-        return True
+    needs = (*HullOperator.needs, _has_entry)
 
-    def execute(self, context):
-        loading.remove(hull_objects.hull_of(context.object), self.entries)
-        return {"FINISHED"}
+    def run_on(self, hull, context):
+        loading.remove(hull, self.entries)
 
 
 class HULL_OT_add_load_case(bpy.types.Operator, AddEntry):
@@ -43,7 +36,6 @@ class HULL_OT_add_load_case(bpy.types.Operator, AddEntry):
 
     bl_idname = "hull.add_load_case"
     bl_label = "Add Load Case"
-    bl_options = {"REGISTER", "UNDO"}
 
     def add(self, hull, scene):
         loading.add_load_case(hull, scene)
@@ -54,7 +46,6 @@ class HULL_OT_remove_load_case(bpy.types.Operator, RemoveEntry):
 
     bl_idname = "hull.remove_load_case"
     bl_label = "Remove Load Case"
-    bl_options = {"REGISTER", "UNDO"}
 
     entries, none_there = "load_cases", "There is no load case"
 
@@ -64,7 +55,6 @@ class HULL_OT_add_flooding_point(bpy.types.Operator, AddEntry):
 
     bl_idname = "hull.add_flooding_point"
     bl_label = "Add Opening"
-    bl_options = {"REGISTER", "UNDO"}
 
     def add(self, hull, scene):
         loading.add_flooding_point(hull)
@@ -75,7 +65,6 @@ class HULL_OT_remove_flooding_point(bpy.types.Operator, RemoveEntry):
 
     bl_idname = "hull.remove_flooding_point"
     bl_label = "Remove Opening"
-    bl_options = {"REGISTER", "UNDO"}
 
     entries, none_there = "flooding_points", "There is no opening"
 

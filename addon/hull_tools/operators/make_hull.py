@@ -5,15 +5,21 @@ import bpy
 from bpy.props import BoolProperty
 
 from ..bridge import hull_creation, hull_objects, hull_state, mesh_arrays, shown_objects
-from .shared import has_hull, native_is_there, reporting_errors
+from .shared import BaseOperator, HullOperator, native_is_there
 
 
-class HULL_OT_make_hull(bpy.types.Operator):
+def _can_be_hull(cls, context):
+    reason = hull_objects.refusal(context.object)
+    if reason:
+        cls.poll_message_set(reason)
+    return not reason
+
+
+class HULL_OT_make_hull(bpy.types.Operator, BaseOperator):
     """Make the active mesh the control mesh of a hull and show its surface and lines"""
 
     bl_idname = "hull.make_hull"
     bl_label = "Make This Mesh a Hull"
-    bl_options = {"REGISTER", "UNDO"}
 
     half: BoolProperty(
         name="Half hull",
@@ -21,13 +27,7 @@ class HULL_OT_make_hull(bpy.types.Operator):
         default=True,
     )
 
-    @classmethod
-    def poll(cls, context):
-        reason = hull_objects.refusal(context.object)
-        if reason:
-            cls.poll_message_set(reason)
-            return False
-        return native_is_there(cls)
+    needs = (_can_be_hull, native_is_there)
 
     def invoke(self, context, event):
         points = mesh_arrays.read_mesh(context.object.data).points
@@ -35,34 +35,24 @@ class HULL_OT_make_hull(bpy.types.Operator):
             self.half = bool(points[:, 1].min() > -1e-3 * points[:, 1].max())
         return self.execute(context)
 
-    @reporting_errors
-    def execute(self, context):
+    def run(self, context):
         state = hull_creation.make_hull(context.object, context.scene, self.half)
         if state.status:
             self.report({"WARNING"}, state.status)
-        return {"FINISHED"}
 
 
-class HULL_OT_update(bpy.types.Operator):
+class HULL_OT_update(bpy.types.Operator, HullOperator):
     """Make the hull's surface and lines anew, also when the surface was deleted"""
 
     bl_idname = "hull.update"
     bl_label = "Update Surface and Lines"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
-        return native_is_there(cls) and has_hull(cls, context)
-
-    @reporting_errors
-    def execute(self, context):
-        hull = hull_objects.hull_of(context.object)
+    def run_on(self, hull, context):
         shown_objects.ensure(hull)
         hull_state.forget(hull)
         state = hull_state.refresh(hull, context.scene)
         if state.status:
             raise ValueError(state.status)
-        return {"FINISHED"}
 
 
 CLASSES = (HULL_OT_make_hull, HULL_OT_update)

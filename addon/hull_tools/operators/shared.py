@@ -1,26 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the operators have in common: what they work on, and how they say no."""
 
-import functools
-
 from ..bridge import hull_objects, native
 
 
-def reporting_errors(execute):
-    """Makes an `execute` that reports what a user can get wrong, and then is cancelled."""
-
-    @functools.wraps(execute)
-    def reporting_execute(self, context):
-        try:
-            return execute(self, context)
-        except (ValueError, OSError) as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-
-    return reporting_execute
-
-
-def native_is_there(cls):
+def native_is_there(cls, context):
     if native.hull_native is None:
         cls.poll_message_set(native.missing_reason)
         return False
@@ -40,6 +24,13 @@ def has_hull(cls, context):
     return True
 
 
+def in_3d_view(cls, context):
+    if context.region_data is None:
+        cls.poll_message_set("Only in a 3D view")
+        return False
+    return True
+
+
 def in_mesh_edit_mode(cls, context):
     if context.mode != "EDIT_MESH":
         cls.poll_message_set("Enter edit mode first (Tab)")
@@ -52,3 +43,38 @@ def in_object_mode(cls, context):
         cls.poll_message_set("Leave edit mode first (Tab)")
         return False
     return True
+
+
+class BaseOperator:
+    """Refused with the reason where one of `needs` is not met; cancelled with a report where there
+    is something that a user can get wrong, else finished.
+
+    Subclasses: run(context); needs: functions (cls, context) that say whether one can go on.
+    """
+
+    bl_options = {"REGISTER", "UNDO"}
+    needs = (native_is_there,)
+
+    @classmethod
+    def poll(cls, context):
+        return all(need(cls, context) for need in cls.needs)
+
+    def execute(self, context):
+        return self.reporting(self.run, context)
+
+    def reporting(self, function, context):
+        """What function(context) returns, or FINISHED; what it raises is reported."""
+        try:
+            return function(context) or {"FINISHED"}
+        except (ValueError, OSError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+
+
+class HullOperator(BaseOperator):
+    """Of the hull at hand. Subclasses: run_on(hull, context)."""
+
+    needs = (native_is_there, has_hull)
+
+    def run(self, context):
+        return self.run_on(hull_objects.hull_of(context.object), context)

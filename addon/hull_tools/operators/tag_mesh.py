@@ -5,7 +5,7 @@ import bmesh
 import bpy
 
 from ..bridge import blender_versions
-from .shared import in_mesh_edit_mode, reporting_errors
+from .shared import BaseOperator, in_mesh_edit_mode
 
 
 def _tag_selection(context, edge_value, vertex_value, nothing_selected):
@@ -36,10 +36,8 @@ def _set_selected(elements, layer, value):
     return len(selected)
 
 
-class TagOperator:
-    @classmethod
-    def poll(cls, context):
-        return in_mesh_edit_mode(cls, context)
+class TagOperator(BaseOperator):
+    needs = (in_mesh_edit_mode,)
 
 
 class HULL_OT_tag_crease(bpy.types.Operator, TagOperator):
@@ -47,12 +45,9 @@ class HULL_OT_tag_crease(bpy.types.Operator, TagOperator):
 
     bl_idname = "hull.tag_crease"
     bl_label = "Crease"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
+    def run(self, context):
         _tag_selection(context, 1.0, None, "Select the edges of the knuckle first")
-        return {"FINISHED"}
 
 
 class HULL_OT_tag_corner(bpy.types.Operator, TagOperator):
@@ -60,12 +55,9 @@ class HULL_OT_tag_corner(bpy.types.Operator, TagOperator):
 
     bl_idname = "hull.tag_corner"
     bl_label = "Corner"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
+    def run(self, context):
         _tag_selection(context, None, 1.0, "Select the points that become corners first")
-        return {"FINISHED"}
 
 
 class HULL_OT_tag_smooth(bpy.types.Operator, TagOperator):
@@ -73,12 +65,9 @@ class HULL_OT_tag_smooth(bpy.types.Operator, TagOperator):
 
     bl_idname = "hull.tag_smooth"
     bl_label = "Smooth"
-    bl_options = {"REGISTER", "UNDO"}
 
-    @reporting_errors
-    def execute(self, context):
+    def run(self, context):
         _tag_selection(context, 0.0, 0.0, "Select the edges or points to smooth first")
-        return {"FINISHED"}
 
 
 CLASSES = (HULL_OT_tag_crease, HULL_OT_tag_corner, HULL_OT_tag_smooth)

@@ -3,9 +3,9 @@
 that draws them with the graphics card."""
 
 from ..bridge import live_analyses
-from . import legend, lines, marks, plots
+from . import legend, lines, marks, plots, spots
 
-_PARTS = (lines, marks, legend)
+_PARTS = (lines, marks, legend, spots)
 
 
 def _view(shown, corner):

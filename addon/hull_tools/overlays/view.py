@@ -43,13 +43,16 @@ class HullInView:
         return Matrix.Diagonal((factor, factor, factor, 1.0))
 
 
-def hulls_in_view():
-    """A HullInView of each hull that the view at hand shows; none where it shows no overlays."""
+def hulls_in_view(what="surface"):
+    """A HullInView of each hull that the view at hand shows, and whose HullState has `what`; none
+    where the view shows no overlays."""
     context = bpy.context
     if context.region_data is None or not context.space_data.overlay.show_overlays:
         return
     for hull, state in hull_state.known_hulls(context.view_layer):
-        if state.surface is not None and hull.visible_in_viewport_get(context.space_data):
+        if state.surface is None or not getattr(state, what):
+            continue
+        if hull.visible_in_viewport_get(context.space_data):
             yield HullInView(context, hull, state)
 
 

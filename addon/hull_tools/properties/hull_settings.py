@@ -18,7 +18,7 @@ from bpy.props import (
     StringProperty,
 )
 
-from . import fairness_settings, line_settings, output_settings, stability_settings
+from . import export_settings, fairness_settings, line_settings, output_settings, stability_settings
 from .shared import angle, changed, length
 
 
@@ -102,6 +102,7 @@ class HullSettings(bpy.types.PropertyGroup):
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
     plan: PointerProperty(type=output_settings.HullPlan)
+    export: PointerProperty(type=export_settings.HullExport)
 
 
 CLASSES = (
@@ -109,6 +110,7 @@ CLASSES = (
     *fairness_settings.CLASSES,
     *stability_settings.CLASSES,
     *output_settings.CLASSES,
+    *export_settings.CLASSES,
     HullLayer,
     HullSettings,
 )

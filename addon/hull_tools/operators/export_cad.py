@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""STEP and IGES files. While the file dialog is open the hull is converted, and its side says how
+far the patches are from the surface before anything is written."""
+
+import bpy
+from bpy.props import StringProperty
+
+from ..bridge import cad_files, conversions, hull_objects
+from .export_hull import ExportHull
+from .tasks import TaskOperator
+
+
+class ExportCad(TaskOperator, ExportHull):
+    """Subclasses give the file_format."""
+
+    _task = None
+
+    def invoke(self, context, event):
+        hull = hull_objects.hull_of(context.object)
+        self._begun_before = conversions.running(hull)
+        conversions.request(hull)
+        self._is_in_window = not bpy.app.background
+        return ExportHull.invoke(self, context, event)
+
+    def cancel(self, context):
+        if self._task is not None:
+            TaskOperator.cancel(self, context)
+            return
+        # The dialog was closed: what began with it ends with it.
+        hull = hull_objects.hull_of(context.object)
+        task = None if hull is None else conversions.running(hull)
+        if task is not None and task is not self._begun_before:
+            task.cancel()
+
+    def draw(self, context):
+        pass  # panels of the file dialog do
+
+    def begin(self, hull, scene):
+        return cad_files.Export(hull, scene, self.filepath, self.file_format)
+
+    def outcome(self, written):
+        return written.converted, f"{self.file_format} written: "
+
+
+class HULL_OT_export_step(bpy.types.Operator, ExportCad):
+    """Write the surface as one shell or solid of B-spline faces in a STEP file"""
+
+    bl_idname = "hull.export_step"
+    bl_label = "Export STEP"
+
+    file_format = cad_files.STEP
+    filename_ext = ".step"
+    filter_glob: StringProperty(default="*.step;*.stp", options={"HIDDEN"})
+
+
+class HULL_OT_export_iges(bpy.types.Operator, ExportCad):
+    """Write the surface as one shell or solid of B-spline faces in an IGES file"""
+
+    bl_idname = "hull.export_iges"
+    bl_label = "Export IGES"
+
+    file_format = cad_files.IGES
+    filename_ext = ".igs"
+    filter_glob: StringProperty(default="*.igs;*.iges", options={"HIDDEN"})
+
+
+CLASSES = (HULL_OT_export_step, HULL_OT_export_iges)

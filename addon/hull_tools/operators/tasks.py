@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators whose work takes seconds: in the window Blender stays at work, and Esc cancels."""
+
+import bpy
+
+from ..bridge import conversions, jobs, patches
+from .shared import HullOperator
+
+_LOOK_SECONDS = 0.1
+
+
+class TaskOperator(HullOperator):
+    """Subclasses begin a task of bridge.conversions, and tell what came of it:
+    begin(hull, scene) → task, and outcome(result of the task) → (its patches.Converted, text).
+
+    What is run by a script, or without a window, is done when the operator returns.
+    """
+
+    bl_options = {"REGISTER"}
+    _is_in_window = False
+
+    def invoke(self, context, event):
+        self._is_in_window = not bpy.app.background
+        return self.execute(context)
+
+    def run_on(self, hull, context):
+        self._task = self.begin(hull, context.scene)
+        self._asked = patches.asked_of(hull.hull.export)
+        if not self._is_in_window:
+            return self._finish(context)
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(_LOOK_SECONDS, window=context.window)
+        manager.progress_begin(0.0, 100.0)
+        manager.modal_handler_add(self)
+        self._show_progress(context)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self._task.cancel()
+            return {"RUNNING_MODAL"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if not self._task.is_done():
+            self._show_progress(context)
+            return {"PASS_THROUGH"}
+        self._leave(context)
+        return self.reporting(self._finish, context)
+
+    def cancel(self, context):
+        """Blender ends the operator, as when another file is loaded."""
+        self._task.cancel()
+        self._leave(context)
+
+    def _finish(self, context):
+        try:
+            converted, text = self.outcome(self._task.result())
+        except jobs.Cancelled:
+            self.report({"INFO"}, f"{self.bl_label}: cancelled, all is as it was")
+            return {"CANCELLED"}
+        finally:
+            conversions.take_finished()
+        summary, warns = patches.summary(converted.quality, self._asked)
+        self.report({"WARNING" if warns else "INFO"}, text + summary)
+        return {"FINISHED"}
+
+    def _show_progress(self, context):
+        percent = 100.0 * self._task.share
+        context.window_manager.progress_update(percent)
+        context.workspace.status_text_set(f"{self._task.text}: {percent:.0f} %    Esc: cancel")
+
+    def _leave(self, context):
+        manager = context.window_manager
+        manager.event_timer_remove(self._timer)
+        manager.progress_end()
+        context.workspace.status_text_set(None)
