@@ -173,6 +173,25 @@ BSplineCurve BSplinePatch::side_curve(int side) const {
 
 double BSplinePatch::side_length(int side) const { return side_curve(side).polygon_length(); }
 
+BSplinePatch BSplinePatch::turned() const {
+  BSplinePatch result;
+  result.degree_u = degree_v;
+  result.degree_v = degree_u;
+  result.knots_u = knots_v;
+  for (auto knot = knots_u.rbegin(); knot != knots_u.rend(); ++knot) {
+    result.knots_v.push_back(1.0 - *knot);
+  }
+  result.count_u = count_v;
+  result.count_v = count_u;
+  result.cell = cell;
+  for (int j = 0; j < count_v; ++j) {
+    for (int i = count_u - 1; i >= 0; --i) {
+      result.control_points.push_back(control_point(i, j));
+    }
+  }
+  return result;
+}
+
 BSplinePatch BSplinePatch::transposed() const {
   BSplinePatch result{degree_v, degree_u, knots_v, knots_u, count_v, count_u, {}, cell};
   result.control_points.reserve(control_points.size());

@@ -51,6 +51,9 @@ struct BSplinePatch {
 
   // The same surface with u and v exchanged: its normal points the other way.
   BSplinePatch transposed() const;
+  // The same surface turned by a quarter: its side k is this one's side k + 1, with the same
+  // direction and knots (but for rounding); the normal is the same.
+  BSplinePatch turned() const;
 };
 
 // The B-spline basis functions of one degree over one knot vector, that do not vanish at t, with

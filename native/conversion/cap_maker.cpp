@@ -265,8 +265,8 @@ void CapMaker::add_patch(const BorderStep& step, const Run& run, const EdgePath&
   const SurfaceJet middle = patch.evaluate(0.5, 0.5);
   Cap cap;
   cap.kind = kind_of(middle.du.cross(middle.dv));
-  cap.loops = {far_edge, backwards(run.finish), {{step.edge, true}}, run.start};
-  cap.patch = std::move(patch);
+  cap.loops = {backwards(run.finish), {{step.edge, true}}, run.start, far_edge};
+  cap.patch = patch.turned();
   result_.caps.push_back(std::move(cap));
 }
 

@@ -29,7 +29,7 @@ struct CapEdge {
 struct Cap {
   enum class Kind { kDeck, kTransom, kCentrePlane, kOpening };
   Kind kind = Kind::kOpening;
-  // A patch of degree 1 along v; side 0 has the far border, side 2 that of the hull. None: a plane.
+  // A patch of degree 1 along u; side 1 is the hull's border, side 3 the far one. None: a plane.
   std::optional<BSplinePatch> patch;
   // Of a patch: its four sides, of which a side of no length has none. Of a plane face: its outer
   // border, then its holes.

@@ -273,7 +273,7 @@ class ShapeMaker {
         any = true;
       }
       if (any) continue;
-      const TopoDS_Vertex at = vertex_between(cap, k);
+      const TopoDS_Vertex at = vertex_at(cap, k);
       builder_.Add(
           wire, degenerated_edge(make_curve(ParameterCurve{
                                      1, {0.0, 0.0, 1.0, 1.0}, {on_side(k, 0.0), on_side(k, 1.0)}}),
@@ -284,12 +284,12 @@ class ShapeMaker {
     return face;
   }
 
-  // Where a side of no length is: at the begin of the side that follows.
-  TopoDS_Vertex vertex_between(const Cap& cap, int side) {
-    const DirectedEdge next = cap.loops[(side + 1) % 4].front();
-    const TopoDS_Edge edge = edges_[next.edge].edge;
-    const TopAbs_Orientation wanted = next.reversed ? TopAbs_REVERSED : TopAbs_FORWARD;
-    for (TopoDS_Iterator end(edge); end.More(); end.Next()) {
+  // Where a side of no length is, 0 or 2: at the begin or end of side 1.
+  TopoDS_Vertex vertex_at(const Cap& cap, int side) {
+    const DirectedEdge border = cap.loops[1].front();
+    const bool at_begin = (side == 0) != border.reversed;
+    const TopAbs_Orientation wanted = at_begin ? TopAbs_FORWARD : TopAbs_REVERSED;
+    for (TopoDS_Iterator end(edges_[border.edge].edge); end.More(); end.Next()) {
       if (end.Value().Orientation() == wanted) {
         return TopoDS::Vertex(end.Value().Oriented(TopAbs_FORWARD));
       }
@@ -298,27 +298,20 @@ class ShapeMaker {
     return {};
   }
 
-  // An edge of a ruled cap in its (u, v), in the direction of the edge's curve. Sides 0 and 2 are
-  // one edge each, with the patch's own parameter; on the others v is as far athwart as the curve.
+  // An edge of a ruled cap in its (u, v), in the direction of the edge's curve. Sides 1 and 3 are
+  // one edge each, with the patch's own parameter; on the others u is as far athwart as the curve.
   Handle(Geom2d_BSplineCurve) cap_line(const Cap& cap, int side, const DirectedEdge& part) {
     const BSplinePatch& patch = *cap.patch;
-    if (side % 2 == 0) {
-      const bool backwards = (side == 2) != part.reversed;
-      const double v = side == 2 ? 1.0 : 0.0;
-      const double from = backwards ? 1.0 : 0.0;
-      ParameterCurve line;
-      line.points = {{from, v}, {1.0 - from, v}};
-      return make_curve(line);
-    }
-    const double u = side == 1 ? 1.0 : 0.0;
-    const int last = side == 1 ? patch.count_u - 1 : 0;
-    const double far = patch.control_point(last, 0).y(), near = patch.control_point(last, 1).y();
+    if (side % 2 == 1) return make_curve(side_line(patch, side, {}, part.reversed));
+    const int last = side == 2 ? patch.count_v - 1 : 0;
+    const double far = patch.control_point(0, last).y(), near = patch.control_point(1, last).y();
     const BSplineCurve curve = part.edge < set_.edge_count
                                    ? uses_.curve(uses_.of(part.edge)[0])
                                    : closing_.edges[part.edge - set_.edge_count].curve;
     ParameterCurve line{curve.degree, curve.knots, {}};
     for (const Vector3d& point : curve.points) {
-      line.points.emplace_back(u, std::clamp((point.y() - far) / (near - far), 0.0, 1.0));
+      line.points.emplace_back(std::clamp((point.y() - far) / (near - far), 0.0, 1.0),
+                               side == 2 ? 1.0 : 0.0);
     }
     return make_curve(line);
   }

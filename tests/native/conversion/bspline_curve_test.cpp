@@ -41,6 +41,34 @@ TEST(BSplineCurve, PartsOfReversedCurvesEndAtKnots) {
   EXPECT_LT(gap_between(part.reversed(), curve.part(1.0 / 3.0, 0.5)), 1e-14);
 }
 
+TEST(BSplineCurve, ClampedIsTheSameCurve) {
+  const BSplineCurve open{3,
+                          {-1.5, -1.0, -0.25, 0.0, 1.0, 2.5, 3.0, 3.0, 4.0, 5.0},
+                          {{0, 0, 0}, {1, 2, 0}, {2, -1, 1}, {3, 0, 2}, {4, 1, 1}, {5, 0, 0}}};
+  const BSplineCurve curve = clamped(open);
+  EXPECT_EQ(curve.knots, (std::vector<double>{0, 0, 0, 0, 1.0 / 3, 2.5 / 3, 1, 1, 1, 1}));
+  // The blossom (Ramshaw 1989): the polynomial of each span evaluated by de Boor's recursion.
+  const auto de_boor = [&](double t) {
+    int span = 3;
+    while (span < 5 && t >= open.knots[span + 1]) ++span;
+    std::vector<Vector3d> d(open.points.begin() + span - 3, open.points.begin() + span + 1);
+    for (int r = 1; r <= 3; ++r) {
+      for (int j = 3; j >= r; --j) {
+        const double low = open.knots[j + span - 3], high = open.knots[j + 1 + span - r];
+        const double share = (t - low) / (high - low);
+        d[j] = (1.0 - share) * d[j - 1] + share * d[j];
+      }
+    }
+    return d[3];
+  };
+  for (double t : {0.0, 0.2, 0.9, 1.0, 1.7, 2.4, 2.6, 2.999}) {
+    EXPECT_LT((curve.position(t / 3.0) - de_boor(t)).norm(), 1e-14) << t;
+  }
+  const BSplineCurve again = clamped(curve);
+  EXPECT_EQ(again.knots, curve.knots);
+  EXPECT_EQ(again.points, curve.points);
+}
+
 TEST(BSplineCurve, GapsAreThoseOfTheCurvesAndNotOfTheirKnots) {
   const BSplineCurve curve = random_curve(83);
   EXPECT_LT(gap_between(curve, curve.reversed().reversed()), 1e-15);

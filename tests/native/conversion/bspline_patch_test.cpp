@@ -154,6 +154,21 @@ TEST(BSplinePatch, TransposedIsTheSameSurfaceTurnedOver) {
   EXPECT_LT((a.du.cross(a.dv) + b.du.cross(b.dv)).norm(), 1e-12);
 }
 
+TEST(BSplinePatch, TurnedIsTheSameSurfaceWithItsSidesShifted) {
+  auto random = generator();
+  const BSplinePatch patch = random_patch(random, 3, 2, 6, 4);
+  const BSplinePatch turned = patch.turned();
+  ASSERT_NO_THROW(turned.check());
+  EXPECT_EQ(turned.cell, patch.cell);
+  const SurfaceJet a = patch.evaluate(0.3, 0.7), b = turned.evaluate(0.7, 0.7);
+  EXPECT_LT((a.point - b.point).norm(), 1e-15);
+  EXPECT_LT((a.du.cross(a.dv) - b.du.cross(b.dv)).norm(), 1e-12);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(turned.side_points(k), patch.side_points((k + 1) % 4));
+    EXPECT_LT(gap_between(turned.side_curve(k), patch.side_curve((k + 1) % 4)), 1e-14);
+  }
+}
+
 TEST(BSplinePatch, ParametersOutsideAreTakenToTheEnds) {
   auto random = generator();
   const BSplinePatch patch = random_patch(random, 3, 3, 5, 5);
