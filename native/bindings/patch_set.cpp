@@ -6,6 +6,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "bindings/progress.h"
 #include "conversion/exact_conversion.h"
 #include "conversion/per_cell.h"
 
@@ -156,17 +157,20 @@ void bind_patch_set(py::module_& module) {
 
   module.def(
       "exact_patches",
-      [](const LimitSurface& surface, double tolerance, double seam_angle, int grading) {
+      [](const LimitSurface& surface, double tolerance, double seam_angle, int grading,
+         const py::object& progress) {
+        const Progress told = progress_from(progress);
         const py::gil_scoped_release release;
-        return exact_patches(surface, {tolerance, seam_angle, grading});
+        return exact_patches(surface, {tolerance, seam_angle, grading}, told);
       },
       py::arg("surface"), py::kw_only(), py::arg("tolerance") = 1e-6, py::arg("seam_angle") = 0.0,
-      py::arg("grading") = 0,
+      py::arg("grading") = 0, py::arg("progress") = py::none(),
       "Few large bicubic B-spline patches with knots graded towards irregular points, which equal "
       "the surface but for small squares there. tolerance: how far they may be from the surface, "
       "of the mesh's largest extent; seam_angle (rad): how much normals of neighbours may differ, "
       "0 for what goes with the tolerance; grading: how often knots are halved, 0 for as often as "
-      "these need. Returns a PatchSet.");
+      "these need; progress: called now and then with the share done, what it raises ends the "
+      "conversion. Returns a PatchSet.");
 }
 
 }  // namespace hull::bindings

@@ -139,16 +139,21 @@ SurfaceJet BSplinePatch::evaluate(double u, double v) const {
 }
 
 int BSplinePatch::side_index(int side, int i) const {
-  assert(side >= 0 && side < 4 && i >= 0 && i < side_count(side));
-  switch (side) {
+  assert(i >= 0 && i < side_count(side));
+  return corner_index(side, i, 0);
+}
+
+int BSplinePatch::corner_index(int k, int i, int j) const {
+  assert(k >= 0 && k < 4);
+  switch (k) {
     case 0:
-      return i * count_v;
+      return i * count_v + j;
     case 1:
-      return (count_u - 1) * count_v + i;
+      return (count_u - 1 - j) * count_v + i;
     case 2:
-      return (count_u - 1 - i) * count_v + count_v - 1;
+      return (count_u - 1 - i) * count_v + count_v - 1 - j;
     default:
-      return count_v - 1 - i;
+      return j * count_v + count_v - 1 - i;
   }
 }
 

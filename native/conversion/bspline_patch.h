@@ -46,6 +46,8 @@ struct BSplinePatch {
   BSplineCurve side_curve(int side) const;
   double side_length(int side) const;  // m, of the control polygon: an upper bound of the curve's
   int side_index(int side, int i) const;
+  // Of the control point i along side k from where it begins, and j off it, inwards.
+  int corner_index(int k, int i, int j) const;
   int side_count(int side) const { return side % 2 == 0 ? count_u : count_v; }
   int side_degree(int side) const { return side % 2 == 0 ? degree_u : degree_v; }
 

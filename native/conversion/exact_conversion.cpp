@@ -134,16 +134,12 @@ void check(const ExactOptions& options) {
 
 }  // namespace
 
-PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options) {
+PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options,
+                       const Progress& progress) {
   check(options);
   const BlockLayout layout(surface);
   const SetBuilder builder(surface, layout);
-  if (options.grading == 0) return builder.build(graded_patches(surface, layout, options));
-  std::vector<BSplinePatch> patches;
-  for (const Block& block : layout.blocks) {
-    patches.push_back(exact_patch(surface, block, options.grading));
-  }
-  return builder.build(std::move(patches));
+  return builder.build(graded_patches(surface, layout, options, progress));
 }
 
 }  // namespace hull

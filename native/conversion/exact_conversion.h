@@ -3,6 +3,7 @@
 
 #include "conversion/exact_patches.h"
 #include "conversion/patch_set.h"
+#include "conversion/progress.h"
 
 namespace hull {
 
@@ -29,6 +30,7 @@ struct ExactOptions {
 //
 // Throws std::invalid_argument unless the tolerance is from 1e-10 to 0.1, the angle 0 to 1, and the
 // grading 0 or one of exact_patch().
-PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options = {});
+PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options = {},
+                       const Progress& progress = {});
 
 }  // namespace hull

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "conversion/block_spans.h"
+#include "conversion/blossom.h"
 
 namespace hull {
 namespace {
@@ -16,29 +17,12 @@ namespace {
 // Of the mesh's size: a smaller jump of third differences is none.
 constexpr double kSmooth = 1e-13;
 
-// Weights of a uniform cubic span's control points in its blossom f(a, b, c), the symmetric
-// multiaffine form with f(t, t, t) = the curve (Ramshaw 1989); arguments counted in spans from its
-// beginning.
-Basis blossom_weights(double a, double b, double c) {
-  const auto affine = [](double t, double low, double high) {
-    return std::array<double, 2>{(high - t) / (high - low), (t - low) / (high - low)};
-  };
-  const auto [a0, a1] = affine(a, -2.0, 1.0);
-  const auto [a2, a3] = affine(a, -1.0, 2.0);
-  const auto [a4, a5] = affine(a, 0.0, 3.0);
-  const auto [b0, b1] = affine(b, -1.0, 1.0);
-  const auto [b2, b3] = affine(b, 0.0, 2.0);
-  const auto [c0, c1] = affine(c, 0.0, 1.0);
-  return {c0 * b0 * a0, c0 * (b0 * a1 + b1 * a2) + c1 * b2 * a2,
-          c0 * b1 * a3 + c1 * (b2 * a3 + b3 * a4), c1 * b3 * a5};
-}
-
 // The knots of one direction.
 struct KnotLine {
-  std::vector<double> lines;    // distinct knots
-  std::vector<double> samples;  // a place in each interval that is within a span
+  std::vector<double> lines;  // distinct knots
+  std::vector<int> places;    // of BlockSpans, one in each interval
 
-  int intervals() const { return static_cast<int>(samples.size()); }
+  int intervals() const { return static_cast<int>(places.size()); }
   int count() const { return intervals() + 3; }
   // Knot k of the clamped vector.
   double knot(int k) const { return lines[std::clamp(k - 3, 0, intervals())]; }
@@ -67,34 +51,21 @@ bool is_smooth(const BlockSpan& a, const BlockSpan& b, bool along_u, double tole
   return true;
 }
 
-// A place in each interval, the same seen from both ends: neighbours that run the other way choose
-// the same spans. Lines are at multiples of powers of two: none passes there.
-std::vector<double> places_between(const std::vector<double>& lines) {
-  std::vector<double> result;
-  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
-    const bool is_first_half = lines[k] + lines[k + 1] < lines.front() + lines.back();
-    result.push_back(lines[k] + (is_first_half ? 0.6 : 0.4) * (lines[k + 1] - lines[k]));
-  }
-  return result;
-}
-
 // The lines that the surface needs as knots.
 KnotLine knot_line(const BlockSpans& spans, bool along_u, double tolerance) {
   const std::vector<double>& all = along_u ? spans.lines_u() : spans.lines_v();
-  const std::vector<double> own = places_between(all);
-  const std::vector<double> across = places_between(along_u ? spans.lines_v() : spans.lines_u());
-  const auto span_at = [&](double t, double s) {
-    return along_u ? spans.at(t, s) : spans.at(s, t);
-  };
-  KnotLine knots{{all.front()}, {own.front()}};
-  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
-    const bool removable = std::all_of(across.begin(), across.end(), [&](double s) {
-      const BlockSpan *a = span_at(own[k - 1], s), *b = span_at(own[k], s);
-      return a && b && (a == b || is_smooth(*a, *b, along_u, tolerance));
-    });
+  const int across = static_cast<int>((along_u ? spans.places_v() : spans.places_u()).size());
+  const auto span_at = [&](int k, int l) { return along_u ? spans.at(k, l) : spans.at(l, k); };
+  KnotLine knots{{all.front()}, {0}};
+  for (int k = 1; k + 1 < static_cast<int>(all.size()); ++k) {
+    bool removable = true;
+    for (int l = 0; l < across && removable; ++l) {
+      const BlockSpan *a = span_at(k - 1, l), *b = span_at(k, l);
+      removable = a && b && (a == b || is_smooth(*a, *b, along_u, tolerance));
+    }
     if (removable) continue;
     knots.lines.push_back(all[k]);
-    knots.samples.push_back(own[k]);
+    knots.places.push_back(k);
   }
   knots.lines.push_back(all.back());
   return knots;
@@ -139,8 +110,8 @@ class PatchBuilder {
     int farthest = -1;
     for (int a : u_.support(i)) {
       for (int b : v_.support(j)) {
-        const BlockSpan* span = spans_.at(u_.samples[a], v_.samples[b]);
-        if (span && !span->is_in_corner) return blossom(*span, i, j);
+        const BlockSpan* span = spans_.at(u_.places[a], v_.places[b]);
+        if (span && !span->is_in_corner) return point_from(*span, i, j);
         const int far = u_.intervals_to_end(a) + v_.intervals_to_end(b);
         if (span && far > farthest) {
           inner = span;
@@ -149,20 +120,15 @@ class PatchBuilder {
       }
     }
     assert(inner);
-    return blossom(*inner, i, j);
+    return point_from(*inner, i, j);
   }
 
-  Vector3d blossom(const BlockSpan& span, int i, int j) const {
+  Vector3d point_from(const BlockSpan& span, int i, int j) const {
     const auto weights = [&](const KnotLine& line, int k, double begin) {
       const auto local = [&](int m) { return (line.knot(m) - begin) / span.size; };
       return blossom_weights(local(k + 1), local(k + 2), local(k + 3));
     };
-    const Basis wu = weights(u_, i, span.u), wv = weights(v_, j, span.v);
-    Vector3d point = Vector3d::Zero();
-    for (int b = 0; b < 4; ++b) {
-      for (int a = 0; a < 4; ++a) point += wu[a] * wv[b] * span.points[4 * b + a];
-    }
-    return point;
+    return blossom(span.points, weights(u_, i, span.u), weights(v_, j, span.v));
   }
 
   // The surface's point at a corner of the block, (1, 0) for the end of its side v = 0.
@@ -182,16 +148,16 @@ class PatchBuilder {
 }  // namespace
 
 BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, int grading) {
-  return exact_patch(surface, block, Gradings(surface.cells().vertex_count(), grading));
+  return exact_patch(surface, block, Gradings(surface.cells().vertex_count(), Grading{grading}));
 }
 
 BSplinePatch exact_patch(const LimitSurface& surface, const Block& block,
                          const Gradings& gradings) {
-  for (int grading : gradings) {
-    if (grading >= kLeastGrading && grading <= kMostGrading) continue;
+  for (const Grading& grading : gradings) {
+    if (grading.halvings >= kLeastGrading && grading.halvings <= kMostGrading) continue;
     throw std::invalid_argument(
         "The grading of patches must be between " + std::to_string(kLeastGrading) + " and " +
-        std::to_string(kMostGrading) + ", not " + std::to_string(grading) + ".");
+        std::to_string(kMostGrading) + ", not " + std::to_string(grading.halvings) + ".");
   }
   return PatchBuilder(surface, block, gradings).build();
 }

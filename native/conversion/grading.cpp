@@ -5,51 +5,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "conversion/corner_grading.h"
+#include "conversion/exact_patches.h"
 #include "conversion/groups.h"
-#include "conversion/near_point.h"
 
 namespace hull {
 namespace {
 
 constexpr int kFirstGrading = 3;
-// Beyond this knots lie closer together than the 1e-9 that CAD systems tell apart.
-constexpr int kLastGrading = 16;
-constexpr double kUseful = 0.97;  // a halving that leaves more of an error is the last one
-// Of the corner square.
-constexpr std::array<double, 7> kPlaces{0.0, 0.04, 0.12, 0.24, 0.4, 0.65, 0.9};
-
-std::array<double, 2> corner_uv(int k) {
-  return {k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0};
-}
-
-// A place a along half-edge h and b away from it, both from its begin.
-CellPoint place_beside(int h, double a, double b) {
-  switch (h % 4) {
-    case 0:
-      return {h / 4, a, b};
-    case 1:
-      return {h / 4, 1.0 - b, a};
-    case 2:
-      return {h / 4, 1.0 - a, 1.0 - b};
-    default:
-      return {h / 4, b, 1.0 - a};
-  }
-}
-
-// The same place of the block's patch, from the corner where side k begins.
-std::array<double, 2> place_in_patch(const Block& block, int k, double a, double b) {
-  const auto [u0, v0] = corner_uv(k);
-  const auto [along, across] = k % 2 == 0 ? std::pair(a, b) : std::pair(b, a);
-  const double u = along / block.count_u, v = across / block.count_v;
-  return {u0 == 0.0 ? u : 1.0 - u, v0 == 0.0 ? v : 1.0 - v};
-}
-
-double angle_between(const Vector3d& one, const Vector3d& two) {
-  return std::atan2(one.cross(two).norm(), one.dot(two));
-}
+// CAD systems take knots closer together than 1e-9 for one.
+constexpr double kClosestKnots = 2e-9;
+constexpr double kReserve = 0.9;  // of the tolerances: measurements are at samples
+// Points of the corner squares around one irregular point that are fitted together: their number
+// cubed is the cost.
+constexpr int kMostMoved = 120;
+// Of the time: the search for gradings; the rest is for the patches.
+constexpr double kSearchShare = 0.6;
 
 double largest_extent(const ControlMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -57,130 +30,151 @@ double largest_extent(const ControlMesh& mesh) {
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
+CornerLimits limits_of(const LimitSurface& surface, const ExactOptions& options) {
+  const double in_proportion =
+      0.02 * std::numbers::pi / 180.0 * std::sqrt(options.tolerance / 1e-6);
+  return {kReserve * options.tolerance * largest_extent(surface.mesh()),
+          kReserve * (options.seam_angle > 0.0 ? options.seam_angle : in_proportion)};
+}
+
 class Grader {
  public:
   Grader(const LimitSurface& surface, const BlockLayout& layout, const ExactOptions& options)
       : surface_(surface),
+        cells_(surface.cells()),
         layout_(layout),
-        distance_(options.tolerance * largest_extent(surface.mesh())),
-        angle_(options.seam_angle),
-        groups_(surface.cells().vertex_count()),
-        gradings_(surface.cells().vertex_count(), kFirstGrading),
-        before_(gradings_.size(), std::numeric_limits<double>::infinity()) {
-    if (angle_ == 0.0) {
-      angle_ = 0.02 * std::numbers::pi / 180.0 * std::sqrt(options.tolerance / 1e-6);
-    }
-    find_corners();
+        options_(options),
+        limits_(limits_of(surface, options)),
+        groups_(cells_.vertex_count()),
+        is_irregular_(cells_.vertex_count(), 0),
+        fans_(cells_.vertex_count()) {
+    find_groups();
   }
 
-  std::vector<BSplinePatch> patches() {
-    const std::size_t count = layout_.blocks.size();
-    std::vector<BSplinePatch> result(count);
-    std::vector<char> is_old(count, 1);
-    while (std::ranges::count(is_old, 1) > 0) {
-      std::vector<double> found(gradings_.size(), 0.0);  // of groups, the largest excess
-      for (std::size_t p = 0; p < count; ++p) {
-        if (!is_old[p]) continue;
-        result[p] = exact_patch(surface_, layout_.blocks[p], gradings_);
-        for (int k = 0; k < 4; ++k) {
-          if (corners_[p][k] < 0) continue;
-          double& largest = found[groups_.find(corners_[p][k])];
-          largest = std::max(largest, excess(layout_.blocks[p], result[p], k));
-        }
-      }
-      refine(found, is_old);
+  std::vector<BSplinePatch> patches(const Progress& progress) {
+    find_gradings(part_of(progress, 0.0, kSearchShare));
+    Gradings gradings;
+    for (int i = 0; i < cells_.vertex_count(); ++i) gradings.push_back(of_group_[groups_.find(i)]);
+    const Progress second = part_of(progress, kSearchShare, 1.0);
+    std::vector<BSplinePatch> result;
+    for (const Block& block : layout_.blocks) {
+      tell(second, static_cast<double>(result.size()), static_cast<double>(layout_.blocks.size()));
+      result.push_back(exact_patch(surface_, block, gradings));
+      for (int k = 0; k < 4; ++k) take_net(corner(block, k), k, result.back());
     }
     return result;
   }
 
  private:
-  void find_corners() {
-    const Topology& cells = surface_.cells();
+  // The half-edge that leaves corner k of a block along its side k.
+  int corner(const Block& block, int k) const { return block.half_edges(cells_, k).front(); }
+
+  // Irregular points that sides of blocks join have one grading, for knots run through patches.
+  void find_groups() {
+    std::vector<double> most(cells_.vertex_count(), 1.0);  // cells along a block's side there
     for (const Block& block : layout_.blocks) {
       std::array<int, 4> corners{};
       for (int k = 0; k < 4; ++k) {
-        const int h = block.half_edges(cells, k).front();
-        const auto [u, v] = corner_uv(h % 4);
-        corners[k] = surface_.is_irregular_knot(h / 4, u, v) ? cells.origin(h) : -1;
+        const int h = corner(block, k);
+        const bool at_u = h % 4 == 1 || h % 4 == 2, at_v = h % 4 >= 2;
+        corners[k] = surface_.is_irregular_knot(h / 4, at_u, at_v) ? cells_.origin(h) : -1;
       }
       for (int k = 0; k < 4; ++k) {
+        if (corners[k] < 0) continue;
+        is_irregular_[corners[k]] = 1;
         const int next = corners[(k + 1) % 4];
-        if (corners[k] >= 0 && next >= 0) groups_.join(corners[k], next);
+        if (next >= 0) groups_.join(corners[k], next);
+        double& longest = most[corners[k]];
+        longest = std::max<double>(longest, std::max(block.count_u, block.count_v));
       }
-      corners_.push_back(corners);
+    }
+    last_.assign(most.size(), kMostGrading);
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      int& last = last_[groups_.find(static_cast<int>(i))];
+      // There are knots within the corner squares as well.
+      const int here = static_cast<int>(-std::log2(kClosestKnots * most[i])) - kMostInner;
+      last = std::min(last, std::max(here, kFirstGrading));
     }
   }
 
-  // The larger of both errors as a share of what is allowed.
-  double excess(const Block& block, const BSplinePatch& patch, int k) {
-    const int grading =
-        gradings_[surface_.cells().origin(block.half_edges(surface_.cells(), k).front())];
-    const CornerError error = corner_error(surface_, block, patch, k, grading);
-    // Normals on squares smaller than the tolerance are nobody's concern.
-    if (error.extent < distance_) return error.distance / distance_;
-    return std::max(error.distance / distance_, error.angle / (0.5 * angle_));
+  // Each group has the halvings that the worst of its points needs, and more knots within the
+  // squares where halvings alone do not do.
+  void find_gradings(const Progress& progress) {
+    of_group_.assign(cells_.vertex_count(),
+                     Grading{options_.grading > 0 ? options_.grading : kFirstGrading});
+    std::vector<int> points;
+    for (int i = 0; i < cells_.vertex_count(); ++i) {
+      if (is_irregular_[i]) points.push_back(i);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      tell(progress, static_cast<double>(k), static_cast<double>(points.size()));
+      raise(points[k]);
+    }
+    settle(points);
+    if (options_.grading > 0) return;
+    for (int inner = 2; inner <= kMostInner; ++inner) {
+      for (int point : points) {
+        if (fans_[point].excess > 1.0 &&
+            fans_[point].fan.count() * inner * (inner + 1) <= kMostMoved) {
+          of_group_[groups_.find(point)] = {kFirstGrading, inner};
+        }
+      }
+      settle(points);
+    }
   }
 
-  // Halves once more where that is wanted, and the last time was of use: where sides meet at 180
-  // degrees, normals at the corner itself are lost in rounding.
-  void refine(const std::vector<double>& found, std::vector<char>& is_old) {
-    std::vector<char> changed(gradings_.size(), 0);
-    for (std::size_t i = 0; i < gradings_.size(); ++i) {
-      const double excess = found[groups_.find(static_cast<int>(i))];
-      if (!(excess > 1.0) || excess > kUseful * before_[i] || gradings_[i] >= kMostGrading)
-        continue;
-      before_[i] = excess;
-      ++gradings_[i];
-      changed[i] = 1;
+  // Fits those whose group has changed again, until none changes any more.
+  void settle(const std::vector<int>& points) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (int point : points) {
+        if (fans_[point].grading == of_group_[groups_.find(point)]) continue;
+        raise(point);
+        changed = true;
+      }
     }
-    for (std::size_t p = 0; p < is_old.size(); ++p) {
-      is_old[p] = std::ranges::any_of(corners_[p], [&](int c) { return c >= 0 && changed[c]; });
+  }
+
+  // Raises the group's halvings to what the point needs.
+  void raise(int point) {
+    Grading& grading = of_group_[groups_.find(point)];
+    const int last = options_.grading > 0 ? grading.halvings : last_[groups_.find(point)];
+    fans_[point] = least_graded_fan(surface_, point, limits_, grading, last);
+    grading = fans_[point].grading;
+  }
+
+  // The points that may be chosen at corner k of a patch, where half-edge h leaves.
+  void take_net(int h, int k, BSplinePatch& patch) const {
+    const int vertex = cells_.origin(h);
+    if (!is_irregular_[vertex]) return;
+    const SquareFan& fan = fans_[vertex].fan;
+    const auto found = std::ranges::find(fan.half_edges, h) - fan.half_edges.begin();
+    if (!fan.graded[found]) return;
+    const CornerNet& net = fan.nets[found];
+    for (int i = 0; i <= net.inner; ++i) {
+      for (int j = 0; j <= net.inner; ++j) {
+        patch.control_points[patch.corner_index(k, i, j)] = net.at(i, j);
+      }
     }
   }
 
   const LimitSurface& surface_;
+  const Topology& cells_;
   const BlockLayout& layout_;
-  double distance_, angle_;
+  const ExactOptions& options_;
+  CornerLimits limits_;
   Groups groups_;  // of irregular vertices with one grading
-  Gradings gradings_;
-  std::vector<double> before_;               // the excess found at the grading before
-  std::vector<std::array<int, 4>> corners_;  // per block, its irregular vertices or -1
+  std::vector<char> is_irregular_;
+  std::vector<int> last_;  // of groups, the most halvings
+  std::vector<Grading> of_group_;
+  std::vector<GradedFan> fans_;  // per vertex, of the irregular ones
 };
 
 }  // namespace
 
-CornerError corner_error(const LimitSurface& surface, const Block& block, const BSplinePatch& patch,
-                         int k, int grading) {
-  const int h = block.half_edges(surface.cells(), k).front();
-  const double size = std::exp2(-grading), enough = 1e-13 * surface.mesh().size();
-  CornerError error;
-  const auto at = [&](double share) {
-    const auto [u, v] = place_in_patch(block, k, share * size, share * size);
-    return patch.position(u, v);
-  };
-  error.extent = (at(1.0) - at(0.0)).norm();
-  for (double a : kPlaces) {
-    for (double b : kPlaces) {
-      const auto [u, v] = place_in_patch(block, k, a * size, b * size);
-      const bool on_side = a == 0.0 || b == 0.0;
-      const SurfaceJet jet = patch.evaluate(u, v);
-      const NearPoint near =
-          near_point(surface, jet.point, place_beside(h, a * size, b * size), enough);
-      error.distance = std::max(error.distance, near.distance);
-      if (!on_side) continue;
-      const Vector3d exact = surface.normal(near.place.cell, near.place.u, near.place.v);
-      const Vector3d normal = jet.du.cross(jet.dv);
-      // Cone tips and cusps have none.
-      if (exact.isZero() || normal.isZero()) continue;
-      error.angle = std::max(error.angle, angle_between(exact, normal));
-    }
-  }
-  return error;
-}
-
 std::vector<BSplinePatch> graded_patches(const LimitSurface& surface, const BlockLayout& layout,
-                                         const ExactOptions& options) {
-  return Grader(surface, layout, options).patches();
+                                         const ExactOptions& options, const Progress& progress) {
+  return Grader(surface, layout, options).patches(progress);
 }
 
 }  // namespace hull

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "conversion/block_places.h"
-#include "conversion/quality/near_surface.h"
+#include "conversion/near_surface.h"
 #include "conversion/quality/sample_line.h"
 #include "surface/closest_point.h"
 

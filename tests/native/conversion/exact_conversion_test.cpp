@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "conversion/grading.h"
+#include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
 
 namespace hull {
@@ -43,32 +43,41 @@ TEST(ExactConversion, HasNoGapsWhateverMeets) {
   EXPECT_GT(most, 1u);
 }
 
-TEST(ExactConversion, KeepsTheToleranceWithTheLeastGrading) {
-  std::mt19937 random(93);
-  MeshArrays mesh = testing::double_pyramid(5);
-  testing::randomise(mesh, random, 0.1, 0.0, 0.0);
-  const LimitSurface surface{ControlMesh(mesh)};
-  const BlockLayout layout(surface);
-  std::size_t before = 0;
-  for (double tolerance : {1e-5, 1e-7, 1e-9}) {
-    // A seam angle that is met at once, so that the distance alone counts.
-    const PatchSet set = exact_patches(surface, {.tolerance = tolerance, .seam_angle = 1.0});
-    ASSERT_NO_THROW(set.check());
-    std::size_t points = 0;
-    for (const BSplinePatch& patch : set.patches) points += patch.control_points.size();
-    EXPECT_GT(points, before);
-    before = points;
-    EXPECT_EQ(set.patches.size(), layout.blocks.size());
-    for (std::size_t p = 0; p < set.patches.size(); ++p) {
-      for (int k = 0; k < 4; ++k) {
-        for (int grading : {2, 5, 9}) {
-          const CornerError error =
-              corner_error(surface, layout.blocks[p], set.patches[p], k, grading);
-          EXPECT_LT(error.distance, 2.0 * tolerance * surface.mesh().size());
-        }
-      }
+// By measurements that have nothing to do with those that the gradings were chosen by.
+TEST(ExactConversion, KeepsToleranceAndSeamAngle) {
+  constexpr unsigned kSeed = 93;
+  std::mt19937 random(kSeed);
+  for (int trial = 0; trial < 14; ++trial) {
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
+    MeshArrays mesh =
+        trial % 2 == 0 ? testing::double_pyramid(3 + trial / 2) : testing::fan(3 + trial / 2);
+    testing::randomise(mesh, random, 0.1, 0.0, 0.0);
+    const LimitSurface surface{ControlMesh(mesh)};
+    for (double tolerance : {1e-5, 1e-7}) {
+      const double angle = tolerance > 1e-6 ? 1e-3 : 2e-4;
+      const PatchSet set = exact_patches(surface, {.tolerance = tolerance, .seam_angle = angle});
+      ASSERT_NO_THROW(set.check());
+      const double length = measure_quality(surface, set, {.samples = 1}).length;
+      // Normals nearer to irregular points than the tolerance do not count.
+      const QualityReport report =
+          measure_quality(surface, set, {.normal_reach = tolerance * length});
+      EXPECT_LE(report.distance.value, tolerance * report.length);
+      EXPECT_LE(report.worst_seams.angle.value, angle);
     }
   }
+}
+
+TEST(ExactConversion, TellsItsProgressAndCanBeEnded) {
+  const LimitSurface surface{ControlMesh(testing::double_pyramid(5))};
+  double last = -1.0;
+  const PatchSet set = exact_patches(surface, {}, [&](double share) {
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1.0);
+    last = share;
+  });
+  EXPECT_GT(last, 0.5);
+  EXPECT_THROW(exact_patches(surface, {}, [](double) { throw std::runtime_error("enough"); }),
+               std::runtime_error);
 }
 
 TEST(ExactConversion, RefusesBadOptions) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/quality/near_surface.h"
+#include "conversion/near_surface.h"
 
 #include <algorithm>
 #include <optional>
