@@ -246,6 +246,22 @@ def test_progress_never_goes_back():
         assert shares == sorted(shares) and 0.0 <= shares[0] and shares[-1] <= 1.0
 
 
+@pytest.mark.parametrize("share", [0.05, 0.5])
+def test_converting_and_measuring_end_when_cancelled(freeship_folder, share):
+    bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
+    hull, patches, cancelled = bpy.context.object, part("bridge.patches"), part("bridge.jobs")
+    surface, told = state_of(hull).source.new_surface(), []
+
+    def tell(done):
+        told.append(done)
+        if done >= share:
+            raise cancelled.Cancelled
+
+    with pytest.raises(cancelled.Cancelled):
+        patches.convert(surface, patches.choice_of(hull.hull.export), tell)
+    assert share <= told[-1] < share + 0.2 and len(told) > 1
+
+
 def test_a_hull_deleted_meanwhile_is_no_matter(gate):
     hull = add_hull()
     task = begin(hull)

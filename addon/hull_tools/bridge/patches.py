@@ -68,8 +68,9 @@ def convert(surface, choice, progress):
     if choice.conversion == PER_CELL:
         found = hull_native.fit_per_cell(surface, **options)
     else:
-        found = hull_native.exact_patches(surface, **options)
-    progress(_SHARE_OF_CONVERSION)
+        found = hull_native.exact_patches(
+            surface, **options, progress=lambda share: progress(_SHARE_OF_CONVERSION * share)
+        )
     rest = 1.0 - _SHARE_OF_CONVERSION
     quality = hull_native.measure_quality(
         surface, found, progress=lambda share: progress(_SHARE_OF_CONVERSION + rest * share)
