@@ -55,6 +55,7 @@ OcctSession::OcctSession(const CadOptions& options) : lock_(occt_mutex()) {
   set("write.surfacecurve.mode", 1);
   set("write.iges.unit", unit_setting(options.unit));
   set("write.iges.brep.mode", 1);  // shells whose faces share edges, and no bare trimmed surfaces
+  set("read.iges.bspline.continuity", 0);  // curves are not cut at their kinks
   auto& active = Message::DefaultMessenger()->ChangePrinters();
   printers_ = active;
   active.Clear();

@@ -136,6 +136,39 @@ def test_curves_are_on_the_surface():
     assert {"stations", "waterlines", "knuckles and borders"} <= {layer for _, layer, *_ in found}
 
 
+def test_chains_of_cubics_become_splines():
+    """A chain that is C2, then C1, then has a kink: the same curve, with few knots."""
+    import numpy as np
+
+    curves, random = part("bridge.cad_curves"), np.random.default_rng(3)
+    first = random.normal(size=(4, 3))
+    chain = [first]
+    for order in (2, 1, 0):  # so many derivatives go on
+        before, after = chain[-1], random.normal(size=(4, 3))
+        after[0] = before[3]
+        if order >= 1:
+            after[1] = 2.0 * before[3] - before[2]
+        if order >= 2:
+            after[2] = after[1] * 2.0 - after[0] + (before[3] - 2.0 * before[2] + before[1])
+        chain.append(after)
+    knots, points = curves._spline(np.array(chain))
+    assert knots.tolist() == [0] * 4 + [1] + [2] * 2 + [3] * 3 + [4] * 4
+    at = np.linspace(0.0, 4.0, 41)
+    found = part("bridge.line_curves")._de_boor(knots, points, 3, at)
+    for t, point in zip(at, found):
+        piece = min(int(t), 3)
+        u = t - piece
+        weights = [(1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u * u * (1 - u), u**3]
+        assert point == pytest.approx(weights @ chain[piece], abs=1e-12)
+
+
+@pytest.mark.parametrize("file_format", ["STEP", "IGES"])
+def test_lines_of_a_ship_with_kinks_are_read_back(freeship_folder, tmp_path, file_format):
+    bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
+    report = written(file_format, tmp_path / "ship.x", with_sections=True, with_features=True)
+    assert {"flats", "knuckles and borders", "stations"} <= set(report["layers"])
+
+
 def test_a_ship(freeship_folder, tmp_path):
     bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
     report = written("STEP", tmp_path / "ship.step")

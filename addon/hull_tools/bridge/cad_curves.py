@@ -15,6 +15,9 @@ _LARGEST_TOLERANCE = 1e-5
 # Extents that have the mirror image of a half hull too.
 BOTH_SIDES = ("BOTH", "SOLID")
 
+# Of a curve's size: derivatives that differ by less agree.
+_SMOOTH = 1e-9
+
 _AXES = {"station": 0, "buttock": 1, "waterline": 2, "draft": 2}
 
 
@@ -105,8 +108,33 @@ def _cubics(part):
 
 
 def _spline(cubics):
-    """(knots, control points) of the B-spline that is a chain of Bézier cubics (m, 4, 3)."""
-    last = len(cubics)
-    knots = np.concatenate([[0.0], np.repeat(np.arange(last + 1.0), 3), [float(last)]])
-    points = np.concatenate([cubics[:, :3].reshape(-1, 3), cubics[-1, 3:]])
-    return knots, points
+    """(knots, control points) of the B-spline that is a chain of Bézier cubics (m, 4, 3), with as
+    few knots as it is smooth at their ends."""
+    ends = np.arange(len(cubics) + 1.0)
+    knots = np.repeat(ends, [4, *_multiplicities(cubics), 4])
+    points = []
+    for i in range(len(knots) - 4):
+        piece = int(knots[i])  # the cubic that begins there, which the point i belongs to
+        points.append(_blossom(cubics[piece], knots[i + 1 : i + 4] - piece))
+    return knots, np.array(points)
+
+
+def _multiplicities(cubics):
+    """Of the inner knots: 1 where the second derivatives agree, 2 where the first do, else 3."""
+    size = np.ptp(cubics.reshape(-1, 3), axis=0).max()
+    found = np.full(len(cubics) - 1, 3)
+    is_smooth = np.ones(len(cubics) - 1, dtype=bool)
+    for order, multiplicity in ((1, 2), (2, 1)):
+        before = np.diff(cubics[:-1], order, axis=1)[:, -1]
+        after = np.diff(cubics[1:], order, axis=1)[:, 0]
+        is_smooth &= np.abs(before - after).max(axis=1) <= _SMOOTH * size
+        found[is_smooth] = multiplicity
+    return found
+
+
+def _blossom(cubic, at):
+    """The polar form of a Bézier cubic (4, 3) over [0, 1] at three parameters."""
+    points = cubic
+    for t in at:
+        points = (1.0 - t) * points[:-1] + t * points[1:]
+    return points[0]
