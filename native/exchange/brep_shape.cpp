@@ -37,24 +37,11 @@ gp_Pnt2d on_side(int side, double share) {
 }
 
 // The straight line in (u, v) along a part of a side, over [0, 1] from its begin to its end; or
-// from end to begin. It has a pole at each of the patch's knots: Open CASCADE integrates over faces
-// by a Gauss rule for each interval of these lines, which is exact only within one polynomial.
-ParameterCurve side_line(const BSplinePatch& patch, int side, const SideEdge& part,
-                         bool backwards) {
-  constexpr double kNear = 1e-12;
-  std::vector<double> shares{0.0};
-  for (double knot : patch.side_knots(side)) {
-    const double share = (knot - part.begin) / (part.end - part.begin);
-    if (share > shares.back() + kNear && share < 1.0 - kNear) shares.push_back(share);
-  }
-  shares.push_back(1.0);
-  ParameterCurve line{1, {0.0}, {}};
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const double share = backwards ? shares[shares.size() - 1 - i] : shares[i];
-    line.points.push_back(on_side(side, (1.0 - share) * part.begin + share * part.end));
-    line.knots.push_back(backwards ? 1.0 - share : share);
-  }
-  line.knots.push_back(1.0);
+// from end to begin.
+ParameterCurve side_line(int side, const SideEdge& part, bool backwards) {
+  const gp_Pnt2d begin = on_side(side, part.begin), end = on_side(side, part.end);
+  ParameterCurve line;
+  line.points = backwards ? std::vector{end, begin} : std::vector{begin, end};
   return line;
 }
 
@@ -182,15 +169,14 @@ class ShapeMaker {
 
   // The edge along a part of a patch's side, turned so that it runs in the side's direction.
   TopoDS_Edge side_edge(int p, int k, const SideEdge& part, const TopoDS_Face& face) {
-    const BSplinePatch& patch = set_.patches[p];
     if (is_collapsed(part.edge)) {
       const BSplineCurve curve = set_.curve(p, k, part);
-      return degenerated_edge(make_curve(side_line(patch, k, part, false)),
+      return degenerated_edge(make_curve(side_line(k, part, false)),
                               vertex(part.from, curve.points.front()), face);
     }
     const bool first = edges_[part.edge].edge.IsNull();
     MadeEdge& edge = made(part.edge, set_.curve(p, k, part), part.from, part.to);
-    const Handle(Geom2d_BSplineCurve) line = make_curve(side_line(patch, k, part, !first));
+    const Handle(Geom2d_BSplineCurve) line = make_curve(side_line(k, part, !first));
     if (first) {
       edge.side = line;
       edge.face = face;
@@ -274,10 +260,7 @@ class ShapeMaker {
       }
       if (any) continue;
       const TopoDS_Vertex at = vertex_at(cap, k);
-      builder_.Add(
-          wire, degenerated_edge(make_curve(ParameterCurve{
-                                     1, {0.0, 0.0, 1.0, 1.0}, {on_side(k, 0.0), on_side(k, 1.0)}}),
-                                 at, face));
+      builder_.Add(wire, degenerated_edge(make_curve(side_line(k, {}, false)), at, face));
     }
     wire.Closed(true);
     builder_.Add(face, wire);
@@ -302,7 +285,7 @@ class ShapeMaker {
   // one edge each, with the patch's own parameter; on the others u is as far athwart as the curve.
   Handle(Geom2d_BSplineCurve) cap_line(const Cap& cap, int side, const DirectedEdge& part) {
     const BSplinePatch& patch = *cap.patch;
-    if (side % 2 == 1) return make_curve(side_line(patch, side, {}, part.reversed));
+    if (side % 2 == 1) return make_curve(side_line(side, {}, part.reversed));
     const int last = side == 2 ? patch.count_v - 1 : 0;
     const double far = patch.control_point(0, last).y(), near = patch.control_point(1, last).y();
     const BSplineCurve curve = part.edge < set_.edge_count

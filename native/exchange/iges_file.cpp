@@ -54,6 +54,9 @@ class IgesText {
       put_on_level(entity, model_.regions[f]);
       entity->InitColor(colour_of(model_.regions[f]));
     }
+    if (const Entity whole = entity_of(model_.brep.shape); !whole.IsNull()) {
+      set_name(whole, options_.name);
+    }
     for (const CadCurve& curve : model_.curves) add_curve(curve);
     name_levels();
     writer_.ComputeModel();
@@ -101,11 +104,19 @@ class IgesText {
     const Entity entity = entity_of(edge);
     if (entity.IsNull()) return;
     put_on_level(entity, curve.layer);
-    entity->SetLabel(text_of(curve.name.substr(0, 8)));
-    Handle(IGESBasic_Name) name = new IGESBasic_Name;
-    name->Init(1, text_of(curve.name));
-    entity->AddProperty(name);
-    writer_.AddEntity(name);
+    set_name(entity, curve.name);
+  }
+
+  // In full; the label of eight characters has the begin, where it is ASCII.
+  void set_name(const Entity& entity, const std::string& name) {
+    const Handle(TCollection_HAsciiString) text = text_of(name);
+    if (text->Length() == static_cast<int>(name.size())) {
+      entity->SetLabel(text_of(name.substr(0, 8)));
+    }
+    Handle(IGESBasic_Name) property = new IGESBasic_Name;
+    property->Init(1, text);
+    entity->AddProperty(property);
+    writer_.AddEntity(property);
   }
 
   void name_levels() {

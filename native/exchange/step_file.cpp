@@ -3,7 +3,6 @@
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
@@ -12,7 +11,6 @@
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
@@ -91,28 +89,20 @@ class StepText {
     }
   }
 
+  // Each a product of its own.
   void add_curves() {
-    std::map<std::string, std::vector<const CadCurve*>> layers;
-    for (const CadCurve& curve : model_.curves) layers[curve.layer].push_back(&curve);
-    for (const auto& [layer, curves] : layers) {
-      BRep_Builder builder;
-      TopoDS_Compound compound;
-      builder.MakeCompound(compound);
-      std::vector<TopoDS_Edge> edges;
-      for (const CadCurve* curve : curves) {
-        edges.push_back(BRepBuilderAPI_MakeEdge(make_curve(curve->curve)).Edge());
-        builder.Add(compound, edges.back());
-      }
-      transfer(compound, STEPControl_GeometricCurveSet, 0.5, 0.5);
-      products_.push_back(layer);
-      std::vector<Item> items;
-      for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Item item = item_of(edges[i]);
-        if (item.IsNull()) continue;
-        item->SetName(texts_.holder(curves[i]->name));
-        items.push_back(item);
-      }
-      add_step_layer(writer_.Model(), texts_, layer, items);
+    std::map<std::string, std::vector<Item>> layers;
+    for (const CadCurve& curve : model_.curves) {
+      const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(make_curve(curve.curve)).Edge();
+      transfer(edge, STEPControl_GeometricCurveSet, 0.5, 0.5);
+      products_.push_back(curve.name);
+      const Item item = item_of(edge);
+      if (item.IsNull()) continue;  // the file read back will show it
+      item->SetName(texts_.holder(curve.name));
+      layers[curve.layer].push_back(item);
+    }
+    for (const auto& [name, items] : layers) {
+      add_step_layer(writer_.Model(), texts_, name, items);
     }
   }
 

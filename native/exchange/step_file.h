@@ -11,7 +11,7 @@ namespace hull {
 // Writes patches as a STEP file: one shell, a closed one as a solid, several where the patches fall
 // into parts that share no edge. Each patch is one face, its normal outwards; joined patches share
 // their edge. Faces are on the layer of their region and have its colour; curves are products of
-// their own, one for each layer.
+// their own.
 //
 // The file is read back before it takes its name and must hold what was meant: every face, valid,
 // free edges where the patches have borders and nowhere else, a solid where one is asked for, the
