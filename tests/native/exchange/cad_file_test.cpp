@@ -203,7 +203,8 @@ TEST_P(CadFile, TellsItsProgressAndCanBeCancelledAtAnyTime) {
   EXPECT_EQ(shares.back(), 1.0);
   EXPECT_TRUE(std::ranges::is_sorted(shares));
   std::ofstream(path_) << "old";
-  for (double end : shares) {
+  for (std::size_t i = 0; i < shares.size(); i += shares.size() / 12 + 1) {
+    const double end = shares[i];
     options.progress = [&](double share) {
       if (share >= end) throw std::invalid_argument("cancelled");
     };
@@ -276,7 +277,7 @@ TEST_P(CadFile, IsNotThereWhenTheQuotaIsUsedUp) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, CadFile,
                          ::testing::Values(Format{"Step", write_step}, Format{"Iges", write_iges}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& format) { return std::string(format.param.name); });
 
 TEST(CadReport, TellsFormatsApart) {
   const fs::path folder = fs::temp_directory_path() / ("hull_report_" + std::to_string(getpid()));
