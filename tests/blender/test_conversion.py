@@ -178,6 +178,14 @@ def test_what_is_not_kept_is_warned_of():
     assert warns and "0.02 mm" in text and text.endswith(gaps)
 
 
+def test_numbers_are_for_people():
+    units = part("bridge.units")
+    assert units.format_mm(0.0) == "0 mm" and units.format_mm(8.3456e-5) == "0.0835 mm"
+    assert units.format_mm(1e-12) == "below 1e-06 mm" and units.format_mm(2.3456) == "2346 mm"
+    assert units.format_small_angle(radians(0.0123)) == "0.0123°"
+    assert units.format_jump(21800.4) == "21800 1/m"
+
+
 def test_edits_do_not_reach_what_is_being_converted(gate):
     hull = add_hull()
     task = begin(hull)

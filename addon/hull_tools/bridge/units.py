@@ -95,7 +95,9 @@ def format_jump(curvature):
 
 
 def _small(value):
-    return f"{value:.3g}" if value == 0.0 or value >= _LEAST_SHOWN else f"below {_LEAST_SHOWN:.0e}"
+    if 0.0 < value < _LEAST_SHOWN:
+        return f"below {_LEAST_SHOWN:.0e}"
+    return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
 
 
 def _digits(value):
