@@ -24,7 +24,8 @@ VALENCES = (3, 5, 6, 8)
 GRADINGS = np.arange(2, 17)
 SEED = 7
 COLOURS = ((0.1, 0.3, 0.7), (0.1, 0.55, 0.4), (0.8, 0.45, 0.0), (0.45, 0.25, 0.1))
-BESIDE = 0.1  # decades, so that lines do not cover one another
+SEAM_ANGLE = math.radians(0.02)
+ANY_ANGLE = 1.0  # met without moving anything
 
 
 def fan(valence, rings=3):
@@ -75,11 +76,11 @@ def eigenvalues(valence):
     return tangent, max(cup, saddle)
 
 
-def measured(surface):
+def measured(surface, seam_angle):
     """Distances over the length, and angles in degrees, for all gradings."""
     found = []
     for grading in GRADINGS:
-        patches = hn.exact_patches(surface, grading=int(grading))
+        patches = hn.exact_patches(surface, grading=int(grading), seam_angle=seam_angle)
         report = hn.measure_quality(surface, patches, normal_reach=0.0)
         angle = max(report.largest_seam_angle, report.largest_seam_angle_at_points)
         found.append((report.largest_distance_per_length, math.degrees(angle)))
@@ -87,17 +88,18 @@ def measured(surface):
 
 
 def draw(path, title, label, curves, low):
-    """Measured values as lines, and beside each, dashed, the slope that is expected of it."""
+    """Fitted seams as lines; dashed what is there before, with its slope."""
     plot = hn.Plot(title)
     plot.add_x_axis("Grading K: how often knots are halved", range=(2, 16))
     plot.set_y_axis(f"log\N{SUBSCRIPT ONE}\N{SUBSCRIPT ZERO} of the {label}")
-    for (valence, values, ratio), colour in zip(curves, COLOURS):
-        shown = values > low
-        plot.add_curve(f"{valence} faces", GRADINGS[shown], np.log10(values[shown]), colour=colour)
-        line = np.log10(values[0]) - BESIDE + np.log10(ratio) * (GRADINGS - GRADINGS[0])
-        kept = line > np.log10(low)
-        name = f"{ratio:.3f} a halving"
-        plot.add_curve(name, GRADINGS[kept], line[kept], style="dashed", colour=colour, guide=True)
+    for (valence, fitted, before, ratio), colour in zip(curves, COLOURS):
+        for values, style, name in (
+            (fitted, "solid", f"{valence} faces"),
+            (before, "dashed", f"not fitted: {ratio:.3f} a halving"),
+        ):
+            shown = values > low
+            numbers = np.log10(values[shown])
+            plot.add_curve(name, GRADINGS[shown], numbers, style=style, colour=colour)
     hn.write_plot(plot, path)
 
 
@@ -105,9 +107,16 @@ def plots(folder):
     distances, angles = [], []
     for valence in VALENCES:
         tangent, bend = eigenvalues(valence)
-        distance, angle = measured(hn.LimitSurface(fan(valence)))
-        distances.append((valence, distance, bend))
-        angles.append((valence, angle, bend / tangent))
+        surface = hn.LimitSurface(fan(valence))
+        fitted, before = measured(surface, SEAM_ANGLE), measured(surface, ANY_ANGLE)
+        last = before[:, 4] / before[:, 0]
+        print(
+            f"{valence} faces: lambda {tangent:.4f}, mu {bend:.4f}, expected a halving "
+            f"{bend:.4f} and {bend / tangent:.4f}, measured {last[0] ** 0.25:.4f} and "
+            f"{last[1] ** 0.25:.4f}"
+        )
+        distances.append((valence, fitted[0], before[0], bend))
+        angles.append((valence, fitted[1], before[1], bend / tangent))
     draw(
         folder / "exact-patches-distance.svg",
         "Exact patches: largest distance from the surface",

@@ -36,6 +36,12 @@ std::vector<BasisValues> basis_at(const std::vector<double>& knots, int degree,
   return result;
 }
 
+// A sample that stands for some area.
+struct Candidate {
+  Worst found;
+  double area;  // m2
+};
+
 class PatchMeasure {
  public:
   PatchMeasure(const QualityGauge& gauge, int patch)
@@ -66,7 +72,9 @@ class PatchMeasure {
       found_.area += areas_[k];
       if (largest_[k] <= exact) found_.exact_area += areas_[k];
     }
-    if (found_.area > 0.0) found_.rms_distance = std::sqrt(squares_ / found_.area);
+    if (found_.area > 0.0) {
+      found_.rms_distance = std::sqrt(std::max(squares_, 0.0) / found_.area);
+    }
     return found_;
   }
 
@@ -113,7 +121,7 @@ class PatchMeasure {
     largest_[interval] = std::max(largest_[interval], near.distance);
     squares_ += area * near.distance * near.distance;
     if (near.distance > gauge_.negligible()) {
-      candidates_.push_back({near.distance, point, near.place});
+      candidates_.push_back({{near.distance, point, near.place}, area});
     } else {
       found_.distance.take(near.distance, point, near.place);
     }
@@ -122,15 +130,16 @@ class PatchMeasure {
   // No descent can be trusted with the largest distances: the surface may be nearer elsewhere.
   void take_largest() {
     std::sort(candidates_.begin(), candidates_.end(),
-              [](const Worst& a, const Worst& b) { return a.value > b.value; });
-    for (const Worst& candidate : candidates_) {
-      if (kAlmost * candidate.value <= found_.distance.value) return;
-      const ClosestPoint closest = closest_point(gauge_.tree, candidate.point, candidate.value);
-      if (closest.cell >= 0 && closest.distance < candidate.value) {
+              [](const Candidate& a, const Candidate& b) { return a.found.value > b.found.value; });
+    for (const auto& [found, area] : candidates_) {
+      if (kAlmost * found.value <= found_.distance.value) return;
+      const ClosestPoint closest = closest_point(gauge_.tree, found.point, found.value);
+      if (closest.cell >= 0 && closest.distance < found.value) {
         const CellPoint place{closest.cell, closest.u, closest.v};
-        found_.distance.take(closest.distance, candidate.point, place);
+        found_.distance.take(closest.distance, found.point, place);
+        squares_ += area * (closest.distance * closest.distance - found.value * found.value);
       } else {
-        found_.distance.take(candidate);
+        found_.distance.take(found);
       }
     }
   }
@@ -142,7 +151,7 @@ class PatchMeasure {
   std::vector<BasisValues> along_v_;
   std::vector<Vector3d> points_, slopes_;
   std::vector<double> areas_, largest_;  // per pair of intervals
-  std::vector<Worst> candidates_;        // what a descent has found, above what is negligible
+  std::vector<Candidate> candidates_;    // what a descent has found, above what is negligible
   double squares_ = 0.0;
   PatchQuality found_;
 };
