@@ -150,6 +150,16 @@ def degrees(report):
     return np.degrees(report.largest_seam_angle)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("name", ALL)
+def test_default_tolerance_is_kept(name, scheme):
+    surface = surface_of(name, scheme)
+    report = hn.measure_quality(surface, hn.exact_patches(surface))
+    assert report.largest_distance_per_length <= 1e-6
+    assert degrees(report) <= 0.02
+    assert report.largest_gap <= 1e-13 * report.length
+
+
 @pytest.mark.parametrize("name", FEW_PATCHES)
 def test_a_sixth_of_the_patches_of_one_a_cell(name):
     surface = surface_of(name)
