@@ -9,9 +9,10 @@
 namespace hull {
 namespace {
 
-// Of the parameters from 0 to 1; wider spans may bend much.
-constexpr double kWide = 0.02;
-constexpr int kNodes = 5, kNodesOfWide = 10;
+// Widths of spans, of the parameters from 0 to 1: wide ones may bend much, narrow ones are knots
+// graded towards a corner and hardly bend at all.
+constexpr double kWide = 0.12, kNarrow = 0.005;
+constexpr int kNodes = 5, kNodesOfWide = 10, kNodesOfNarrow = 3;
 
 struct Node {
   double weight;
@@ -19,12 +20,13 @@ struct Node {
 };
 
 std::vector<Node> nodes_of(const std::vector<double>& knots, int degree) {
-  static const GaussRule usual = gauss_rule(kNodes), fine = gauss_rule(kNodesOfWide);
+  static const GaussRule usual = gauss_rule(kNodes), fine = gauss_rule(kNodesOfWide),
+                         coarse = gauss_rule(kNodesOfNarrow);
   std::vector<Node> nodes;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const double width = knots[k + 1] - knots[k];
     if (!(width > 0.0)) continue;
-    const GaussRule& rule = width > kWide ? fine : usual;
+    const GaussRule& rule = width > kWide ? fine : width < kNarrow ? coarse : usual;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double t = knots[k] + width * rule.nodes[i];
       nodes.push_back({width * rule.weights[i], basis_values(knots, degree, t)});

@@ -16,8 +16,9 @@ struct SurfaceIntegrals {
   }
 };
 
-// Of a whole patch, by a Gauss rule of at least five nodes each way in every span: exact for the
-// volume of a bicubic one; the area's error falls with the tenth power of the spans' size.
+// Of a whole patch, by a Gauss rule in every span, of five nodes each way or more where spans are
+// not very small: the volume is that of a bicubic patch to 1e-12, the area's error falls with the
+// tenth power of the spans' size.
 SurfaceIntegrals integrals_of(const BSplinePatch& patch);
 
 }  // namespace hull

@@ -7,9 +7,12 @@
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
 #include <GProp_GProps.hxx>
+#include <NCollection_DataMap.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -58,11 +61,21 @@ void count_edges(const TopoDS_Shape& shape, CadReport& report) {
   }
 }
 
-void measure(const TopoDS_Shape& shape, CadReport& report) {
-  const SurfaceIntegrals integrals = integrals_of(shape);
-  report.area = integrals.area;
+// Areas of faces, by shape without orientation.
+using Areas = NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher>;
+
+Areas measure(const TopoDS_Shape& shape, CadReport& report) {
+  Areas areas;
+  SurfaceIntegrals sum;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    const SurfaceIntegrals own = integrals_of_face(TopoDS::Face(face.Current()));
+    areas.Bind(face.Current(), own.area);
+    sum += own;
+  }
+  report.area = sum.area;
   report.closed = report.faces > 0 && report.free_edges == 0;
-  if (report.closed) report.volume = integrals.volume;
+  if (report.closed) report.volume = sum.volume;
+  return areas;
 }
 
 void find_box(const TopoDS_Shape& shape, CadReport& report) {
@@ -86,7 +99,7 @@ void find_box(const TopoDS_Shape& shape, CadReport& report) {
   report.box_max = box.max();
 }
 
-void find_layers(const std::vector<CadLayer>& layers, CadReport& report) {
+void find_layers(const std::vector<CadLayer>& layers, const Areas& areas, CadReport& report) {
   std::map<std::string, CadRegion> regions;
   for (const CadLayer& layer : layers) {
     if (!std::ranges::count(report.layers, layer.name)) report.layers.push_back(layer.name);
@@ -95,7 +108,7 @@ void find_layers(const std::vector<CadLayer>& layers, CadReport& report) {
       CadRegion& region = regions[layer.name];
       if (region.faces == 0) region.colour = member.colour;
       ++region.faces;
-      region.area += integrals_of(member.shape).area;
+      if (const double* area = areas.Seek(member.shape)) region.area += *area;
     }
   }
   std::ranges::sort(report.layers);
@@ -144,9 +157,9 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     report.shells = count(content.shape, TopAbs_SHELL);
     report.faces = count(content.shape, TopAbs_FACE);
     count_edges(content.shape, report);
-    measure(content.shape, report);
+    const Areas areas = measure(content.shape, report);
     find_box(content.shape, report);
-    find_layers(content.layers, report);
+    find_layers(content.layers, areas, report);
     tell(progress, 1.0, 1.0);
     return report;
   } catch (const Standard_Failure& failure) {

@@ -98,7 +98,9 @@ SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
           volume.Mass() / std::pow(kMillimetresPerMetre, 3)};
 }
 
-SurfaceIntegrals of_face(const TopoDS_Face& face) {
+}  // namespace
+
+SurfaceIntegrals integrals_of_face(const TopoDS_Face& face) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   std::optional<SurfaceIntegrals> found = of_whole_patch(forward);
   if (!found) found = of_plane(forward);
@@ -107,12 +109,10 @@ SurfaceIntegrals of_face(const TopoDS_Face& face) {
   return *found;
 }
 
-}  // namespace
-
 SurfaceIntegrals integrals_of(const TopoDS_Shape& shape) {
   SurfaceIntegrals sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    sum += of_face(TopoDS::Face(face.Current()));
+    sum += integrals_of_face(TopoDS::Face(face.Current()));
   }
   return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "conversion/patch_integrals.h"
@@ -12,5 +13,6 @@ namespace hull {
 // 1e-8. (For large faces of many spans that takes longer than reading the file, and without a
 // tolerance it is wrong by up to 1e-4.)
 SurfaceIntegrals integrals_of(const TopoDS_Shape& shape);
+SurfaceIntegrals integrals_of_face(const TopoDS_Face& face);
 
 }  // namespace hull

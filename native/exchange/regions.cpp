@@ -32,9 +32,10 @@ std::vector<std::string> find_regions(const PatchSet& set) {
   for (const BSplinePatch& patch : set.patches) {
     for (const Vector3d& point : patch.control_points) aft = std::min(aft, point.x());
   }
+  const double tolerance = kFlat * set.size();
   std::vector<std::string> regions;
   for (const BSplinePatch& patch : set.patches) {
-    regions.push_back(region_of(patch, kFlat * set.size(), aft));
+    regions.push_back(region_of(patch, tolerance, aft));
   }
   return regions;
 }
