@@ -5,6 +5,8 @@
 #include <array>
 #include <cassert>
 
+#include "conversion/groups.h"
+
 namespace hull {
 namespace {
 
@@ -54,6 +56,23 @@ class Cutter {
       if (irregular_[cells_.origin(h)]) heads.push_back(h);
     }
     run(std::move(heads));
+  }
+
+  // Per region between creases, its rectangles' corners, see least_block_count(). `region`: of each
+  // cell.
+  std::vector<int> corner_counts(const std::vector<int>& region) const {
+    std::vector<int> corners(cells_.face_count(), 0);
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      int& count = corners[region[h / 4]];
+      const int vertex = cells_.origin(h);
+      if (irregular_[vertex]) {
+        ++count;
+        if (!is_cut(h) && !irregular_[end_of(straight_line(h).back())]) count += 2;
+      } else if (cells_.is_crease(h) && cells_.is_crease(cells_.prev(h))) {
+        ++count;
+      }
+    }
+    return corners;
   }
 
   // Along the line of h, both ways.
@@ -180,6 +199,23 @@ BlockLayout::BlockLayout(const LimitSurface& surface) {
     }
   }
   cuts = cutter.cuts();
+}
+
+int least_block_count(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  Groups groups(cells.face_count());
+  for (int h = 0; h < cells.half_edge_count(); ++h) {
+    if (!cells.is_crease(h)) groups.join(h / 4, cells.twin(h) / 4);
+  }
+  std::vector<int> region(cells.face_count());
+  for (int cell = 0; cell < cells.face_count(); ++cell) region[cell] = groups.find(cell);
+  const std::vector<int> corners = Cutter(surface).corner_counts(region);
+  int count = 0;
+  for (int cell = 0; cell < cells.face_count(); ++cell) {
+    // What has no corners, as tubes, is one rectangle joined to itself.
+    if (region[cell] == cell) count += std::max(1, (corners[cell] + 3) / 4);
+  }
+  return count;
 }
 
 }  // namespace hull

@@ -35,4 +35,10 @@ struct BlockLayout {
   std::vector<char> cuts;  // per edge of cells()
 };
 
+// A bound, from counting alone, below which no such layout comes: every rectangle has four corners.
+// In a region between creases a cell's corner at an irregular point is one, and so is a border's
+// convex corner; a line that ends in a cut makes two more, and one that joins two irregular points
+// none. All pairs that a straight line joins are taken for joined, whether or not such lines cross.
+int least_block_count(const LimitSurface& surface);
+
 }  // namespace hull

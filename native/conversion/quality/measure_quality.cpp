@@ -75,7 +75,7 @@ QualityReport measure_quality(const LimitSurface& surface, const PatchSet& set,
   QualityReport report;
   report.length = largest_extent(surface.mesh());
   report.normal_reach = options.normal_reach.value_or(kNormalReach * report.length);
-  report.theoretical_patch_count = static_cast<int>(BlockLayout(surface).blocks.size());
+  report.theoretical_patch_count = least_block_count(surface);
   const SurfaceTree tree(surface);
   const QualityGauge gauge{surface,
                            tree,
