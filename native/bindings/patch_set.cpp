@@ -158,18 +158,23 @@ void bind_patch_set(py::module_& module) {
   module.def(
       "exact_patches",
       [](const LimitSurface& surface, double tolerance, double seam_angle, int grading,
-         const py::object& progress) {
+         bool matched_knots, int most_control_points, bool bezier, const py::object& progress) {
         const Progress told = progress_from(progress);
         const py::gil_scoped_release release;
-        return exact_patches(surface, {tolerance, seam_angle, grading}, told);
+        return exact_patches(
+            surface, {tolerance, seam_angle, grading, matched_knots, most_control_points, bezier},
+            told);
       },
       py::arg("surface"), py::kw_only(), py::arg("tolerance") = 1e-6, py::arg("seam_angle") = 0.0,
-      py::arg("grading") = 0, py::arg("progress") = py::none(),
+      py::arg("grading") = 0, py::arg("matched_knots") = false, py::arg("most_control_points") = 0,
+      py::arg("bezier") = false, py::arg("progress") = py::none(),
       "Few large bicubic B-spline patches with knots graded towards irregular points, which equal "
       "the surface but for small squares there. tolerance: how far they may be from the surface, "
       "of the mesh's largest extent; seam_angle (rad): how much normals of neighbours may differ, "
       "0 for what goes with the tolerance; grading: how often knots are halved, 0 for as often as "
-      "these need; progress: called now and then with the share done, what it raises ends the "
+      "these need; matched_knots: insert knots until neighbours have the same ones; "
+      "most_control_points: cut patches with more, 0 for none; bezier: cut at all knots; progress: "
+      "called now and then with the share done, what it raises ends the "
       "conversion. Returns a PatchSet.");
 }
 

@@ -13,6 +13,8 @@ struct Block {
   // Of each cell the half-edge (of LimitSurface::cells()) that is its side v = 0 in the block's
   // orientation; index i * count_v + j, i along u.
   std::vector<int> sides;
+  // The part of the rectangle that is meant, as shares of it: all, but where patches are divided.
+  double begin_u = 0.0, end_u = 1.0, begin_v = 0.0, end_v = 1.0;
 
   int side(int i, int j) const { return sides[i * count_v + j]; }
 

@@ -27,6 +27,11 @@ inline CellPoint place_beside_half_edge(int h, double along, double across) {
 // cells.
 CellPoint place_in_block(const Block& block, double u, double v);
 
+// Whether side k of the part of a block that is meant is on the whole block's side k, and from
+// where to where it is there, as shares of it in the side's direction.
+bool is_on_side(const Block& block, int k);
+std::array<double, 2> part_of_side(const Block& block, int k);
+
 // Where a patch has the place s of its side k.
 inline std::array<double, 2> place_on_side(int k, double s) {
   return k == 0   ? std::array<double, 2>{s, 0.0}

@@ -16,27 +16,31 @@ double snapped(const std::vector<double>& knots, double t) {
   return near != knots.end() && *near <= t + kRounding ? *near : t;
 }
 
-// Inserts a knot until it has the multiplicity of the degree (Boehm 1980), so that the curve passes
-// through a control point there.
-void saturate(BSplineCurve& curve, double t) {
-  const auto count = std::ranges::count(curve.knots, t);
-  for (auto times = count; times < curve.degree; ++times) {
-    const std::vector<double>& knots = curve.knots;
-    const auto after = std::upper_bound(knots.begin(), knots.end(), t);
-    const int span = static_cast<int>(after - knots.begin()) - 1;
-    std::vector<Vector3d> points;
-    for (int i = 0; i <= static_cast<int>(curve.points.size()); ++i) {
-      if (i <= span - curve.degree) {
-        points.push_back(curve.points[i]);
-      } else if (i > span - times) {
-        points.push_back(curve.points[i - 1]);
-      } else {
-        const double share = (t - knots[i]) / (knots[i + curve.degree] - knots[i]);
-        points.push_back((1.0 - share) * curve.points[i - 1] + share * curve.points[i]);
-      }
+// Inserts the knot t once more, which there is `times` times (Boehm 1980).
+void insert(BSplineCurve& curve, double t, long times) {
+  const std::vector<double>& knots = curve.knots;
+  const auto after = std::upper_bound(knots.begin(), knots.end(), t);
+  const int span = static_cast<int>(after - knots.begin()) - 1;
+  std::vector<Vector3d> points;
+  for (int i = 0; i <= static_cast<int>(curve.points.size()); ++i) {
+    if (i <= span - curve.degree) {
+      points.push_back(curve.points[i]);
+    } else if (i > span - times) {
+      points.push_back(curve.points[i - 1]);
+    } else {
+      const double share = (t - knots[i]) / (knots[i + curve.degree] - knots[i]);
+      points.push_back((1.0 - share) * curve.points[i - 1] + share * curve.points[i]);
     }
-    curve.points = std::move(points);
-    curve.knots.insert(curve.knots.begin() + span + 1, t);
+  }
+  curve.points = std::move(points);
+  curve.knots.insert(curve.knots.begin() + span + 1, t);
+}
+
+// Inserts a knot until it has the multiplicity of the degree, so that the curve passes through a
+// control point there.
+void saturate(BSplineCurve& curve, double t) {
+  for (auto times = std::ranges::count(curve.knots, t); times < curve.degree; ++times) {
+    insert(curve, t, times);
   }
 }
 
@@ -78,6 +82,8 @@ BSplineCurve BSplineCurve::reversed() const {
   }
   return result;
 }
+
+void BSplineCurve::insert_knot(double t) { insert(*this, t, 0); }
 
 BSplineCurve BSplineCurve::part(double begin, double end) const {
   if (begin == 0.0 && end == 1.0) return *this;

@@ -33,7 +33,7 @@ double extent(const SquareFan& fan) {
 // How many halvings it will take from an error above 1 to below, when they fall by the same factor
 // with each, as they do once squares are small; `before` is what it was one jump earlier.
 int jump_from(double before, double now) {
-  const double halvings = now < before ? std::log(now) / std::log(before / now) : 1.0;
+  const double halvings = now > 1.0 && now < before ? std::log(now) / std::log(before / now) : 1.0;
   return std::clamp(static_cast<int>(halvings), 1, kLongestJump);
 }
 
@@ -58,28 +58,46 @@ double fan_distance(const LimitSurface& surface, const GradedFan& graded, double
 
 }  // namespace
 
+bool GradedFan::is_better_than(const GradedFan& other) const {
+  if (distance > 1.0 || other.distance > 1.0) return distance < kUseful * other.distance;
+  return angle < kUseful * other.angle;
+}
+
 GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& grading,
                      const CornerLimits& limits) {
+  const bool has_tangent_plane = surface.cells().kind(vertex) != VertexKind::kCone;
+  const auto measure = [&](GradedFan& graded, double angle) {
+    const bool counts = has_tangent_plane && extent(graded.fan) >= limits.distance;
+    graded.angle = counts ? angle / limits.angle : 0.0;
+    graded.distance = fan_distance(surface, graded, kMuchLess * limits.distance) / limits.distance;
+    graded.outlook = graded.excess();
+  };
   GradedFan result{grading, square_fan(surface, vertex, grading)};
-  double angle = seam_angle(result.fan);
-  if (angle > kMuchLess * limits.angle) angle = fit_seams(result.fan, limits.angle);
-  result.excess = fan_distance(surface, result, kMuchLess * limits.distance) / limits.distance;
-  if (extent(result.fan) >= limits.distance) {
-    result.excess = std::max(result.excess, angle / limits.angle);
-  }
+  const double angle = seam_angle(result.fan);
+  measure(result, angle);
+  if (!(angle > kMuchLess * limits.angle)) return result;
+  GradedFan fitted = result;
+  measure(fitted, fit_seams(fitted.fan, limits.angle));
+  // No angle is worth a distance that is not allowed.
+  if (fitted.distance <= std::max(1.0, result.distance)) return fitted;
+  result.outlook = std::min(fitted.outlook, result.outlook);
   return result;
 }
 
 GradedFan least_graded_fan(const LimitSurface& surface, int vertex, const CornerLimits& limits,
                            const Grading& first, int last) {
   GradedFan best = graded_fan(surface, vertex, first, limits);
-  double before = best.excess;
-  int halvings = first.halvings;
-  while (best.excess > 1.0 && halvings < last && halvings - best.grading.halvings < kHopeless) {
-    halvings = std::min(halvings + jump_from(before, best.excess), last);
-    before = best.excess;
+  double before = best.outlook, least = before, now = before;
+  int halvings = first.halvings, useful = halvings;
+  while (best.excess() > 1.0 && halvings < last && halvings - useful < kHopeless) {
+    halvings = std::min(halvings + jump_from(before, now), last);
+    before = now;
     GradedFan next = graded_fan(surface, vertex, {halvings, first.inner}, limits);
-    if (next.excess < kUseful * best.excess) best = std::move(next);
+    now = next.outlook;
+    const bool is_better = next.is_better_than(best);
+    if (now < kUseful * least || is_better) useful = halvings;
+    least = std::min(least, now);
+    if (is_better) best = std::move(next);
   }
   return best;
 }

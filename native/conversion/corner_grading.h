@@ -8,16 +8,22 @@ namespace hull {
 // What the corner squares at an irregular point must keep.
 struct CornerLimits {
   double distance = 0.0;  // metres, from the surface
-  double angle = 0.0;     // radians, between normals at smooth seams; does not count where the
-                          // squares are smaller than the distance
+  double angle = 0.0;     // radians, between normals at smooth seams; does not count at cones' tips
+                          // nor where the squares are smaller than the distance
 };
 
-// A fan whose seams are fitted where that is of use, and how large its errors are, as shares of the
-// limits.
+// A fan whose seams are fitted where that is of use.
 struct GradedFan {
   Grading grading;
   SquareFan fan;
-  double excess = 0.0;
+  double distance = 0.0, angle = 0.0;  // its errors, as shares of the limits
+  // The larger of the same for fitted seams, where they took the squares so far off the surface
+  // that they were left as they were: what more halvings are foretold by.
+  double outlook = 0.0;
+
+  double excess() const { return distance > angle ? distance : angle; }
+  // Whether an error is clearly smaller: the distance as long as it is too large.
+  bool is_better_than(const GradedFan& other) const;
 };
 
 GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& grading,

@@ -8,7 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "conversion/divide.h"
 #include "conversion/grading.h"
+#include "conversion/matched_knots.h"
 
 namespace hull {
 namespace {
@@ -122,13 +124,17 @@ void check(const ExactOptions& options) {
     throw std::invalid_argument("The " + what + " of patches must be " + range + ", not " +
                                 std::to_string(value) + ".");
   };
-  const auto& [tolerance, angle, grading] = options;
+  const double tolerance = options.tolerance, angle = options.seam_angle;
+  const int grading = options.grading, most = options.most_control_points;
   if (!(tolerance >= 1e-10 && tolerance <= 0.1)) {
     refuse("tolerance", "between 1e-10 and 0.1 of the largest extent", tolerance);
   }
   if (!(angle >= 0.0 && angle <= 1.0)) refuse("seam angle", "between 0 and 1 rad", angle);
   if (grading != 0 && (grading < kLeastGrading || grading > kMostGrading)) {
     refuse("grading", "0, or from 2 to 30", grading);
+  }
+  if (most != 0 && most < kLeastControlPoints) {
+    refuse("largest number of control points", "0, or 16 at least", most);
   }
 }
 
@@ -139,7 +145,11 @@ PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options,
   check(options);
   const BlockLayout layout(surface);
   const SetBuilder builder(surface, layout);
-  return builder.build(graded_patches(surface, layout, options, progress));
+  PatchSet set = builder.build(graded_patches(surface, layout, options, progress));
+  if (options.bezier) return divided(set, cuts_at_knots(set));
+  if (options.matched_knots) match_knots(set);
+  if (options.most_control_points == 0) return set;
+  return divided(set, cuts_for_most_points(set, options.most_control_points));
 }
 
 }  // namespace hull

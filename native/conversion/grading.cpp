@@ -18,6 +18,8 @@ constexpr int kFirstGrading = 3;
 // CAD systems take knots closer together than 1e-9 for one.
 constexpr double kClosestKnots = 2e-9;
 constexpr double kReserve = 0.9;  // of the tolerances: measurements are at samples
+// Of an angle that is too large: knots within the corner squares make it as much smaller at best.
+constexpr double kWithinReach = 20.0;
 // Points of the corner squares around one irregular point that are fitted together: their number
 // cubed is the cost.
 constexpr int kMostMoved = 120;
@@ -114,7 +116,8 @@ class Grader {
     if (options_.grading > 0) return;
     for (int inner = 2; inner <= kMostInner; ++inner) {
       for (int point : points) {
-        if (fans_[point].excess > 1.0 &&
+        const double excess = fans_[point].excess();
+        if (excess > 1.0 && excess < kWithinReach &&
             fans_[point].fan.count() * inner * (inner + 1) <= kMostMoved) {
           of_group_[groups_.find(point)] = {kFirstGrading, inner};
         }

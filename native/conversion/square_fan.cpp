@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace hull {
@@ -20,6 +21,7 @@ constexpr int kNearPoint = 4;  // and halved so many times more towards the irre
 constexpr std::array<double, 8> kStiffness{2.0, 0.5, 0.15, 0.05, 0.015, 0.005, 0.0015, 0.0005};
 // Moves along the normal weigh this, for they are what takes the squares off the surface.
 constexpr double kNormalStiffness = 0.03;
+constexpr double kUseful = 0.9;  // of an angle: two passes that leave more are the last
 constexpr int kMostSteps = 30;
 constexpr double kLeastGain =
     1e-2;  // of a step, of the sum of squares where angles are small enough
@@ -299,8 +301,10 @@ double fit_seams(SquareFan& fan, double enough) {
   const SquareFan model = fan;
   const double angle = seam_angle(model);
   double least = angle;
+  double before = std::numeric_limits<double>::infinity();
   for (double stiffness : kStiffness) {
-    if (!(least > enough)) break;
+    if (!(least > enough) || !(least < kUseful * before)) break;
+    before = stiffness < kStiffness.front() ? least : before;
     SquareFan moved = fan;
     if (!move_points(moved, angle, enough, stiffness) || !is_unfolded(moved, model)) continue;
     const double fitted = seam_angle(moved);

@@ -18,9 +18,13 @@ namespace {
 constexpr double kAlmost = 0.999;
 
 // Knots of one direction, and the borders of cells.
-std::vector<double> breaks_of(const std::vector<double>& knots, int cells) {
+// `begin`, `end`: the part of so many cells that is meant.
+std::vector<double> breaks_of(const std::vector<double>& knots, int cells, double begin,
+                              double end) {
   std::vector<double> numbers = knots;
-  for (int i = 1; i < cells; ++i) numbers.push_back(static_cast<double>(i) / cells);
+  for (int i = 1; i < cells; ++i) {
+    numbers.push_back((static_cast<double>(i) / cells - begin) / (end - begin));
+  }
   return breaks_between(std::move(numbers));
 }
 
@@ -47,8 +51,8 @@ class PatchMeasure {
   PatchMeasure(const QualityGauge& gauge, int patch)
       : gauge_(gauge), patch_(gauge.set.patches[patch]), block_(gauge.set.blocks[patch]) {
     const std::array<bool, 4> fine = irregular_corners();
-    std::vector<double> u = breaks_of(patch_.knots_u, block_.count_u);
-    std::vector<double> v = breaks_of(patch_.knots_v, block_.count_v);
+    std::vector<double> u = breaks_of(patch_.knots_u, block_.count_u, block_.begin_u, block_.end_u);
+    std::vector<double> v = breaks_of(patch_.knots_v, block_.count_v, block_.begin_v, block_.end_v);
     refine_ends(u, fine[0] || fine[3], fine[1] || fine[2]);
     refine_ends(v, fine[0] || fine[1], fine[2] || fine[3]);
     u_ = sample_line(u, gauge.rule);
@@ -83,6 +87,7 @@ class PatchMeasure {
     const Topology& cells = gauge_.surface.cells();
     std::array<bool, 4> result{};
     for (int k = 0; k < 4; ++k) {
+      if (!is_on_side(block_, k) || !is_on_side(block_, (k + 3) % 4)) continue;
       result[k] = gauge_.irregular[cells.origin(block_.half_edges(cells, k).front())] != 0;
     }
     return result;

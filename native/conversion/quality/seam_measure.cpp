@@ -31,6 +31,9 @@ std::optional<double> section_curvature(const SurfaceJet& jet, const Vector3d& n
   return std::isfinite(curvature) ? std::optional(curvature) : std::nullopt;
 }
 
+// Of shares of sides, counted in cells.
+constexpr double kRounding = 1e-9;
+
 // One patch along its part of a seam, with t from 0 to 1 in its own direction.
 class Bank {
  public:
@@ -39,15 +42,26 @@ class Bank {
         patch_(gauge.set.patches[use.patch]),
         block_(gauge.set.blocks[use.patch]),
         use_(use) {
-    if (!block_.sides.empty()) half_edges_ = block_.half_edges(cells_, use.side);
+    if (!has_cells() || !is_on_side(block_, use.side)) return;
+    half_edges_ = block_.half_edges(cells_, use.side);
+    const auto [begin, end] = part_of_side(block_, use.side);
+    const double count = static_cast<double>(half_edges_.size());
+    begin_ = count * (begin + use.part.begin * (end - begin));
+    end_ = count * (begin + use.part.end * (end - begin));
   }
 
-  bool has_cells() const { return !half_edges_.empty(); }
+  bool has_cells() const { return !block_.sides.empty(); }
+  // Whether it runs along sides of cells, those of its block.
+  bool is_along_cells() const { return !half_edges_.empty(); }
   int half_edge(double t) const {
-    const double count = static_cast<double>(half_edges_.size());
-    const int first = static_cast<int>(std::lround(use_.part.begin * count));
-    const int last = static_cast<int>(std::lround(use_.part.end * count)) - 1;
-    return half_edges_[std::clamp(static_cast<int>(on_side(t) * count), first, last)];
+    const int first = static_cast<int>(std::floor(begin_ + kRounding));
+    const int last = static_cast<int>(std::ceil(end_ - kRounding)) - 1;
+    return half_edges_[std::clamp(static_cast<int>(begin_ + t * (end_ - begin_)), first, last)];
+  }
+  // Whether an irregular point is where the seam begins.
+  bool begins_at_irregular_point(const QualityGauge& gauge) const {
+    return is_along_cells() && std::abs(begin_ - std::round(begin_)) < kRounding &&
+           gauge.irregular[cells_.origin(half_edge(0.0))] != 0;
   }
   CellPoint place(double t) const {
     if (!has_cells()) return {};
@@ -69,8 +83,10 @@ class Bank {
       breaks.push_back(reversed ? 1.0 - t : t);
     };
     for (double knot : patch_.side_knots(use_.side)) add(knot);
-    const double count = static_cast<double>(half_edges_.size());
-    for (std::size_t i = 1; i < half_edges_.size(); ++i) add(static_cast<double>(i) / count);
+    for (int i = static_cast<int>(std::ceil(begin_)); i < end_; ++i) {
+      const double t = (i - begin_) / (end_ - begin_);
+      breaks.push_back(reversed ? 1.0 - t : t);
+    }
   }
   // Of a point to this side's curve, from t on: never more than that at t.
   double distance(const Vector3d& point, double t) const {
@@ -94,7 +110,8 @@ class Bank {
   const BSplinePatch& patch_;
   const Block& block_;
   const SeamSide& use_;
-  std::vector<int> half_edges_;
+  std::vector<int> half_edges_;     // of the block's side
+  double begin_ = 0.0, end_ = 0.0;  // along these, counted in cells
 };
 
 class SeamMeasure {
@@ -124,13 +141,8 @@ class SeamMeasure {
  private:
   void find_irregular_ends() {
     ends_ = {one_.jet(0.0).point, one_.jet(1.0).point};
-    const Topology& cells = gauge_.surface.cells();
-    if (one_.has_cells()) {
-      is_irregular_[0] = gauge_.irregular[cells.origin(one_.half_edge(0.0))] != 0;
-    }
-    if (two_.has_cells()) {
-      is_irregular_[1] = gauge_.irregular[cells.origin(two_.half_edge(0.0))] != 0;
-    }
+    is_irregular_ = {one_.begins_at_irregular_point(gauge_),
+                     two_.begins_at_irregular_point(gauge_)};
   }
 
   void take_sample(double t) {
@@ -158,6 +170,7 @@ class SeamMeasure {
 
   // Not on creases, nor where patches were joined across something left out.
   bool is_smooth_at(double t) const {
+    if (!one_.is_along_cells() || !two_.is_along_cells()) return true;  // within a block
     const Topology& cells = gauge_.surface.cells();
     const int here = one_.half_edge(t), there = two_.half_edge(1.0 - t);
     return cells.twin(here) == there && !cells.is_crease(here);

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/divide.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+
+#include "conversion/block_places.h"
+#include "conversion/exact_conversion.h"
+#include "conversion/matched_knots.h"
+#include "conversion/quality/measure_quality.h"
+#include "test_meshes.h"
+
+namespace hull {
+namespace {
+
+LimitSurface random_surface(int trial, std::mt19937& random) {
+  MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 5)
+                    : trial % 3 == 1 ? testing::prism(3 + trial % 5)
+                                     : testing::fan(3 + trial % 5);
+  testing::randomise(mesh, random, 0.15, 0.2, 0.1);
+  return LimitSurface{ControlMesh(mesh)};
+}
+
+std::size_t point_count(const PatchSet& set) {
+  std::size_t count = 0;
+  for (const BSplinePatch& patch : set.patches) count += patch.control_points.size();
+  return count;
+}
+
+// Pieces are listed patch by patch, along u and within that along v.
+void expect_same_patches(const PatchSet& whole, const PatchSet& set) {
+  ASSERT_NO_THROW(set.check());
+  ASSERT_EQ(set.blocks.size(), set.patches.size());
+  double largest = 0.0;
+  std::size_t p = 0;
+  for (std::size_t n = 0; n < set.patches.size(); ++n) {
+    const Block& part = set.blocks[n];
+    if (n > 0 && part.begin_u == 0.0 && part.begin_v == 0.0) ++p;
+    ASSERT_LT(p, whole.patches.size());
+    for (double a : {0.0, 0.3, 1.0}) {
+      for (double b : {0.0, 0.6, 1.0}) {
+        const Vector3d point =
+            whole.patches[p].position(part.begin_u + a * (part.end_u - part.begin_u),
+                                      part.begin_v + b * (part.end_v - part.begin_v));
+        largest = std::max(largest, (set.patches[n].position(a, b) - point).norm());
+      }
+    }
+  }
+  EXPECT_EQ(p + 1, whole.patches.size());
+  EXPECT_LT(largest, 1e-13 * whole.size());
+}
+
+// The report finds the pieces on the surface, and their seams.
+TEST(Divided, QualityIsThatOfTheWhole) {
+  std::mt19937 random(61);
+  const LimitSurface surface = random_surface(3, random);
+  const QualityReport before = measure_quality(surface, exact_patches(surface));
+  for (int most : {16, 100}) {
+    const PatchSet set = exact_patches(surface, {.most_control_points = most});
+    const QualityReport after = measure_quality(surface, set);
+    EXPECT_NEAR(after.area, before.area, 1e-6 * before.area);
+    EXPECT_NEAR(after.exact_share, before.exact_share, 1e-3);
+    EXPECT_LE(after.distance.value, 1e-6 * after.length);
+    EXPECT_LE(after.worst_seams.gap.value, 1e-13 * set.size());
+    // More places are sampled where there are more seams and knots.
+    EXPECT_LE(after.worst_seams.angle.value, 1.2 * before.worst_seams.angle.value + 1e-9);
+  }
+}
+
+TEST(Divided, BezierPatchesAreTheSameSurface) {
+  constexpr unsigned kSeed = 51;
+  std::mt19937 random(kSeed);
+  for (int trial = 0; trial < 6; ++trial) {
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
+    const LimitSurface surface = random_surface(trial, random);
+    const PatchSet whole = exact_patches(surface);
+    const PatchSet set = exact_patches(surface, {.bezier = true});
+    for (const BSplinePatch& patch : set.patches) {
+      EXPECT_EQ(patch.count_u, 4);
+      EXPECT_EQ(patch.count_v, 4);
+    }
+    std::size_t pieces = 0;
+    for (const PatchCuts& cuts : cuts_at_knots(whole)) {
+      pieces += (cuts.u.size() + 1) * (cuts.v.size() + 1);
+    }
+    EXPECT_EQ(set.patches.size(), pieces);
+    expect_same_patches(whole, set);
+  }
+}
+
+TEST(Divided, PiecesAreWhereTheirBlocksSay) {
+  std::mt19937 random(53);
+  MeshArrays mesh = testing::grid(4, 3);
+  std::normal_distribution<double> noise(0.0, 0.1);
+  for (Vector3d& point : mesh.points) point.z() += noise(random);
+  const LimitSurface surface{ControlMesh(mesh)};
+  const PatchSet set = exact_patches(surface, {.bezier = true});
+  EXPECT_GT(set.patches.size(), 11u);
+  for (std::size_t p = 0; p < set.patches.size(); ++p) {
+    const CellPoint place = place_in_block(set.blocks[p], 0.3, 0.6);
+    const Vector3d exact = surface.position(place.cell, place.u, place.v);
+    EXPECT_LT((set.patches[p].position(0.3, 0.6) - exact).norm(), 1e-13);
+  }
+}
+
+TEST(Divided, NoPatchHasMoreControlPointsThanAsked) {
+  constexpr unsigned kSeed = 57;
+  std::mt19937 random(kSeed);
+  for (int trial = 0; trial < 6; ++trial) {
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
+    const LimitSurface surface = random_surface(trial, random);
+    const PatchSet whole = exact_patches(surface);
+    for (int most : {16, 40, 100, 100000}) {
+      const PatchSet set = exact_patches(surface, {.most_control_points = most});
+      for (const BSplinePatch& patch : set.patches) {
+        EXPECT_LE(static_cast<int>(patch.control_points.size()), most);
+      }
+      EXPECT_EQ(most == 100000, set.patches.size() == whole.patches.size() && most > 100);
+      expect_same_patches(whole, set);
+    }
+  }
+}
+
+TEST(Divided, RefusesFewerControlPointsThanABezierPatchHas) {
+  const LimitSurface surface{ControlMesh(testing::grid(2, 2))};
+  EXPECT_THROW(exact_patches(surface, {.most_control_points = 15}), std::invalid_argument);
+  EXPECT_THROW(cuts_for_most_points(exact_patches(surface), 3), std::invalid_argument);
+}
+
+TEST(MatchKnots, GivesNeighboursTheSameKnots) {
+  constexpr unsigned kSeed = 59;
+  std::mt19937 random(kSeed);
+  bool differed = false;
+  for (int trial = 0; trial < 6; ++trial) {
+    SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
+    const LimitSurface surface = random_surface(trial, random);
+    const PatchSet whole = exact_patches(surface);
+    PatchSet set = whole;
+    match_knots(set);
+    differed |= point_count(set) > point_count(whole);
+    expect_same_patches(whole, set);
+    std::vector<BSplineCurve> first(set.edge_count);
+    for (std::size_t p = 0; p < set.patches.size(); ++p) {
+      for (int k = 0; k < 4; ++k) {
+        for (const SideEdge& part : set.sides[p][k]) {
+          BSplineCurve curve = set.curve(static_cast<int>(p), k, part);
+          if (first[part.edge].points.empty()) {
+            first[part.edge] = std::move(curve);
+            continue;
+          }
+          const BSplineCurve other = curve.reversed();
+          ASSERT_EQ(first[part.edge].knots.size(), other.knots.size());
+          for (std::size_t i = 0; i < other.knots.size(); ++i) {
+            EXPECT_NEAR(first[part.edge].knots[i], other.knots[i], 1e-10);
+            if (i >= other.points.size()) continue;
+            EXPECT_LT((first[part.edge].points[i] - other.points[i]).norm(), 1e-9);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_TRUE(differed);
+}
+
+}  // namespace
+}  // namespace hull
