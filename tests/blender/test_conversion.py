@@ -129,6 +129,29 @@ def test_settings_decide_the_patches():
         assert patches.control_points(0).shape == (control_points, control_points, 3)
 
 
+def test_settings_for_other_systems_decide_the_patches(freeship_folder):
+    bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
+    hull = bpy.context.object
+    settings = hull.hull.export
+
+    def sizes():
+        assert bpy.ops.hull.convert() == {"FINISHED"}
+        patches = outcome_of(hull)[0].converted.patches
+        shapes = [patches.control_points(k).shape[:2] for k in range(patches.patch_count)]
+        return np.array(shapes).prod(axis=1)
+
+    usual = sizes()
+    settings.matched_knots = True
+    matched = sizes()
+    assert len(matched) == len(usual) and matched.sum() > usual.sum()
+    settings.matched_knots, settings.most_control_points = False, 150
+    few = sizes()
+    assert usual.max() > 150 >= few.max() and len(few) > len(usual)
+    settings.most_control_points, settings.bezier = 0, True
+    bezier = sizes()
+    assert set(bezier.tolist()) == {16} and len(bezier) > len(few)
+
+
 def test_settings_survive_saving(tmp_path):
     hull = add_hull()
     settings, wanted = hull.hull.export, {
