@@ -37,6 +37,8 @@ class CapMaker {
   const EdgeUses& uses() const { return uses_; }
   double tolerance() const { return kInPlane * size_; }
   BorderStep step(const EdgeUse& use) const;
+  // Whether an edge runs straight athwartships.
+  bool is_athwart(const BorderStep& step) const;
   int from(const DirectedEdge& edge) const;
   int to(const DirectedEdge& edge) const { return from(-edge); }
   BSplineCurve curve(const DirectedEdge& edge) const;
@@ -62,7 +64,6 @@ class CapMaker {
   };
 
   std::vector<Run> runs_of(const BorderChain& chain) const;
-  bool is_athwart(const BorderStep& step) const;
   void find_ends(const BorderChain& chain, std::vector<Run>& runs, FarSide& far);
   int far_vertex(int vertex, const Vector3d& position, FarSide& far);
   EdgePath straight(int vertex, const Vector3d& position, FarSide& far);

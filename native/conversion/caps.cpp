@@ -84,6 +84,9 @@ class Closer {
   explicit Closer(const PatchSet& set)
       : set_(set), uses_(set), maker_(set, uses_), on_plane_(kOnCentrePlane * set.size()) {}
 
+  // Edges that are their own mirror images, and not athwart: the closing lacks what is there.
+  const std::vector<int>& crossing() const { return crossing_; }
+
   Closing close() {
     std::vector<BorderChain> loops;
     for (const auto& loop : border_loops(uses_, set_.edge_count)) {
@@ -156,7 +159,13 @@ class Closer {
     }
     FarSide far = find_images(loop, maker_.tolerance());
     if (far.edges.size() < loop.size()) refuse(loop);
-    close_symmetric(loop, far);
+    const std::size_t before = crossing_.size();
+    for (const BorderStep& step : loop) {
+      if (far.edges.at(step.edge) == step.edge && !maker_.is_athwart(step)) {
+        crossing_.push_back(step.edge);
+      }
+    }
+    if (crossing_.size() == before) close_symmetric(loop, far);
   }
 
   // One chain for each part of the loop on the side y > far.y.
@@ -182,19 +191,7 @@ class Closer {
       const BorderStep& before = at(i + loop.size() - 1);
       if (far.edges.at(before.edge) == before.edge) start = {{before.edge, true}};
       if (far.edges.at(at(j).edge) == at(j).edge) end = {{at(j).edge, false}};
-      check_athwart(before, start);
-      check_athwart(at(j), end);
       maker_.close(chain, far, start, end);
-    }
-  }
-
-  // What is its own image and not a straight line athwart can be no side of a cap.
-  void check_athwart(const BorderStep& step, const EdgePath& path) const {
-    if (path.empty()) return;
-    for (const Vector3d& point : step.curve.points) {
-      const Vector3d& first = step.curve.points.front();
-      if (std::hypot(point.x() - first.x(), point.z() - first.z()) <= maker_.tolerance()) continue;
-      refuse({step});
     }
   }
 
@@ -217,10 +214,29 @@ class Closer {
   double on_plane_;
   bool is_half_ = false, is_port_half_ = true;
   EdgePath in_plane_;
+  std::vector<int> crossing_;
 };
+
+// Divides a border edge in its middle.
+void divide(PatchSet& set, const EdgeUse& use) {
+  PatchSide& side = set.sides[use.patch][use.side];
+  const auto first = side.begin() + use.part;
+  SideEdge second = *first;
+  first->end = second.begin = 0.5 * (first->begin + first->end);
+  first->to = second.from = set.vertex_count++;
+  second.edge = set.edge_count++;
+  side.insert(first + 1, second);
+}
 
 }  // namespace
 
-Closing closing_of(const PatchSet& set) { return Closer(set).close(); }
+Closing closing_of(PatchSet& set) {
+  Closer closer(set);
+  Closing closing = closer.close();
+  if (closer.crossing().empty()) return closing;
+  // One at a time, because the places of others on the same side change.
+  for (int edge : closer.crossing()) divide(set, EdgeUses(set).of(edge)[0]);
+  return Closer(set).close();
+}
 
 }  // namespace hull

@@ -61,11 +61,12 @@ inline constexpr double kInPlane = 1e-8;
 //
 // Of all other sets, and of borders of a half hull that do not meet the centre plane, a border in
 // one plane is closed by one plane face. One that is symmetric, port and starboard, is closed by
-// athwartships lines between its sides in the same way.
+// athwartships lines between its sides in the same way. An edge that crosses the plane of symmetry,
+// as around a bow, is divided there into two edges of the set.
 //
 // Throws std::invalid_argument, saying where and what to do about it, at a border that is neither.
 // REQUIRES: set.check() does not throw; borders in the centre plane of a half hull lie in it to
 // kOnCentrePlane (mirror.h).
-Closing closing_of(const PatchSet& set);
+Closing closing_of(PatchSet& set);
 
 }  // namespace hull

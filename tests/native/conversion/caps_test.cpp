@@ -59,7 +59,7 @@ void expect_closed(const PatchSet& set, const Closing& closing) {
   }
 }
 
-std::string refusal(const PatchSet& set) {
+std::string refusal(PatchSet set) {
   try {
     closing_of(set);
   } catch (const std::invalid_argument& error) {
@@ -69,7 +69,7 @@ std::string refusal(const PatchSet& set) {
 }
 
 TEST(Caps, OfALevelDeckArePlane) {
-  const PatchSet half = half_boat([](double) { return 2.0; });
+  PatchSet half = half_boat([](double) { return 2.0; });
   const Closing closing = closing_of(half);
   EXPECT_EQ(kinds(closing),
             (std::map<Kind, int>{{Kind::kDeck, 1}, {Kind::kTransom, 1}, {Kind::kCentrePlane, 1}}));
@@ -84,7 +84,7 @@ TEST(Caps, OfALevelDeckArePlane) {
 }
 
 TEST(Caps, OfADeckWithSheerAreRuledOneForEachEdge) {
-  const PatchSet half = half_boat([](double s) { return 2.0 + s * s; });
+  PatchSet half = half_boat([](double s) { return 2.0 + s * s; });
   const Closing closing = closing_of(half);
   EXPECT_EQ(kinds(closing),
             (std::map<Kind, int>{{Kind::kDeck, 4}, {Kind::kTransom, 1}, {Kind::kCentrePlane, 1}}));
@@ -108,8 +108,7 @@ TEST(Caps, OfADeckWithSheerAreRuledOneForEachEdge) {
 
 TEST(Caps, OfAMirroredHullReachAcross) {
   for (double sheer : {0.0, 1.0}) {
-    const PatchSet whole =
-        with_mirror_image(half_boat([&](double s) { return 2.0 + sheer * s * s; }));
+    PatchSet whole = with_mirror_image(half_boat([&](double s) { return 2.0 + sheer * s * s; }));
     const Closing closing = closing_of(whole);
     const int decks = sheer > 0.0 ? 4 : 1;
     EXPECT_EQ(kinds(closing), (std::map<Kind, int>{{Kind::kDeck, decks}, {Kind::kTransom, 1}}));
@@ -123,12 +122,44 @@ TEST(Caps, OfAClosedSurfaceAreNone) {
                                      const double a = 2.0 * M_PI * (s == 1.0 ? 0.0 : s);
                                      return Vector3d(std::cos(a), std::sin(a), t);
                                    }).patches;
-  const PatchSet open = testing::joined(tube);
+  PatchSet open = testing::joined(tube);
   const Closing closing = closing_of(open);
   // A tube has two plane ends.
   ASSERT_EQ(closing.caps.size(), 2u);
   expect_closed(open, closing);
-  EXPECT_TRUE(closing_of(testing::joined({})).caps.empty());
+  PatchSet none;
+  EXPECT_TRUE(closing_of(none).caps.empty());
+}
+
+// One patch from the transom around the bow to the transom.
+TEST(Caps, ReachAcrossFromAnEdgeAroundTheBow) {
+  PatchSet whole = testing::sheet(1, 1, [](double s, double t) {
+    const double side = 2.0 * s - 1.0;
+    return Vector3d(10.0 * (1.0 - side * side), 2.0 * side, t * (1.0 + 0.1 * side * side));
+  });
+  std::vector<BSplinePatch> patches = whole.patches;
+  // A flat bottom as well, so that the deck and the transom stay open.
+  const BSplineCurve around = patches[0].side_curve(0);
+  BSplinePatch bottom{around.degree,
+                      1,
+                      around.knots,
+                      {0, 0, 1, 1},
+                      static_cast<int>(around.points.size()),
+                      2,
+                      {},
+                      1};
+  for (const Vector3d& point : around.points) {
+    bottom.control_points.emplace_back(0.0, point.y(), point.z());
+    bottom.control_points.push_back(point);
+  }
+  patches.push_back(bottom);
+  PatchSet set = testing::joined(patches);
+  const int edges = set.edge_count;
+  const Closing closing = closing_of(set);
+  EXPECT_EQ(set.edge_count, edges + 1);
+  ASSERT_NO_THROW(set.check());
+  expect_closed(set, closing);
+  EXPECT_EQ(kinds(closing), (std::map<Kind, int>{{Kind::kDeck, 1}, {Kind::kTransom, 1}}));
 }
 
 TEST(Caps, RefuseABorderThatIsNeitherFlatNorSymmetric) {
@@ -142,7 +173,7 @@ TEST(Caps, RefuseABorderThatIsNeitherFlatNorSymmetric) {
 // sheered deck it is where the caps' ends are.
 TEST(Caps, GoAlongEdgesAthwart) {
   for (double sheer : {0.0, 0.1}) {
-    const PatchSet half = testing::sheet(3, 1, [&](double s, double t) {
+    PatchSet half = testing::sheet(3, 1, [&](double s, double t) {
       // The middle third runs straight athwart.
       const double x = s <= 1.0 / 3 ? 3 * s : s >= 2.0 / 3 ? 3 * s - 1 : 1.0;
       const double y = s <= 1.0 / 3 ? 2.0 : s >= 2.0 / 3 ? 1.0 : 2.0 - 3 * (s - 1.0 / 3);
@@ -151,7 +182,7 @@ TEST(Caps, GoAlongEdgesAthwart) {
     const Closing closing = closing_of(half);
     expect_closed(half, closing);
     EXPECT_EQ(kinds(closing)[Kind::kDeck], sheer > 0.0 ? 2 : 1);
-    const PatchSet whole = with_mirror_image(half);
+    PatchSet whole = with_mirror_image(half);
     expect_closed(whole, closing_of(whole));
   }
 }
@@ -165,7 +196,7 @@ TEST(Caps, OfTheCentrePlaneHaveHoles) {
         return Vector3d(r * std::cos(a), t == 0.0 || t == 1.0 ? 0.0 : std::sin(b), r * std::sin(a));
       }).patches;
   for (BSplinePatch& patch : patches) patch = patch.transposed();
-  const PatchSet half = testing::joined(patches);
+  PatchSet half = testing::joined(patches);
   const Closing closing = closing_of(half);
   ASSERT_EQ(closing.caps.size(), 1u);
   EXPECT_EQ(closing.caps[0].loops.size(), 2u);
