@@ -60,8 +60,9 @@ class StepText {
   void transfer(const TopoDS_Shape& shape, STEPControl_StepModelType type, double begin,
                 double end) {
     Handle(OcctProgress) indicator = new OcctProgress(progress_, begin, end);
+    // Without the graph of the whole model: every curve would make it anew, and nobody asks.
     const IFSelect_ReturnStatus status =
-        writer_.Transfer(shape, type, Standard_True, indicator->Start());
+        writer_.Transfer(shape, type, Standard_False, indicator->Start());
     indicator->rethrow();
     if (status != IFSelect_RetDone) {
       throw FileError("Open CASCADE could not translate the patches to STEP");
