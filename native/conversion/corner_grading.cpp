@@ -11,6 +11,8 @@
 namespace hull {
 namespace {
 
+// Of the fit: more where squares come too far off the surface, and time was spent already.
+constexpr std::array<double, 3> kNormalStiffness{0.03, 0.3, 3.0};
 constexpr double kUseful = 0.97;  // of an error: what is more is no gain
 constexpr int kHopeless = 12;     // as many halvings without a gain are enough
 constexpr int kLongestJump = 4;   // halvings at once
@@ -76,11 +78,14 @@ GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& gra
   const double angle = seam_angle(result.fan);
   measure(result, angle);
   if (!(angle > kMuchLess * limits.angle)) return result;
-  GradedFan fitted = result;
-  measure(fitted, fit_seams(fitted.fan, limits.angle));
-  // No angle is worth a distance that is not allowed.
-  if (fitted.distance <= std::max(1.0, result.distance)) return fitted;
-  result.outlook = std::min(fitted.outlook, result.outlook);
+  for (double normal_stiffness : kNormalStiffness) {
+    GradedFan fitted = result;
+    measure(fitted, fit_seams(fitted.fan, limits.angle, normal_stiffness));
+    // No angle is worth a distance that is not allowed.
+    if (fitted.distance <= std::max(1.0, result.distance)) return fitted;
+    result.outlook = std::min(fitted.outlook, result.outlook);
+    if (grading.inner == 1) break;
+  }
   return result;
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int kFirstGrading = 3;
 // CAD systems take knots closer together than 1e-9 for one.
 constexpr double kClosestKnots = 2e-9;
-constexpr double kReserve = 0.9;  // of the tolerances: measurements are at samples
+constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
 // Of an angle that is too large: knots within the corner squares make it as much smaller at best.
 constexpr double kWithinReach = 20.0;
 // Points of the corner squares around one irregular point that are fitted together: their number
@@ -116,9 +116,9 @@ class Grader {
     if (options_.grading > 0) return;
     for (int inner = 2; inner <= kMostInner; ++inner) {
       for (int point : points) {
-        const double excess = fans_[point].excess();
-        if (excess > 1.0 && excess < kWithinReach &&
-            fans_[point].fan.count() * inner * (inner + 1) <= kMostMoved) {
+        const GradedFan& found = fans_[point];
+        if (found.excess() > 1.0 && found.outlook < kWithinReach &&
+            found.fan.count() * inner * (inner + 1) <= kMostMoved) {
           of_group_[groups_.find(point)] = {kFirstGrading, inner};
         }
       }

@@ -19,8 +19,6 @@ constexpr int kNearPoint = 4;  // and halved so many times more towards the irre
 // What a move as long as the first leg of a seam's control polygon weighs, of the largest angle
 // before the fit. Less leaves smaller angles and, in the end, lets squares fold.
 constexpr std::array<double, 8> kStiffness{2.0, 0.5, 0.15, 0.05, 0.015, 0.005, 0.0015, 0.0005};
-// Moves along the normal weigh this, for they are what takes the squares off the surface.
-constexpr double kNormalStiffness = 0.03;
 constexpr double kUseful = 0.9;  // of an angle: two passes that leave more are the last
 constexpr int kMostSteps = 30;
 constexpr double kLeastGain =
@@ -101,10 +99,11 @@ class SeamProblem {
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
-  SeamProblem(const SquareFan& fan, double sine, double stiffness) : fan_(fan) {
+  SeamProblem(const SquareFan& fan, double sine, double stiffness, double normal_stiffness)
+      : fan_(fan), normal_stiffness_(normal_stiffness / sine) {
     unknowns_.resize(fan.count());
     for (int i = 0; i < fan.count(); ++i) {
-      if (fan.graded[i]) number_unknowns(i, sine, stiffness);
+      if (fan.graded[i]) number_unknowns(i, stiffness);
       if (fan.seam_smooth[i]) add_seam(i, sine);
     }
     for (int i : seams_) unknowns_of_seam(i);
@@ -156,11 +155,11 @@ class SeamProblem {
   int unknown(int i, int a, int b) const { return unknowns_[i][a * width(i) + b]; }
 
   // Of the points off the sides, and of those on the seam after the square if it is smooth.
-  void number_unknowns(int i, double sine, double stiffness) {
+  void number_unknowns(int i, double stiffness) {
     const CornerNet& net = fan_.nets[i];
     const SurfaceJet jet = net.evaluate(0.5, 0.5);
     const Vector3d normal = unit_normal(jet.du, jet.dv);
-    const double more = std::max(kNormalStiffness / sine - stiffness, 0.0);
+    const double more = std::max(normal_stiffness_ - stiffness, 0.0);
     const Eigen::Matrix3d stiff =
         stiffness * Eigen::Matrix3d::Identity() + more * normal * normal.transpose();
     unknowns_[i].assign(width(i) * width(i), -1);
@@ -218,7 +217,7 @@ class SeamProblem {
   }
 
   const SquareFan& fan_;
-  double unit_ = 0.0;
+  double normal_stiffness_, unit_ = 0.0;
   std::vector<int> seams_;                  // the smooth ones
   std::vector<std::vector<int>> unknowns_;  // of each net, see unknown()
   std::vector<Eigen::Matrix3d> stiffness_;  // of each unknown
@@ -241,8 +240,9 @@ bool is_unfolded(const SquareFan& fan, const SquareFan& model) {
 }
 
 // Solves the problem once; false where there is nothing to move.
-bool move_points(SquareFan& fan, double angle, double enough, double stiffness) {
-  const SeamProblem problem(fan, std::sin(std::min(angle, 1.5)), stiffness);
+bool move_points(SquareFan& fan, double angle, double enough, double stiffness,
+                 double normal_stiffness) {
+  const SeamProblem problem(fan, std::sin(std::min(angle, 1.5)), stiffness, normal_stiffness);
   if (problem.is_empty()) return false;
   ceres::TinySolver<SeamProblem> solver;
   solver.options.max_num_iterations = kMostSteps;
@@ -297,7 +297,7 @@ double seam_angle(const SquareFan& fan) {
   return largest;
 }
 
-double fit_seams(SquareFan& fan, double enough) {
+double fit_seams(SquareFan& fan, double enough, double normal_stiffness) {
   const SquareFan model = fan;
   const double angle = seam_angle(model);
   double least = angle;
@@ -306,7 +306,9 @@ double fit_seams(SquareFan& fan, double enough) {
     if (!(least > enough) || !(least < kUseful * before)) break;
     before = stiffness < kStiffness.front() ? least : before;
     SquareFan moved = fan;
-    if (!move_points(moved, angle, enough, stiffness) || !is_unfolded(moved, model)) continue;
+    if (!move_points(moved, angle, enough, stiffness, normal_stiffness) ||
+        !is_unfolded(moved, model))
+      continue;
     const double fitted = seam_angle(moved);
     if (!(fitted < least)) continue;
     least = fitted;

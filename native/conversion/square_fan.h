@@ -37,6 +37,9 @@ double seam_angle(const SquareFan& fan);
 // least squares over samples (Levenberg-Marquardt), moves kept small, the less so the longer the
 // angle stays above `enough` (radians). Sides on creases stay. Leaves the fan as it is where
 // nothing is gained. Returns seam_angle() afterwards.
-double fit_seams(SquareFan& fan, double enough);
+//
+// `normal_stiffness`: what moves along the normal weigh more than the others, for they are what
+// takes the squares off the surface.
+double fit_seams(SquareFan& fan, double enough, double normal_stiffness);
 
 }  // namespace hull
