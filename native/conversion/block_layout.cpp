@@ -75,6 +75,16 @@ class Cutter {
     return corners;
   }
 
+  // Whether the line ahead of h comes to a cut, and not back to where it began.
+  bool reaches_cut(int h) const {
+    const int begin = h;
+    while (!crossed_[end_of(h)]) {
+      h = ahead_of(h);
+      if (h == begin) return false;
+    }
+    return true;
+  }
+
   // Along the line of h, both ways.
   void cut_along(int h) {
     std::vector<int> heads{h};
@@ -192,9 +202,13 @@ BlockLayout::BlockLayout(const LimitSurface& surface) {
   // What is left has no corners: tubes and closed surfaces.
   for (int cell = 0; cell < cells.face_count(); ++cell) {
     while (!taken[cell]) {
-      int side = 4 * cell;
-      while (cutter.is_cut(side)) ++side;
-      cutter.cut_along(side);
+      // From cut to cut if there are any: a round beside a cut would make one block more.
+      int chosen = -1;
+      for (int side = 4 * cell; side < 4 * cell + 4; ++side) {
+        if (cutter.is_cut(side)) continue;
+        if (chosen < 0 || (!cutter.reaches_cut(chosen) && cutter.reaches_cut(side))) chosen = side;
+      }
+      cutter.cut_along(chosen);
       take_blocks();
     }
   }

@@ -78,6 +78,7 @@ GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& gra
   const double angle = seam_angle(result.fan);
   measure(result, angle);
   if (!(angle > kMuchLess * limits.angle)) return result;
+  if (moved_points(result.fan.count(), grading.inner) > kMostMoved) return result;
   for (double normal_stiffness : kNormalStiffness) {
     GradedFan fitted = result;
     measure(fitted, fit_seams(fitted.fan, limits.angle, normal_stiffness));

@@ -5,6 +5,13 @@
 
 namespace hull {
 
+// How many points of the corner squares around an irregular point are moved together at most, by
+// fits whose time grows with the cube of that.
+inline constexpr int kMostMoved = 96;
+
+// Of a fan of so many squares.
+inline int moved_points(int squares, int inner) { return squares * inner * (inner + 1); }
+
 // What the corner squares at an irregular point must keep.
 struct CornerLimits {
   double distance = 0.0;  // metres, from the surface
@@ -12,7 +19,7 @@ struct CornerLimits {
                           // nor where the squares are smaller than the distance
 };
 
-// A fan whose seams are fitted where that is of use.
+// A fan whose seams are fitted where that is of use and can be done.
 struct GradedFan {
   Grading grading;
   SquareFan fan;

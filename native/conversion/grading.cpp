@@ -20,9 +20,6 @@ constexpr double kClosestKnots = 2e-9;
 constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
 // Of an angle that is too large: knots within the corner squares make it as much smaller at best.
 constexpr double kWithinReach = 20.0;
-// Points of the corner squares around one irregular point that are fitted together: their number
-// cubed is the cost.
-constexpr int kMostMoved = 120;
 // Of the time: the search for gradings; the rest is for the patches.
 constexpr double kSearchShare = 0.6;
 
@@ -118,7 +115,7 @@ class Grader {
       for (int point : points) {
         const GradedFan& found = fans_[point];
         if (found.excess() > 1.0 && found.outlook < kWithinReach &&
-            found.fan.count() * inner * (inner + 1) <= kMostMoved) {
+            moved_points(found.fan.count(), inner) <= kMostMoved) {
           of_group_[groups_.find(point)] = {kFirstGrading, inner};
         }
       }

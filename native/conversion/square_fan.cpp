@@ -20,7 +20,9 @@ constexpr int kNearPoint = 4;  // and halved so many times more towards the irre
 // before the fit. Less leaves smaller angles and, in the end, lets squares fold.
 constexpr std::array<double, 8> kStiffness{2.0, 0.5, 0.15, 0.05, 0.015, 0.005, 0.0015, 0.0005};
 constexpr double kUseful = 0.9;  // of an angle: two passes that leave more are the last
-constexpr int kMostSteps = 30;
+// Of a fit; a step's time grows with the cube of the unknowns, so that there are fewer for many.
+constexpr int kMostSteps = 30, kLeastSteps = 4;
+constexpr double kManyUnknowns = 150.0;
 constexpr double kLeastGain =
     1e-2;  // of a step, of the sum of squares where angles are small enough
 
@@ -245,7 +247,9 @@ bool move_points(SquareFan& fan, double angle, double enough, double stiffness,
   const SeamProblem problem(fan, std::sin(std::min(angle, 1.5)), stiffness, normal_stiffness);
   if (problem.is_empty()) return false;
   ceres::TinySolver<SeamProblem> solver;
-  solver.options.max_num_iterations = kMostSteps;
+  const double size = kManyUnknowns / std::max<double>(problem.NumParameters(), kManyUnknowns);
+  solver.options.max_num_iterations =
+      std::max(static_cast<int>(kMostSteps * size * size), kLeastSteps);
   solver.options.function_tolerance = kLeastGain * std::pow(enough / angle, 2);
   solver.options.cost_threshold = 0.0;
   solver.options.gradient_tolerance = 0.0;
