@@ -263,6 +263,7 @@ REGULAR = {
         3,
     ),
     "torus": (grid(8, 6, torus, wrap_u=True, wrap_v=True), 1),
+    "torus with a crease": (grid(8, 6, torus, wrap_u=True, wrap_v=True, creases=along(2, 8)), 1),
     "creased box": (box(True), 6),
 }
 
