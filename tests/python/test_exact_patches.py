@@ -160,14 +160,15 @@ def test_default_tolerance_is_kept(name, scheme):
     assert report.largest_gap <= 1e-13 * report.length
 
 
-# Where 0.002 degrees would take knots closer together than CAD systems tell apart.
+# With Catmull-Clark's rules angles at some corners do not shrink with the squares; the others: see
+# docs/conversion.md.
 ANGLES_NOT_KEPT = {
     ("fan16.json", "biermann"),
     ("fan16.json", "catmull_clark"),
     ("corner_1_2_3.json", "catmull_clark"),
     ("FREE!ship demo 4.fbm", "catmull_clark"),
     ("FREE!ship demo 6.fbm", "catmull_clark"),
-    ("FREE!ship demo 6.fbm", "biermann"),  # 0.0022
+    ("FREE!ship demo 6.fbm", "biermann"),  # 0.0033
     ("Parent 22_Oort.fbm", "catmull_clark"),
 }
 
