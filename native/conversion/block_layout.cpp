@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 
+#include "conversion/block_places.h"
 #include "conversion/groups.h"
 
 namespace hull {
@@ -18,10 +19,7 @@ class Cutter {
         crossed_(cells_.vertex_count(), 0),
         irregular_(cells_.vertex_count(), 0) {
     for (int h = 0; h < cells_.half_edge_count(); ++h) {
-      constexpr std::array<std::array<double, 2>, 4> kCorners{
-          {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
-      const auto& [u, v] = kCorners[h % 4];
-      if (surface.is_irregular_knot(h / 4, u, v)) irregular_[cells_.origin(h)] = 1;
+      if (begins_at_irregular_knot(surface, h)) irregular_[cells_.origin(h)] = 1;
     }
     for (int h = 0; h < cells_.half_edge_count(); ++h) {
       if (!cells_.is_crease(h)) continue;

@@ -5,6 +5,19 @@
 
 namespace hull {
 
+std::vector<Vector3d> vertex_points(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  std::vector<Vector3d> points(cells.vertex_count(), Vector3d::Zero());
+  std::vector<char> known(points.size(), 0);
+  for (int h = 0; h < cells.half_edge_count(); ++h) {
+    const int vertex = cells.origin(h);
+    if (known[vertex]) continue;
+    points[vertex] = point_on_half_edge(surface, h, 0.0);
+    known[vertex] = 1;
+  }
+  return points;
+}
+
 CellPoint place_in_block(const Block& block, double u, double v) {
   const double at_u = (block.begin_u + u * (block.end_u - block.begin_u)) * block.count_u;
   const double at_v = (block.begin_v + v * (block.end_v - block.begin_v)) * block.count_v;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "conversion/block_layout.h"
 #include "conversion/near_point.h"
@@ -22,6 +23,21 @@ inline CellPoint place_beside_half_edge(int h, double along, double across) {
       return {h / 4, across, 1.0 - along};
   }
 }
+
+// The point of the surface there.
+inline Vector3d point_on_half_edge(const LimitSurface& surface, int h, double along) {
+  const CellPoint place = place_beside_half_edge(h, along, 0.0);
+  return surface.position(place.cell, place.u, place.v);
+}
+
+// Whether the surface is only C¹ in cell h / 4 where half-edge h begins.
+inline bool begins_at_irregular_knot(const LimitSurface& surface, int h) {
+  const CellPoint place = place_beside_half_edge(h, 0.0, 0.0);
+  return surface.is_irregular_knot(place.cell, place.u, place.v);
+}
+
+// Of each vertex of the cells the point of the surface, found once.
+std::vector<Vector3d> vertex_points(const LimitSurface& surface);
 
 // The place of the surface that has (u, v) in [0, 1]^2 of a block's patch. REQUIRES: the block has
 // cells.

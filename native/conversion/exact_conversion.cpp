@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "conversion/block_places.h"
 #include "conversion/divide.h"
 #include "conversion/grading.h"
 #include "conversion/matched_knots.h"
@@ -17,19 +18,14 @@ namespace {
 
 constexpr double kInPlane = 1e-7;  // of the mesh's size
 
-std::array<double, 2> corner_uv(int k) {
-  return {k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0};
-}
-
 class SetBuilder {
  public:
   SetBuilder(const LimitSurface& surface, const BlockLayout& layout)
       : surface_(surface),
         cells_(surface.cells()),
         layout_(layout),
-        points_(cells_.vertex_count(), Vector3d::Zero()),
+        points_(vertex_points(surface)),
         is_end_(cells_.vertex_count(), 0) {
-    find_points();
     find_ends_in_plane();
     for (const Block& block : layout.blocks) {
       for (int k = 0; k < 4; ++k) {
@@ -61,17 +57,6 @@ class SetBuilder {
   }
 
  private:
-  void find_points() {
-    std::vector<char> known(points_.size(), 0);
-    for (int h = 0; h < cells_.half_edge_count(); ++h) {
-      const int vertex = cells_.origin(h);
-      if (known[vertex]) continue;
-      const auto [u, v] = corner_uv(h % 4);
-      points_[vertex] = surface_.position(h / 4, u, v);
-      known[vertex] = 1;
-    }
-  }
-
   // Borders end where they leave the centre plane, so that mirror images can be joined there.
   void find_ends_in_plane() {
     std::vector<char> in(points_.size(), 0), out(points_.size(), 0);
@@ -86,11 +71,9 @@ class SetBuilder {
   }
 
   bool is_in_plane(int h) const {
-    const auto [u0, v0] = corner_uv(h % 4);
-    const auto [u1, v1] = corner_uv((h + 1) % 4);
     for (double t : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-      const Vector3d p = surface_.position(h / 4, u0 + t * (u1 - u0), v0 + t * (v1 - v0));
-      if (std::abs(p.y()) > kInPlane * surface_.mesh().size()) return false;
+      if (std::abs(point_on_half_edge(surface_, h, t).y()) > kInPlane * surface_.mesh().size())
+        return false;
     }
     return true;
   }

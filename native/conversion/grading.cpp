@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "conversion/block_places.h"
 #include "conversion/corner_grading.h"
 #include "conversion/exact_patches.h"
 #include "conversion/groups.h"
@@ -75,8 +76,7 @@ class Grader {
       std::array<int, 4> corners{};
       for (int k = 0; k < 4; ++k) {
         const int h = corner(block, k);
-        const bool at_u = h % 4 == 1 || h % 4 == 2, at_v = h % 4 >= 2;
-        corners[k] = surface_.is_irregular_knot(h / 4, at_u, at_v) ? cells_.origin(h) : -1;
+        corners[k] = begins_at_irregular_knot(surface_, h) ? cells_.origin(h) : -1;
       }
       for (int k = 0; k < 4; ++k) {
         if (corners[k] < 0) continue;

@@ -5,40 +5,22 @@
 #include <string>
 #include <utility>
 
+#include "conversion/block_places.h"
 #include "conversion/uniform_fit.h"
 
 namespace hull {
 namespace {
 
-Eigen::Vector2d corner_uv(int k) { return {k == 1 || k == 2 ? 1.0 : 0.0, k >= 2 ? 1.0 : 0.0}; }
-
 // Enough data for the fit to be a good average (the section leaves the number open).
 int data_intervals(int control_points) { return 2 * control_points + 2; }
-
-// The surface's vertices as positions, each from the first cell that has it.
-std::vector<Vector3d> vertex_points(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
-  std::vector<Vector3d> points(cells.vertex_count(), Vector3d::Zero());
-  std::vector<bool> known(points.size(), false);
-  for (int h = 0; h < cells.half_edge_count(); ++h) {
-    const int vertex = cells.origin(h);
-    if (known[vertex]) continue;
-    const Eigen::Vector2d uv = corner_uv(h % 4);
-    points[vertex] = surface.position(h / 4, uv.x(), uv.y());
-    known[vertex] = true;
-  }
-  return points;
-}
 
 // The control points of one edge in the direction of its half-edge h.
 std::vector<Vector3d> edge_curve(const LimitSurface& surface, const UniformFit& fit, int h,
                                  const std::vector<Vector3d>& vertices) {
   const Topology& cells = surface.cells();
-  const Eigen::Vector2d begin = corner_uv(h % 4), end = corner_uv((h + 1) % 4);
   std::vector<Vector3d> data{vertices[cells.origin(h)]};
   for (int i = 1; i < fit.intervals(); ++i) {
-    const Eigen::Vector2d uv = begin + (end - begin) * (static_cast<double>(i) / fit.intervals());
-    data.push_back(surface.position(h / 4, uv.x(), uv.y()));
+    data.push_back(point_on_half_edge(surface, h, static_cast<double>(i) / fit.intervals()));
   }
   data.push_back(vertices[cells.origin(cells.next(h))]);
   return fit.curve(data);

@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+#include "conversion/block_places.h"
+
 namespace hull {
 namespace {
 
@@ -277,8 +279,7 @@ SquareFan square_fan(const LimitSurface& surface, int vertex, const Grading& gra
   SquareFan fan;
   fan.half_edges = half_edges_around(cells, vertex);
   for (int h : fan.half_edges) {
-    const bool at_u = h % 4 == 1 || h % 4 == 2, at_v = h % 4 >= 2;
-    fan.graded.push_back(surface.is_irregular_knot(h / 4, at_u, at_v));
+    fan.graded.push_back(begins_at_irregular_knot(surface, h));
     fan.nets.push_back(fan.graded.back() ? corner_net(surface, h, grading) : CornerNet{});
   }
   for (int i = 0; i < fan.count(); ++i) {

@@ -8,18 +8,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "conversion/block_places.h"
 #include "test_meshes.h"
 
 namespace hull {
 namespace {
-
-constexpr std::array<std::array<double, 2>, 4> kCorners{
-    {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
-
-bool is_irregular(const LimitSurface& surface, int half_edge) {
-  const auto& [u, v] = kCorners[half_edge % 4];
-  return surface.is_irregular_knot(half_edge / 4, u, v);
-}
 
 // Every cell lies in one block, and neither creases nor irregular points are inside or, but for its
 // corners, on the sides of one.
@@ -44,7 +37,7 @@ void expect_rectangles(const LimitSurface& surface, const BlockLayout& layout) {
         const bool at_v[] = {j == 0, j == 0, last_v, last_v};
         for (int h = side, k = 0; k < 4; h = cells.next(h), ++k) {
           const bool at_corner = at_u[k] && at_v[k];
-          EXPECT_TRUE(at_corner || !is_irregular(surface, h));
+          EXPECT_TRUE(at_corner || !begins_at_irregular_knot(surface, h));
         }
       }
     }
@@ -52,29 +45,10 @@ void expect_rectangles(const LimitSurface& surface, const BlockLayout& layout) {
   EXPECT_EQ(static_cast<int>(taken.size()), surface.cell_count());
 }
 
-// The surface's (u, v) of a place (a, b) in a block's cell.
-struct CellPlace {
-  int cell;
-  double u, v;
-};
-
-CellPlace place_in(int side, double a, double b) {
-  switch (side % 4) {
-    case 0:
-      return {side / 4, a, b};
-    case 1:
-      return {side / 4, 1.0 - b, a};
-    case 2:
-      return {side / 4, 1.0 - a, 1.0 - b};
-    default:
-      return {side / 4, b, 1.0 - a};
-  }
-}
-
 // Positions and lengths of first and second derivatives, which turn with the cells.
 void expect_equal(const LimitSurface& surface, const Block& block, const BSplinePatch& patch, int i,
                   int j, double a, double b) {
-  const CellPlace place = place_in(block.side(i, j), a, b);
+  const CellPoint place = place_beside_half_edge(block.side(i, j), a, b);
   const SurfaceJet expected = surface.evaluate(place.cell, place.u, place.v, 2);
   SurfaceJet found = patch.evaluate((i + a) / block.count_u, (j + b) / block.count_v);
   found.du /= block.count_u;
@@ -162,9 +136,10 @@ TEST(ExactPatches, MeetAtIrregularPoints) {
     const LimitSurface surface{ControlMesh(mesh)};
     for (const Block& block : BlockLayout(surface).blocks) {
       const BSplinePatch patch = exact_patch(surface, block, 4);
-      const CellPlace first = place_in(block.side(0, 0), 0.0, 0.0);
+      const CellPoint first = place_beside_half_edge(block.side(0, 0), 0.0, 0.0);
       EXPECT_EQ(patch.control_points.front(), surface.position(first.cell, first.u, first.v));
-      const CellPlace last = place_in(block.side(block.count_u - 1, block.count_v - 1), 1.0, 1.0);
+      const CellPoint last =
+          place_beside_half_edge(block.side(block.count_u - 1, block.count_v - 1), 1.0, 1.0);
       EXPECT_EQ(patch.control_points.back(), surface.position(last.cell, last.u, last.v));
     }
   }
@@ -184,7 +159,7 @@ TEST(ExactPatches, ConvergeWithTheGrading) {
       for (double a : {0.2, 0.5, 0.8}) {
         for (double b : {0.2, 0.5, 0.8}) {
           const double u = a * std::exp2(-grading), v = b * std::exp2(-grading);
-          const CellPlace place = place_in(block.side(0, 0), u, v);
+          const CellPoint place = place_beside_half_edge(block.side(0, 0), u, v);
           const Vector3d off = patch.position(u / block.count_u, v / block.count_v) -
                                surface.position(place.cell, place.u, place.v);
           largest = std::max(largest, off.norm());

@@ -24,8 +24,7 @@ LimitSurface random_surface(int trial, std::mt19937& random) {
 // The first vertex with an irregular knot, -1: there is none.
 int irregular_vertex(const LimitSurface& surface) {
   for (int h = 0; h < surface.cells().half_edge_count(); ++h) {
-    const bool at_u = h % 4 == 1 || h % 4 == 2, at_v = h % 4 >= 2;
-    if (surface.is_irregular_knot(h / 4, at_u, at_v)) return surface.cells().origin(h);
+    if (begins_at_irregular_knot(surface, h)) return surface.cells().origin(h);
   }
   return -1;
 }
@@ -61,8 +60,7 @@ TEST(CornerNet, IsTheCornerOfThePatch) {
       const BSplinePatch patch = exact_patch(surface, block, gradings);
       for (int k = 0; k < 4; ++k) {
         const int h = block.half_edges(surface.cells(), k).front();
-        const bool at_u = h % 4 == 1 || h % 4 == 2, at_v = h % 4 >= 2;
-        if (!surface.is_irregular_knot(h / 4, at_u, at_v)) continue;
+        if (!begins_at_irregular_knot(surface, h)) continue;
         const CornerNet net = corner_net(surface, h, grading);
         const double size = std::exp2(-grading.halvings);
         const double along = size / (k % 2 ? block.count_v : block.count_u);
