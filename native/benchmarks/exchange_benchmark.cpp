@@ -9,7 +9,7 @@
 
 #include "benchmarks/half_hull.h"
 #include "benchmarks/ratio_report.h"
-#include "conversion/exact_conversion.h"
+#include "conversion/exact/exact_conversion.h"
 #include "exchange/iges_file.h"
 #include "exchange/step_file.h"
 

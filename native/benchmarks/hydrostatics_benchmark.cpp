@@ -12,8 +12,8 @@
 #include "analysis/stability/righting_levers.h"
 #include "benchmarks/half_hull.h"
 #include "benchmarks/ratio_report.h"
-#include "conversion/flat_patches.h"
-#include "conversion/per_cell.h"
+#include "conversion/patches/flat_patches.h"
+#include "conversion/per_cell/per_cell.h"
 #include "exchange/brep_shape.h"
 #include "surface/grid_samples.h"
 

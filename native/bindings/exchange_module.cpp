@@ -12,8 +12,8 @@
 #include "bindings/arrays.h"
 #include "bindings/companion_module.h"
 #include "bindings/progress.h"
-#include "conversion/exact_conversion.h"
-#include "conversion/per_cell.h"
+#include "conversion/exact/exact_conversion.h"
+#include "conversion/per_cell/per_cell.h"
 #include "exchange/iges_file.h"
 #include "exchange/step_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 
 #include <stdexcept>
 #include <string>
@@ -7,8 +7,8 @@
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 #include "bindings/progress.h"
-#include "conversion/exact_conversion.h"
-#include "conversion/per_cell.h"
+#include "conversion/exact/exact_conversion.h"
+#include "conversion/per_cell/per_cell.h"
 
 namespace hull::bindings {
 namespace {

@@ -19,8 +19,8 @@
 #include <map>
 #include <utility>
 
-#include "conversion/edge_uses.h"
 #include "conversion/groups.h"
+#include "conversion/patches/edge_uses.h"
 #include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
 

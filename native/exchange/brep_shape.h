@@ -5,8 +5,8 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
-#include "conversion/caps.h"
-#include "conversion/patch_set.h"
+#include "conversion/caps/caps.h"
+#include "conversion/patches/patch_set.h"
 
 namespace hull {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 #include "exchange/cad_model.h"
 #include "exchange/cad_report.h"
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "conversion/flat_patches.h"
-#include "conversion/mirror.h"
+#include "conversion/patches/flat_patches.h"
+#include "conversion/patches/mirror.h"
 #include "exchange/cad_report.h"
 #include "exchange/face_integrals.h"
 #include "exchange/regions.h"

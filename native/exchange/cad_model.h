@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "conversion/patch_integrals.h"
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_integrals.h"
+#include "conversion/patches/patch_set.h"
 #include "exchange/brep_shape.h"
 #include "exchange/cad_options.h"
 

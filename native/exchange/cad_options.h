@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "conversion/bspline_curve.h"
+#include "conversion/patches/bspline_curve.h"
 #include "conversion/progress.h"
 
 namespace hull {

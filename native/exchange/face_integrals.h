@@ -4,7 +4,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "conversion/patch_integrals.h"
+#include "conversion/patches/patch_integrals.h"
 
 namespace hull {
 

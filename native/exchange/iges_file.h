@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 #include "exchange/cad_report.h"
 
 namespace hull {

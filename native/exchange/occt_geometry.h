@@ -8,7 +8,7 @@
 #include <gp_Pnt2d.hxx>
 #include <vector>
 
-#include "conversion/bspline_patch.h"
+#include "conversion/patches/bspline_patch.h"
 
 namespace hull {
 

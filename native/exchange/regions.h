@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "conversion/caps.h"
+#include "conversion/caps/caps.h"
 #include "exchange/cad_options.h"
 
 namespace hull {

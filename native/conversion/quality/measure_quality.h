@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 #include "conversion/progress.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/limit_surface.h"

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "conversion/block_places.h"
-#include "conversion/near_surface.h"
+#include "conversion/blocks/block_places.h"
+#include "conversion/blocks/near_surface.h"
 #include "conversion/quality/sample_line.h"
 #include "surface/closest_point.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/arithmetic/gauss.h"
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 #include "conversion/progress.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/surface_tree.h"

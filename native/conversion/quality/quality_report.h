@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "conversion/near_point.h"
+#include "conversion/blocks/near_point.h"
 
 namespace hull {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "conversion/block_places.h"
+#include "conversion/blocks/block_places.h"
 #include "conversion/quality/sample_line.h"
 
 namespace hull {

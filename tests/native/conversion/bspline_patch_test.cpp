@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/bspline_patch.h"
+#include "conversion/patches/bspline_patch.h"
 
 #include <gtest/gtest.h>
 

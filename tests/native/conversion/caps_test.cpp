@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/caps.h"
+#include "conversion/caps/caps.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-#include "conversion/edge_uses.h"
-#include "conversion/mirror.h"
+#include "conversion/patches/edge_uses.h"
+#include "conversion/patches/mirror.h"
 #include "conversion/sheets.h"
 
 namespace hull {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/divide.h"
+#include "conversion/patches/divide.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "conversion/block_places.h"
-#include "conversion/exact_conversion.h"
-#include "conversion/matched_knots.h"
+#include "conversion/blocks/block_places.h"
+#include "conversion/exact/exact_conversion.h"
+#include "conversion/patches/matched_knots.h"
 #include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/exact_conversion.h"
+#include "conversion/exact/exact_conversion.h"
 
 #include <gtest/gtest.h>
 

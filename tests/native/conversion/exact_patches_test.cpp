@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/exact_patches.h"
+#include "conversion/exact/exact_patches.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "conversion/block_places.h"
+#include "conversion/blocks/block_places.h"
 #include "test_meshes.h"
 
 namespace hull {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/flat_patches.h"
+#include "conversion/patches/flat_patches.h"
 
 #include <gtest/gtest.h>
 

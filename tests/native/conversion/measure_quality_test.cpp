@@ -11,9 +11,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "conversion/exact_conversion.h"
-#include "conversion/mirror.h"
-#include "conversion/per_cell.h"
+#include "conversion/exact/exact_conversion.h"
+#include "conversion/patches/mirror.h"
+#include "conversion/per_cell/per_cell.h"
 #include "test_meshes.h"
 
 namespace hull {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/mirror.h"
+#include "conversion/patches/mirror.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/patch_integrals.h"
+#include "conversion/patches/patch_integrals.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "conversion/exact_conversion.h"
+#include "conversion/exact/exact_conversion.h"
 #include "conversion/sheets.h"
 #include "test_meshes.h"
 

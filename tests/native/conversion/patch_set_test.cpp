@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 
 #include <gtest/gtest.h>
 

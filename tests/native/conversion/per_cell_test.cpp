@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/per_cell.h"
+#include "conversion/per_cell/per_cell.h"
 
 #include <gtest/gtest.h>
 

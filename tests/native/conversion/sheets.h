@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "conversion/patch_set.h"
+#include "conversion/patches/patch_set.h"
 
 namespace hull::testing {
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/square_fan.h"
+#include "conversion/exact/square_fan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "conversion/block_layout.h"
-#include "conversion/block_places.h"
-#include "conversion/exact_patches.h"
+#include "conversion/blocks/block_layout.h"
+#include "conversion/blocks/block_places.h"
+#include "conversion/exact/exact_patches.h"
+#include "conversion/exact/seam_fit.h"
 #include "test_meshes.h"
 
 namespace hull {

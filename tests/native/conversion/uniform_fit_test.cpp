@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversion/uniform_fit.h"
+#include "conversion/per_cell/uniform_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "conversion/bspline_patch.h"
+#include "conversion/patches/bspline_patch.h"
 
 namespace hull {
 namespace {

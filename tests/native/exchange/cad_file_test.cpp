@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "conversion/per_cell.h"
+#include "conversion/per_cell/per_cell.h"
 #include "conversion/sheets.h"
 #include "exchange/iges_file.h"
 #include "exchange/step_file.h"

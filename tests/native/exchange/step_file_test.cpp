@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "conversion/per_cell.h"
+#include "conversion/per_cell/per_cell.h"
 #include "conversion/sheets.h"
 #include "files/atomic_file.h"
 #include "test_meshes.h"

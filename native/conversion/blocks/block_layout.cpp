@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/blocks/block_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "conversion/blocks/block_places.h"
+#include "conversion/groups.h"
+
+namespace hull {
+namespace {
+
+class Cutter {
+ public:
+  explicit Cutter(const LimitSurface& surface)
+      : cells_(surface.cells()),
+        cuts_(cells_.edge_count(), 0),
+        crossed_(cells_.vertex_count(), 0),
+        irregular_(cells_.vertex_count(), 0) {
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      if (begins_at_irregular_knot(surface, h)) irregular_[cells_.origin(h)] = 1;
+    }
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      if (!cells_.is_crease(h)) continue;
+      cross(h);
+      crossed_[cells_.origin(h)] = 1;
+    }
+    on_crease_ = crossed_;
+  }
+
+  // Lines that join two irregular points, the shortest first: one cut does the work of two.
+  void cut_between_irregular_points() {
+    std::vector<std::vector<int>> joining;
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      if (!irregular_[cells_.origin(h)] || is_cut(h)) continue;
+      std::vector<int> line = straight_line(h);
+      if (irregular_[end_of(line.back())]) joining.push_back(std::move(line));
+    }
+    std::stable_sort(joining.begin(), joining.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (const std::vector<int>& line : joining) {
+      if (is_free(line)) {
+        for (int h : line) cross(h);
+      }
+    }
+  }
+
+  // From all irregular points, a step for each line in turn.
+  void cut_from_irregular_points() {
+    std::vector<int> heads;
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      // A border vertex's edge that no half-edge leaves by is cut already.
+      if (irregular_[cells_.origin(h)]) heads.push_back(h);
+    }
+    run(std::move(heads));
+  }
+
+  // Per region between creases, its rectangles' corners, see least_block_count(). `region`: of each
+  // cell.
+  std::vector<int> corner_counts(const std::vector<int>& region) const {
+    std::vector<int> corners(cells_.face_count(), 0);
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
+      int& count = corners[region[h / 4]];
+      const int vertex = cells_.origin(h);
+      if (irregular_[vertex]) {
+        ++count;
+        if (!is_cut(h) && !irregular_[end_of(straight_line(h).back())]) count += 2;
+      } else if (cells_.is_crease(h) && cells_.is_crease(cells_.prev(h))) {
+        ++count;
+      }
+    }
+    return corners;
+  }
+
+  // Whether the line ahead of h comes to a cut, and not back to where it began.
+  bool reaches_cut(int h) const {
+    const int begin = h;
+    while (!crossed_[end_of(h)]) {
+      h = ahead_of(h);
+      if (h == begin) return false;
+    }
+    return true;
+  }
+
+  // Along the line of h, both ways.
+  void cut_along(int h) {
+    std::vector<int> heads{h};
+    if (!crossed_[cells_.origin(h)]) {
+      crossed_[cells_.origin(h)] = 1;
+      const int beside = cells_.next(cells_.twin(h));
+      heads.push_back(cells_.next(cells_.twin(beside)));
+    }
+    run(std::move(heads));
+  }
+
+  const std::vector<char>& cuts() const { return cuts_; }
+  bool is_cut(int h) const { return cuts_[cells_.edge(h)] != 0; }
+
+ private:
+  void cut(int h) { cuts_[cells_.edge(h)] = 1; }
+  // Cuts along h and marks the point at its end.
+  void cross(int h) {
+    cut(h);
+    crossed_[end_of(h)] = 1;
+  }
+  int end_of(int h) const { return cells_.origin(cells_.next(h)); }
+  // The half-edge straight ahead of h. REQUIRES: the point between is regular and not on a border.
+  int ahead_of(int h) const { return cells_.next(cells_.twin(cells_.next(h))); }
+
+  // From h to the next irregular point, crease or border.
+  std::vector<int> straight_line(int h) const {
+    std::vector<int> line{h};
+    while (!irregular_[end_of(line.back())] && !on_crease_[end_of(line.back())] &&
+           line.size() < cuts_.size()) {
+      line.push_back(ahead_of(line.back()));
+    }
+    return line;
+  }
+
+  // Whether a line neither runs along cuts nor crosses one.
+  bool is_free(const std::vector<int>& line) const {
+    return std::all_of(line.begin(), line.end(), [&](int h) {
+      return !is_cut(h) && (h == line.back() || !crossed_[end_of(h)]);
+    });
+  }
+
+  void run(std::vector<int> heads) {
+    while (!heads.empty()) {
+      std::vector<int> still;
+      for (int h : heads) {
+        if (is_cut(h)) continue;
+        const bool ends = irregular_[end_of(h)] || crossed_[end_of(h)];
+        cross(h);
+        if (!ends) still.push_back(ahead_of(h));
+      }
+      heads = std::move(still);
+    }
+  }
+
+  const Topology& cells_;
+  std::vector<char> cuts_;       // per edge
+  std::vector<char> crossed_;    // per vertex: a cut passes or ends there
+  std::vector<char> irregular_;  // per vertex
+  std::vector<char> on_crease_;  // per vertex, borders included
+};
+
+// The cell beyond a cell's side u = 1, and beyond v = 1, by its side v = 0.
+int right_of(const Topology& cells, int side) { return cells.next(cells.twin(cells.next(side))); }
+int above(const Topology& cells, int side) { return cells.twin(cells.next(cells.next(side))); }
+
+// The block with the cell that has `side` at its lower left corner.
+Block block_from(const Topology& cells, const Cutter& cutter, int side) {
+  Block block;
+  for (int column = side;; column = right_of(cells, column)) {
+    int height = 0;
+    for (int at = column;; at = above(cells, at)) {
+      block.sides.push_back(at);
+      ++height;
+      if (cutter.is_cut(cells.next(cells.next(at)))) break;
+    }
+    assert(block.count_u == 0 || height == block.count_v);
+    block.count_v = height;
+    ++block.count_u;
+    if (cutter.is_cut(cells.next(column))) break;
+  }
+  return block;
+}
+
+}  // namespace
+
+std::vector<int> Block::half_edges(const Topology& cells, int k) const {
+  std::vector<int> result;
+  const int last_u = count_u - 1, last_v = count_v - 1;
+  for (int i = 0; i < (k % 2 == 0 ? count_u : count_v); ++i) {
+    int h = k == 0   ? side(i, 0)
+            : k == 1 ? side(last_u, i)
+            : k == 2 ? side(last_u - i, last_v)
+                     : side(0, last_v - i);
+    for (int turn = 0; turn < k; ++turn) h = cells.next(h);
+    result.push_back(h);
+  }
+  return result;
+}
+
+BlockLayout::BlockLayout(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  Cutter cutter(surface);
+  cutter.cut_between_irregular_points();
+  cutter.cut_from_irregular_points();
+  std::vector<char> taken(cells.face_count(), 0);
+  const auto take_blocks = [&] {
+    for (int h = 0; h < cells.half_edge_count(); ++h) {
+      if (taken[h / 4] || !cutter.is_cut(h) || !cutter.is_cut(cells.prev(h))) continue;
+      blocks.push_back(block_from(cells, cutter, h));
+      for (int side : blocks.back().sides) taken[side / 4] = 1;
+    }
+  };
+  take_blocks();
+  // What is left has no corners: tubes and closed surfaces.
+  for (int cell = 0; cell < cells.face_count(); ++cell) {
+    while (!taken[cell]) {
+      // From cut to cut if there are any: a round beside a cut would make one block more.
+      int chosen = -1;
+      for (int side = 4 * cell; side < 4 * cell + 4; ++side) {
+        if (cutter.is_cut(side)) continue;
+        if (chosen < 0 || (!cutter.reaches_cut(chosen) && cutter.reaches_cut(side))) chosen = side;
+      }
+      cutter.cut_along(chosen);
+      take_blocks();
+    }
+  }
+  cuts = cutter.cuts();
+}
+
+int least_block_count(const LimitSurface& surface) {
+  const Topology& cells = surface.cells();
+  Groups groups(cells.face_count());
+  for (int h = 0; h < cells.half_edge_count(); ++h) {
+    if (!cells.is_crease(h)) groups.join(h / 4, cells.twin(h) / 4);
+  }
+  std::vector<int> region(cells.face_count());
+  for (int cell = 0; cell < cells.face_count(); ++cell) region[cell] = groups.find(cell);
+  const std::vector<int> corners = Cutter(surface).corner_counts(region);
+  int count = 0;
+  for (int cell = 0; cell < cells.face_count(); ++cell) {
+    // What has no corners, as tubes, is one rectangle joined to itself.
+    if (region[cell] == cell) count += std::max(1, (corners[cell] + 3) / 4);
+  }
+  return count;
+}
+
+}  // namespace hull

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/exact/grading.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "conversion/blocks/block_places.h"
+#include "conversion/exact/corner_grading.h"
+#include "conversion/exact/exact_patches.h"
+#include "conversion/groups.h"
+
+namespace hull {
+namespace {
+
+constexpr int kFirstGrading = 3;
+// CAD systems take knots closer together than 1e-9 for one.
+constexpr double kClosestKnots = 2e-9;
+constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
+// Of an angle that is too large: knots within the corner squares make it as much smaller at best.
+constexpr double kWithinReach = 20.0;
+// Of the time: the search for gradings; the rest is for the patches.
+constexpr double kSearchShare = 0.6;
+
+double largest_extent(const ControlMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : mesh.points()) box.extend(point);
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
+CornerLimits limits_of(const LimitSurface& surface, const ExactOptions& options) {
+  const double in_proportion =
+      0.02 * std::numbers::pi / 180.0 * std::sqrt(options.tolerance / 1e-6);
+  return {kReserve * options.tolerance * largest_extent(surface.mesh()),
+          kReserve * (options.seam_angle > 0.0 ? options.seam_angle : in_proportion)};
+}
+
+class Grader {
+ public:
+  Grader(const LimitSurface& surface, const BlockLayout& layout, const ExactOptions& options)
+      : surface_(surface),
+        cells_(surface.cells()),
+        layout_(layout),
+        options_(options),
+        limits_(limits_of(surface, options)),
+        groups_(cells_.vertex_count()),
+        is_irregular_(cells_.vertex_count(), 0),
+        fans_(cells_.vertex_count()) {
+    find_groups();
+  }
+
+  std::vector<BSplinePatch> patches(const Progress& progress) {
+    find_gradings(part_of(progress, 0.0, kSearchShare));
+    Gradings gradings;
+    for (int i = 0; i < cells_.vertex_count(); ++i) gradings.push_back(of_group_[groups_.find(i)]);
+    const Progress second = part_of(progress, kSearchShare, 1.0);
+    std::vector<BSplinePatch> result;
+    for (const Block& block : layout_.blocks) {
+      tell(second, static_cast<double>(result.size()), static_cast<double>(layout_.blocks.size()));
+      result.push_back(exact_patch(surface_, block, gradings));
+      for (int k = 0; k < 4; ++k) take_net(corner(block, k), k, result.back());
+    }
+    return result;
+  }
+
+ private:
+  // The half-edge that leaves corner k of a block along its side k.
+  int corner(const Block& block, int k) const { return block.half_edges(cells_, k).front(); }
+
+  // Irregular points that sides of blocks join have one grading, for knots run through patches.
+  void find_groups() {
+    std::vector<double> most(cells_.vertex_count(), 1.0);  // cells along a block's side there
+    for (const Block& block : layout_.blocks) {
+      std::array<int, 4> corners{};
+      for (int k = 0; k < 4; ++k) {
+        const int h = corner(block, k);
+        corners[k] = begins_at_irregular_knot(surface_, h) ? cells_.origin(h) : -1;
+      }
+      for (int k = 0; k < 4; ++k) {
+        if (corners[k] < 0) continue;
+        is_irregular_[corners[k]] = 1;
+        const int next = corners[(k + 1) % 4];
+        if (next >= 0) groups_.join(corners[k], next);
+        double& longest = most[corners[k]];
+        longest = std::max<double>(longest, std::max(block.count_u, block.count_v));
+      }
+    }
+    last_.assign(most.size(), kMostGrading);
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      int& last = last_[groups_.find(static_cast<int>(i))];
+      // There are knots within the corner squares as well.
+      const int here = static_cast<int>(-std::log2(kClosestKnots * most[i])) - kMostInner;
+      last = std::min(last, std::max(here, kFirstGrading));
+    }
+  }
+
+  // Each group has the halvings that the worst of its points needs, and more knots within the
+  // squares where halvings alone do not do.
+  void find_gradings(const Progress& progress) {
+    of_group_.assign(cells_.vertex_count(),
+                     Grading{options_.grading > 0 ? options_.grading : kFirstGrading});
+    std::vector<int> points;
+    for (int i = 0; i < cells_.vertex_count(); ++i) {
+      if (is_irregular_[i]) points.push_back(i);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      tell(progress, static_cast<double>(k), static_cast<double>(points.size()));
+      raise(points[k]);
+    }
+    settle(points);
+    if (options_.grading > 0) return;
+    for (int inner = 2; inner <= kMostInner; ++inner) {
+      for (int point : points) {
+        const GradedFan& found = fans_[point];
+        if (found.excess() > 1.0 && found.outlook < kWithinReach &&
+            moved_points(found.fan.count(), inner) <= kMostMoved) {
+          of_group_[groups_.find(point)] = {kFirstGrading, inner};
+        }
+      }
+      settle(points);
+    }
+  }
+
+  // Fits those whose group has changed again, until none changes any more.
+  void settle(const std::vector<int>& points) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (int point : points) {
+        if (fans_[point].grading == of_group_[groups_.find(point)]) continue;
+        raise(point);
+        changed = true;
+      }
+    }
+  }
+
+  // Raises the group's halvings to what the point needs.
+  void raise(int point) {
+    Grading& grading = of_group_[groups_.find(point)];
+    const int last = options_.grading > 0 ? grading.halvings : last_[groups_.find(point)];
+    fans_[point] = least_graded_fan(surface_, point, limits_, grading, last);
+    grading = fans_[point].grading;
+  }
+
+  // The points that may be chosen at corner k of a patch, where half-edge h leaves.
+  void take_net(int h, int k, BSplinePatch& patch) const {
+    const int vertex = cells_.origin(h);
+    if (!is_irregular_[vertex]) return;
+    const SquareFan& fan = fans_[vertex].fan;
+    const auto found = std::ranges::find(fan.half_edges, h) - fan.half_edges.begin();
+    if (!fan.graded[found]) return;
+    const CornerNet& net = fan.nets[found];
+    for (int i = 0; i <= net.inner; ++i) {
+      for (int j = 0; j <= net.inner; ++j) {
+        patch.control_points[patch.corner_index(k, i, j)] = net.at(i, j);
+      }
+    }
+  }
+
+  const LimitSurface& surface_;
+  const Topology& cells_;
+  const BlockLayout& layout_;
+  const ExactOptions& options_;
+  CornerLimits limits_;
+  Groups groups_;  // of irregular vertices with one grading
+  std::vector<char> is_irregular_;
+  std::vector<int> last_;  // of groups, the most halvings
+  std::vector<Grading> of_group_;
+  std::vector<GradedFan> fans_;  // per vertex, of the irregular ones
+};
+
+}  // namespace
+
+std::vector<BSplinePatch> graded_patches(const LimitSurface& surface, const BlockLayout& layout,
+                                         const ExactOptions& options, const Progress& progress) {
+  return Grader(surface, layout, options).patches(progress);
+}
+
+}  // namespace hull

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "conversion/exact/exact_conversion.h"
+#include "conversion/progress.h"
+
+namespace hull {
+
+// The patches of all blocks, graded as `options` ask, their corner squares fitted to one another.
+std::vector<BSplinePatch> graded_patches(const LimitSurface& surface, const BlockLayout& layout,
+                                         const ExactOptions& options, const Progress& progress);
+
+}  // namespace hull

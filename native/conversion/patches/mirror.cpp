@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversion/patches/mirror.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hull {
+namespace {
+
+struct Seam {
+  std::vector<bool> edges, vertices;
+};
+
+Seam find_seam(const PatchSet& set) {
+  const double tolerance = kOnCentrePlane * set.size();
+  std::vector<int> uses(set.edge_count, 0);
+  for (const auto& sides : set.sides) {
+    for (const PatchSide& side : sides) {
+      for (const SideEdge& part : side) ++uses[part.edge];
+    }
+  }
+  Seam seam{std::vector<bool>(set.edge_count, false), std::vector<bool>(set.vertex_count, false)};
+  for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
+    for (int k = 0; k < 4; ++k) {
+      for (const SideEdge& part : set.sides[p][k]) {
+        if (uses[part.edge] != 1) continue;
+        const bool flat = std::ranges::all_of(
+            set.curve(p, k, part).points,
+            [&](const Vector3d& point) { return std::abs(point.y()) <= tolerance; });
+        if (!flat) continue;
+        seam.edges[part.edge] = true;
+        seam.vertices[part.from] = seam.vertices[part.to] = true;
+      }
+    }
+  }
+  return seam;
+}
+
+void flatten(BSplinePatch& patch, const std::array<int, 4>& corners,
+             const std::array<PatchSide, 4>& sides, const Seam& seam, double tolerance) {
+  const auto to_plane = [&](int side, int i) {
+    double& y = patch.control_points[patch.side_index(side, i)].y();
+    // Where only a part of the side is on the plane, the other's points stay.
+    if (std::abs(y) <= tolerance) y = 0.0;
+  };
+  for (int k = 0; k < 4; ++k) {
+    if (seam.vertices[corners[k]]) to_plane(k, 0);
+    const bool is_seam =
+        std::ranges::any_of(sides[k], [&](const SideEdge& part) { return seam.edges[part.edge]; });
+    if (!is_seam) continue;
+    for (int i = 0; i < patch.side_count(k); ++i) to_plane(k, i);
+  }
+}
+
+// The side of the image that runs the other way.
+PatchSide image_of(const PatchSide& side, const std::vector<int>& vertices,
+                   const std::vector<int>& edges) {
+  PatchSide image;
+  for (auto part = side.rbegin(); part != side.rend(); ++part) {
+    image.push_back({edges[part->edge], vertices[part->to], vertices[part->from], 1.0 - part->end,
+                     1.0 - part->begin});
+  }
+  return image;
+}
+
+// Numbers of the image's edges or vertices: those of the seam are kept, the others get new ones.
+std::vector<int> image_numbers(const std::vector<bool>& on_seam, int& count) {
+  std::vector<int> numbers(on_seam.size());
+  for (size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = on_seam[i] ? static_cast<int>(i) : count++;
+  return numbers;
+}
+
+PatchSet flattened(const PatchSet& half, const Seam& seam) {
+  PatchSet result = half;
+  const double tolerance = kOnCentrePlane * half.size();
+  for (size_t p = 0; p < half.patches.size(); ++p) {
+    flatten(result.patches[p], half.corners[p], half.sides[p], seam, tolerance);
+  }
+  return result;
+}
+
+}  // namespace
+
+PatchSet with_seam_in_plane(const PatchSet& half) { return flattened(half, find_seam(half)); }
+
+PatchSet with_mirror_image(const PatchSet& half) {
+  const Seam seam = find_seam(half);
+  PatchSet whole = flattened(half, seam);
+  if (!half.blocks.empty()) whole.blocks.resize(2 * half.patches.size());
+  const std::vector<int> vertices = image_numbers(seam.vertices, whole.vertex_count);
+  const std::vector<int> edges = image_numbers(seam.edges, whole.edge_count);
+  for (size_t p = 0; p < half.patches.size(); ++p) {
+    BSplinePatch image = whole.patches[p].transposed();
+    for (Vector3d& point : image.control_points) point.y() = 0.0 - point.y();  // never -0
+    const std::array<int, 4>& c = half.corners[p];
+    whole.patches.push_back(std::move(image));
+    whole.corners.push_back({vertices[c[0]], vertices[c[3]], vertices[c[2]], vertices[c[1]]});
+    std::array<PatchSide, 4> sides;
+    for (int k = 0; k < 4; ++k) sides[k] = image_of(half.sides[p][3 - k], vertices, edges);
+    whole.sides.push_back(std::move(sides));
+  }
+  return whole;
+}
+
+}  // namespace hull
