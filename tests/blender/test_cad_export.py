@@ -3,8 +3,10 @@
 
 import resource
 import signal
+import sys
 import threading
 import time
+from contextlib import contextmanager
 
 import bpy
 import pytest
@@ -227,21 +229,25 @@ def test_a_path_that_is_a_folder(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["box.step"]
 
 
-@pytest.fixture
+@contextmanager
 def full_disk():
-    """No file can grow beyond 2000 bytes, which fails as it does on a full disk."""
+    """No file can grow beyond 2000 bytes, which fails as it does on a full disk. Nor can a log that
+    the tests are written to, so that this must be over before they are."""
+    sys.stdout.flush()
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (2000, limits[1]))
-    yield
-    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-    signal.signal(signal.SIGXFSZ, handler)
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        signal.signal(signal.SIGXFSZ, handler)
 
 
 @pytest.mark.parametrize("file_format", ["STEP", "IGES"])
-def test_a_full_disk(old_file, full_disk, file_format):
+def test_a_full_disk(old_file, file_format):
     add_hull()
-    with pytest.raises(RuntimeError) as caught:
+    with pytest.raises(RuntimeError) as caught, full_disk():
         export(file_format)(filepath=str(old_file))
     assert "box.step" in str(caught.value) and "Traceback" not in str(caught.value)
 
