@@ -52,7 +52,8 @@ class Grader {
   }
 
   std::vector<BSplinePatch> patches(const Progress& progress) {
-    find_gradings(part_of(progress, 0.0, kSearchShare));
+    search_ = part_of(progress, 0.0, kSearchShare);
+    find_gradings();
     Gradings gradings;
     for (int i = 0; i < cells_.vertex_count(); ++i) gradings.push_back(of_group_[groups_.find(i)]);
     const Progress second = part_of(progress, kSearchShare, 1.0);
@@ -98,7 +99,7 @@ class Grader {
 
   // Each group has the halvings that the worst of its points needs, and more knots within the
   // squares where halvings alone do not do.
-  void find_gradings(const Progress& progress) {
+  void find_gradings() {
     of_group_.assign(cells_.vertex_count(),
                      Grading{options_.grading > 0 ? options_.grading : kFirstGrading});
     std::vector<int> points;
@@ -106,7 +107,7 @@ class Grader {
       if (is_irregular_[i]) points.push_back(i);
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
-      tell(progress, static_cast<double>(k), static_cast<double>(points.size()));
+      searched_ = static_cast<double>(k) / static_cast<double>(points.size());
       raise(points[k]);
     }
     settle(points);
@@ -137,6 +138,7 @@ class Grader {
 
   // Raises the group's halvings to what the point needs.
   void raise(int point) {
+    tell(search_, searched_, 1.0);
     Grading& grading = of_group_[groups_.find(point)];
     const int last = options_.grading > 0 ? grading.halvings : last_[groups_.find(point)];
     fans_[point] = least_graded_fan(surface_, point, limits_, grading, last);
@@ -168,6 +170,8 @@ class Grader {
   std::vector<int> last_;  // of groups, the most halvings
   std::vector<Grading> of_group_;
   std::vector<GradedFan> fans_;  // per vertex, of the irregular ones
+  Progress search_;
+  double searched_ = 0.0;
 };
 
 }  // namespace
