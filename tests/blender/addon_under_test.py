@@ -73,3 +73,16 @@ def mesh_points(obj):
     points = np.empty((len(obj.data.vertices), 3), dtype=np.float32)
     obj.data.vertices.foreach_get("co", points.reshape(-1))
     return points
+
+
+def lined_hull():
+    """A box with a line of every kind."""
+    hull = add_hull()
+    settings = hull.hull.lines
+    hull.hull.length_pp, hull.hull.draft = LENGTH, 1.25
+    settings.station_count, settings.waterline_spacing, settings.buttock_spacing = 4, 1.0, 0.75
+    settings.diagonals = "2.5/45"
+    plane = settings.planes.add()
+    plane.normal, plane.point = (1.0, 1.0, 0.0), (5.0, 0.0, 0.0)
+    bpy.context.view_layer.update()
+    return hull

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 import bpy
 import pytest
-from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, part, state_of
+from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, lined_hull, part, state_of
 
 EXPORTS = [("STEP", "box.step"), ("IGES", "box.igs")]
 OLD = b"what was there before"
@@ -92,14 +92,7 @@ def test_a_hull_of_both_sides_is_not_mirrored(tmp_path):
 
 
 def test_lines_are_curves_on_layers(tmp_path):
-    hull = add_hull()
-    settings = hull.hull.lines
-    hull.hull.length_pp, hull.hull.draft = LENGTH, 1.25
-    settings.station_count, settings.waterline_spacing, settings.buttock_spacing = 4, 1.0, 0.75
-    settings.diagonals = "2.5/45"
-    plane = settings.planes.add()
-    plane.normal, plane.point = (1.0, 1.0, 0.0), (5.0, 0.0, 0.0)
-    bpy.context.view_layer.update()
+    settings = lined_hull().hull.lines
     path = tmp_path / "box.step"
     without = written("STEP", path)
     assert without["curves"] == 0

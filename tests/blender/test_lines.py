@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, part, state_of
+from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, lined_hull, part, state_of
 
 SWITCHES = (
     "show_stations",
@@ -19,19 +19,6 @@ SWITCHES = (
     "show_flats",
     "show_features",
 )
-
-
-def lined_hull():
-    """A box with a line of every kind."""
-    hull = add_hull()
-    settings = hull.hull.lines
-    hull.hull.length_pp, hull.hull.draft = LENGTH, 1.25
-    settings.station_count, settings.waterline_spacing, settings.buttock_spacing = 4, 1.0, 0.75
-    settings.diagonals = "2.5/45"
-    plane = settings.planes.add()
-    plane.normal, plane.point = (1.0, 1.0, 0.0), (5.0, 0.0, 0.0)
-    bpy.context.view_layer.update()
-    return hull
 
 
 def lines_of(hull):
