@@ -327,12 +327,12 @@ def test_strokes_join_the_points_of_each_line_only():
 
 
 def test_every_kind_has_its_colours_and_switch():
-    lines, overlay = part("bridge.lines"), part("overlays.lines")
+    lines, palette = part("bridge.lines"), part("bridge.palette").GROUPS
     kinds = set(lines.KINDS)
     assert set(lines.SWITCHES) == set(part("bridge.materials").LINE_COLOURS) == kinds
     drawn = kinds | set(part("bridge.level_lines").SWITCHES)
-    assert set(overlay.COLOURS_ON_LIGHT) == set(overlay.COLOURS_ON_DARK) == drawn
-    assert set(overlay.COMB_COLOURS) == set(part("bridge.combs").SWITCHES) <= kinds
+    assert set(palette["lines"][1]) == drawn
+    assert set(palette["combs"][1]) == set(part("bridge.combs").SWITCHES) <= kinds
 
 
 def test_rims_of_flats():

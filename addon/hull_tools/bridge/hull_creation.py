@@ -12,6 +12,7 @@ from . import (
     loading_data,
     materials,
     mesh_arrays,
+    preferences,
     shown_objects,
     units,
 )
@@ -30,7 +31,7 @@ def make_hull(obj, scene, half):
     obj.hull.is_hull = True
     obj.hull.half = half
     _fill_particulars(obj)
-    _fill_spacings(obj.hull)
+    _fill_choices(obj.hull)
     obj.display_type = "WIRE"
     obj.show_in_front = True
     obj.hide_render = True
@@ -102,12 +103,22 @@ def _fill_particulars(obj):
         settings.loading.kg = 0.6 * settings.depth
 
 
-def _fill_spacings(settings):
-    """Spacings that nobody gave."""
+def _fill_choices(settings):
+    """What nobody gave is as the add-on's preferences have it."""
     lines = settings.lines
-    for name, extent, parts in (
-        ("waterline_spacing", settings.depth, 10),
-        ("buttock_spacing", 0.5 * settings.beam, 5),
+    for group, name, preference in (
+        (settings, "samples", "samples"),
+        (settings, "water_density", "water_density"),
+        (lines, "station_count", "station_count"),
+        (lines, "width", "line_width"),
+    ):
+        if not group.is_property_set(name):
+            setattr(group, name, preferences.value(preference))
+    for name, extent, preference in (
+        ("waterline_spacing", settings.depth, "waterline_count"),
+        ("buttock_spacing", 0.5 * settings.beam, "buttock_count"),
     ):
         if not lines.is_property_set(name):
-            setattr(lines, name, line_places.handy_spacing(extent, parts))
+            parts = preferences.value(preference)
+            spacing = line_places.handy_spacing(extent, parts) if parts else 0.0
+            setattr(lines, name, spacing)

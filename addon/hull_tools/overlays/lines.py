@@ -12,46 +12,10 @@ import gpu
 import numpy as np
 from gpu.types import GPUBatch, GPUIndexBuf, GPUVertBuf
 
-from ..bridge import blender_versions
+from ..bridge import blender_versions, preferences
 from .line_arrays import Strokes, strokes_of, strokes_of_segments
 from .view import Handler, hulls_in_view
 
-# sRGB, by the kinds of bridge.lines and bridge.level_lines, on light and on dark grounds.
-COLOURS_ON_LIGHT = {
-    "station": (0.05, 0.05, 0.07),
-    "waterline": (0.07, 0.25, 0.80),
-    "buttock": (0.05, 0.42, 0.14),
-    "diagonal": (0.50, 0.12, 0.60),
-    "plane": (0.80, 0.05, 0.28),
-    "draft": (0.00, 0.45, 0.75),
-    "flat": (0.42, 0.38, 0.00),
-    "feature": (0.78, 0.31, 0.00),
-    "isophote": (0.45, 0.10, 0.10),
-    "reflection": (0.08, 0.08, 0.30),
-    "silhouette": (0.00, 0.00, 0.00),
-}
-COLOURS_ON_DARK = {
-    "station": (0.96, 0.96, 0.96),
-    "waterline": (0.50, 0.72, 1.00),
-    "buttock": (0.49, 0.87, 0.53),
-    "diagonal": (0.88, 0.62, 0.96),
-    "plane": (1.00, 0.48, 0.65),
-    "draft": (0.30, 0.84, 1.00),
-    "flat": (0.86, 0.84, 0.40),
-    "feature": (1.00, 0.68, 0.34),
-    "isophote": (1.00, 0.72, 0.66),
-    "reflection": (0.92, 0.95, 1.00),
-    "silhouette": (1.00, 1.00, 0.80),
-}
-# Combs stand out from the hull: these can be told from light and dark alike.
-COMB_COLOURS = {
-    "station": (0.85, 0.20, 0.58),
-    "waterline": (0.12, 0.50, 0.95),
-    "buttock": (0.08, 0.62, 0.25),
-    "diagonal": (0.62, 0.36, 0.92),
-    "plane": (0.95, 0.25, 0.30),
-    "feature": (0.95, 0.50, 0.05),
-}
 # Times the width that is set.
 _WIDTHS = {"draft": 1.6, "feature": 1.3, "plane": 1.6, "reflection": 1.3, "silhouette": 2.0}
 _TEETH_WIDTH, _TEETH_ALPHA = 0.7, 0.55
@@ -61,17 +25,13 @@ _batches = weakref.WeakKeyDictionary()  # by group: GPUBatch, None where there i
 _comb_batches = weakref.WeakKeyDictionary()  # by CombGroup: (scale, teeth, outline)
 
 
-def colours(is_on_light):
-    return COLOURS_ON_LIGHT if is_on_light else COLOURS_ON_DARK
-
-
 def _draw():
     for shown in hulls_in_view():
         state = shown.state
         groups = [*state.lines.values(), *state.level_lines.values()]
         if not groups and not state.combs:
             continue
-        pen, palette = _Pen(shown), colours(shown.is_on_light)
+        pen, palette = _Pen(shown), preferences.colours("lines", shown.is_on_light)
         in_front = shown.hull.hull.lines.in_front
         with _depth_test("NONE" if in_front else "LESS_EQUAL"):
             for group in groups:
@@ -85,8 +45,9 @@ def _draw():
 
 def _draw_combs(shown, pen, alpha):
     factor = shown.hull.hull.fairness.comb_factor
+    palette = preferences.colours("combs", shown.is_on_light)
     for group in shown.state.combs.values():
-        colour = COMB_COLOURS[group.kind]
+        colour = palette[group.kind]
         teeth, outline = _comb_batches_of(group, group.scale * factor, pen.shader)
         pen.draw(group, teeth, _TEETH_WIDTH, (*colour, alpha * _TEETH_ALPHA))
         pen.draw(group, outline, 1.0, (*colour, alpha))

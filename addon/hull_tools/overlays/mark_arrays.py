@@ -4,8 +4,6 @@ triangle that points up where a line bends most, and one that points down where 
 
 import numpy as np
 
-RADIUS = 5.0  # dots, at a scale of 1
-
 _RING = 12
 
 

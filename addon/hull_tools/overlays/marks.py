@@ -6,20 +6,14 @@ import numpy as np
 from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
-from ..bridge import blender_versions
-from .mark_arrays import RADIUS, SHAPES, in_picture, symbols
+from ..bridge import blender_versions, preferences
+from .mark_arrays import SHAPES, in_picture, symbols
 from .view import Handler, hulls_in_view
 
 _SWITCHES = {
     "inflection": "show_inflections",
     "maximum": "show_extrema",
     "minimum": "show_extrema",
-}
-# sRGB on light and on dark grounds; told apart by their shapes too.
-_COLOURS = {
-    "inflection": ((0.80, 0.15, 0.00), (1.00, 0.75, 0.20)),
-    "maximum": ((0.00, 0.35, 0.45), (0.35, 0.95, 0.95)),
-    "minimum": (((0.40, 0.40, 0.45)), (0.75, 0.75, 0.80)),
 }
 _RING_WIDTH = 2.0
 _LAYER = 6  # before lines, and so that the hull's own slope does not cut symbols
@@ -48,7 +42,7 @@ def _draw_marks(shown, name):
         return
     viewport = gpu.state.viewport_get()[2:]
     scale = shown.context.preferences.system.ui_scale
-    corners = symbols(name, places, RADIUS * scale, viewport)
+    corners = symbols(name, places, preferences.value("mark_size") * scale, viewport)
     form = SHAPES[name][0]
     shader = blender_versions.builtin_shader(
         "POLYLINE_UNIFORM_COLOR" if form == "LINES" else "UNIFORM_COLOR"
@@ -59,8 +53,8 @@ def _draw_marks(shown, name):
     if form == "LINES":
         shader.uniform_float("viewportSize", viewport)
         shader.uniform_float("lineWidth", _RING_WIDTH * scale)
-    on_light, on_dark = _COLOURS[name]
-    shader.uniform_float("color", (*(on_light if shown.is_on_light else on_dark), 1.0))
+    colour = preferences.colour("marks", name, shown.is_on_light)
+    shader.uniform_float("color", (*colour, 1.0))
     GPUBatch(type=form, buf=points).draw(shader)
 
 

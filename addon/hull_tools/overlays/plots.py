@@ -12,7 +12,7 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import blender_versions
+from ..bridge import blender_versions, preferences
 from .plot_arrays import arrays_of
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
@@ -177,7 +177,7 @@ def _draw():
     if _shown.batches is None:
         _shown.batches = [_Batches(arrays) for arrays in _shown.arrays]
     scale = context.preferences.system.ui_scale
-    dots = DOTS_PER_MM * scale
+    dots = DOTS_PER_MM * scale * preferences.value("plot_size")
     sizes = [(one.width_mm * dots, one.height_mm * dots) for one in _shown.arrays]
     room = free_room(context.area, context.region)
     places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
