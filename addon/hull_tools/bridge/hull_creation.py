@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 
 from . import (
+    flats,
     hull_objects,
     hull_state,
     line_data,
@@ -54,6 +55,8 @@ def hull_object(hull, scene, collection):
     loading_data.give_loading(obj.hull, hull, scale)
     if hull.lines is not None:
         line_data.give_lines(obj.hull.lines, hull.lines, scale)
+    for flat in hull.flats:
+        flats.mark(obj, flat.faces, (*flat.normal, flat.offset / scale))
     make_hull(obj, scene, hull.half)
     return obj
 

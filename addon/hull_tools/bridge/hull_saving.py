@@ -4,8 +4,8 @@
 import numpy as np
 from mathutils import Color
 
-from ..io.hull_data import HullData, Layer, Particulars
-from . import hull_objects, line_data, loading_data, mesh_arrays, units
+from ..io.hull_data import Flat, HullData, Layer, Particulars
+from . import flats, hull_objects, line_data, loading_data, mesh_arrays, units
 
 
 def hull_data(obj, scene):
@@ -35,6 +35,7 @@ def hull_data(obj, scene):
         particulars=_particulars(settings, scale),
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
+        flats=_flats(obj, scale),
         source=settings.source,
         lines=line_data.take_lines(settings.lines, scale),
         **loading_data.take_loading(settings, scale),
@@ -43,6 +44,17 @@ def hull_data(obj, scene):
 
 def _pairs(edges):
     return sorted(map(tuple, np.sort(edges, axis=1).tolist()))
+
+
+def _flats(obj, scale):
+    return [
+        Flat(
+            region.faces.tolist(),
+            tuple(units.as_stored(part) for part in region.plane[:3]),
+            units.as_stored(region.plane[3]) * scale,
+        )
+        for region in flats.regions(obj)
+    ]
 
 
 def _layers(obj):

@@ -18,6 +18,7 @@ from . import (
     afloat,
     colours,
     combs,
+    flat_keeping,
     hull_objects,
     hydrostatics,
     level_lines,
@@ -48,7 +49,8 @@ class HullState:
     with the next edit, so that only `source`, the ship.ShipSource of both, is for threads.
     analyses: see bridge.analyses. task, conversion: what is converted or written, and what came of
     the last conversion: see bridge.conversions. worst_spot: the one of patches.SPOTS that is marked
-    in the 3D view, or "". keys: what each result was computed from. name: the object's.
+    in the 3D view, or "". keys: what each result was computed from. flat_memory: see
+    bridge.flat_keeping. name: the object's.
     """
 
     name: str
@@ -71,6 +73,7 @@ class HullState:
     conversion: object = None
     worst_spot: str = ""
     keys: dict = field(default_factory=dict)
+    flat_memory: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)
 
     @property
     def ship(self):
@@ -138,6 +141,7 @@ def _refresh(obj, scene, state):
     if reason:
         raise ValueError(reason)
     state.remarks = hull_objects.remarks(obj)
+    flat_keeping.keep(obj, state.flat_memory)
     scale = units.metres_per_unit(scene)
     geometry_key = _update_ship(obj, state, scale)
     _show_surface(obj, state, scale, geometry_key)

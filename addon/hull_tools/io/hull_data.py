@@ -85,6 +85,15 @@ class CutPlane:
     shown: bool = True
 
 
+@dataclass
+class Flat:
+    """Faces (indices) that are kept in the plane normal · point = offset in m, normal of length 1."""
+
+    faces: list
+    normal: tuple
+    offset: float
+
+
 # The kinds of lines that can be shown, as hull files name them.
 LINE_KINDS = (
     "stations",
@@ -127,7 +136,7 @@ class HullData:
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
-    creases, the edges that are marked so. lines: a LineChoice, None where the file does not say.
+    creases, the edges that are marked so. flats: Flat, no face in two. lines: a LineChoice, None where the file does not say.
     units: the file's own unit of length, "m" or "ft". source: where the hull comes from. notes:
     what the reader had to mend, one sentence each, for the user.
     """
@@ -143,6 +152,7 @@ class HullData:
     particulars: Particulars = field(default_factory=Particulars)
     scheme: str = "biermann"
     deck_edge: list = field(default_factory=list)
+    flats: list = field(default_factory=list)
     afloat: Afloat = field(default_factory=Afloat)
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)

@@ -8,12 +8,14 @@
      "layers": [{"name": "...", "in_hydrostatics": true, "colour": [r, g, b]}, ...],
      "face_layers": [layer, ...],
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
+     "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
      "lines": as hull_lines tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings"}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
 without face_layers all are in the first layer. A particular that is left out is 0: not given.
-Without a deck_edge it is the border. Nothing is mended on reading: a mistake is refused with the
+Without a deck_edge it is the border;
+flats tells of the faces that are kept in a plane. Nothing is mended on reading: a mistake is refused with the
 key and index where it stands.
 """
 
@@ -22,7 +24,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import hull_lines, hull_loading
+from . import hull_flats, hull_lines, hull_loading
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .cleanup import creases_of_faces
@@ -40,6 +42,7 @@ OPTIONAL = (
     "face_layers",
     "scheme",
     "deck_edge",
+    hull_flats.KEY,
     hull_lines.KEY,
     *hull_loading.KEYS,
 )
@@ -73,6 +76,7 @@ def parse_hull_file(data, file_name):
         particulars=_particulars(check, content.get("particulars", {})),
         scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
+        flats=hull_flats.parsed(check, content, len(faces)),
         lines=hull_lines.parsed(check, content),
         **hull_loading.parsed(check, content),
         units="m",
@@ -222,6 +226,7 @@ def write_hull_file(data, path):
         f'"face_layers": {json.dumps([int(layer) for layer in data.face_layers])}',
         f'"scheme": {json.dumps(data.scheme)}',
         _rows("deck_edge", [[int(a), int(b)] for a, b in data.deck_edge]),
+        *(_entry(key, value) for key, value in hull_flats.entries(data).items()),
         *(_entry(key, value) for key, value in hull_lines.entries(data).items()),
         *(_entry(key, value) for key, value in hull_loading.entries(data).items()),
     ]

@@ -18,7 +18,14 @@ from bpy.props import (
     StringProperty,
 )
 
-from . import export_settings, fairness_settings, line_settings, output_settings, stability_settings
+from . import (
+    export_settings,
+    fairness_settings,
+    flat_settings,
+    line_settings,
+    output_settings,
+    stability_settings,
+)
 from .shared import angle, changed, length
 
 
@@ -95,6 +102,7 @@ class HullSettings(bpy.types.PropertyGroup):
     )
     surface_object: PointerProperty(name="Surface", type=bpy.types.Object)
     layers: CollectionProperty(type=HullLayer)
+    flats: CollectionProperty(type=flat_settings.HullFlat)
 
     lines: PointerProperty(type=line_settings.HullLines)
     fairness: PointerProperty(type=fairness_settings.HullFairness)
@@ -106,6 +114,7 @@ class HullSettings(bpy.types.PropertyGroup):
 
 
 CLASSES = (
+    *flat_settings.CLASSES,
     *line_settings.CLASSES,
     *fairness_settings.CLASSES,
     *stability_settings.CLASSES,

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeping flat what is to be flat, while its points are moved.
+
+`keep` is called before a hull's mesh is read. Points that left the plane of their region go back to
+the nearest place in it, those of two regions to the nearest in both. A region that moved as a whole
+and is plane still takes its plane along. A change of the mesh's faces moves no point: faces that
+lie elsewhere then, as those that were extruded from a region, are not of the region any longer.
+"""
+
+import numpy as np
+
+from . import flat_marks, flats, mesh_points, planes
+
+# So many meshes a hull's faces are remembered of, so that undo does not count as a change of them.
+_MOST_KNOWN = 256
+
+
+class Memory:
+    """What `keep` has seen of one hull: the keys of the FlatFaces whose tags were looked through,
+    and where the points were last."""
+
+    def __init__(self):
+        self.known = {}
+        self.last_key = None
+        self.last_points = None
+
+    def learn(self, key):
+        self.known[key] = None
+        while len(self.known) > _MOST_KNOWN:
+            del self.known[next(iter(self.known))]
+
+
+def keep(obj, memory):
+    """Brings the points of a hull's flat regions back into their planes; returns whether any point
+    was moved. The Memory is for this hull alone."""
+    flat = flat_marks.read(obj.data)
+    if flat is None:
+        return False
+    key = flat.key()
+    entries = flats.plane_entries(obj)
+    if key not in memory.known:
+        is_new = not memory.known
+        _look_through(obj, flat, entries, is_new)
+        flat = flat_marks.read(obj.data)
+        if flat is None:
+            return False
+        memory.learn(key)
+        key = flat.key()
+        memory.learn(key)
+        entries = flats.plane_entries(obj)
+    indices = np.unique(flat.vertices)
+    points = mesh_points.read(obj.data, indices)
+    has_moved = None
+    if key == memory.last_key:
+        has_moved = (points != memory.last_points).any(axis=1)
+    if has_moved is None or has_moved.any():
+        _take_planes_along(obj, flat, entries, indices, points, has_moved)
+        is_changed = _bring_back(obj, flat, indices, points)
+    else:
+        is_changed = False
+    memory.last_key, memory.last_points = key, points
+    return is_changed
+
+
+def _look_through(obj, flat, entries, is_new):
+    """Numbers of regions that nobody knows get a plane, and faces out of their plane lose theirs.
+
+    is_new: the hull was not seen before, so that points may have moved as well, and are not judged.
+    """
+    places = mesh_points.read(obj.data)
+    for number in np.unique(flat.regions).tolist():
+        faces, points = flat.of_region(number)
+        plane = _common_plane(places[points])
+        entry = entries.get(number)
+        if entry is None:
+            if plane is None:
+                flats.release(obj, faces)
+            else:
+                flats.store_plane(obj, number, plane)
+            continue
+        if is_new:
+            continue
+        astray = _astray(flat, number, places, flats.plane_of(entry))
+        if len(astray) < len(faces):
+            if len(astray):
+                flats.release(obj, astray)
+        elif plane is not None:
+            flats.store_plane(obj, number, plane)
+        else:
+            flats.release(obj, faces)
+
+
+def _astray(flat, number, places, plane):
+    """The faces of a region that are not in its plane, or have no area, as just extruded."""
+    found = []
+    starts = np.cumsum(flat.sizes) - flat.sizes
+    for index in np.flatnonzero(flat.regions == number).tolist():
+        corners = places[flat.vertices[starts[index] : starts[index] + flat.sizes[index]]]
+        allowed = planes.tolerance(corners)
+        spokes = corners - corners[0]
+        area = np.linalg.norm(np.cross(spokes[1:-1], spokes[2:]).sum(axis=0))
+        is_off = np.abs(planes.heights(corners, plane)).max() > allowed
+        if is_off or area <= allowed * np.abs(spokes).max():
+            found.append(flat.faces[index])
+    return np.array(found, dtype=np.int64)
+
+
+def _common_plane(points):
+    """The plane that all the points lie in, None when they do in none or in many."""
+    try:
+        plane = planes.stored(planes.fit(points, "BEST"))
+    except ValueError:
+        return None
+    heights = planes.heights(points, plane)
+    plane[3] += np.median(heights)
+    is_plane = np.abs(planes.heights(points, plane)).max() <= planes.tolerance(points)
+    return planes.stored(plane) if is_plane else None
+
+
+def _take_planes_along(obj, flat, entries, indices, points, has_moved):
+    """Regions that moved as a whole and are plane: their planes follow.
+
+    has_moved (k,): which of the points moved since the last time; None when nobody knows.
+    """
+    for number in np.unique(flat.regions).tolist():
+        entry = entries.get(number)
+        if entry is None:
+            continue
+        own = np.searchsorted(indices, flat.of_region(number)[1])
+        plane, places = flats.plane_of(entry), points[own]
+        heights = planes.heights(places, plane)
+        allowed = planes.tolerance(places)
+        if np.abs(heights).max() <= allowed:
+            continue
+        if np.ptp(heights) <= allowed:
+            plane[3] += np.median(heights)
+            flats.store_plane(obj, number, plane)
+        elif has_moved is None or np.count_nonzero(has_moved[own]) > len(own) / 2:
+            # Turned, unless a few points were pulled out of it by as much.
+            turned = _common_plane(places)
+            if turned is not None:
+                flats.store_plane(obj, number, turned)
+
+
+def _bring_back(obj, flat, indices, points):
+    """Moves the points that are out of their planes, in `points` too; returns whether there were
+    any."""
+    plane_of_region = {n: flats.plane_of(e) for n, e in flats.plane_entries(obj).items()}
+    of_points = flats.planes_of_points(flat, plane_of_region)
+    changed = []
+    for place, index in enumerate(indices.tolist()):
+        own = of_points.get(index, ())
+        if own and not planes.lies_in(points[place], own):
+            moved = planes.into_planes(points[place], own).astype(np.float32)
+            if not np.array_equal(moved, points[place]):
+                points[place] = moved
+                changed.append(place)
+    if changed:
+        mesh_points.write(obj.data, indices[changed], points[changed])
+    return bool(changed)
