@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The faces of a Blender mesh that are kept flat: each has the number of its region, 0 for none.
 
-The numbers are an attribute of the mesh, so that they survive saving, undo, copying and joining, and
-a face that is divided leaves its number on all its parts.
+The numbers are an attribute of the mesh, so that they survive saving, undo, copying and joining,
+and a face that is divided leaves its number on all its parts.
 """
 
 from dataclasses import dataclass

@@ -87,7 +87,7 @@ class CutPlane:
 
 @dataclass
 class Flat:
-    """Faces (indices) that are kept in the plane normal · point = offset in m, normal of length 1."""
+    """Faces, by index, that are kept in a plane: normal · point = offset in m, a unit normal."""
 
     faces: list
     normal: tuple
@@ -136,9 +136,9 @@ class HullData:
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
-    creases, the edges that are marked so. flats: Flat, no face in two. lines: a LineChoice, None where the file does not say.
-    units: the file's own unit of length, "m" or "ft". source: where the hull comes from. notes:
-    what the reader had to mend, one sentence each, for the user.
+    creases, the edges that are marked so. flats: Flat, no face in two. lines: a LineChoice, None
+    where the file does not say. units: the file's own unit of length, "m" or "ft". source: where
+    the hull comes from. notes: what the reader had to mend, one sentence each, for the user.
     """
 
     name: str

@@ -14,9 +14,8 @@
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
 without face_layers all are in the first layer. A particular that is left out is 0: not given.
-Without a deck_edge it is the border;
-flats tells of the faces that are kept in a plane. Nothing is mended on reading: a mistake is refused with the
-key and index where it stands.
+Without a deck_edge it is the border; flats tells of the faces that are kept in a plane. Nothing is
+mended on reading: a mistake is refused with the key and index where it stands.
 """
 
 import json
