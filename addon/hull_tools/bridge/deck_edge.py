@@ -8,7 +8,7 @@ the borders along the ship.
 import bmesh
 import numpy as np
 
-from . import edge_marks, hull_state, native
+from . import edge_marks, selection, tags
 
 
 def points_of(surface, edges):
@@ -18,9 +18,9 @@ def points_of(surface, edges):
     """
     if not edges:
         return None
-    marked = {_key(*edge) for edge in edges}
+    marked = {tags.edge_key(*edge) for edge in edges}
     whole = set()
-    for chain in _chains(surface):
+    for chain in tags.chains(surface):
         if chain <= marked:
             whole |= chain
     if marked - whole:
@@ -38,25 +38,17 @@ def mark(obj, scene):
 
     ValueError when nothing is selected, or an edge that is neither crease nor border.
     """
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
-    bm = bmesh.from_edit_mesh(obj.data)
-    edges = [_key(*(vertex.index for vertex in edge.verts)) for edge in bm.edges]
-    selected = {edge for edge, element in zip(edges, bm.edges) if element.select}
+    selected = {tags.edge_key(*edge) for edge in selection.selected(obj, "edge")}
     if not selected:
         raise ValueError("Select edges of the crease or border that is the deck edge first")
-    ids = state.source.control.vertex_ids
-    marked = set()
-    for chain in _chains(state.surface):
-        own = {_key(int(ids[a]), int(ids[b])) for a, b in chain}
-        if own & selected:
-            marked |= own
+    marked = set(tags.chains_through(obj, scene, selected))
     if selected - marked:
         raise ValueError(
             f"{len(selected - marked)} of the {len(selected)} selected edges are neither crease "
             "nor border of the shell: make them a crease first"
         )
+    bm = bmesh.from_edit_mesh(obj.data)
+    edges = [tags.edge_key(*(vertex.index for vertex in edge.verts)) for edge in bm.edges]
     _store(obj, bm, [edge in marked for edge in edges])
     return len(marked)
 
@@ -67,33 +59,18 @@ def clear(obj):
     _store(obj, bm, np.zeros(len(bm.edges), dtype=bool))
 
 
-def select(obj):
-    """Selects exactly the marked edges, in edit mode; returns how many."""
+def select(context, obj):
+    """Selects exactly the marked edges, in edit mode; returns how many there are."""
     bm = bmesh.from_edit_mesh(obj.data)
+    bm.verts.index_update()
     marks = edge_marks.edited_marks(bm)
-    for sequence in (bm.faces, bm.edges, bm.verts):
-        for element in sequence:
-            element.select_set(False)
-    for edge, mark in zip(bm.edges, marks):
-        if mark and not edge.hide:
-            edge.select_set(True)
-    bm.select_flush_mode()
-    bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
-    return int(np.count_nonzero(marks))
+    marked = [
+        [vertex.index for vertex in edge.verts] for edge, mark in zip(bm.edges, marks) if mark
+    ]
+    selection.select(context, obj, "edge", marked)
+    return len(marked)
 
 
 def _store(obj, bm, marks):
     edge_marks.edit_marks(bm, marks)
     bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
-
-
-def _key(a, b):
-    return (a, b) if a < b else (b, a)
-
-
-def _chains(surface):
-    """The creases and borders of a surface, each as the set of its edges."""
-    for curve in native.require().crease_curves(surface):
-        points = curve.vertices.tolist()
-        following = points[1:] + (points[:1] if curve.closed else [])
-        yield {_key(a, b) for a, b in zip(points, following)}

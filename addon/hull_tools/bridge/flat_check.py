@@ -56,18 +56,3 @@ def check_selected(obj, scene, tolerance):
     return FlatCheck(
         found.surface_distance, tuple(state.source.control.vertex_ids[at_fault].tolist()), message
     )
-
-
-def select_points(obj, indices):
-    """Selects exactly these points of a hull in edit mode."""
-    bm = bmesh.from_edit_mesh(obj.data)
-    bm.verts.ensure_lookup_table()
-    for sequence in (bm.faces, bm.edges, bm.verts):
-        for element in sequence:
-            element.select_set(False)
-    for index in indices:
-        bm.verts[index].hide_set(False)
-        bm.verts[index].select_set(True)
-    bm.select_mode = {"VERT"}
-    bm.select_flush_mode()
-    bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)

@@ -143,7 +143,7 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
     shell_edges = _face_edge_keys(face_sizes, face_vertices)
 
     def on_shell(edges):
-        return new_index[edges[np.isin(_edge_keys(edges), shell_edges)]]
+        return new_index[edges[np.isin(edge_keys(edges), shell_edges)]]
 
     corner_ids = np.flatnonzero(data.vertex_creases >= 1.0)
     corners = new_index[corner_ids]
@@ -169,10 +169,19 @@ def fractional_creases(data):
 def edges_of_faces(data):
     """(e,) which edges belong to a face."""
     shell_edges = _face_edge_keys(data.face_sizes, data.face_vertices)
-    return np.isin(_edge_keys(data.edges), shell_edges)
+    return np.isin(edge_keys(data.edges), shell_edges)
 
 
-def _edge_keys(pairs):
+def border_edges(control):
+    """(b, 2) the edges of ControlArrays that one face has."""
+    keys, counts = np.unique(
+        _face_edge_keys(control.face_sizes, control.face_vertices), return_counts=True
+    )
+    keys = keys[counts == 1]
+    return np.stack([keys >> 32, keys & 0xFFFFFFFF], axis=1)
+
+
+def edge_keys(pairs):
     """One number for each undirected edge of (k, 2) vertex indices."""
     pairs = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1)
     return (pairs[:, 0] << 32) | pairs[:, 1]
@@ -183,7 +192,7 @@ def _face_edge_keys(face_sizes, face_vertices):
     following = np.roll(face_vertices, -1)
     ends = np.cumsum(face_sizes)
     following[ends - 1] = face_vertices[ends - face_sizes]
-    return _edge_keys(np.stack([face_vertices, following], axis=1))
+    return edge_keys(np.stack([face_vertices, following], axis=1))
 
 
 def write_faces(mesh, points, face_sizes, face_vertices):
@@ -206,9 +215,9 @@ def write_tags(mesh, creases, corners, deck_edge=()):
     """
     edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
     mesh.edges.foreach_get("vertices", edges.reshape(-1))
-    keys = _edge_keys(edges)
-    crease_edges = np.flatnonzero(np.isin(keys, _edge_keys(creases)))
+    keys = edge_keys(edges)
+    crease_edges = np.flatnonzero(np.isin(keys, edge_keys(creases)))
     if len(crease_edges) or len(corners):
         blender_versions.set_creases(mesh, crease_edges, corners)
     if len(deck_edge):
-        edge_marks.store_marks(mesh, np.isin(keys, _edge_keys(deck_edge)))
+        edge_marks.store_marks(mesh, np.isin(keys, edge_keys(deck_edge)))

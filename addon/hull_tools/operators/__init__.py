@@ -14,12 +14,14 @@ from . import (
     lines,
     loading_lists,
     make_hull,
+    select_tags,
     tag_mesh,
 )
 
 _CLASSES = (
     *make_hull.CLASSES,
     *tag_mesh.CLASSES,
+    *select_tags.CLASSES,
     *deck_edge.CLASSES,
     *check_mesh.CLASSES,
     *import_hull.CLASSES,

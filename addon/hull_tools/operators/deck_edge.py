@@ -40,8 +40,7 @@ class HULL_OT_select_deck_edge(bpy.types.Operator, DeckEdgeOperator):
     bl_label = "Select Deck Edge"
 
     def run_on(self, hull, context):
-        context.tool_settings.mesh_select_mode = (False, True, False)
-        if not deck_edge.select(hull):
+        if not deck_edge.select(context, hull):
             raise ValueError("No edge is marked: the deck edge is the borders along the ship")
 
 

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import FloatProperty
 
-from ..bridge import flat_check, hull_state
+from ..bridge import flat_check, hull_state, selection
 from .shared import HullOperator, in_3d_view, in_mesh_edit_mode
 
 
@@ -44,8 +44,7 @@ class HULL_OT_check_flat(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         found = flat_check.check_selected(hull, context.scene, self.tolerance)
         if found.at_fault:
-            context.tool_settings.mesh_select_mode = (True, False, False)
-            flat_check.select_points(hull, found.at_fault)
+            selection.select(context, hull, "vertex", found.at_fault, reveal=True)
         self.report({"WARNING" if found.at_fault else "INFO"}, found.message)
 
 

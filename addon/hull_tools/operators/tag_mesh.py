@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Creases, corners and smooth again, for the selection in edit mode; any mesh, hull or not."""
 
+from math import radians
+
 import bmesh
 import bpy
+from bpy.props import FloatProperty
 
 from ..bridge import blender_versions
 from .shared import BaseOperator, in_mesh_edit_mode
@@ -60,6 +63,50 @@ class HULL_OT_tag_corner(bpy.types.Operator, TagOperator):
         _tag_selection(context, None, 1.0, "Select the points that become corners first")
 
 
+class HULL_OT_tag_automatic(bpy.types.Operator, TagOperator):
+    """Leave it to the creases what the selected points are: two make a crease, three or more a
+    corner, one fades out there"""
+
+    bl_idname = "hull.tag_automatic"
+    bl_label = "Automatic"
+
+    def run(self, context):
+        _tag_selection(context, None, 0.0, "Select the points that are no corners of their own")
+
+
+class HULL_OT_tag_by_angle(bpy.types.Operator, TagOperator):
+    """Make creases of those selected edges whose faces meet at no less than an angle, and smooth
+    ones of the others"""
+
+    bl_idname = "hull.tag_by_angle"
+    bl_label = "Crease by Angle"
+
+    angle: FloatProperty(
+        name="Angle",
+        description="Between the normals of the two faces of an edge",
+        default=radians(30.0),
+        min=0.0,
+        max=radians(180.0),
+        subtype="ANGLE",
+        unit="ROTATION",
+    )
+
+    def run(self, context):
+        count = sum(self._tag(obj) for obj in context.objects_in_mode_unique_data)
+        if not count:
+            raise ValueError("Select the edges to judge by their angle first")
+
+    def _tag(self, obj):
+        """How many edges were judged; those with other than two faces are left alone."""
+        bm = bmesh.from_edit_mesh(obj.data)
+        edge_layer, _ = blender_versions.ensure_crease_layers(bm)
+        judged = [edge for edge in bm.edges if edge.select and len(edge.link_faces) == 2]
+        for edge in judged:
+            edge[edge_layer] = float(edge.calc_face_angle(0.0) >= self.angle)
+        bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
+        return len(judged)
+
+
 class HULL_OT_tag_smooth(bpy.types.Operator, TagOperator):
     """Make the selected edges and points smooth: no crease, no corner"""
 
@@ -70,4 +117,10 @@ class HULL_OT_tag_smooth(bpy.types.Operator, TagOperator):
         _tag_selection(context, 0.0, 0.0, "Select the edges or points to smooth first")
 
 
-CLASSES = (HULL_OT_tag_crease, HULL_OT_tag_corner, HULL_OT_tag_smooth)
+CLASSES = (
+    HULL_OT_tag_crease,
+    HULL_OT_tag_corner,
+    HULL_OT_tag_smooth,
+    HULL_OT_tag_automatic,
+    HULL_OT_tag_by_angle,
+)

@@ -3,10 +3,11 @@
 
 import bpy
 
-from . import export, fairness, hull, lines_plan, results, sections, shown, stability
+from . import export, fairness, hull, lines_plan, results, sections, shown, stability, tags
 
 _CLASSES = (
     *hull.CLASSES,
+    *tags.CLASSES,
     *shown.CLASSES,
     *sections.CLASSES,
     *fairness.CLASSES,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The hull itself: how to begin, its particulars, the tags of its mesh."""
+"""The hull itself: how to begin, its particulars, the check of its mesh."""
 
 import bpy
 
@@ -46,25 +46,6 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         layout.prop(settings, "half")
 
 
-class HULL_PT_tags(HullTab, bpy.types.Panel):
-    """Creases and corners, in edit mode of any mesh; the deck edge of a hull"""
-
-    bl_label = "Edges and Points"
-    bl_context = "mesh_edit"
-
-    def draw(self, context):
-        column = self.layout.column(align=True)
-        column.operator("hull.tag_crease", icon="MOD_EDGESPLIT")
-        column.operator("hull.tag_corner", icon="VERTEXSEL")
-        column.operator("hull.tag_smooth", icon="MESH_CIRCLE")
-        if hull_objects.hull_of(context.object) is None:
-            return
-        row = self.layout.row(align=True)
-        row.operator("hull.mark_deck_edge", text="Deck Edge", icon="MARKER")
-        row.operator("hull.select_deck_edge", text="", icon="RESTRICT_SELECT_OFF")
-        row.operator("hull.clear_deck_edge", text="", icon="X")
-
-
 class HULL_PT_check(HullPanel, bpy.types.Panel):
     bl_label = "Mesh Check"
 
@@ -92,4 +73,4 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
             layout.operator("hull.turn_outwards")
 
 
-CLASSES = (HULL_PT_hull, HULL_PT_tags, HULL_PT_check)
+CLASSES = (HULL_PT_hull, HULL_PT_check)

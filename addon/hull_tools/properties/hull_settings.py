@@ -25,6 +25,7 @@ from . import (
     line_settings,
     output_settings,
     stability_settings,
+    tag_settings,
 )
 from .shared import angle, changed, length
 
@@ -104,6 +105,7 @@ class HullSettings(bpy.types.PropertyGroup):
     layers: CollectionProperty(type=HullLayer)
     flats: CollectionProperty(type=flat_settings.HullFlat)
 
+    tags: PointerProperty(type=tag_settings.HullTags)
     lines: PointerProperty(type=line_settings.HullLines)
     fairness: PointerProperty(type=fairness_settings.HullFairness)
     loading: PointerProperty(type=stability_settings.HullLoading)
@@ -115,6 +117,7 @@ class HullSettings(bpy.types.PropertyGroup):
 
 CLASSES = (
     *flat_settings.CLASSES,
+    *tag_settings.CLASSES,
     *line_settings.CLASSES,
     *fairness_settings.CLASSES,
     *stability_settings.CLASSES,

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What edges, points and faces are to the surface: tagged, selected and shown in edit mode."""
+
+import bpy
+
+from ..bridge import hull_objects
+from .shared import HullTab
+
+_SWITCHES = (
+    "show_knuckle",
+    "show_border",
+    "show_deck_edge",
+    "show_corners",
+    "show_darts",
+    "show_irregular",
+    "show_odd_faces",
+    "show_flats",
+    "show_problems",
+)
+
+
+class HULL_PT_tags(HullTab, bpy.types.Panel):
+    """Creases and corners, in edit mode of any mesh; the deck edge of a hull"""
+
+    bl_label = "Edges and Points"
+    bl_context = "mesh_edit"
+
+    def draw(self, context):
+        column = self.layout.column(align=True)
+        row = column.row(align=True)
+        row.operator("hull.tag_crease")
+        row.operator("hull.tag_smooth")
+        row = column.row(align=True)
+        row.operator("hull.tag_corner")
+        row.operator("hull.tag_automatic")
+        column.operator("hull.tag_by_angle")
+        if hull_objects.hull_of(context.object) is None:
+            return
+        row = self.layout.row(align=True)
+        row.operator("hull.mark_deck_edge", text="Deck Edge", icon="MARKER")
+        row.operator("hull.select_deck_edge", text="", icon="RESTRICT_SELECT_OFF")
+        row.operator("hull.clear_deck_edge", text="", icon="X")
+
+
+class TagSubpanel(HullTab):
+    bl_parent_id = "HULL_PT_tags"
+    bl_context = "mesh_edit"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return hull_objects.hull_of(context.object) is not None
+
+
+class HULL_PT_select(TagSubpanel, bpy.types.Panel):
+    bl_label = "Select"
+
+    def draw(self, context):
+        column = self.layout.column(align=True)
+        column.operator_menu_enum("hull.select_creases", "kind", text="Creases")
+        column.operator("hull.select_chains", text="Whole Chain")
+        column.operator_menu_enum("hull.select_points", "kind", text="Points")
+        column.operator("hull.select_odd_faces", text="Not Quads")
+        column.operator("hull.select_problems", text="Problems")
+
+
+class HULL_PT_shown_tags(TagSubpanel, bpy.types.Panel):
+    """What is drawn over the control mesh"""
+
+    bl_label = "Shown Tags"
+
+    def draw_header(self, context):
+        self.layout.prop(hull_objects.hull_of(context.object).hull.tags, "show", text="")
+
+    def draw(self, context):
+        settings = hull_objects.hull_of(context.object).hull.tags
+        column = self.layout.column(align=True)
+        column.active = settings.show
+        for name in _SWITCHES:
+            column.prop(settings, name)
+
+
+CLASSES = (HULL_PT_tags, HULL_PT_select, HULL_PT_shown_tags)
