@@ -112,17 +112,6 @@ def test_a_moved_hull_keeps_its_numbers():
     assert state_of(hull).hydrostatics == before and not state_of(hull).status
 
 
-def test_a_linked_hull_is_refused_with_the_reason(tmp_path):
-    add_hull("linked")
-    library = str(tmp_path / "library.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=library)
-    bpy.ops.wm.read_homefile(use_empty=True)
-    with bpy.data.libraries.load(library, link=True) as (_, wanted):
-        wanted.objects = ["linked"]
-    linked = bpy.data.objects["linked"]
-    assert "linked from another file" in part("bridge.hull_objects").refusal(linked)
-
-
 def test_modifiers_are_told_of():
     hull = add_hull()
     hull.modifiers.new("Mirror", "MIRROR")

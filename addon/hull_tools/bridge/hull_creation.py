@@ -13,6 +13,7 @@ from . import (
     loading_data,
     materials,
     mesh_arrays,
+    migration,
     preferences,
     shown_objects,
     units,
@@ -26,10 +27,11 @@ def make_hull(obj, scene, half):
 
     Particulars that are still zero are taken from the mesh. ValueError when the object is refused.
     """
-    reason = hull_objects.refusal(obj)
+    reason = hull_objects.refusal(obj) or hull_objects.locked(obj)
     if reason:
         raise ValueError(reason)
     obj.hull.is_hull = True
+    obj.hull.format = migration.FORMAT
     obj.hull.half = half
     _fill_particulars(obj)
     _fill_choices(obj.hull)

@@ -4,10 +4,13 @@
 A hull's coordinates are its mesh's own coordinates times the scene's metres per unit. Where the
 object stands does not matter; rotation and scale that are not applied would, and are refused.
 Modifiers do not belong to the hull, and are told of. Shared mesh data is fine: each of the objects
-is a hull with its own settings.
+is a hull with its own settings. A hull that is linked from another file is shown and measured, and
+cannot be changed.
 """
 
 import numpy as np
+
+from . import migration, modifiers
 
 _UPRIGHT_TOLERANCE = 1e-6
 
@@ -38,37 +41,53 @@ def hulls(objects):
 
 
 def refusal(obj):
-    """Why this object cannot be a hull or be worked on as one, as a sentence; "" when it can."""
+    """Why this object cannot be a hull, or be measured as one, as a sentence; "" when it can."""
     if obj is None or obj.type != "MESH":
         return "Select a mesh object first"
     if hull_of(obj) not in (None, obj):
         return f'This only shows the hull "{obj.parent.name}": select that'
+    keys = obj.data.shape_keys
+    if keys is not None and len(keys.key_blocks) > 1:
+        return f'"{obj.name}" has shape keys, and a hull has one shape: remove them first'
+    return _turned(obj)
+
+
+def locked(obj):
+    """Why this object cannot be changed, as a sentence; "" when it can."""
     for block in (obj, obj.data):
         if block.library is not None:
             return f'"{block.name}" is linked from another file: make it local first'
         if block.override_library is not None:
             return f'"{block.name}" is an override of a linked one: make it local first'
-    for matrix in (obj.matrix_basis, obj.matrix_world):
-        turned = np.array(matrix.to_3x3()) - np.eye(3)
-        if np.abs(turned).max() > _UPRIGHT_TOLERANCE:
-            return f'"{obj.name}" has rotation or scale: apply them first (Ctrl A)'
     return ""
+
+
+def _turned(obj):
+    """What turns or scales an object, and what to do about it; "" when nothing does."""
+    if _is_turned(obj.matrix_basis):
+        return f'"{obj.name}" has rotation or scale: apply them first (Ctrl A)'
+    if not _is_turned(obj.matrix_world):
+        return ""
+    if any(not constraint.mute for constraint in obj.constraints):
+        return f'"{obj.name}" is turned or scaled by a constraint: remove it first'
+    parent = obj.parent
+    if parent is None:
+        return ""  # the world's matrix is not up to date yet
+    return (
+        f'"{obj.name}" is turned or scaled by its parent "{parent.name}": clear the parent and '
+        "keep the transform (Alt P), then apply (Ctrl A)"
+    )
+
+
+def _is_turned(matrix):
+    difference = np.array(matrix.to_3x3()) - np.eye(3)
+    return np.abs(difference).max() > _UPRIGHT_TOLERANCE
 
 
 def remarks(obj):
-    """Sentences about what a user may expect to count but does not."""
-    return [
-        f'Modifier "{modifier.name}" is not part of the hull' + _instead_of(modifier, obj)
-        for modifier in obj.modifiers
-    ]
-
-
-def _instead_of(modifier, obj):
-    if modifier.type == "SUBSURF":
-        return ": the surface object shows the exact surface"
-    if modifier.type == "MIRROR" and not obj.hull.half:
-        return ": use Half hull"
-    return ""
+    """Sentences about what a user may expect to count but does not, or cannot do."""
+    found = [modifiers.remark(modifier, obj.hull.half) for modifier in obj.modifiers]
+    return [text for text in (locked(obj), migration.newer(obj), *found) if text]
 
 
 def excluded_slots(obj):

@@ -5,6 +5,9 @@ A copy of a hull still points to the first one's object; only a child counts as 
 """
 
 import bpy
+from mathutils import Matrix
+
+_IDENTITY = Matrix.Identity(4)
 
 
 def surface_of(obj):
@@ -19,6 +22,20 @@ def ensure(obj):
     if surface_of(obj) is None:
         mesh = bpy.data.meshes.new(f"{obj.name} surface")
         obj.hull.surface_object = _new_child(obj, mesh)
+
+
+def put_in_place(obj):
+    """Has the surface object stand where its hull stands, as it is shaped by the same coordinates.
+
+    Applying a hull's scale, for one, leaves what was in the scale to its children.
+    """
+    shown = surface_of(obj)
+    if shown is None:
+        return
+    if shown.matrix_parent_inverse != _IDENTITY:
+        shown.matrix_parent_inverse = _IDENTITY
+    if shown.matrix_basis != _IDENTITY:
+        shown.matrix_basis = _IDENTITY
 
 
 def _new_child(obj, data):

@@ -3,23 +3,30 @@
 
 import bpy
 
-from . import follow
+from ..bridge import upkeep
+from . import follow, keep
 
-_HANDLERS = {
-    "depsgraph_update_post": follow.after_update,
-    "undo_post": follow.after_undo,
-    "redo_post": follow.after_undo,
-    "load_pre": follow.before_load,
-    "load_post": follow.after_load,
-}
+_HANDLERS = (
+    ("depsgraph_update_post", follow.after_update),
+    ("depsgraph_update_post", keep.after_update),
+    ("undo_post", follow.after_undo),
+    ("undo_post", keep.after_undo),
+    ("redo_post", follow.after_undo),
+    ("redo_post", keep.after_undo),
+    ("load_pre", follow.before_load),
+    ("load_pre", keep.before_load),
+    ("load_post", follow.after_load),
+    ("load_post", keep.after_load),
+)
 
 
 def register():
-    for name, handler in _HANDLERS.items():
+    for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
 
 
 def unregister():
-    for name, handler in _HANDLERS.items():
+    for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
     follow.forget_all()
+    upkeep.forget_all()

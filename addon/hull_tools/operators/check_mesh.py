@@ -5,10 +5,10 @@ import bpy
 from bpy.props import IntProperty
 
 from ..bridge import face_turning, hull_state, selection
-from .shared import HullOperator
+from .shared import HullOperator, HullReader
 
 
-class HULL_OT_check_mesh(bpy.types.Operator, HullOperator):
+class HULL_OT_check_mesh(bpy.types.Operator, HullReader):
     """Check the control mesh and say how many problems it has"""
 
     bl_idname = "hull.check_mesh"

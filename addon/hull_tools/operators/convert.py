@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, StringProperty
 
 from ..bridge import conversions, exports, hull_objects, worst_spots
 from .export_hull import ExportHull
-from .shared import HullOperator
+from .shared import HullReader
 from .tasks import TaskOperator
 
 
@@ -29,7 +29,7 @@ def _task_runs(cls, context):
     return hull is not None and conversions.running(hull) is not None
 
 
-class HULL_OT_cancel_task(bpy.types.Operator, HullOperator):
+class HULL_OT_cancel_task(bpy.types.Operator, HullReader):
     """Cancel what is under way: conversion or file. All stays as it was"""
 
     bl_idname = "hull.cancel_task"
@@ -47,7 +47,7 @@ def _spot_items():
     return (*spots, ("NONE", "None", "Take the mark away"))
 
 
-class HULL_OT_show_worst_spot(bpy.types.Operator, HullOperator):
+class HULL_OT_show_worst_spot(bpy.types.Operator, HullReader):
     """Mark where the patches are worst, set the 3D cursor there and bring it into view"""
 
     bl_idname = "hull.show_worst_spot"
@@ -63,7 +63,7 @@ class HULL_OT_show_worst_spot(bpy.types.Operator, HullOperator):
         conversions.redraw()
 
 
-class HULL_OT_copy_report(bpy.types.Operator, HullOperator):
+class HULL_OT_copy_report(bpy.types.Operator, HullReader):
     """Copy the report of the conversion as text"""
 
     bl_idname = "hull.copy_report"

@@ -6,10 +6,10 @@ from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
 from ..bridge import analyses, exports, hull_objects
-from .shared import HullOperator
+from .shared import HullReader
 
 
-class ExportHull(HullOperator, ExportHelper):
+class ExportHull(HullReader, ExportHelper):
     """Subclasses write a file of a hull and return what is to be said then: write(hull, scene)."""
 
     bl_options = {"REGISTER"}

@@ -41,7 +41,7 @@ class HULL_OT_remove_plane(bpy.types.Operator, HullOperator):
     bl_idname = "hull.remove_plane"
     bl_label = "Remove Plane"
 
-    needs = (_has_plane,)
+    needs = (*HullOperator.needs, _has_plane)
 
     def run_on(self, hull, context):
         cut_planes.remove(hull)

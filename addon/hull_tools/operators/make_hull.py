@@ -4,12 +4,13 @@
 import bpy
 from bpy.props import BoolProperty
 
-from ..bridge import hull_creation, hull_objects, hull_state, mesh_arrays, shown_objects
+from ..bridge import hull_creation, hull_objects, hull_state, mesh_arrays, modifiers, shown_objects
 from .shared import BaseOperator, HullOperator, native_is_there
 
 
 def _can_be_hull(cls, context):
-    reason = hull_objects.refusal(context.object)
+    obj = context.object
+    reason = hull_objects.refusal(obj) or hull_objects.locked(obj)
     if reason:
         cls.poll_message_set(reason)
     return not reason
@@ -32,7 +33,8 @@ class HULL_OT_make_hull(bpy.types.Operator, BaseOperator):
     def invoke(self, context, event):
         points = mesh_arrays.read_mesh(context.object.data).points
         if len(points) and not self.properties.is_property_set("half"):
-            self.half = bool(points[:, 1].min() > -1e-3 * points[:, 1].max())
+            is_mirrored = any(map(modifiers.mirrors_sides, context.object.modifiers))
+            self.half = is_mirrored or bool(points[:, 1].min() > -1e-3 * points[:, 1].max())
         return self.execute(context)
 
     def run(self, context):

@@ -24,6 +24,14 @@ def has_hull(cls, context):
     return True
 
 
+def can_change(cls, context):
+    """Whether the hull at hand is not one that is linked from another file."""
+    reason = hull_objects.locked(hull_objects.hull_of(context.object))
+    if reason:
+        cls.poll_message_set(reason)
+    return not reason
+
+
 def in_3d_view(cls, context):
     if context.region_data is None:
         cls.poll_message_set("Only in a 3D view")
@@ -71,10 +79,17 @@ class BaseOperator:
             return {"CANCELLED"}
 
 
-class HullOperator(BaseOperator):
-    """Of the hull at hand. Subclasses: run_on(hull, context)."""
+class HullReader(BaseOperator):
+    """Reads the hull at hand, which may be linked from another file, and leaves it as it is.
+    Subclasses: run_on(hull, context)."""
 
     needs = (native_is_there, has_hull)
 
     def run(self, context):
         return self.run_on(hull_objects.hull_of(context.object), context)
+
+
+class HullOperator(HullReader):
+    """Changes the hull at hand. Subclasses: run_on(hull, context)."""
+
+    needs = (*HullReader.needs, can_change)

@@ -4,12 +4,12 @@
 import bpy
 
 from ..bridge import conversions, jobs, patches
-from .shared import HullOperator
+from .shared import HullReader
 
 _LOOK_SECONDS = 0.1
 
 
-class TaskOperator(HullOperator):
+class TaskOperator(HullReader):
     """Subclasses begin a task of bridge.conversions, and tell what came of it:
     begin(hull, scene) → task, and outcome(result of the task) → (its patches.Converted, text).
 

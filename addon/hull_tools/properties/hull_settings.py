@@ -46,6 +46,11 @@ class HullSettings(bpy.types.PropertyGroup):
     is_hull: BoolProperty(
         name="Hull", description="This mesh is the control mesh of a hull", options={"HIDDEN"}
     )
+    format: IntProperty(
+        name="Format",
+        description="How the settings are stored: see bridge.migration",
+        options={"HIDDEN"},
+    )
     half: BoolProperty(
         name="Half hull",
         description="The mesh is the port half (y ≥ 0) and is mirrored on the centre plane",

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls of files made by older versions of the add-on.
+
+Object.hull.format says by which of the formats below its settings are stored; hulls of before there
+was a stamp have 0. A hull that is not of the present format is brought to it when its file is
+opened, or when it is appended or pasted from one.
+
+Formats: 0: which lines are drawn is kept with the hull, and more of it with the lines plan; lines
+are an object. 1: all of it is in Object.hull.lines, lines are drawn over the view.
+"""
+
+FORMAT = 1
+
+_MOVED_FROM_HULL = ("station_count", "waterline_spacing", "buttock_spacing")
+_MOVED_FROM_PLAN = (
+    "stations",
+    "stations_in",
+    "waterlines",
+    "buttocks",
+    "diagonals",
+    "frame_spacing",
+)
+
+
+def bring_up_to_date(obj):
+    """Gives a hull's settings the present format; returns whether anything was done."""
+    settings = obj.hull
+    if settings.format >= FORMAT:
+        return False
+    for step in _STEPS[settings.format :]:
+        step(settings)
+    settings.format = FORMAT
+    return True
+
+
+def newer(obj):
+    """What to say of a hull whose file is of a newer version of the add-on; "" for others."""
+    if obj.hull.format <= FORMAT:
+        return ""
+    return (
+        f"Made by a newer version of Hull Tools (format {obj.hull.format}, this one knows "
+        f"{FORMAT}): update the add-on to see all of it"
+    )
+
+
+def _gather_lines(settings):
+    for old, names in ((settings, _MOVED_FROM_HULL), (settings.plan, _MOVED_FROM_PLAN)):
+        for name in names:
+            value = _taken(old, name)
+            if value is not None and name not in settings.lines.keys():
+                settings.lines[name] = value
+    shown = _taken(settings, "lines_object")
+    if shown is not None and shown.parent == settings.id_data:
+        for collection in list(shown.users_collection):
+            collection.objects.unlink(shown)
+
+
+def _taken(group, name):
+    """A stored value that no property stands for any longer, which is removed; None for none."""
+    value = group.get(name)
+    if value is not None:
+        del group[name]
+    return value
+
+
+# From each format to the next.
+_STEPS = (_gather_lines,)

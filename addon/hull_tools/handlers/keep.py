@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Blender's own tools did to hulls is made good; see bridge.upkeep.
+
+These come after the handlers of `follow`: what they change is brought up to date here.
+"""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..bridge import hull_objects, hull_state, shown_objects, upkeep
+
+
+def _refresh(hulls):
+    for scene in bpy.data.scenes:
+        for hull in hulls:
+            if hull.name in scene.objects:
+                hull_state.refresh(hull, scene)
+
+
+@persistent
+def after_update(scene, depsgraph):
+    # Blender says that a scene has changed when objects come, go, or change collections, and when
+    # units change; not while points move.
+    if depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION"):
+        changed = upkeep.look_after(depsgraph.view_layer)
+        _refresh({*changed, *upkeep.with_new_scale(bpy.data.scenes)})
+    for update in depsgraph.updates:
+        if update.is_updated_transform and isinstance(update.id, bpy.types.Object):
+            obj = update.id.original
+            if hull_objects.is_hull(obj) and not hull_objects.locked(obj):
+                shown_objects.put_in_place(obj)
+
+
+@persistent
+def after_undo(*unused):
+    _refresh(upkeep.look_after(bpy.context.view_layer))
+
+
+@persistent
+def before_load(*unused):
+    upkeep.forget_all()
+
+
+@persistent
+def after_load(*unused):
+    upkeep.forget_all()
+    _refresh(upkeep.look_after(bpy.context.view_layer, is_new_file=True))
+    upkeep.with_new_scale(bpy.data.scenes)
