@@ -2,8 +2,8 @@
 """Regions of faces that are kept flat: flat side, flat bottom, transom, or any plane.
 
 A region is a number that its faces have in the mesh (flat_marks), and its plane is in
-Object.hull.flats. What keeps its points in the plane is flat_keeping. All is in the mesh's axes and Blender's units;
-planes are (nx, ny, nz, d) as in `planes`: n · p = d, n of length 1.
+Object.hull.flats. What keeps its points in the plane is flat_keeping. All is in the mesh's axes and
+Blender's units; planes are (nx, ny, nz, d) as in `planes`: n · p = d, n of length 1.
 """
 
 from dataclasses import dataclass

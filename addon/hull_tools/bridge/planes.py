@@ -91,12 +91,6 @@ def through(plane, point):
     return np.append(plane[:3], plane[:3] @ point)
 
 
-def through_outermost(plane, points):
-    """The plane parallel to one through the point (of (k, 3)) furthest from the origin's side."""
-    along = points @ plane[:3]
-    return np.append(plane[:3], along[np.argmax(np.abs(along))])
-
-
 def into_planes(point, planes):
     """The place nearest to a point (3,) in all the planes (m, 4), or nearest to all when they have
     none in common."""

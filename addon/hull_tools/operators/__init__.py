@@ -6,6 +6,7 @@ import bpy
 from . import (
     check_mesh,
     convert,
+    coordinates,
     deck_edge,
     export_cad,
     export_hull,
@@ -15,6 +16,7 @@ from . import (
     loading_lists,
     make_hull,
     select_tags,
+    shape,
     tag_mesh,
 )
 
@@ -23,6 +25,8 @@ _CLASSES = (
     *tag_mesh.CLASSES,
     *select_tags.CLASSES,
     *deck_edge.CLASSES,
+    *shape.CLASSES,
+    *coordinates.CLASSES,
     *check_mesh.CLASSES,
     *import_hull.CLASSES,
     *export_hull.CLASSES,

@@ -3,11 +3,12 @@
 
 import bpy
 
-from . import export, fairness, hull, lines_plan, results, sections, shown, stability, tags
+from . import export, fairness, hull, lines_plan, results, sections, shape, shown, stability, tags
 
 _CLASSES = (
     *hull.CLASSES,
     *tags.CLASSES,
+    *shape.CLASSES,
     *shown.CLASSES,
     *sections.CLASSES,
     *fairness.CLASSES,

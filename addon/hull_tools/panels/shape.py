@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exact shape: flat regions, points in planes and at coordinates."""
+
+import bpy
+
+from ..bridge import flat_making, flats, hull_objects
+from .shared import HullPanel, label_value
+
+_KINDS = {
+    "SIDE": "Flat side",
+    "BOTTOM": "Flat bottom",
+    "TRANSOM": "Transom",
+    "RAKED": "Raked plane",
+    "BEST": "Plane",
+}
+
+
+class HULL_PT_shape(HullPanel, bpy.types.Panel):
+    """Make faces flat and keep them so, put points in planes, type coordinates"""
+
+    bl_label = "Shape"
+    bl_context = "mesh_edit"
+
+    def draw(self, context):
+        self._draw_flats(context)
+        self._draw_points()
+
+    def _draw_flats(self, context):
+        layout = self.layout
+        layout.label(text="Make faces flat")
+        column = layout.column(align=True)
+        row = column.row(align=True)
+        for kind, name in (("SIDE", "Side"), ("BOTTOM", "Bottom"), ("TRANSOM", "Transom")):
+            row.operator("hull.make_flat", text=name).kind = kind
+        row = column.row(align=True)
+        for kind, name in (("RAKED", "Raked"), ("BEST", "Best Plane")):
+            row.operator("hull.make_flat", text=name).kind = kind
+        found = flats.regions(hull_objects.hull_of(context.object))
+        if not found:
+            return
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+        for region in found:
+            place = flat_making.describe(context.scene, region.plane)
+            label_value(column, _KINDS[region.kind], place)
+        row = layout.row(align=True)
+        row.operator("hull.select_flat", text="Select")
+        row.operator("hull.release_flat", text="Release")
+
+    def _draw_points(self):
+        layout = self.layout
+        layout.label(text="Put points in one")
+        row = layout.row(align=True)
+        for plane in ("STATION", "WATERLINE", "BUTTOCK"):
+            row.operator("hull.put_in_plane", text=plane.capitalize()).plane = plane
+        layout.operator("hull.set_coordinates", text="Coordinates …", icon="SPREADSHEET")
+
+
+CLASSES = (HULL_PT_shape,)
