@@ -47,12 +47,24 @@ _MARKS = {
     "maximum": Ink("Most bent", (0.00, 0.35, 0.45), (0.35, 0.95, 0.95)),
     "minimum": Ink("Least bent", (0.40, 0.40, 0.45), (0.75, 0.75, 0.80)),
 }
+# Of the control mesh in edit mode; away from the orange of what is selected.
+_TAGS = {
+    "knuckle": Ink("Knuckles", (0.86, 0.08, 0.62)),
+    "border": Ink("Borders", (0.00, 0.66, 0.70)),
+    "deck_edge": Ink("Deck edge", (0.48, 0.72, 0.00)),
+    "corner": Ink("Corners, darts", (0.86, 0.08, 0.62)),
+    "irregular": Ink("Irregular points", (0.48, 0.30, 0.95)),
+    "odd_face": Ink("Not quads", (0.80, 0.58, 0.00)),
+    "flat": Ink("Kept flat", (0.10, 0.65, 0.45)),
+    "problem": Ink("Problems", (0.92, 0.06, 0.06)),
+}
 
 # By name: (title in the preferences, {kind: Ink}).
 GROUPS = {
     "lines": ("Lines", _LINES),
     "combs": ("Combs", _COMBS),
     "marks": ("Marks of combs", _MARKS),
+    "tags": ("Tags in edit mode", _TAGS),
 }
 
 

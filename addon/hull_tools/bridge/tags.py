@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import hull_objects, hull_state, mesh_arrays, native, units
+from . import flat_marks, hull_objects, hull_state, mesh_arrays, native, units
 
 EDGE_KINDS = ("knuckle", "border", "deck_edge")
 POINT_KINDS = ("corner", "automatic_corner", "dart", "irregular")
@@ -73,6 +73,24 @@ def of_broken(obj, scene):
         **_odd_faces(control),
     )
     return control.points, tags
+
+
+def flat_faces(obj, tags):
+    """Of each region that is kept flat, its faces: arrays of control points of `tags`."""
+    if not obj.hull.flats:
+        return []
+    flat = flat_marks.read(obj.data)
+    if flat is None:
+        return []
+    new_index = np.full(flat.vertex_count, -1, dtype=np.int64)
+    new_index[tags.vertex_ids] = np.arange(len(tags.vertex_ids))
+    faces = np.split(new_index[flat.vertices], np.cumsum(flat.sizes)[:-1])
+    known = {entry.region for entry in obj.hull.flats}
+    found = {}
+    for region, face in zip(flat.regions.tolist(), faces):
+        if region in known and face.min() >= 0:
+            found.setdefault(region, []).append(face)
+    return list(found.values())
 
 
 def tags_of(mesh, control):

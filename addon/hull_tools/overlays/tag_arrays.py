@@ -133,3 +133,12 @@ def middles(points, faces):
     if not len(faces):
         return np.empty((0, 3))
     return np.array([points[face].mean(axis=0) for face in faces])
+
+
+def rim(faces):
+    """(k, 2) the edges that one only of the faces has, each the array of its vertices in order."""
+    if not len(faces):
+        return np.empty((0, 2), dtype=np.int64)
+    edges = np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in faces])
+    edges, counts = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
+    return edges[counts == 1]

@@ -1,13 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Hull tab of the 3D view's sidebar."""
+"""The Hull tab of the 3D view's sidebar, menus, and the key of the pie."""
 
 import bpy
 
-from . import export, fairness, hull, lines_plan, results, sections, shape, shown, stability, tags
+from . import (
+    export,
+    fairness,
+    hull,
+    keymap,
+    lines_plan,
+    results,
+    sections,
+    shape,
+    shown,
+    stability,
+    tag_menus,
+    tags,
+)
 
 _CLASSES = (
     *hull.CLASSES,
     *tags.CLASSES,
+    *tag_menus.CLASSES,
     *shape.CLASSES,
     *shown.CLASSES,
     *sections.CLASSES,
@@ -22,8 +36,14 @@ _CLASSES = (
 def register():
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
+    for name, draw in tag_menus.DRAWN_IN.items():
+        getattr(bpy.types, name).append(draw)
+    keymap.register()
 
 
 def unregister():
+    keymap.unregister()
+    for name, draw in tag_menus.DRAWN_IN.items():
+        getattr(bpy.types, name).remove(draw)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

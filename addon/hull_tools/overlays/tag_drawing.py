@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is drawn of the tags of a hull's control mesh, in the picture: see tag_arrays."""
+
+from dataclasses import dataclass, field
+
+import bmesh
+import numpy as np
+
+from ..bridge import preferences, selection, tags
+from . import tag_arrays
+
+# Of each kind of points: its switch, colour, outline, and radius and width of the outline in dots
+# at a scale of 1 for marks of the usual size.
+_POINTS = {
+    "corner": ("show_corners", "corner", "square", 6.0, 2.5),
+    "automatic_corner": ("show_corners", "corner", "square", 5.0, 1.2),
+    "dart": ("show_darts", "corner", "diamond", 6.0, 2.0),
+    "irregular": ("show_irregular", "irregular", "ring", 9.5, 1.6),
+}
+_PROBLEM = ("ring", 13.0, 2.5)
+_DIGIT_HEIGHT, _DIGIT_WIDTH = 11.0, 1.8
+_BESIDE, _CENTRED = (11.0, 5.0), (-2.75, -5.5)  # from a place to the lower left of its number
+_USUAL_MARK = 5.0
+# Of tagged edges, and farther out of those with problems and of the rim of what is kept flat.
+_RAIL_DISTANCE, _RAIL_WIDTH, _USUAL_WIDTH = 2.6, 1.8, 3.0
+_OUTER, _RIM_WIDTH = 2.0, 0.6  # times the distance, times the width
+_HALO, _HALO_WIDTH = (1.0, 1.0, 1.0), 1.6  # around marks and numbers, wider by so much
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """What draws: to_clip, a 4 × 4 matrix from the hull's metres to what the graphics card clips
+    by; viewport (width, height) in dots; scale of the interface; metres_per_unit of the scene."""
+
+    to_clip: object
+    viewport: tuple
+    scale: float
+    metres_per_unit: float
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """fills: (colour, corners (n, 3) of triangles); lines: (colour, width in dots, corners (n, 3)
+    of segments), in the order in which they cover one another; corners in the picture."""
+
+    fills: list = field(default_factory=list)
+    lines: list = field(default_factory=list)
+
+
+def drawing_of(hull, state, scene, picture):
+    """The Drawing of a hull in edit mode whose HullState has a surface."""
+    settings, colours = hull.hull.tags, preferences.colours("tags")
+    bm = bmesh.from_edit_mesh(hull.data)
+    if state.status:
+        points, known = tags.of_broken(hull, scene)
+    else:
+        points, known = state.surface.mesh.points, tags.of_state(state)
+    pen = _Pen(picture, points, _seen_points(bm, known))
+    if settings.show_flats:
+        for faces in tags.flat_faces(hull, known):
+            pen.draw_flat(faces, colours["flat"])
+    if settings.show_odd_faces:
+        pen.draw_odd_faces(known.odd_face_vertices, colours["odd_face"])
+    for kind, edges in known.edges.items():
+        if getattr(settings, f"show_{kind}"):
+            pen.draw_edges(edges, colours[kind])
+    for kind, (switch, colour, *shape) in _POINTS.items():
+        if getattr(settings, switch):
+            pen.draw_points(known.points[kind], colours[colour], *shape)
+    if settings.show_irregular:
+        pen.write_beside(known.points["irregular"], known.valences, colours["irregular"])
+    if settings.show_problems:
+        for problem in state.check.problems:
+            pen.draw_problem(bm, problem, colours["problem"])
+    return pen.drawing
+
+
+def _seen_points(bm, known):
+    """(n,) which control points are not hidden."""
+    hidden = np.array([vertex.hide for vertex in bm.verts], dtype=bool)
+    return ~hidden[known.vertex_ids]
+
+
+class _Pen:
+    """Collects the Drawing of one hull, of what is not hidden."""
+
+    def __init__(self, picture, points, is_seen):
+        self.drawing = Drawing()
+        self._picture, self._points, self._is_seen = picture, points, is_seen
+        self._clip = tag_arrays.in_clip(points, picture.to_clip)
+        self._mark = picture.scale * preferences.value("mark_size") / _USUAL_MARK
+        self._rail = picture.scale * preferences.value("tag_width") / _USUAL_WIDTH
+
+    def draw_edges(self, edges, colour, *, outwards=1.0, width=1.0):
+        edges = edges[self._is_seen[edges].all(axis=1)]
+        self._draw_rails(tag_arrays.segments(self._clip, edges), colour, outwards, width)
+
+    def draw_points(self, indices, colour, outline, radius, width):
+        at, is_shown = self._places(indices)
+        self._draw_outlines(at[is_shown], colour, outline, radius, width)
+
+    def write_beside(self, indices, numbers, colour):
+        at, is_shown = self._places(indices)
+        self._write(numbers[is_shown], at[is_shown], _BESIDE, colour)
+
+    def draw_odd_faces(self, faces, colour):
+        """Faces, arrays of points, with the number of their corners in each."""
+        faces = self._fill(faces, colour)
+        middles = tag_arrays.middles(self._points, faces)
+        at, is_shown = tag_arrays.places(tag_arrays.in_clip(middles, self._picture.to_clip))
+        counts = np.array([len(face) for face in faces], dtype=np.int32)
+        self._write(counts[is_shown], at[is_shown], _CENTRED, colour)
+
+    def draw_flat(self, faces, colour):
+        """Faces, arrays of points, with the rim of all of them."""
+        faces = self._fill(faces, colour)
+        self.draw_edges(tag_arrays.rim(faces), colour, outwards=_OUTER, width=_RIM_WIDTH)
+
+    def draw_problem(self, bm, problem, colour):
+        """Of a mesh_check.Problem; not the faces of mere warnings, which may be all there are."""
+        if problem.kind == "mesh" or (problem.kind == "face" and problem.severity == "warning"):
+            return
+        found = selection.found(bm, problem.kind, problem.elements)
+        elements = [element for element in found if not element.hide]
+        if problem.kind == "vertex":
+            at, is_shown = tag_arrays.places(self._clip_of(elements))
+            self._draw_outlines(at[is_shown], colour, *_PROBLEM)
+            return
+        if problem.kind == "face":
+            elements = [edge for face in elements for edge in face.edges]
+        clip = self._clip_of([vertex for edge in elements for vertex in edge.verts])
+        self._draw_rails(tag_arrays.segments(clip, np.arange(len(clip))), colour, _OUTER)
+
+    def _places(self, indices):
+        at, is_shown = tag_arrays.places(self._clip[indices])
+        return at, is_shown & self._is_seen[indices]
+
+    def _clip_of(self, vertices):
+        points = np.array([vertex.co for vertex in vertices]).reshape(-1, 3)
+        return tag_arrays.in_clip(points * self._picture.metres_per_unit, self._picture.to_clip)
+
+    def _fill(self, faces, colour):
+        """Fills the faces that are not hidden; returns them."""
+        faces = [face for face in faces if self._is_seen[face].all()]
+        corners = self._clip[tag_arrays.fan_triangles(faces).reshape(-1)]
+        at, _ = tag_arrays.places(corners)
+        is_before = (corners[:, 3] > 0.0).reshape(-1, 3).all(axis=1)
+        if is_before.any():
+            self.drawing.fills.append((colour, at[np.repeat(is_before, 3)]))
+        return faces
+
+    def _draw_rails(self, segments, colour, outwards=1.0, width=1.0):
+        distance = outwards * _RAIL_DISTANCE * self._rail
+        corners = tag_arrays.rails(segments, distance, self._picture.viewport).reshape(-1, 3)
+        self._draw_lines(colour, width * _RAIL_WIDTH * self._rail, corners)
+
+    def _draw_outlines(self, at, colour, outline, radius, width):
+        corners = tag_arrays.outlines(outline, at, radius * self._mark, self._picture.viewport)
+        self._draw_with_halo(colour, width * self._mark, corners)
+
+    def _write(self, numbers, at, shift, colour):
+        height, shift = _DIGIT_HEIGHT * self._mark, np.array(shift) * self._mark
+        corners = tag_arrays.numbers(numbers, at, height, shift, self._picture.viewport)
+        self._draw_with_halo(colour, _DIGIT_WIDTH * self._mark, corners)
+
+    def _draw_with_halo(self, colour, width, corners):
+        self._draw_lines(_HALO, width + _HALO_WIDTH * self._picture.scale, corners)
+        self._draw_lines(colour, width, corners)
+
+    def _draw_lines(self, colour, width, corners):
+        if len(corners):
+            self.drawing.lines.append((colour, width, corners))

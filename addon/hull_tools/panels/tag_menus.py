@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tagging and selecting from menus while a hull is edited: the pie, the Select menu, and what
+Blender's own menus of points, edges and faces have besides."""
+
+import bpy
+
+from ..bridge import hull_objects
+
+
+class HULL_MT_pie(bpy.types.Menu):
+    """Tags of the selected edges and points"""
+
+    bl_label = "Hull"
+
+    def draw(self, context):
+        pie = self.layout.menu_pie()
+        pie.operator("hull.tag_crease")  # left
+        pie.operator("hull.tag_smooth")  # right
+        pie.operator("hull.tag_corner")  # below
+        pie.operator("hull.tag_automatic")  # above
+        if hull_objects.hull_of(context.object) is None:
+            return
+        pie.operator("hull.select_chains")
+        pie.operator("hull.mark_deck_edge")
+        pie.menu("HULL_MT_select")
+
+
+class HULL_MT_select(bpy.types.Menu):
+    """Select by what edges, points and faces are to the surface"""
+
+    bl_label = "Select in Hull"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_menu_enum("hull.select_creases", "kind")
+        layout.operator("hull.select_chains")
+        layout.operator_menu_enum("hull.select_points", "kind")
+        layout.operator("hull.select_odd_faces")
+        layout.operator("hull.select_problems")
+
+
+def _draw_point_operators(layout):
+    layout.operator("hull.tag_corner")
+    layout.operator("hull.tag_automatic")
+    layout.operator("hull.tag_smooth")
+
+
+def _draw_edge_operators(layout):
+    layout.operator("hull.tag_crease")
+    layout.operator("hull.tag_smooth")
+    layout.operator("hull.tag_by_angle")
+    layout.operator("hull.mark_deck_edge")
+    layout.operator("hull.select_chains")
+
+
+def _draw_face_operators(layout):
+    layout.operator("hull.check_flat")
+
+
+_OF_MODES = (_draw_point_operators, _draw_edge_operators, _draw_face_operators)
+
+
+def _is_hull(context):
+    return hull_objects.hull_of(context.object) is not None
+
+
+def _draw_in_context_menu(self, context):
+    if not _is_hull(context):
+        return
+    for is_mode, draw in zip(context.tool_settings.mesh_select_mode, _OF_MODES):
+        if is_mode:
+            self.layout.separator()
+            self.layout.label(text="Hull")
+            draw(self.layout)
+
+
+def _draw_in_select_menu(self, context):
+    if _is_hull(context):
+        self.layout.separator()
+        self.layout.menu("HULL_MT_select")
+
+
+def _appended(draw):
+    def draw_in_menu(self, context):
+        if _is_hull(context):
+            self.layout.separator()
+            draw(self.layout)
+
+    return draw_in_menu
+
+
+CLASSES = (HULL_MT_pie, HULL_MT_select)
+
+# By the name of Blender's menu.
+DRAWN_IN = {
+    "VIEW3D_MT_edit_mesh_context_menu": _draw_in_context_menu,
+    "VIEW3D_MT_select_edit_mesh": _draw_in_select_menu,
+    "VIEW3D_MT_edit_mesh_vertices": _appended(_draw_point_operators),
+    "VIEW3D_MT_edit_mesh_edges": _appended(_draw_edge_operators),
+    "VIEW3D_MT_edit_mesh_faces": _appended(_draw_face_operators),
+}

@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is drawn of tags: the arrays for the graphics card, and what of a hull they are made of."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import add_hull, part, state_of
+from test_tags import BORDERS, KNUCKLES, at, edit, find, grid_hull, select
+
+SEED = 20261122
+VIEWPORT = (800, 400)
+
+
+@pytest.fixture
+def arrays():
+    return part("overlays.tag_arrays")
+
+
+def in_dots(places):
+    """Places in the picture as dots from its middle."""
+    return np.asarray(places)[..., :2] * 0.5 * np.array(VIEWPORT)
+
+
+def perspective():
+    """To clip coordinates of an eye at the origin that looks along -z, a right angle wide."""
+    near, far = 0.1, 100.0
+    matrix = np.zeros((4, 4))
+    matrix[0, 0], matrix[1, 1] = 1.0, VIEWPORT[0] / VIEWPORT[1]
+    matrix[2, 2], matrix[2, 3] = (far + near) / (near - far), 2.0 * far * near / (near - far)
+    matrix[3, 2] = -1.0
+    return matrix
+
+
+def test_rails_are_beside_their_edge(arrays):
+    rng = np.random.default_rng(SEED)
+    places = rng.uniform(-1.0, 1.0, (50, 2, 3))
+    rails = arrays.rails(places, 3.0, VIEWPORT)
+    assert rails.shape == (100, 2, 3)
+    ends, along = in_dots(np.concatenate([places, places])), in_dots(places[:, 1] - places[:, 0])
+    shifts = in_dots(rails) - ends
+    assert np.linalg.norm(shifts, axis=2) == pytest.approx(3.0)
+    dots = np.einsum("nki,ni->nk", shifts, np.concatenate([along, along]))
+    assert np.abs(dots).max() < 1e-9
+    assert shifts[:50] == pytest.approx(-shifts[50:])
+    assert np.array_equal(rails[:, :, 2], np.concatenate([places, places])[:, :, 2])
+
+
+def test_rails_of_an_edge_seen_from_its_end(arrays):
+    point = np.zeros((1, 2, 3))
+    assert np.isfinite(arrays.rails(point, 3.0, VIEWPORT)).all()
+
+
+def test_segments_end_before_the_eye(arrays):
+    points = np.array([(0, 0, -5), (1, 0, -5), (0, 0, 5), (1, 1, 3)], dtype=float)
+    clip = arrays.in_clip(points, perspective())
+    found = arrays.segments(clip, [(0, 1), (0, 2), (2, 3)])
+    # Of the second one what is before the eye is in the middle of the picture; none of the third.
+    assert found.shape == (2, 2, 3)
+    assert found[0, :, :2] == pytest.approx(np.array([(0, 0), (0.2, 0)]))
+    assert np.isfinite(found).all()
+    assert np.abs(found[1, :, :2]).max() < 1e-9
+    reverse = arrays.segments(clip, [(2, 0)])
+    assert reverse[0] == pytest.approx(found[1][::-1])
+
+
+def test_a_segment_that_is_cut_stays_on_its_line(arrays):
+    rng = np.random.default_rng(SEED + 1)
+    a = rng.uniform(-1, 1, (40, 3)) + (0, 0, -3)
+    b = rng.uniform(-1, 1, (40, 3)) + (0, 0, 3)
+    inside = a + 0.2 * (b - a)
+    points = np.concatenate([a, b, inside])
+    clip = arrays.in_clip(points, perspective())
+    found = arrays.segments(clip, np.arange(80).reshape(2, 40).T)[:, :, :2]
+    third = (clip[80:, :2] / clip[80:, 3:]) - found[:, 0]
+    along = found[:, 1] - found[:, 0]
+    cross = along[:, 0] * third[:, 1] - along[:, 1] * third[:, 0]
+    assert np.abs(cross / np.linalg.norm(along, axis=1)).max() < 1e-6
+
+
+def test_places_behind_the_eye_are_not_seen(arrays):
+    points = np.array([(0, 0, -5), (0, 0, 5), (9, 0, -5)], dtype=float)
+    _, is_seen = arrays.places(arrays.in_clip(points, perspective()))
+    assert is_seen.tolist() == [True, False, False]
+
+
+@pytest.mark.parametrize("name", ["square", "ring"])
+def test_outlines_are_closed_and_as_large_as_said(arrays, name):
+    corners = in_dots(arrays.outlines(name, np.array([(0.5, 0.5, 0.25)]), 8.0, VIEWPORT))
+    corners -= in_dots(np.array([0.5, 0.5]))
+    assert np.abs(corners).max() == pytest.approx(8.0)
+    ends = {tuple(np.round(corner, 6)) for corner in corners[1::2]}
+    assert ends == {tuple(np.round(corner, 6)) for corner in corners[::2]}
+
+
+def test_numbers_stand_side_by_side(arrays):
+    place = np.zeros((1, 3))
+    written = {n: in_dots(arrays.numbers([n], place, 10.0, (4.0, 2.0), VIEWPORT)) for n in (1, 12)}
+    assert written[12][: len(written[1])] == pytest.approx(written[1])
+    assert written[12][len(written[1]) :, 0].min() > written[1][:, 0].max()
+    for corners in written.values():
+        assert corners[:, 1].min() == pytest.approx(2.0)
+        assert corners[:, 1].max() == pytest.approx(12.0)
+    shapes = {arrays.numbers([n], place, 1.0, (0, 0), VIEWPORT).tobytes() for n in range(10)}
+    assert len(shapes) == 10
+    assert arrays.numbers([], np.empty((0, 3)), 1.0, (0, 0), VIEWPORT).shape == (0, 3)
+
+
+def test_triangles_and_rim_of_faces(arrays):
+    faces = [np.array([0, 1, 2, 3]), np.array([1, 4, 5, 6, 2])]
+    assert arrays.fan_triangles(faces).tolist() == [
+        [0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 6], [1, 6, 2]
+    ]  # fmt: skip
+    rim = {tuple(edge) for edge in arrays.rim(faces).tolist()}
+    assert rim == {(0, 1), (2, 3), (0, 3), (1, 4), (4, 5), (5, 6), (2, 6)}
+    assert arrays.rim([]).shape == (0, 2) and arrays.fan_triangles([]).shape == (0, 3)
+
+
+def drawing_of(hull):
+    """What is drawn of a hull, seen along z from above."""
+    drawing = part("overlays.tag_drawing")
+    scene = bpy.context.scene
+    part("bridge.hull_state").refresh(hull, scene)
+    to_clip = np.diag([0.05, 0.05, 0.01, 1.0])
+    picture = drawing.Picture(to_clip, VIEWPORT, 1.0, part("bridge.units").metres_per_unit(scene))
+    return drawing.drawing_of(hull, state_of(hull), scene, picture)
+
+
+def counts(drawing):
+    """How many segments are drawn in each colour of tags; corners have that of knuckles."""
+    names = {}
+    for name, colour in part("bridge.preferences").colours("tags").items():
+        names.setdefault(tuple(colour), name)
+    found = {}
+    for colour, _, corners in drawing.lines:
+        if tuple(colour) in names:
+            name = names[tuple(colour)]
+            found[name] = found.get(name, 0) + len(corners) // 2
+    return found
+
+
+def test_a_box_is_drawn_by_kinds():
+    hull = add_hull()
+    edit(hull)
+    # Knuckles and corners have one colour: two rails for each edge, four sides for each square.
+    assert counts(drawing_of(hull)) == {"knuckle": 2 * KNUCKLES + 4 * 8, "border": 2 * BORDERS}
+
+
+@pytest.mark.parametrize(
+    "switch, missing",
+    [("show_border", "border"), ("show_deck_edge", "deck_edge"), ("show_irregular", "irregular"),
+     ("show_odd_faces", "odd_face"), ("show_problems", "problem"), ("show_flats", "flat")],
+)  # fmt: skip
+def test_each_switch_takes_its_kind_away(switch, missing):
+    hull = grid_hull()
+    bm = edit(hull)
+    bm.faces.ensure_lookup_table()
+    bmesh.ops.poke(bm, faces=[bm.faces[0]])
+    bmesh.update_edit_mesh(hull.data)
+    select(hull, "vertex", [at(3, 3)])
+    bpy.ops.hull.tag_corner()  # without creases: a warning, and irregular
+    select(hull, "edge", [(at(2, 4), at(3, 4))])
+    bpy.ops.hull.mark_deck_edge()
+    part("bridge.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
+    before = counts(drawing_of(hull))
+    assert set(before) == {
+        "knuckle", "border", "deck_edge", "irregular", "odd_face", "problem", "flat"
+    }  # fmt: skip
+    setattr(hull.hull.tags, switch, False)
+    after = counts(drawing_of(hull))
+    assert after == {name: count for name, count in before.items() if name != missing}
+
+
+def test_corners_darts_and_knuckles_have_switches():
+    hull = grid_hull()
+    edit(hull)
+    select(hull, "edge", [(at(2, 2), at(3, 2))])
+    bpy.ops.hull.tag_crease()
+    settings = hull.hull.tags
+    squares, diamonds, rails = 4 * 4, 2 * 4, 2
+    assert counts(drawing_of(hull))["knuckle"] == squares + diamonds + rails
+    settings.show_darts = False
+    assert counts(drawing_of(hull))["knuckle"] == squares + rails
+    settings.show_corners = False
+    assert counts(drawing_of(hull))["knuckle"] == rails
+    settings.show_knuckle = False
+    assert "knuckle" not in counts(drawing_of(hull))
+
+
+def test_what_is_hidden_is_not_drawn():
+    hull = add_hull()
+    edit(hull)
+    select(hull, "vertex", [find(hull, 0, 2, 0)])
+    bpy.ops.mesh.hide()
+    # Three knuckles meet there.
+    assert counts(drawing_of(hull))["knuckle"] == 2 * (KNUCKLES - 3) + 4 * 7
+
+
+def test_a_mesh_with_errors_is_drawn_by_its_tags_with_what_is_wrong():
+    hull = add_hull()
+    bm = edit(hull)
+    extra = bm.verts.new((5.0, 3.0, 1.0))
+    bm.verts.ensure_lookup_table()
+    a, b = find(hull, 0, 2, 0), find(hull, 10, 2, 0)
+    bm.faces.new((bm.verts[a], bm.verts[b], extra))
+    bmesh.update_edit_mesh(hull.data)
+    drawing = drawing_of(hull)
+    assert state_of(hull).status
+    found = counts(drawing)
+    assert found["knuckle"] == 2 * KNUCKLES and found["border"] == 2 * (BORDERS + 2)
+    assert found["problem"] >= 2
+
+
+def test_tags_stand_where_the_points_are_in_any_unit():
+    bpy.context.scene.unit_settings.scale_length = 0.5
+    hull = grid_hull()
+    edit(hull)
+    select(hull, "vertex", [at(3, 3)])
+    bpy.ops.hull.tag_corner()
+    middle = 0.5 * np.array(bmesh.from_edit_mesh(hull.data).verts[at(3, 3)].co)
+    rings = [
+        corners
+        for colour, width, corners in drawing_of(hull).lines
+        if tuple(colour) == part("bridge.preferences").colour("tags", "problem")
+    ]
+    assert len(rings) == 1
+    assert rings[0].mean(axis=0)[:2] == pytest.approx(0.05 * middle[:2], abs=1e-6)
+
+
+def test_sizes_are_those_of_the_preferences():
+    chosen = part("bridge.preferences").of_addon()
+    hull = add_hull()
+    edit(hull)
+    usual = {width for _, width, _ in drawing_of(hull).lines}
+    chosen.tag_width = 6.0
+    try:
+        wide = {width for _, width, _ in drawing_of(hull).lines}
+    finally:
+        chosen.property_unset("tag_width")
+    assert 2.0 * min(usual - wide) in wide
