@@ -24,4 +24,5 @@ PYBIND11_MODULE(_core, module) {
   bind_flatness(module);
   bind_patch_set(module);
   bind_quality_report(module);
+  bind_pull(module);
 }

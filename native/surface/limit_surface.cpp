@@ -5,22 +5,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "surface/place_in_cell.h"
+
 namespace hull {
 namespace {
-
-// (u, v) seen from corner `turn` of the unit square (equation 4.3 without the scaling).
-Eigen::Vector2d turned(int turn, double u, double v) {
-  switch (turn) {
-    case 0:
-      return {u, v};
-    case 1:
-      return {v, 1.0 - u};
-    case 2:
-      return {1.0 - u, 1.0 - v};
-    default:
-      return {1.0 - v, u};
-  }
-}
 
 // Derivatives with respect to the square's own parameters from those seen from corner `turn`.
 void turn_back(int turn, SurfaceJet& jet) {
@@ -33,24 +21,7 @@ void turn_back(int turn, SurfaceJet& jet) {
   if (turn == 2 || turn == 3) jet.dv = -jet.dv;
 }
 
-// A place in the tree of squares of a cell.
-struct Place {
-  SurfaceNode node;
-  double u, v;   // in the node's square
-  double scale;  // d(u, v) of the node per d(u, v) of the cell
-};
-
-Place find_place(const SurfaceLayout& layout, int cell, double u, double v) {
-  Place place{layout.root(cell), u, v, 1.0};
-  while (place.node.kind == SurfaceNode::Kind::kSplit) {
-    const int i = place.u >= 0.5, j = place.v >= 0.5;
-    place = {layout.split(place.node.index)[2 * j + i], 2.0 * place.u - i, 2.0 * place.v - j,
-             2.0 * place.scale};
-  }
-  return place;
-}
-
-bool is_knot(const Place& place) {
+bool is_knot(const PlaceInCell& place) {
   return place.node.kind == SurfaceNode::Kind::kCorner &&
          turned(place.node.turn, place.u, place.v).isZero(0.0);
 }
@@ -87,7 +58,7 @@ SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const
 void LimitSurface::evaluate(int cell, double u, double v, int order, SurfaceJet& jet) const {
   assert(cell >= 0 && cell < cell_count());
   assert(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0);
-  const Place place = find_place(*layout_, cell, u, v);
+  const PlaceInCell place = find_place(*layout_, cell, u, v);
   if (place.node.kind == SurfaceNode::Kind::kLeaf) {
     evaluate_bicubic(leaves_[place.node.index], place.u, place.v, order, jet);
   } else {
@@ -111,7 +82,7 @@ bool LimitSurface::is_irregular_knot(int cell, double u, double v) const {
 }
 
 Vector3d LimitSurface::normal(int cell, double u, double v) const {
-  const Place place = find_place(*layout_, cell, u, v);
+  const PlaceInCell place = find_place(*layout_, cell, u, v);
   if (is_knot(place)) {
     const Vector3d direction =
         layout_->basis(place.node.index).corner_normal(corners_[place.node.index]);

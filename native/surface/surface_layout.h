@@ -38,6 +38,14 @@ class SurfaceLayout {
   const std::array<SurfaceNode, 4>& split(int index) const { return splits_[index]; }
   const CornerBasis& basis(int corner) const { return *corners_[corner].basis; }
 
+  // Which refined points a leaf takes (kNoPoint beyond creases), and a corner. A refined point is
+  // one of refine(): of the once-subdivided mesh, or that at the origin of one of the half-edges of
+  // the second and then the third subdivision that follow.
+  const std::array<int, 16>& leaf_points(int leaf) const { return leaves_[leaf]; }
+  const std::vector<int>& corner_points(int corner) const { return corners_[corner].points; }
+  const std::vector<int>& second_half_edges() const { return second_; }
+  const std::vector<int>& third_half_edges() const { return third_; }
+
   int leaf_count() const { return static_cast<int>(leaves_.size()); }
   int corner_count() const { return static_cast<int>(corners_.size()); }
 

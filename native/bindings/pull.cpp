@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/pull.h"
+
+#include <stdexcept>
+
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+#include "bindings/places.h"
+#include "surface/point_weights.h"
+
+namespace hull::bindings {
+namespace {
+
+py::tuple weights_at(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
+  const Places places = places_from(surface, cells, uv);
+  std::vector<int> begin{0}, points;
+  std::vector<double> weights;
+  {
+    const py::gil_scoped_release release;
+    PointWeights rows(surface);
+    for (std::size_t i = 0; i < places.cells.size(); ++i) {
+      for (const PointWeight& w : rows.at(places.cells[i], places.uv[i].x(), places.uv[i].y())) {
+        points.push_back(w.point);
+        weights.push_back(w.weight);
+      }
+      begin.push_back(static_cast<int>(points.size()));
+    }
+  }
+  return py::make_tuple(to_array(begin), to_array(points), to_array(weights));
+}
+
+std::vector<PullTarget> targets_from(const LimitSurface& surface, const py::object& cells,
+                                     const DoubleArray& uv, const DoubleArray& targets) {
+  const Places places = places_from(surface, cells, uv);
+  const std::vector<Vector3d> points = points_from(targets, "targets");
+  if (points.size() != places.cells.size()) {
+    throw std::invalid_argument("There must be as many targets as cells, " +
+                                std::to_string(places.cells.size()) + ", not " +
+                                std::to_string(points.size()) + ".");
+  }
+  std::vector<PullTarget> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    result.push_back({places.cells[i], places.uv[i].x(), places.uv[i].y(), points[i]});
+  }
+  return result;
+}
+
+PullLimits limits_from(const py::object& locked, const py::object& held_points,
+                       const DoubleArray& held_normals) {
+  PullLimits limits{integers_from(locked, "locked"), {}};
+  const std::vector<int> points = integers_from(held_points, "held_points");
+  const std::vector<Vector3d> normals = points_from(held_normals, "held_normals");
+  if (points.size() != normals.size()) {
+    throw std::invalid_argument("held_points and held_normals must be of equal length, not " +
+                                std::to_string(points.size()) + " and " +
+                                std::to_string(normals.size()) + ".");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) limits.held.push_back({points[i], normals[i]});
+  return limits;
+}
+
+}  // namespace
+
+void bind_pull(py::module_& module) {
+  py::class_<Pull>(module, "Pull", "Moves of control points that pull the surface to targets.")
+      .def_property_readonly(
+          "points", [](const Pull& p) { return to_array(p.points); },
+          "(m,) control points that move, rising.")
+      .def_property_readonly(
+          "moves", [](const Pull& p) { return to_array(p.moves); }, "(m, 3), m.")
+      .def_readonly("miss", &Pull::miss,
+                    "Largest distance of a target from where its place comes to lie, m.")
+      .def_readonly("reach", &Pull::reach,
+                    "The largest move of a control point, divided by the largest pull.");
+  module.def("point_weights", &weights_at, py::arg("surface"), py::arg("cells"), py::arg("uv"),
+             "Points of the surface as sums of control points, exact. cells: (k,), uv: (k, 2). "
+             "Returns begin (k + 1,), points and weights (begin[k],): place i is the sum over "
+             "begin[i] <= j < begin[i + 1] of weights[j] times control point points[j].");
+  module.def(
+      "pull_surface",
+      [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
+         const DoubleArray& targets, const py::object& locked, const py::object& held_points,
+         const DoubleArray& held_normals) {
+        const std::vector<PullTarget> wanted = targets_from(surface, cells, uv, targets);
+        const PullLimits limits = limits_from(locked, held_points, held_normals);
+        const py::gil_scoped_release release;
+        return pull(surface, wanted, limits);
+      },
+      py::arg("surface"), py::arg("cells"), py::arg("uv"), py::arg("targets"), py::kw_only(),
+      py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
+      py::arg("held_normals") = py::tuple(),
+      "The Pull that takes the places cells (k,), uv (k, 2) to targets (k, 3), m, with the least "
+      "sum of squared moves of the control points. locked (n,): control points that stay. "
+      "held_points (h,), held_normals (h, 3): points that move across their normal only; a point "
+      "may be there several times.\n\nThe surface itself is left as it is. ValueError naming the "
+      "target where these limits allow no such move, or targets contradict one another.");
+}
+
+}  // namespace hull::bindings

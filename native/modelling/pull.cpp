@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/pull.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "surface/point_weights.h"
+
+namespace hull {
+namespace {
+
+// Singular values are those of weights that sum to 1: below this a direction counts as held.
+constexpr double kLeastWeight = 1e-6;
+// Of the pull: what is left where a target cannot be reached is never near this, and rounding is
+// far below.
+constexpr double kMiss = 1e-8;
+// Two held directions of a point closer than this (sine of their angle) are one.
+constexpr double kSameDirection = 1e-9;
+
+// The orthonormal directions a control point may move in.
+struct Freedom {
+  std::array<Vector3d, 3> directions;
+  int count;
+};
+
+Freedom freedom_across(const std::vector<Vector3d>& normals) {
+  std::array<Vector3d, 3> held;
+  int held_count = 0;
+  const auto rest_of = [&](Vector3d v) {
+    // Twice: once leaves rounding of what was nearly parallel.
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < held_count; ++i) v -= held[i].dot(v) * held[i];
+    }
+    return v;
+  };
+  for (const Vector3d& normal : normals) {
+    const Vector3d rest = rest_of(normal.normalized());
+    if (held_count < 3 && rest.norm() > kSameDirection) held[held_count++] = rest.normalized();
+  }
+  Freedom freedom{{}, 3 - held_count};
+  for (int k = 0; k < freedom.count; ++k) {
+    // Of the axes' rests the longest, so that axes stay axes where planes are square to them.
+    Vector3d best = Vector3d::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d rest = rest_of(Vector3d::Unit(axis));
+      if (rest.norm() > best.norm() + 1e-12) best = rest;
+    }
+    freedom.directions[k] = held[held_count++] = best.normalized();
+  }
+  return freedom;
+}
+
+void check_targets(const LimitSurface& surface, const std::vector<PullTarget>& targets) {
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const PullTarget& t = targets[i];
+    const std::string name = "Target " + std::to_string(i);
+    if (t.cell < 0 || t.cell >= surface.cell_count()) {
+      throw std::invalid_argument(name + " is on cell " + std::to_string(t.cell) +
+                                  ", but the cells are 0 to " +
+                                  std::to_string(surface.cell_count() - 1) + ".");
+    }
+    if (!(t.u >= 0.0 && t.u <= 1.0 && t.v >= 0.0 && t.v <= 1.0)) {
+      throw std::invalid_argument(name + ": u and v must be within [0, 1].");
+    }
+    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > kMaxCoordinate) {
+      throw std::invalid_argument(name + " is no place within " + std::to_string(1e9) + " m.");
+    }
+  }
+}
+
+int checked_point(const LimitSurface& surface, int point, const char* what) {
+  const int count = surface.mesh().topology().vertex_count();
+  if (point >= 0 && point < count) return point;
+  throw std::invalid_argument(std::string("A ") + what + " point is " + std::to_string(point) +
+                              ", but the control points are 0 to " + std::to_string(count - 1) +
+                              ".");
+}
+
+// What each of the control points with a weight may do.
+std::map<int, Freedom> freedoms(const LimitSurface& surface,
+                                const std::vector<std::vector<PointWeight>>& rows,
+                                const PullLimits& limits) {
+  std::map<int, std::vector<Vector3d>> held;
+  for (const HeldDirection& h : limits.held) {
+    checked_point(surface, h.point, "held");
+    if (!h.normal.allFinite() || h.normal.squaredNorm() == 0.0) {
+      throw std::invalid_argument("The held direction of point " + std::to_string(h.point) +
+                                  " has no length.");
+    }
+    held[h.point].push_back(h.normal);
+  }
+  std::map<int, Freedom> result;
+  for (const auto& row : rows) {
+    for (const PointWeight& w : row) {
+      const auto [it, is_new] = result.try_emplace(w.point);
+      if (!is_new) continue;
+      it->second = freedom_across(held[w.point]);
+    }
+  }
+  for (int point : limits.locked) result.erase(checked_point(surface, point, "locked"));
+  return result;
+}
+
+// The columns of each point's freedom, then A.
+struct LinearProblem {
+  std::map<int, Freedom> freedoms;
+  std::map<int, Eigen::Index> first_column;
+  Eigen::MatrixXd A;
+
+  LinearProblem(std::map<int, Freedom> of_points, const std::vector<std::vector<PointWeight>>& rows)
+      : freedoms(std::move(of_points)) {
+    Eigen::Index columns = 0;
+    for (const auto& [point, freedom] : freedoms) {
+      first_column[point] = columns;
+      columns += freedom.count;
+    }
+    A.setZero(3 * static_cast<Eigen::Index>(rows.size()), columns);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (const PointWeight& w : rows[i]) {
+        const auto it = freedoms.find(w.point);
+        if (it == freedoms.end()) continue;
+        for (int k = 0; k < it->second.count; ++k) {
+          A.block<3, 1>(3 * static_cast<Eigen::Index>(i), first_column[w.point] + k) =
+              w.weight * it->second.directions[k];
+        }
+      }
+    }
+  }
+
+  Vector3d move_of(int point, const Eigen::VectorXd& x) const {
+    Vector3d move = Vector3d::Zero();
+    const Freedom& freedom = freedoms.at(point);
+    for (int k = 0; k < freedom.count; ++k) {
+      move += x[first_column.at(point) + k] * freedom.directions[k];
+    }
+    return move;
+  }
+};
+
+// A⁺ r, where singular values below kLeastWeight count as zero.
+Eigen::VectorXd least_norm(const Eigen::MatrixXd& A, const Eigen::VectorXd& r) {
+  if (A.cols() == 0) return Eigen::VectorXd::Zero(0);
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const auto solve = [&svd](const Eigen::VectorXd& b) {
+    Eigen::VectorXd c = svd.matrixU().transpose() * b;
+    for (Eigen::Index i = 0; i < c.size(); ++i) {
+      const double s = svd.singularValues()[i];
+      c[i] = s > kLeastWeight ? c[i] / s : 0.0;
+    }
+    return Eigen::VectorXd(svd.matrixV() * c);
+  };
+  Eigen::VectorXd x = solve(r);
+  x += solve(r - A * x);  // takes away what the division by small values left
+  return x;
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+[[noreturn]] void throw_unreachable(std::size_t target, double left) {
+  throw std::invalid_argument("Target " + std::to_string(target) + " cannot be reached, " +
+                              number(left) +
+                              " m are left: control points there are locked or held in planes, or "
+                              "another target is in the way. Free some of them, or pull within "
+                              "the plane.");
+}
+
+}  // namespace
+
+Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
+          const PullLimits& limits) {
+  check_targets(surface, targets);
+  PointWeights weights(surface);
+  std::vector<std::vector<PointWeight>> rows;
+  Eigen::VectorXd r(3 * static_cast<Eigen::Index>(targets.size()));
+  double longest = 0.0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const PullTarget& t = targets[i];
+    rows.push_back(weights.at(t.cell, t.u, t.v));
+    const Vector3d pulled = t.point - surface.position(t.cell, t.u, t.v);
+    r.segment<3>(3 * static_cast<Eigen::Index>(i)) = pulled;
+    longest = std::max(longest, pulled.norm());
+  }
+  const LinearProblem problem(freedoms(surface, rows, limits), rows);
+  const Eigen::VectorXd x = least_norm(problem.A, r);
+  const Eigen::VectorXd left = r - problem.A * x;
+
+  Pull result{{}, {}, 0.0, 0.0};
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const double miss = left.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
+    if (miss > kMiss * longest) throw_unreachable(i, miss);
+    result.miss = std::max(result.miss, miss);
+  }
+  for (const auto& [point, freedom] : problem.freedoms) {
+    const Vector3d move = problem.move_of(point, x);
+    if (move.isZero(0.0)) continue;
+    result.points.push_back(point);
+    result.moves.push_back(move);
+    if (longest > 0.0) result.reach = std::max(result.reach, move.norm() / longest);
+  }
+  return result;
+}
+
+}  // namespace hull

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "surface/limit_surface.h"
+
+namespace hull {
+
+// A point of the surface, by its place, and where it is wanted.
+struct PullTarget {
+  int cell;
+  double u, v;
+  Vector3d point;  // m
+};
+
+// A control point may move across this direction only. Several may be given for one point.
+struct HeldDirection {
+  int point;
+  Vector3d normal;  // of any length but zero
+};
+
+// What stays while a surface is pulled.
+struct PullLimits {
+  std::vector<int> locked;          // control points
+  std::vector<HeldDirection> held;  // points of a flat region, across its plane
+};
+
+// Control points that move, rising, and by what, m.
+struct Pull {
+  std::vector<int> points;
+  std::vector<Vector3d> moves;
+  double miss;   // largest distance of a target from where its place comes to lie, m
+  double reach;  // the largest move of a control point, divided by the largest pull of a place
+};
+
+// Pulls places of the surface to targets: of all moves of the control points that take every place
+// to its target and stay within the limits, the one with the least Σ |move|². With the weights w of
+// the control points in a place (point_weights.h) that is a linear least-norm problem: the moves
+// are A⁺ r for the matrix A of the weights times what each point may do, and the targets' distances
+// r. Only control points with a weight in a place move.
+//
+// Places land within 1e-13 of the mesh's size, or of the largest pull. `reach` says how far this
+// carries control points: 1 to 4 within faces; hundreds where a place hangs by the small weights of
+// the few points that are not locked.
+//
+// Throws std::invalid_argument, naming the target, where the limits allow no such move (directions
+// in which a place can be moved by less than 1e-6 of its control points' moves count as held) or
+// targets contradict one another; for places, points or normals that are none.
+Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
+          const PullLimits& limits = {});
+
+}  // namespace hull

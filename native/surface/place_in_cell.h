@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surface/surface_layout.h"
+
+namespace hull {
+
+// A place in the tree of squares of a cell.
+struct PlaceInCell {
+  SurfaceNode node;  // a leaf or a corner
+  double u, v;       // in the node's square
+  double scale;      // d(u, v) of the node per d(u, v) of the cell
+};
+
+// REQUIRES: 0 <= cell < number of cells, u and v in [0, 1].
+inline PlaceInCell find_place(const SurfaceLayout& layout, int cell, double u, double v) {
+  PlaceInCell place{layout.root(cell), u, v, 1.0};
+  while (place.node.kind == SurfaceNode::Kind::kSplit) {
+    const int i = place.u >= 0.5, j = place.v >= 0.5;
+    place = {layout.split(place.node.index)[2 * j + i], 2.0 * place.u - i, 2.0 * place.v - j,
+             2.0 * place.scale};
+  }
+  return place;
+}
+
+// (u, v) seen from corner `turn` of the unit square (Greshake 2021, 4.3 without the scaling).
+inline Eigen::Vector2d turned(int turn, double u, double v) {
+  switch (turn) {
+    case 0:
+      return {u, v};
+    case 1:
+      return {v, 1.0 - u};
+    case 2:
+      return {1.0 - u, 1.0 - v};
+    default:
+      return {1.0 - v, u};
+  }
+}
+
+}  // namespace hull
