@@ -53,7 +53,6 @@ def look_after(view_layer, is_new_file=False):
         _take_along(_seen[address])
     _seen.clear()
     _seen.update(found)
-    _follow_local_views(view_layer)
     return changed
 
 
@@ -137,15 +136,21 @@ def _take_along(seen):
         collection.objects.unlink(shown)
 
 
-def _follow_local_views(view_layer):
+def follow_local_views(depsgraph):
     """Shows the surface too where a hull is looked at in local view."""
+    objects = depsgraph.view_layer.objects
     for space in _local_views():
-        for obj in hull_objects.hulls(view_layer.objects):
+        for obj in hull_objects.hulls(objects):
             shown = obj.hull.surface_object
-            if shown is None or shown.name not in view_layer.objects:
+            if shown is None or shown.name not in objects:
                 continue
-            if obj.local_view_get(space) and not shown.local_view_get(space):
+            if _is_in(space, obj, depsgraph) and not _is_in(space, shown, depsgraph):
                 shown.local_view_set(space, True)
+
+
+def _is_in(space, obj, depsgraph):
+    # Of objects themselves Blender does not keep it.
+    return obj.evaluated_get(depsgraph).local_view_get(space)
 
 
 def _local_views():

@@ -24,6 +24,7 @@ def after_update(scene, depsgraph):
     if depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION"):
         changed = upkeep.look_after(depsgraph.view_layer)
         _refresh({*changed, *upkeep.with_new_scale(bpy.data.scenes)})
+        upkeep.follow_local_views(depsgraph)
     for update in depsgraph.updates:
         if update.is_updated_transform and isinstance(update.id, bpy.types.Object):
             obj = update.id.original

@@ -52,16 +52,24 @@ def hulls_in_view(what="surface"):
     for hull, state in hull_state.known_hulls(context.view_layer):
         if state.surface is None or not getattr(state, what):
             continue
-        if hull.visible_in_viewport_get(context.space_data):
+        if is_seen(context, hull):
             yield HullInView(context, hull, state)
+
+
+def is_seen(context, obj):
+    """Whether the 3D view at hand shows an object."""
+    depsgraph = context.view_layer.depsgraph
+    if depsgraph is not None:
+        obj = obj.evaluated_get(depsgraph)  # objects themselves do not know of local views
+    return obj.visible_in_viewport_get(context.space_data)
 
 
 def has_light_ground(context, hull):
     """Whether what the hull's lines are drawn upon is light: its surface, or else the view."""
     surface = shown_objects.surface_of(hull)
     space = context.space_data
-    is_seen = surface is not None and surface.visible_in_viewport_get(space)
-    if is_seen and space.shading.type != "WIREFRAME":
+    has_surface = surface is not None and is_seen(context, surface)
+    if has_surface and space.shading.type != "WIREFRAME":
         if hull.hull.fairness.colours == "SLOPE":
             return False  # the sides of a ship are in the dark middle of its colours
         material = surface.active_material
