@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import add_hull, part, state_of
-from test_tags import BORDERS, KNUCKLES, at, edit, find, grid_hull, select
+from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, select
 
 SEED = 20261122
 VIEWPORT = (800, 400)

@@ -5,66 +5,13 @@ from math import radians
 
 import bmesh
 import bpy
-import numpy as np
 import pytest
-from addon_under_test import add_box, add_hull, make_active, part, state_of
-
-# Of the box: port side, bottom and both ends, open above and on the centre plane.
-KNUCKLES, BORDERS = 5, 6
+from addon_under_test import add_box, add_hull, part, state_of
+from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, keys, select, selected
 
 
 def tags_of(hull):
     return part("bridge.tags").of_hull(hull, bpy.context.scene)
-
-
-def edit(hull, mode=(True, False, False)):
-    make_active(hull)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.context.tool_settings.mesh_select_mode = mode
-    bpy.ops.mesh.select_all(action="DESELECT")
-    return bmesh.from_edit_mesh(hull.data)
-
-
-def select(hull, kind, elements):
-    part("bridge.selection").select(bpy.context, hull, kind, elements)
-
-
-def selected(hull, kind):
-    return part("bridge.selection").selected(hull, kind)
-
-
-def keys(edges):
-    return {tuple(sorted(map(int, edge))) for edge in edges}
-
-
-def find(hull, *place):
-    points = np.array([vertex.co for vertex in bmesh.from_edit_mesh(hull.data).verts])
-    return int(np.abs(points - place).sum(axis=1).argmin())
-
-
-def grid_hull(columns=6, rows=5):
-    """A bulged smooth sheet to port, the half of a hull without any crease inside."""
-    points = [
-        (float(i), 1.0 + 0.1 * i * (columns - 1 - i) + 0.2 * j, float(j))
-        for i in range(columns)
-        for j in range(rows)
-    ]
-    faces = [
-        (a, a + rows, a + rows + 1, a + 1)
-        for a in (i * rows + j for i in range(columns - 1) for j in range(rows - 1))
-    ]
-    mesh = bpy.data.meshes.new("grid")
-    mesh.from_pydata(points, [], faces)
-    hull = bpy.data.objects.new("grid", mesh)
-    bpy.context.collection.objects.link(hull)
-    make_active(hull)
-    assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
-    assert not state_of(hull).status
-    return hull
-
-
-def at(i, j, rows=5):
-    return i * rows + j
 
 
 def test_edges_of_a_box_by_kind():

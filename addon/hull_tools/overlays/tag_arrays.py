@@ -74,6 +74,11 @@ OUTLINES = {
 def outlines(name, at, radius, viewport):
     """(n k, 3) corners of the segments of one of OUTLINES around the places `at`, (n, 3)."""
     shape = OUTLINES[name] * (2.0 * radius / np.asarray(viewport, dtype=np.float64))
+    return _around(at, shape)
+
+
+def _around(at, shape):
+    """(n k, 3) the places of a shape, (k, 2) in the picture, around each of `at`, (n, 3)."""
     corners = np.repeat(at[:, None, :], len(shape), axis=1)
     corners[:, :, :2] += shape
     return corners.reshape(-1, 3)
@@ -108,14 +113,13 @@ def _number_strokes(number):
 
 def numbers(values, at, height, shift, viewport):
     """(k, 3) corners of segments that write the whole numbers `values` (n,) at the places `at`,
-    (n, 3); height, and shift (x, y) from the place to the lower left, in dots."""
-    dot = 2.0 / np.asarray(viewport, dtype=np.float64)
+    (n, 3), equal ones one after another; height, and shift (x, y) from the place to the lower left,
+    in dots."""
+    values, dot = np.asarray(values), 2.0 / np.asarray(viewport, dtype=np.float64)
     written = [np.empty((0, 3))]
-    for value, place in zip(values, at):
-        strokes = _number_strokes(int(value)) * height + shift
-        written.append(
-            np.column_stack([strokes * dot + place[:2], np.full(len(strokes), place[2])])
-        )
+    for value in np.unique(values).tolist():
+        shape = (_number_strokes(value) * height + shift) * dot
+        written.append(_around(at[values == value], shape))
     return np.concatenate(written)
 
 

@@ -29,33 +29,42 @@ def _draw():
 
 
 def _draw_drawing(drawing):
-    gpu.state.blend_set("ALPHA")
+    fills = [
+        (colour, *_batch("UNIFORM_COLOR", "TRIS", corners)) for colour, corners in drawing.fills
+    ]
+    lines = [
+        (colour, width, *_batch("POLYLINE_UNIFORM_COLOR", "LINES", corners))
+        for colour, width, corners in drawing.lines
+    ]
     is_depth_kept = gpu.state.depth_mask_get()
+    gpu.state.blend_set("ALPHA")
     gpu.state.depth_mask_set(False)
     with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
         gpu.matrix.load_matrix(Matrix.Identity(4))
         gpu.matrix.load_projection_matrix(Matrix.Identity(4))
         for depth_test, alpha in (("GREATER", _BEHIND_ALPHA), ("LESS_EQUAL", 1.0)):
             gpu.state.depth_test_set(depth_test)
-            for colour, corners in drawing.fills:
-                _draw_corners("UNIFORM_COLOR", "TRIS", corners, (*colour, alpha * _FILL_ALPHA))
-            for colour, width, corners in drawing.lines:
-                _draw_corners("POLYLINE_UNIFORM_COLOR", "LINES", corners, (*colour, alpha), width)
+            for colour, shader, batch in fills:
+                shader.bind()
+                shader.uniform_float("color", (*colour, alpha * _FILL_ALPHA))
+                batch.draw(shader)
+            for colour, width, shader, batch in lines:
+                shader.bind()
+                shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
+                shader.uniform_float("lineWidth", width)
+                shader.uniform_float("color", (*colour, alpha))
+                batch.draw(shader)
     gpu.state.depth_mask_set(is_depth_kept)
     gpu.state.depth_test_set("NONE")
     gpu.state.blend_set("NONE")
 
 
-def _draw_corners(shader_name, form, corners, colour, width=None):
+def _batch(shader_name, form, corners):
+    """(shader, its batch) of corners (n, 3)."""
     shader = blender_versions.builtin_shader(shader_name)
     points = GPUVertBuf(shader.format_calc(), len(corners))
     points.attr_fill("pos", corners.astype(np.float32))
-    shader.bind()
-    shader.uniform_float("color", colour)
-    if width is not None:
-        shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-        shader.uniform_float("lineWidth", width)
-    GPUBatch(type=form, buf=points).draw(shader)
+    return shader, GPUBatch(type=form, buf=points)
 
 
 _handler = Handler(_draw, "POST_VIEW")

@@ -8,7 +8,7 @@ from ..bridge import hull_objects
 
 
 class HULL_MT_pie(bpy.types.Menu):
-    """Tags of the selected edges and points"""
+    """What the selected edges, points and faces are to the surface"""
 
     bl_label = "Hull"
 
@@ -23,6 +23,7 @@ class HULL_MT_pie(bpy.types.Menu):
         pie.operator("hull.select_chains")
         pie.operator("hull.mark_deck_edge")
         pie.menu("HULL_MT_select")
+        pie.operator_menu_enum("hull.make_flat", "kind")
 
 
 class HULL_MT_select(bpy.types.Menu):
@@ -36,6 +37,7 @@ class HULL_MT_select(bpy.types.Menu):
         layout.operator("hull.select_chains")
         layout.operator_menu_enum("hull.select_points", "kind")
         layout.operator("hull.select_odd_faces")
+        layout.operator("hull.select_flat")
         layout.operator("hull.select_problems")
 
 
@@ -43,6 +45,8 @@ def _draw_point_operators(layout):
     layout.operator("hull.tag_corner")
     layout.operator("hull.tag_automatic")
     layout.operator("hull.tag_smooth")
+    layout.operator_menu_enum("hull.put_in_plane", "plane")
+    layout.operator("hull.set_coordinates")
 
 
 def _draw_edge_operators(layout):
@@ -54,6 +58,8 @@ def _draw_edge_operators(layout):
 
 
 def _draw_face_operators(layout):
+    layout.operator_menu_enum("hull.make_flat", "kind")
+    layout.operator("hull.release_flat")
     layout.operator("hull.check_flat")
 
 
