@@ -4,19 +4,30 @@
 import contextlib
 
 import bmesh
+import numpy as np
 
-from . import hull_objects, mesh_arrays, mesh_check
+from ..io import orientation
+from . import hull_objects, mesh_arrays
 
 
 def turn_outwards(obj):
-    """Turns the faces of each connected part the same way, and the whole shell outwards."""
-    with _editing(obj.data) as bm:
-        bmesh.ops.recalc_face_normals(bm, faces=bm.faces)
+    """Turns the faces of each connected part the same way, outwards, as orientation tells; returns
+    how many were turned. Faces that do not belong to the shell are parts of their own."""
     data = mesh_arrays.read_mesh(obj.data)
-    control = mesh_arrays.control_arrays(data, 1.0, hull_objects.excluded_slots(obj))
-    if len(control.face_sizes) and mesh_check.outward_flux(control) < 0.0:
+    loops = np.split(data.face_vertices, np.cumsum(data.face_sizes)[:-1])
+    faces = [loop.tolist() for loop in loops if len(loop)]
+    excluded = hull_objects.excluded_slots(obj)
+    is_outside = np.isin(data.face_slots, np.array(sorted(excluded), dtype=np.int32))
+    turned = []
+    for part in (np.flatnonzero(~is_outside), np.flatnonzero(is_outside)):
+        before = [faces[index] for index in part]
+        after, _ = orientation.turn_outwards(data.points.astype(np.float64), before, obj.hull.half)
+        turned += [index for index, a, b in zip(part.tolist(), before, after) if a != b]
+    if turned:
         with _editing(obj.data) as bm:
-            bmesh.ops.reverse_faces(bm, faces=bm.faces)
+            bm.faces.ensure_lookup_table()
+            bmesh.ops.reverse_faces(bm, faces=[bm.faces[index] for index in turned])
+    return len(turned)
 
 
 @contextlib.contextmanager

@@ -9,7 +9,7 @@ lie elsewhere then, as those that were extruded from a region, are not of the re
 
 import numpy as np
 
-from . import flat_marks, flats, mesh_points, planes
+from . import flat_marks, flats, hull_objects, mesh_points, planes
 
 # So many meshes a hull's faces are remembered of, so that undo does not count as a change of them.
 _MOST_KNOWN = 256
@@ -34,7 +34,7 @@ def keep(obj, memory):
     """Brings the points of a hull's flat regions back into their planes; returns whether any point
     was moved. The Memory is for this hull alone."""
     flat = flat_marks.read(obj.data)
-    if flat is None:
+    if flat is None or hull_objects.locked(obj):
         return False
     key = flat.key()
     entries = flats.plane_entries(obj)

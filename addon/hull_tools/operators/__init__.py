@@ -17,6 +17,7 @@ from . import (
     make_hull,
     select_tags,
     shape,
+    sides,
     tag_mesh,
 )
 
@@ -26,6 +27,7 @@ _CLASSES = (
     *select_tags.CLASSES,
     *deck_edge.CLASSES,
     *shape.CLASSES,
+    *sides.CLASSES,
     *coordinates.CLASSES,
     *check_mesh.CLASSES,
     *import_hull.CLASSES,

@@ -49,8 +49,9 @@ class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
     bl_label = "Turn Faces Outwards"
 
     def run_on(self, hull, context):
-        face_turning.turn_outwards(hull)
+        count = face_turning.turn_outwards(hull)
         hull_state.refresh(hull, context.scene)
+        self.report({"INFO"}, f"{count} faces turned")
 
 
 def _enter_edit_mode(context, hull):

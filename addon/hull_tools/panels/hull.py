@@ -43,7 +43,9 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         for name in ("length_pp", "beam", "depth", "draft"):
             column.prop(settings, name)
         layout.prop(settings, "water_density")
-        layout.prop(settings, "half")
+        row = layout.row(align=True)
+        row.prop(settings, "half")
+        row.operator("hull.make_whole" if settings.half else "hull.make_half")
 
 
 class HULL_PT_check(HullPanel, bpy.types.Panel):
@@ -69,8 +71,7 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
             label_wrapped(box, context, problem.message, icon)
             if problem.elements:
                 box.operator("hull.select_problem").index = index
-        if check.problems:
-            layout.operator("hull.turn_outwards")
+        layout.operator("hull.turn_outwards")
 
 
 CLASSES = (HULL_PT_hull, HULL_PT_check)

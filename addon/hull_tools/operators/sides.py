@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The half hull that counts twice, and the whole one."""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty
+
+from ..bridge import mirroring, units
+from .shared import HullOperator, can_change, in_object_mode
+
+
+class SidesOperator(HullOperator):
+    needs = (in_object_mode, *HullOperator.needs, can_change)
+
+
+class HULL_OT_make_whole(bpy.types.Operator, SidesOperator):
+    """Give the half hull its other side. Its edges in the centre plane become creases: surface and
+    numbers stay the same"""
+
+    bl_idname = "hull.make_whole"
+    bl_label = "Make Whole"
+
+    def run_on(self, hull, context):
+        mirroring.to_whole(hull, context.scene)
+        self.report({"INFO"}, f"{hull.name}: {len(hull.data.polygons)} faces, both sides")
+
+
+class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
+    """Leave one side of the whole hull, which counts twice"""
+
+    bl_idname = "hull.make_half"
+    bl_label = "Make Half"
+
+    side: EnumProperty(
+        name="Keep",
+        items=(
+            ("PORT", "Port", "Keep the port side (y > 0)"),
+            ("STARBOARD", "Starboard", "Keep the starboard side (y < 0), turned to port"),
+        ),
+    )
+    cut: BoolProperty(
+        name="Cut across",
+        description="Cut faces that reach across the centre plane; the surface changes there",
+    )
+
+    def run_on(self, hull, context):
+        scene = context.scene
+        made = mirroring.to_half(hull, scene, self.side, self.cut)
+        notes = []
+        size = max(hull.dimensions) or 1.0
+        if made.difference > mirroring.ALIKE * size:
+            metres = made.difference * units.metres_per_unit(scene)
+            apart = units.format_value(scene, metres, "m")
+            notes.append(f"the sides were not alike: points differed by up to {apart}")
+        if made.smooth_edges:
+            notes.append(
+                f"{made.smooth_edges} edges in the centre plane were smooth and are borders now: "
+                "look at the surface there"
+            )
+        if notes:
+            self.report({"WARNING"}, ". ".join(note[0].upper() + note[1:] for note in notes))
+        else:
+            self.report({"INFO"}, f"{hull.name}: {len(hull.data.polygons)} faces, one side")
+
+
+CLASSES = (HULL_OT_make_whole, HULL_OT_make_half)

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A half hull made whole, and a whole one half: the same ship."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import HALF_BREADTH, LENGTH, add_hull, mesh_points, part, state_of
+
+NUMBERS = ("displaced_volume", "wetted_surface", "waterplane_area", "lcb", "kb", "kmt", "lcf")
+ALIKE = 1e-7  # live numbers are integrated to 1e-8
+
+
+def sample(name):
+    bpy.ops.hull.load_sample(name=name)
+    return bpy.context.object
+
+
+def numbers(hull):
+    found = part("bridge.hull_state").refresh(hull, bpy.context.scene).hydrostatics
+    return {name: getattr(found, name) for name in NUMBERS}
+
+
+def surface_points(hull):
+    """Points of the surface object, both sides, sorted to be compared."""
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    return mesh_points(hull.hull.surface_object)
+
+
+def furthest_apart(first, second):
+    from mathutils import kdtree
+
+    tree = kdtree.KDTree(len(second))
+    for index, point in enumerate(second):
+        tree.insert(point, index)
+    tree.balance()
+    return max(tree.find(point)[2] for point in first)
+
+
+@pytest.mark.parametrize("name", ["barge", "coaster"])
+def test_a_whole_hull_is_the_same_ship(name):
+    hull = sample(name)
+    before, surface = numbers(hull), surface_points(hull)
+    faces = len(hull.data.polygons)
+    assert bpy.ops.hull.make_whole() == {"FINISHED"}
+    assert not hull.hull.half and len(hull.data.polygons) == 2 * faces
+    assert numbers(hull) == pytest.approx(before, rel=ALIKE)
+    assert not state_of(hull).check.errors
+    whole = surface_points(hull)
+    assert furthest_apart(whole, surface) < 1e-6 * LENGTH * 10
+    assert furthest_apart(surface, whole) < 1e-6 * LENGTH * 10
+    assert bpy.ops.hull.make_half() == {"FINISHED"}
+    assert hull.hull.half and len(hull.data.polygons) == faces
+    assert numbers(hull) == pytest.approx(before, rel=ALIKE)
+    assert np.array_equal(surface_points(hull), surface)
+
+
+def test_the_mesh_comes_back_with_its_tags():
+    hull = sample("coaster")
+    arrays = part("bridge.mesh_arrays")
+    before = arrays.read_mesh(hull.data)
+    bpy.ops.hull.make_whole()
+    whole = arrays.read_mesh(hull.data)
+    assert np.count_nonzero(whole.points[:, 1] < 0) == np.count_nonzero(before.points[:, 1] > 0)
+    assert np.array_equal(whole.points[: len(before.points)], before.points)
+    assert np.array_equal(whole.face_slots, np.tile(before.face_slots, 2))
+    bpy.ops.hull.make_half()
+    after = arrays.read_mesh(hull.data)
+    for name in ("points", "face_sizes", "face_vertices", "face_slots", "vertex_creases"):
+        assert np.array_equal(getattr(after, name), getattr(before, name)), name
+    inner = ~(before.points[before.edges][:, :, 1] == 0.0).all(axis=1)
+    pairs = {tuple(sorted(e)) for e in before.edges[inner & (before.edge_creases > 0)].tolist()}
+    again = ~(after.points[after.edges][:, :, 1] == 0.0).all(axis=1)
+    assert pairs == {
+        tuple(sorted(e)) for e in after.edges[again & (after.edge_creases > 0)].tolist()
+    }
+
+
+def test_starboard_may_be_kept():
+    hull = sample("coaster")
+    before = numbers(hull)
+    bpy.ops.hull.make_whole()
+    assert bpy.ops.hull.make_half(side="STARBOARD") == {"FINISHED"}
+    assert mesh_points(hull)[:, 1].min() == 0.0
+    assert numbers(hull) == pytest.approx(before, rel=ALIKE)
+    assert not state_of(hull).check.problems
+
+
+def faces_in(hull, plane):
+    points, plane = mesh_points(hull), np.array(plane)
+    return [
+        polygon.index
+        for polygon in hull.data.polygons
+        if np.abs(points[list(polygon.vertices)] @ plane[:3] - plane[3]).max() < 1e-5
+    ]
+
+
+@pytest.mark.parametrize("side", ["PORT", "STARBOARD"])
+def test_flat_regions_come_along(side):
+    hull, flats = add_hull(), part("bridge.flats")
+    planes = [(0.0, 1.0, 0.0, HALF_BREADTH), (0.0, 0.0, 1.0, 0.0)]
+    for plane in planes:
+        flats.mark(hull, faces_in(hull, plane), plane)
+    bpy.ops.hull.make_whole()
+    found = {(region.kind, len(region.faces)): region.plane for region in flats.regions(hull)}
+    kinds = [region.kind for region in flats.regions(hull)]
+    assert sorted(kinds) == ["BOTTOM", "SIDE", "SIDE"] and found[("BOTTOM", 2)][3] == 0.0
+    sides = [r.plane[3] * r.plane[1] for r in flats.regions(hull) if r.kind == "SIDE"]
+    assert sorted(sides) == [-HALF_BREADTH, HALF_BREADTH]
+    bpy.ops.hull.make_half(side=side)
+    assert len(hull.hull.flats) == 2
+    kept = {region.kind: region.plane * region.plane[:3].sum() for region in flats.regions(hull)}
+    assert kept["SIDE"].tolist() == list(planes[0]) and kept["BOTTOM"].tolist() == list(planes[1])
+
+
+def test_the_deck_edge_comes_along():
+    hull = add_hull()
+    marks = part("bridge.edge_marks")
+    marked = np.arange(len(hull.data.edges)) == 2
+    marks.store_marks(hull.data, marked)
+    bpy.ops.hull.make_whole()
+    assert np.count_nonzero(marks.stored_marks(hull.data)) == 2
+
+
+def edit(hull, change):
+    bm = bmesh.new()
+    bm.from_mesh(hull.data)
+    bm.verts.ensure_lookup_table()
+    change(bm)
+    bm.to_mesh(hull.data)
+    bm.free()
+    bpy.context.view_layer.update()
+
+
+def test_points_on_the_other_side_are_refused():
+    hull = add_hull()
+    edit(hull, lambda bm: setattr(bm.verts[0].co, "y", -0.5))
+    before = mesh_points(hull)
+    with pytest.raises(RuntimeError, match="1 points of the half hull are to starboard"):
+        bpy.ops.hull.make_whole()
+    assert np.array_equal(mesh_points(hull), before) and hull.hull.half
+
+
+def whole_box_with_faces_across():
+    hull = add_hull()
+    bpy.ops.hull.make_whole()
+
+    def dissolve(bm):
+        keel = [e for e in bm.edges if all(v.co.y == 0.0 and v.co.z == 0.0 for v in e.verts)]
+        bmesh.ops.dissolve_edges(bm, edges=keel)
+
+    edit(hull, dissolve)
+    return hull
+
+
+def test_faces_across_are_refused_or_cut():
+    hull = whole_box_with_faces_across()
+    before = numbers(hull)
+    with pytest.raises(RuntimeError, match="1 faces reach across"):
+        bpy.ops.hull.make_half()
+    assert not hull.hull.half
+    assert bpy.ops.hull.make_half(cut=True) == {"FINISHED"}
+    assert numbers(hull) == pytest.approx(before, rel=ALIKE)
+    assert len(hull.data.polygons) == 4
+
+
+def test_what_differs_is_told():
+    hull = add_hull()
+    bpy.ops.hull.make_whole()
+    starboard = int(np.argmin(mesh_points(hull)[:, 1]))
+    edit(hull, lambda bm: setattr(bm.verts[starboard].co, "y", -2.5))
+    made = part("bridge.mirroring").to_half(hull, bpy.context.scene)
+    assert made.difference == pytest.approx(0.5) and made.smooth_edges == 0
+
+
+def test_a_smooth_keel_is_told():
+    hull = add_hull()
+    bpy.ops.hull.make_whole()
+    blender_versions = part("bridge.blender_versions")
+
+    def smooth(bm):
+        layer, _ = blender_versions.ensure_crease_layers(bm)
+        for edge in bm.edges:
+            if all(v.co.y == 0.0 for v in edge.verts):
+                edge[layer] = 0.0
+
+    edit(hull, smooth)
+    assert part("bridge.mirroring").to_half(hull, bpy.context.scene).smooth_edges == 3
+
+
+def test_twice_is_refused_and_shared_meshes_are():
+    hull = add_hull()
+    with pytest.raises(RuntimeError, match="a half already"):
+        bpy.ops.hull.make_half()
+    other = hull.copy()
+    with pytest.raises(RuntimeError, match="2 objects share the mesh"):
+        bpy.ops.hull.make_whole()
+    bpy.data.objects.remove(other)
+    bpy.ops.hull.make_whole()
+    with pytest.raises(RuntimeError, match="whole already"):
+        bpy.ops.hull.make_whole()
+
+
+def test_one_undo_step():
+    hull = add_hull()
+    bpy.ops.ed.undo_push(message="half")
+    bpy.ops.hull.make_whole()
+    bpy.ops.ed.undo_push(message="whole")
+    bpy.ops.ed.undo()
+    hull = bpy.data.objects["box"]
+    assert hull.hull.half and len(hull.data.polygons) == 4
+    bpy.ops.ed.redo()
+    hull = bpy.data.objects["box"]
+    assert not hull.hull.half and len(hull.data.polygons) == 8
+
+
+@pytest.mark.parametrize("in_edit_mode", [False, True])
+def test_faces_are_turned_outwards_each_part_by_itself(in_edit_mode):
+    hull = sample("coaster")
+    before = numbers(hull)
+    random = np.random.default_rng(5)
+
+    def flip_some(bm):
+        faces = [face for face in bm.faces if random.random() < 0.4]
+        bmesh.ops.reverse_faces(bm, faces=faces)
+
+    good = [tuple(polygon.vertices) for polygon in hull.data.polygons]
+    edit(hull, flip_some)
+    if in_edit_mode:
+        bpy.ops.object.mode_set(mode="EDIT")
+    turned = part("bridge.face_turning").turn_outwards(hull)
+    assert turned
+    bpy.ops.object.mode_set(mode="OBJECT")
+    again = [tuple(polygon.vertices) for polygon in hull.data.polygons]
+    assert all(b in {a[k:] + a[:k] for k in range(len(a))} for a, b in zip(good, again))
+    assert numbers(hull) == pytest.approx(before, rel=1e-12)
+    assert part("bridge.face_turning").turn_outwards(hull) == 0
