@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is expected of a hull at any moment: all that is shown is of the mesh as it is now."""
+
+import numpy as np
+from addon_under_test import mesh_points, part, state_of
+
+
+def edited_points(hull):
+    """Control points (n, 3) as they are now, in edit mode or not, in Blender's units."""
+    return part("bridge.mesh_arrays").read_mesh(hull.data).points.copy()
+
+
+def assert_follows(hull):
+    """Surface object, lines and hydrostatics are those of the control mesh as it is now."""
+    settings, state = hull.hull, state_of(hull)
+    assert not state.status and not state.lines_status and not state.hydrostatics_status
+    source, surface = _fresh(hull)
+    size = max(hull.dimensions)
+
+    tessellation = surface.tessellate(settings.samples)
+    wanted = part("bridge.surface_object").surface_points(tessellation, settings.half)[0]
+    shown = mesh_points(settings.surface_object)
+    assert shown.shape == wanted.shape
+    # Blender keeps points in single precision.
+    assert np.abs(shown - wanted).max() <= 1e-6 * size
+
+    where = part("bridge.afloat").afloat(settings, 1.0)
+    fresh = part("bridge.hydrostatics").at(source.live_body(surface), where)
+    volume = state.hydrostatics.displaced_volume
+    assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
+
+    lines = part("bridge.lines")
+    cuts = lines.wanted_cuts(settings, surface.mesh.points, 1.0)
+    groups = lines.groups({}, surface, cuts, settings.half, None)
+    assert groups.keys() == state.lines.keys()
+    for kind, group in groups.items():
+        _assert_same_lines(state.lines[kind].polylines, group.polylines, 1e-9 * size)
+
+
+def _fresh(hull):
+    """(ship.ShipSource, LimitSurface) of the mesh as it is now; the scene is in metres."""
+    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
+    data, settings = arrays.read_mesh(hull.data), hull.hull
+    excluded = part("bridge.hull_objects").excluded_slots(hull)
+    control = arrays.control_arrays(data, 1.0, excluded)
+    openings = "closed" if settings.deck_closed else "open"
+    deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
+    source = part("bridge.ship").ShipSource(
+        control, settings.scheme, settings.half, openings, deck_edge
+    )
+    mesh = native.ControlMesh(*control.arguments())
+    return source, native.LimitSurface(mesh, settings.scheme)
+
+
+def _assert_same_lines(shown, wanted, tolerance):
+    assert len(shown) == len(wanted)
+    for line, other in zip(shown, wanted):
+        assert line.shape == other.shape
+        assert np.abs(line - other).max() <= tolerance
+
+
+def snapshot(hull):
+    """What is shown of a hull, as numbers to compare."""
+    state = state_of(hull)
+    polylines = [np.asarray(one) for group in state.lines.values() for one in group.polylines]
+    return {
+        "points": edited_points(hull),
+        "surface": mesh_points(hull.hull.surface_object),
+        "volume": np.array([state.hydrostatics.displaced_volume]),
+        "lines": np.concatenate([line.reshape(-1, 3) for line in polylines]),
+    }
+
+
+def are_equal(one, other):
+    """Whether two snapshots show the same."""
+    return all(
+        one[name].shape == other[name].shape and np.allclose(one[name], other[name], 0.0, 1e-6)
+        for name in one
+    )

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's window as a person has it: keys, mouse, and where things of the 3D view are in it.
+
+Nothing happens at once: what is pressed and moved is put down in `actions`, and done when the test
+yields, one action at a time, with Blender's own handling and drawing after each.
+"""
+
+import math
+
+import bpy
+from addon_under_test import make_active
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+from mathutils import Euler
+
+# The view from off the bow, as the angles of its turn; and those of the numpad.
+OFF_THE_BOW = (68.0, 0.0, 48.0)
+FROM_PORT, FROM_AHEAD, FROM_ABOVE = (90.0, 0.0, 180.0), (90.0, 0.0, 90.0), (0.0, 0.0, 0.0)
+
+# A drag is one for Blender when it is longer than some pixels: the mouse moves in so many steps.
+_DRAG_STEPS = 4
+_KEYS_OF_LETTERS = {
+    **dict(zip("0123456789", "ZERO ONE TWO THREE FOUR FIVE SIX SEVEN EIGHT NINE".split())),
+    **{letter: letter.upper() for letter in "abcdefghijklmnopqrstuvwxyz"},
+    ".": "PERIOD",
+    "-": "MINUS",
+    "/": "SLASH",
+    "*": "NUMPAD_ASTERIX",
+    "+": "PLUS",
+    "=": "EQUAL",
+    " ": "SPACE",
+}
+
+
+class Window:
+    """The first window of Blender, whatever file it shows."""
+
+    def __init__(self):
+        self.actions = []
+        self.cursor = (0, 0)
+
+    @property
+    def window(self):
+        return bpy.context.window_manager.windows[0]
+
+    # Keys and mouse
+
+    def press(self, key, text="", **modifiers):
+        """Presses a key of bpy's names and lets it go, with ctrl, shift or alt held if so said."""
+        self._event(key, "PRESS", text, **modifiers)
+        self._event(key, "RELEASE", **modifiers)
+
+    def write(self, text):
+        """Presses the keys of a text, one after the other."""
+        for letter in text:
+            self.press(_KEYS_OF_LETTERS[letter.lower()], letter, shift=letter.isupper())
+
+    def move_to(self, x, y):
+        """Moves the mouse to a place in the window, in pixels from its lower left."""
+
+        def move():
+            self.cursor = (round(x), round(y))
+            self._simulate("MOUSEMOVE", "NOTHING")
+
+        self.actions.append(move)
+
+    def move_by(self, right, up):
+        """Moves the mouse from where it will be, in some steps."""
+        for _ in range(_DRAG_STEPS):
+            self.actions.append(lambda: self._step(right / _DRAG_STEPS, up / _DRAG_STEPS))
+
+    def _step(self, right, up):
+        self.cursor = (round(self.cursor[0] + right), round(self.cursor[1] + up))
+        self._simulate("MOUSEMOVE", "NOTHING")
+
+    def click(self, button="LEFTMOUSE", **modifiers):
+        self.press(button, **modifiers)
+
+    def drag(self, right, up, button="LEFTMOUSE", **modifiers):
+        """Presses the button, moves the mouse, lets go."""
+        self._event(button, "PRESS", **modifiers)
+        self.move_by(right, up)
+        self._event(button, "RELEASE", **modifiers)
+
+    def hold(self, key, **modifiers):
+        """Presses a key and does not let it go: `let_go` does."""
+        self._event(key, "PRESS", **modifiers)
+
+    def let_go(self, key, **modifiers):
+        self._event(key, "RELEASE", **modifiers)
+
+    def undo(self):
+        self.press("Z", ctrl=True)
+
+    def redo(self):
+        self.press("Z", ctrl=True, shift=True)
+
+    def search(self, words):
+        """Runs what the search of operators (F3) finds first."""
+        self.press("F3")
+        self.write(words)
+        self.press("RET")
+
+    def _event(self, key, value, text="", **modifiers):
+        self.actions.append(lambda: self._simulate(key, value, text, **modifiers))
+
+    def _simulate(self, key, value, text="", **modifiers):
+        x, y = self.cursor
+        extra = {"unicode": text} if text else {}
+        self.window.event_simulate(key, value, x=x, y=y, **extra, **modifiers)
+
+    # The 3D view
+
+    @property
+    def area(self):
+        areas = [area for area in self.window.screen.areas if area.type == "VIEW_3D"]
+        return max(areas, key=lambda area: area.width * area.height)
+
+    @property
+    def space(self):
+        return self.area.spaces.active
+
+    def region(self, kind="WINDOW"):
+        return next(region for region in self.area.regions if region.type == kind)
+
+    def in_view(self):
+        """The context in which operators work in the 3D view; to be used by `with`."""
+        return bpy.context.temp_override(
+            window=self.window, area=self.area, region=self.region("WINDOW")
+        )
+
+    def look(self, obj, angles_deg=OFF_THE_BOW, is_perspective=False):
+        """Shows an object, whole, from an angle, and puts the mouse in the middle of the view."""
+        region_3d = self.space.region_3d
+        self.space.clip_end = 1000.0 * max(obj.dimensions)
+        region_3d.view_rotation = Euler(map(math.radians, angles_deg)).to_quaternion()
+        region_3d.view_perspective = "PERSP" if is_perspective else "ORTHO"
+        mode = obj.mode
+        with self.in_view():
+            if mode != "OBJECT":
+                bpy.ops.object.mode_set(mode="OBJECT")
+            make_active(obj)
+            bpy.ops.view3d.view_selected()
+            if mode != "OBJECT":
+                bpy.ops.object.mode_set(mode=mode)
+        self.move_to_middle()
+
+    def move_to_middle(self):
+        region = self.region()
+        self.move_to(region.x + region.width // 2, region.y + region.height // 2)
+
+    def move_to_point(self, obj, point):
+        """Moves the mouse to a point given in an object's own coordinates, as it is shown then."""
+
+        def move():
+            self.cursor = self.place_of(obj, point)
+            self._simulate("MOUSEMOVE", "NOTHING")
+
+        self.actions.append(move)
+
+    def place_of(self, obj, point):
+        """Where in the window the 3D view shows a point of an object."""
+        region = self.region()
+        place = location_3d_to_region_2d(region, self.space.region_3d, obj.matrix_world @ point)
+        return round(region.x + place.x), round(region.y + place.y)
+
+    def screenshot(self, path):
+        with bpy.context.temp_override(window=self.window, area=self.area):
+            bpy.ops.screen.screenshot(filepath=str(path))
