@@ -53,7 +53,7 @@ class HULL_OT_show_worst_spot(bpy.types.Operator, HullReader):
     bl_idname = "hull.show_worst_spot"
     bl_label = "Show Worst Spot"
 
-    kind: EnumProperty(name="Worst", items=_spot_items())
+    kind: EnumProperty(name="Worst", description="What is worst there", items=_spot_items())
 
     def run_on(self, hull, context):
         kind = "" if self.kind == "NONE" else self.kind

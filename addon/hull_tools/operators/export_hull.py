@@ -62,7 +62,10 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
 
 
 def _analysis_items(modules):
-    return tuple((name, module.LABEL, "") for name, module in modules.items())
+    return tuple(
+        (name, module.LABEL, module.__doc__.splitlines()[0].rstrip("."))
+        for name, module in modules.items()
+    )
 
 
 class ExportAnalysis(ExportHull):
@@ -83,7 +86,9 @@ class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
 
     filename_ext = ".csv"
     filter_glob: StringProperty(default="*.csv", options={"HIDDEN"})
-    analysis: EnumProperty(name="Table", items=_analysis_items(analyses.ANALYSES))
+    analysis: EnumProperty(
+        name="Table", description="What the table is of", items=_analysis_items(analyses.ANALYSES)
+    )
 
     def write(self, hull, scene):
         exports.export_table(hull, scene, self.analysis, self.filepath)
@@ -99,7 +104,9 @@ class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis):
     filename_ext = ".pdf"
     check_extension = None
     filter_glob: StringProperty(default="*.pdf;*.svg;*.png", options={"HIDDEN"})
-    analysis: EnumProperty(name="Plot", items=_analysis_items(analyses.PLOTTED))
+    analysis: EnumProperty(
+        name="Plot", description="What the plot is of", items=_analysis_items(analyses.PLOTTED)
+    )
 
     def write(self, hull, scene):
         exports.export_plot(hull, scene, self.analysis, self.filepath)

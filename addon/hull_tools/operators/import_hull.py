@@ -56,7 +56,7 @@ class HULL_OT_load_sample(bpy.types.Operator, BaseOperator):
     bl_idname = "hull.load_sample"
     bl_label = "Load Sample Hull"
 
-    name: EnumProperty(name="Sample", items=_list_samples)
+    name: EnumProperty(name="Sample", description="The hull that is loaded", items=_list_samples)
 
     needs = (native_is_there, in_object_mode)
 

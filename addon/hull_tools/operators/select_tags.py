@@ -35,6 +35,7 @@ class HULL_OT_select_creases(bpy.types.Operator, SelectOperator):
 
     kind: EnumProperty(
         name="Which",
+        description="Which creases are selected",
         items=(
             ("ALL", "All", "All edges that are creases to the surface"),
             ("KNUCKLE", "Knuckles", "Creases within the surface"),
@@ -70,6 +71,7 @@ class HULL_OT_select_points(bpy.types.Operator, SelectOperator):
 
     kind: EnumProperty(
         name="Which",
+        description="Which points are selected",
         items=(
             ("IRREGULAR", "Irregular", "Points around which the surface is no B-spline"),
             ("CORNER", "Tagged corners", "Points that are tagged as corners"),

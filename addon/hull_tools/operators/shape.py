@@ -30,6 +30,7 @@ class HULL_OT_make_flat(bpy.types.Operator, ShapeOperator):
 
     kind: EnumProperty(
         name="Plane",
+        description="Which way the plane faces",
         items=(
             ("SIDE", "Side", "Parallel to the centre plane: flat side"),
             ("BOTTOM", "Bottom", "Level: flat bottom or deck"),
@@ -110,6 +111,7 @@ class HULL_OT_put_in_plane(bpy.types.Operator, ShapeOperator):
 
     plane: EnumProperty(
         name="Plane",
+        description="Which way the plane faces",
         items=(
             ("STATION", "Station", "Across the ship: one x"),
             ("WATERLINE", "Waterline", "Level: one z"),

@@ -32,6 +32,7 @@ class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
 
     side: EnumProperty(
         name="Keep",
+        description="The side that is kept",
         items=(
             ("PORT", "Port", "Keep the port side (y > 0)"),
             ("STARBOARD", "Starboard", "Keep the starboard side (y < 0), turned to port"),

@@ -122,11 +122,11 @@ class HullExport(bpy.types.PropertyGroup):
         name="Unit",
         description="The unit of the numbers in the file, which is at the ship's true size",
         items=(
-            ("m", "Metres", ""),
-            ("cm", "Centimetres", ""),
-            ("mm", "Millimetres", ""),
-            ("ft", "Feet", ""),
-            ("in", "Inches", ""),
+            ("m", "Metres", "1 in the file is 1 m"),
+            ("cm", "Centimetres", "1 in the file is 1 cm"),
+            ("mm", "Millimetres", "1 in the file is 1 mm"),
+            ("ft", "Feet", "1 in the file is 304.8 mm"),
+            ("in", "Inches", "1 in the file is 25.4 mm"),
         ),
     )
     schema: EnumProperty(

@@ -33,7 +33,9 @@ from .shared import angle, changed, length
 class HullLayer(bpy.types.PropertyGroup):
     """How the faces of one material slot count; slots without an entry count fully."""
 
-    material: PointerProperty(type=bpy.types.Material)
+    material: PointerProperty(
+        name="Layer", description="The material of the layer's faces", type=bpy.types.Material
+    )
     in_hydrostatics: BoolProperty(
         name="Shell",
         description="The layer's faces belong to the hull's shell: surface, hydrostatics, STEP",
@@ -106,7 +108,9 @@ class HullSettings(bpy.types.PropertyGroup):
         soft_max=12,
         update=changed,
     )
-    surface_object: PointerProperty(name="Surface", type=bpy.types.Object)
+    surface_object: PointerProperty(
+        name="Surface", description="The object that shows the surface", type=bpy.types.Object
+    )
     layers: CollectionProperty(type=HullLayer)
     flats: CollectionProperty(type=flat_settings.HullFlat)
 

@@ -96,7 +96,7 @@ class HullLines(bpy.types.PropertyGroup):
         "degrees: 5.2/35 4/50",
     )
     planes: CollectionProperty(type=HullPlane)
-    active_plane: IntProperty(name="Plane")
+    active_plane: IntProperty(name="Plane", description="The one chosen in the list")
 
     width: FloatProperty(
         name="Line width",
@@ -108,7 +108,9 @@ class HullLines(bpy.types.PropertyGroup):
         step=50,
         update=changed,
     )
-    curves: PointerProperty(name="Lines", type=bpy.types.Collection)
+    curves: PointerProperty(
+        name="Lines", description="Where curves made of the lines are", type=bpy.types.Collection
+    )
 
 
 CLASSES = (HullPlane, HullLines)

@@ -36,10 +36,10 @@ class HullPlots(bpy.types.PropertyGroup):
         name="Corner",
         description="The corner of the 3D view that the plots start from",
         items=(
-            ("BOTTOM_LEFT", "Bottom left", ""),
-            ("BOTTOM_RIGHT", "Bottom right", ""),
-            ("TOP_LEFT", "Top left", ""),
-            ("TOP_RIGHT", "Top right", ""),
+            ("BOTTOM_LEFT", "Bottom left", "Plots start at the bottom, on the left"),
+            ("BOTTOM_RIGHT", "Bottom right", "Plots start at the bottom, on the right"),
+            ("TOP_LEFT", "Top left", "Plots start at the top, on the left"),
+            ("TOP_RIGHT", "Top right", "Plots start at the top, on the right"),
         ),
         update=changed,
     )
@@ -67,11 +67,17 @@ class HullPlan(bpy.types.PropertyGroup):
     paper: EnumProperty(
         name="Sheet",
         description="The sheet of paper, its long side across",
-        items=(*((name, name, "") for name in ("A4", "A3", "A2", "A1", "A0")),
-               ("OWN", "Own size", "")),
+        items=(
+            ("A4", "A4", "297 × 210 mm"),
+            ("A3", "A3", "420 × 297 mm"),
+            ("A2", "A2", "594 × 420 mm"),
+            ("A1", "A1", "841 × 594 mm"),
+            ("A0", "A0", "1189 × 841 mm"),
+            ("OWN", "Own size", "Width and height as given below"),
+        ),
         default="A3",
         update=changed,
-    )  # fmt: skip
+    )
     width: _side("Width", 600.0)
     height: _side("Height", 400.0)
     scale: FloatProperty(
@@ -93,7 +99,10 @@ class HullPlan(bpy.types.PropertyGroup):
     dxf_unit: EnumProperty(
         name="DXF in",
         description="The unit of a DXF file, which is at the ship's true size",
-        items=(("m", "Metres", ""), ("mm", "Millimetres", "")),
+        items=(
+            ("m", "Metres", "1 in the file is 1 m"),
+            ("mm", "Millimetres", "1 in the file is 1 mm"),
+        ),
         update=changed,
     )
 

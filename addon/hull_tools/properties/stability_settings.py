@@ -78,9 +78,9 @@ class HullLoading(bpy.types.PropertyGroup):
         update=changed,
     )
     flooding_points: CollectionProperty(type=HullFloodingPoint)
-    active_flooding_point: IntProperty(name="Opening")
+    active_flooding_point: IntProperty(name="Opening", description="The one chosen in the list")
     load_cases: CollectionProperty(type=HullLoadCase)
-    active_load_case: IntProperty(name="Load case")
+    active_load_case: IntProperty(name="Load case", description="The one chosen in the list")
 
 
 CLASSES = (HullLoadCase, HullFloodingPoint, HullLoading)
