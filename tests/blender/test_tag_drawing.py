@@ -146,6 +146,30 @@ def test_a_box_is_drawn_by_kinds():
     assert counts(drawing_of(hull)) == {"knuckle": 2 * KNUCKLES + 4 * 8, "border": 2 * BORDERS}
 
 
+def test_borders_on_the_centre_plane_of_a_half_hull_are_fine():
+    hull = add_hull()
+    edit(hull)
+    colour = part("bridge.preferences").colour("tags", "border")
+
+    def border_widths():
+        return {
+            round(width, 3): len(corners) // 4
+            for found, width, corners in drawing_of(hull).lines
+            if tuple(found) == colour
+        }
+
+    half = border_widths()
+    # Three are along the deck, three on the centre plane.
+    assert list(half.values()) == [3, 3] and min(half) == pytest.approx(0.6 * max(half), rel=1e-3)
+    bm = bmesh.from_edit_mesh(hull.data)
+    bm.verts.ensure_lookup_table()
+    bm.verts[find(hull, 0, 0, 0)].co.y = 1e-3
+    bmesh.update_edit_mesh(hull.data)
+    assert sorted(border_widths().items()) == [(min(half), 1), (max(half), 5)]
+    hull.hull.half = False
+    assert border_widths() == {max(half): BORDERS}
+
+
 @pytest.mark.parametrize(
     "switch, missing",
     [("show_border", "border"), ("show_deck_edge", "deck_edge"), ("show_irregular", "irregular"),

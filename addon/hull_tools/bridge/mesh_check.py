@@ -7,7 +7,7 @@ import numpy as np
 
 from . import mesh_arrays, native
 
-# Starboard points of a half hull nearer to the centre plane than this part of its size are dust.
+# Points nearer to the centre plane than this part of the hull's size are on it.
 _CENTRE_PLANE_TOLERANCE = 1e-6
 
 
@@ -97,8 +97,7 @@ def _tag_warnings(data):
 
 def _side_warnings(control, half):
     problems = []
-    size = np.ptp(control.points, axis=0).max()
-    starboard = np.flatnonzero(control.points[:, 1] < -_CENTRE_PLANE_TOLERANCE * size)
+    starboard = np.flatnonzero(control.points[:, 1] < -_dust(control.points))
     if half and len(starboard):
         elements = tuple(control.vertex_ids[starboard].tolist())
         message = f"{len(starboard)} points of the half hull are to starboard (y < 0)"
@@ -107,6 +106,15 @@ def _side_warnings(control, half):
         elements = tuple(control.face_ids.tolist())
         problems.append(Problem("warning", "face", elements, "The faces are turned inwards"))
     return problems
+
+
+def _dust(points):
+    return _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max()
+
+
+def on_centre_plane(points):
+    """(n,) which of these points, (n, 3), lie on the centre plane."""
+    return np.abs(points[:, 1]) <= _dust(points)
 
 
 def outward_flux(control):

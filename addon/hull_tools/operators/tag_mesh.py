@@ -5,6 +5,7 @@ from math import radians
 
 import bmesh
 import bpy
+import numpy as np
 from bpy.props import FloatProperty
 
 from ..bridge import blender_versions
@@ -92,19 +93,22 @@ class HULL_OT_tag_by_angle(bpy.types.Operator, TagOperator):
     )
 
     def run(self, context):
-        count = sum(self._tag(obj) for obj in context.objects_in_mode_unique_data)
-        if not count:
+        judged, creased = np.sum([self._tag(o) for o in context.objects_in_mode_unique_data], 0)
+        if not judged:
             raise ValueError("Select the edges to judge by their angle first")
+        self.report({"INFO"}, f"{creased} of {judged} edges are creases")
 
     def _tag(self, obj):
-        """How many edges were judged; those with other than two faces are left alone."""
+        """(how many edges were judged, how many became creases); those with other than two faces
+        are left alone."""
         bm = bmesh.from_edit_mesh(obj.data)
         edge_layer, _ = blender_versions.ensure_crease_layers(bm)
         judged = [edge for edge in bm.edges if edge.select and len(edge.link_faces) == 2]
-        for edge in judged:
-            edge[edge_layer] = float(edge.calc_face_angle(0.0) >= self.angle)
+        is_sharp = [edge.calc_face_angle(0.0) >= self.angle for edge in judged]
+        for edge, sharp in zip(judged, is_sharp):
+            edge[edge_layer] = float(sharp)
         bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
-        return len(judged)
+        return len(judged), sum(is_sharp)
 
 
 class HULL_OT_tag_smooth(bpy.types.Operator, TagOperator):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import bmesh
 import numpy as np
 
-from ..bridge import preferences, selection, tags
+from ..bridge import mesh_check, preferences, selection, tags
 from . import tag_arrays
 
 # Of each kind of points: its switch, colour, outline, and radius and width of the outline in dots
@@ -23,7 +23,7 @@ _BESIDE, _CENTRED = (11.0, 5.0), (-2.75, -5.5)  # from a place to the lower left
 _USUAL_MARK = 5.0
 # Of tagged edges, and farther out of those with problems and of the rim of what is kept flat.
 _RAIL_DISTANCE, _RAIL_WIDTH, _USUAL_WIDTH = 2.6, 1.8, 3.0
-_OUTER, _RIM_WIDTH = 2.0, 0.6  # times the distance, times the width
+_OUTER, _FINE = 2.0, 0.6  # times the distance, times the width
 _HALO, _HALO_WIDTH = (1.0, 1.0, 1.0), 1.6  # around marks and numbers, wider by so much
 
 
@@ -62,8 +62,13 @@ def drawing_of(hull, state, scene, picture):
     if settings.show_odd_faces:
         pen.draw_odd_faces(known.odd_face_vertices, colours["odd_face"])
     for kind, edges in known.edges.items():
-        if getattr(settings, f"show_{kind}"):
-            pen.draw_edges(edges, colours[kind])
+        if not getattr(settings, f"show_{kind}"):
+            continue
+        if kind == "border" and hull.hull.half:
+            is_inner = mesh_check.on_centre_plane(points)[edges].all(axis=1)
+            pen.draw_edges(edges[is_inner], colours[kind], width=_FINE)
+            edges = edges[~is_inner]
+        pen.draw_edges(edges, colours[kind])
     for kind, (switch, colour, *shape) in _POINTS.items():
         if getattr(settings, switch):
             pen.draw_points(known.points[kind], colours[colour], *shape)
@@ -114,7 +119,7 @@ class _Pen:
     def draw_flat(self, faces, colour):
         """Faces, arrays of points, with the rim of all of them."""
         faces = self._fill(faces, colour)
-        self.draw_edges(tag_arrays.rim(faces), colour, outwards=_OUTER, width=_RIM_WIDTH)
+        self.draw_edges(tag_arrays.rim(faces), colour, outwards=_OUTER, width=_FINE)
 
     def draw_problem(self, bm, problem, colour):
         """Of a mesh_check.Problem; not the faces of mere warnings, which may be all there are."""

@@ -13,7 +13,9 @@ def _shown(name, description):
 class HullTags(bpy.types.PropertyGroup):
     show: _shown("Show tags", "Show in edit mode what edges, points and faces are to the surface")
     show_knuckle: _shown("Knuckles", "Creases within the surface")
-    show_border: _shown("Borders", "Edges with a face on one side only")
+    show_border: _shown(
+        "Borders", "Edges with a face on one side only; fine on the centre plane of a half hull"
+    )
     show_deck_edge: _shown("Deck edge", "Edges that are marked as deck edge")
     show_corners: _shown(
         "Corners",
