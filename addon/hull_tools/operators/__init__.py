@@ -4,6 +4,7 @@
 import bpy
 
 from . import (
+    add_hull,
     check_mesh,
     convert,
     coordinates,
@@ -22,6 +23,7 @@ from . import (
 )
 
 _CLASSES = (
+    *add_hull.CLASSES,
     *make_hull.CLASSES,
     *tag_mesh.CLASSES,
     *select_tags.CLASSES,
@@ -43,6 +45,7 @@ _CLASSES = (
 def register():
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
+    bpy.types.VIEW3D_MT_mesh_add.append(add_hull.draw_add_menu)
     bpy.types.TOPBAR_MT_file_import.append(import_hull.draw_import_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_hull.draw_export_menu)
 
@@ -50,5 +53,6 @@ def register():
 def unregister():
     bpy.types.TOPBAR_MT_file_export.remove(export_hull.draw_export_menu)
     bpy.types.TOPBAR_MT_file_import.remove(import_hull.draw_import_menu)
+    bpy.types.VIEW3D_MT_mesh_add.remove(add_hull.draw_add_menu)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

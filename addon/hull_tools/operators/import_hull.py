@@ -7,17 +7,14 @@ from bpy_extras.io_utils import ImportHelper
 
 from .. import io
 from ..bridge import hull_creation, samples
-from .shared import BaseOperator, in_object_mode, native_is_there
+from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 
 
 def _import(operator, context, path):
     """Reads a file completely before anything is made of it."""
     hull = io.read_hull(path)
     obj = hull_creation.hull_object(hull, context.scene, context.collection)
-    for selected in context.selected_objects:
-        selected.select_set(False)
-    obj.select_set(True)
-    context.view_layer.objects.active = obj
+    make_active(context, obj)
     for note in hull.notes:
         operator.report({"WARNING"}, note)
     operator.report({"INFO"}, f"{obj.name}: {len(obj.data.polygons)} faces read")

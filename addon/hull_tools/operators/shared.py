@@ -53,6 +53,14 @@ def in_object_mode(cls, context):
     return True
 
 
+def make_active(context, obj):
+    """Selects exactly this object and makes it the active one."""
+    for selected in context.selected_objects:
+        selected.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
+
+
 class BaseOperator:
     """Refused with the reason where one of `needs` is not met; cancelled with a report where there
     is something that a user can get wrong, else finished.
