@@ -116,11 +116,12 @@ def test_triangles_and_rim_of_faces(arrays):
     assert arrays.rim([]).shape == (0, 2) and arrays.fan_triangles([]).shape == (0, 3)
 
 
-def drawing_of(hull):
+def drawing_of(hull, is_refreshed=True):
     """What is drawn of a hull, seen along z from above."""
     drawing = part("overlays.tag_drawing")
     scene = bpy.context.scene
-    part("bridge.hull_state").refresh(hull, scene)
+    if is_refreshed:
+        part("bridge.hull_state").refresh(hull, scene)
     to_clip = np.diag([0.05, 0.05, 0.01, 1.0])
     picture = drawing.Picture(to_clip, VIEWPORT, 1.0, part("bridge.units").metres_per_unit(scene))
     return drawing.drawing_of(hull, state_of(hull), scene, picture)
@@ -233,6 +234,19 @@ def test_a_mesh_with_errors_is_drawn_by_its_tags_with_what_is_wrong():
     found = counts(drawing)
     assert found["knuckle"] == 2 * KNUCKLES and found["border"] == 2 * (BORDERS + 2)
     assert found["problem"] >= 2
+
+
+def test_a_mesh_that_is_not_known_yet_is_drawn_as_it_is():
+    hull = grid_hull()
+    edit(hull)
+    select(hull, "vertex", [at(2, 2)])  # without creases: a problem that lists it
+    bpy.ops.hull.tag_corner()
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    bm = bmesh.from_edit_mesh(hull.data)
+    bm.faces.ensure_lookup_table()
+    bmesh.ops.delete(bm, geom=bm.faces[2:], context="FACES")
+    # Two faces one after the other are left.
+    assert counts(drawing_of(hull, is_refreshed=False))["border"] == 2 * 6
 
 
 def test_tags_stand_where_the_points_are_in_any_unit():

@@ -60,14 +60,15 @@ def selected(obj, kind):
 
 
 def found(bm, kind, elements):
-    """The elements of a BMesh; edges that it has not are left out."""
-    if kind == "edge":
-        bm.verts.ensure_lookup_table()
-        pairs = ([bm.verts[int(index)] for index in pair] for pair in elements)
-        return [edge for edge in map(bm.edges.get, pairs) if edge is not None]
-    sequence = bm.verts if kind == "vertex" else bm.faces
+    """The elements of a BMesh; those that it has not are left out."""
+    sequence = bm.faces if kind == "face" else bm.verts
     sequence.ensure_lookup_table()
-    return [sequence[int(index)] for index in elements]
+    count = len(sequence)
+    if kind != "edge":
+        return [sequence[index] for index in map(int, elements) if index < count]
+    pairs = [[int(index) for index in pair] for pair in elements]
+    edges = (bm.edges.get([sequence[i] for i in pair]) for pair in pairs if max(pair) < count)
+    return [edge for edge in edges if edge is not None]
 
 
 def vertices_of(obj, groups):

@@ -59,7 +59,8 @@ def of_hull(obj, scene):
 
 
 def of_broken(obj, scene):
-    """(points in m, Tags) of a mesh that has errors: what its edges and corners are tagged as."""
+    """(points in m, Tags) of a mesh that has errors, or is not known yet as it is now: what its
+    edges and corners are tagged as."""
     data = mesh_arrays.read_mesh(obj.data)
     excluded = hull_objects.excluded_slots(obj)
     control = mesh_arrays.control_arrays(data, units.metres_per_unit(scene), excluded)

@@ -51,10 +51,9 @@ def drawing_of(hull, state, scene, picture):
     """The Drawing of a hull in edit mode whose HullState has a surface."""
     settings, colours = hull.hull.tags, preferences.colours("tags")
     bm = bmesh.from_edit_mesh(hull.data)
-    if state.status:
+    points, known = state.surface.mesh.points, tags.of_state(state)
+    if state.status or known.vertex_ids.max(initial=-1) >= len(bm.verts):
         points, known = tags.of_broken(hull, scene)
-    else:
-        points, known = state.surface.mesh.points, tags.of_state(state)
     pen = _Pen(picture, points, _seen_points(bm, known))
     if settings.show_flats:
         for faces in tags.flat_faces(hull, known):
