@@ -20,6 +20,8 @@ _INTERVAL = 0.01
 _RESTS = 3
 # Longer than any condition takes on a slow machine.
 _PATIENCE_SECONDS = 30.0
+# Of a variable in the report of a failure, in letters.
+_LONGEST_VALUE = 300
 
 
 class Stepper:
@@ -66,4 +68,10 @@ def _report_of(error):
     report = traceback.TracebackException.from_exception(error, capture_locals=True)
     own = [frame for frame in report.stack if not frame.filename.endswith("stepping.py")]
     report.stack = traceback.StackSummary.from_list(own or report.stack)
+    for frame in report.stack:
+        frame.locals = {name: _shortened(value) for name, value in (frame.locals or {}).items()}
     return "".join(report.format())
+
+
+def _shortened(text):
+    return text if len(text) <= _LONGEST_VALUE else f"{text[:_LONGEST_VALUE]} …"

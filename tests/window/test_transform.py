@@ -1,47 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Moving a control point with G: the ship follows the mouse, and Esc and Ctrl-Z take it back."""
 
-import bmesh
-import bpy
 import numpy as np
 from addon_under_test import state_of
+from editing import bilge_point, editing_a_hull, hull_at_hand, select, selected_indices
 from expect import are_equal, assert_follows, edited_points, snapshot
-from mathutils import Vector
-from window import FROM_PORT
-
-
-def editing_a_hull(window):
-    """A sample hull in edit mode, seen from port; nothing is selected, the mouse in the middle."""
-    with window.in_view():
-        bpy.ops.hull.load_sample(name="coaster")
-    hull = bpy.context.view_layer.objects.active
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_mode(type="VERT")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bpy.ops.ed.undo_push(message="begin")
-    window.space.shading.type = "WIREFRAME"
-    window.look(hull, FROM_PORT)
-    return hull
-
-
-def bilge_point(hull):
-    """(index, place) of the control point that stands out most to port amidships."""
-    points = edited_points(hull)
-    middle = 0.5 * (points[:, 0].min() + points[:, 0].max())
-    index = int(np.argmin(np.abs(points[:, 0] - middle) - 2.0 * points[:, 1]))
-    return index, Vector(points[index].tolist())
-
-
-def select(hull, index):
-    bm = bmesh.from_edit_mesh(hull.data)
-    bm.verts.ensure_lookup_table()
-    bm.verts[index].select = True
-    bm.select_flush_mode()
-    bmesh.update_edit_mesh(hull.data, loop_triangles=False, destructive=False)
-
-
-def selected_indices(hull):
-    return [v.index for v in bmesh.from_edit_mesh(hull.data).verts if v.select]
 
 
 def test_all_follows_while_the_mouse_moves(window):
@@ -86,7 +49,6 @@ def test_one_move_is_one_undo_step(window):
     hull = editing_a_hull(window)
     index, _ = bilge_point(hull)
     select(hull, index)
-    bpy.ops.ed.undo_push(message="select")
     yield
     before = snapshot(hull)
     window.press("G")
@@ -97,13 +59,13 @@ def test_one_move_is_one_undo_step(window):
     assert not are_equal(after, before)
     window.undo()
     yield
-    hull = bpy.context.view_layer.objects.active
+    hull = hull_at_hand()
     assert hull.mode == "EDIT" and selected_indices(hull) == [index]
     assert are_equal(snapshot(hull), before)
     assert_follows(hull)
     window.redo()
     yield
-    hull = bpy.context.view_layer.objects.active
+    hull = hull_at_hand()
     assert are_equal(snapshot(hull), after)
     assert_follows(hull)
 
@@ -165,7 +127,7 @@ def test_leaving_edit_mode_keeps_what_was_modelled(window):
     window.undo()
     window.undo()
     yield
-    hull = bpy.context.view_layer.objects.active
+    hull = hull_at_hand()
     assert hull.mode == "EDIT"
     assert_follows(hull)
     assert not are_equal(snapshot(hull), modelled)

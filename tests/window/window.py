@@ -88,6 +88,12 @@ class Window:
     def let_go(self, key, **modifiers):
         self._event(key, "RELEASE", **modifiers)
 
+    def pie(self, key, right, up, **modifiers):
+        """Opens a pie menu by its key, and clicks where the mouse comes to."""
+        self.press(key, **modifiers)
+        self.move_by(right, up)
+        self.click()
+
     def undo(self):
         self.press("Z", ctrl=True)
 
