@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ..bridge import flat_making, hull_state, point_places, units
+from ..bridge import flat_making, hull_state, point_places, units, valence
 from .shared import HullOperator, in_mesh_edit_mode
 
 
@@ -148,9 +148,25 @@ class HULL_OT_put_in_plane(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, f"{count} points at {self.plane.lower()} {metres}")
 
 
+class HULL_OT_reduce_valence(bpy.types.Operator, ShapeOperator):
+    """Make fewer faces meet at the selected points: join triangles, or part points in two. The
+    surface is smoothest where four faces meet"""
+
+    bl_idname = "hull.reduce_valence"
+    bl_label = "Reduce Valence"
+
+    def run_on(self, hull, context):
+        found = valence.reduce_selected(hull)
+        hull_state.refresh(hull, context.scene)
+        added = f", {found.added} points added" if found.added else ""
+        text = f"At most {found.after} faces around a point instead of {found.before}{added}"
+        self.report({"INFO"}, text)
+
+
 CLASSES = (
     HULL_OT_make_flat,
     HULL_OT_select_flat,
     HULL_OT_release_flat,
     HULL_OT_put_in_plane,
+    HULL_OT_reduce_valence,
 )
