@@ -124,11 +124,13 @@ def numbers(values, at, height, shift, viewport):
 
 
 def fan_triangles(faces):
-    """(t, 3) indices of the triangles of faces, each the array of its vertices in order."""
-    triangles = [np.empty((0, 3), dtype=np.int32)]
-    for face in faces:
-        rest = np.stack([face[1:-1], face[2:]], axis=1)
-        triangles.append(np.column_stack([np.full(len(rest), face[0]), rest]))
+    """(t, 3) indices of the triangles of faces, each the array of its vertices in order; faces of
+    few corners come first."""
+    triangles = [np.empty((0, 3), dtype=np.int64)]
+    for same in _by_size(faces):
+        inner = range(1, same.shape[1] - 1)
+        fans = np.stack([same[:, [0, i, i + 1]] for i in inner], axis=1)
+        triangles.append(fans.reshape(-1, 3))
     return np.concatenate(triangles)
 
 
@@ -141,8 +143,15 @@ def middles(points, faces):
 
 def rim(faces):
     """(k, 2) the edges that one only of the faces has, each the array of its vertices in order."""
-    if not len(faces):
-        return np.empty((0, 2), dtype=np.int64)
-    edges = np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in faces])
-    edges, counts = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
-    return edges[counts == 1]
+    edges = [np.empty((0, 2), dtype=np.int64)]
+    for same in _by_size(faces):
+        edges.append(np.stack([same, np.roll(same, -1, axis=1)], axis=2).reshape(-1, 2))
+    edges = np.sort(np.concatenate(edges), axis=1)
+    found, counts = np.unique(edges, axis=0, return_counts=True)
+    return found[counts == 1]
+
+
+def _by_size(faces):
+    """Faces of one size after the other, (k, size) their vertices."""
+    for size in sorted({len(face) for face in faces}):
+        yield np.array([face for face in faces if len(face) == size], dtype=np.int64)
