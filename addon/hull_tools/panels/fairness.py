@@ -4,6 +4,7 @@
 import bpy
 
 from ..bridge import combs, hull_objects, hull_state
+from ..bridge.units import format_value
 from .shared import HullPanel, label_value, label_wrapped
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
@@ -66,7 +67,11 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
         column.scale_y = 0.8
         column.label(text="Tooth for 1/m")
         for kind, group in state.combs.items():
-            label_value(column, _NAMES[kind], f"{group.scale * fairness.comb_factor:.4g} m")
+            label_value(
+                column,
+                _NAMES[kind],
+                format_value(context.scene, group.scale * fairness.comb_factor, "m"),
+            )
         for mark, name in _MARK_NAMES.items():
             count = sum(group.mark_counts[mark] for group in state.combs.values())
             label_value(column, name, str(count))

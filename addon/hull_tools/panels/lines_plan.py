@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge import hull_objects
-from .shared import HullPanel
+from .shared import HullPanel, text_field
 
 
 class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
@@ -18,14 +18,13 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(plan, "paper")
         if plan.paper == "OWN":
-            row = column.row(align=True)
-            row.prop(plan, "width")
-            row.prop(plan, "height")
+            column.prop(plan, "width")
+            column.prop(plan, "height")
         column.prop(plan, "scale")
         layout.prop(plan, "offsets")
         column = layout.column(align=True)
         for name in ("drawn", "date", "number"):
-            column.prop(plan, name)
+            text_field(column, plan, name)
         layout.prop(plan, "dxf_unit")
         row = layout.row(align=True)
         row.operator("hull.export_lines", text="Lines Plan", icon="EXPORT")

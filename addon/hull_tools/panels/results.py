@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge import hull_objects, hull_state, hydrostatics
 from ..bridge.units import format_value
-from .shared import HullPanel, export_buttons, label_value, label_wrapped
+from .shared import HullPanel, export_buttons, label_value, label_wrapped, text_field
 
 # Open from the start; the others unfold.
 _OPEN_GROUPS = {"Displacement", "Centres", "Stability"}
@@ -88,7 +88,7 @@ class HULL_PT_hydrostatic_table(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("draft_from", "draft_to", "draft_step"):
             column.prop(table, name)
-        layout.prop(table, "trims")
+        text_field(layout, table, "trims")
         export_buttons(layout, "hydrostatic_table")
 
 

@@ -37,11 +37,20 @@ def label_wrapped(layout, context, text, icon="NONE"):
 
 def label_value(layout, name, value):
     """A name to the left, and its value to the right."""
-    split = layout.split(factor=0.5)
-    split.label(text=name)
-    right = split.row()
+    row = layout.row()
+    left = row.row()
+    left.alignment = "LEFT"
+    left.label(text=name)
+    right = row.row()
     right.alignment = "RIGHT"
     right.label(text=value)
+
+
+def text_field(layout, settings, name):
+    """A text after its name, which gets more room than Blender gives it."""
+    split = layout.split(factor=0.4)
+    split.label(text=settings.bl_rna.properties[name].name)
+    split.prop(settings, name, text="")
 
 
 def export_buttons(layout, analysis):

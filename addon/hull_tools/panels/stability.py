@@ -55,9 +55,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         if not loading.use_lcb:
             layout.prop(loading, "lcg")
         layout.prop(loading, "free_trim")
-        row = layout.row(align=True)
-        row.prop(loading, "heel_greatest", text="Heels to")
-        row.prop(loading, "heel_step")
+        column = layout.column(align=True)
+        column.prop(loading, "heel_greatest", text="Heels to")
+        column.prop(loading, "heel_step")
 
     def _draw_levers(self, layout, scene, result):
         found, load = result.levers, result.load

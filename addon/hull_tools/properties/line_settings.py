@@ -91,7 +91,7 @@ class HullLines(bpy.types.PropertyGroup):
         "Half-breadths with blanks between, ranges as first:last:step; blank: by the spacing",
     )
     diagonals: _text(
-        "List m/°",
+        "m/°",
         "Each a height at the centre plane in m, a slash, and the angle below the horizontal in "
         "degrees: 5.2/35 4/50",
     )

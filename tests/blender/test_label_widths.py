@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""No text of the sidebar is cut off at the width at which Blender opens it."""
+
+import bpy
+import pytest
+from addon_under_test import part
+from layout_widths import SIDEBAR, Measuring
+from test_panels import Drawn, compute_all, context
+
+# Those whose length is the user's or the file's.
+_NAMES = {"Coaster"}
+
+
+def drawn_panels(dialog_of=None):
+    """(class, Measuring) of each panel of the add-on that is there."""
+    now = context(dialog_of)
+    now.region.width = 220
+    for cls in part("panels")._CLASSES:
+        if not issubclass(cls, bpy.types.Panel) or cls.bl_space_type != "VIEW_3D":
+            continue
+        if hasattr(cls, "poll") and not cls.poll(now):
+            continue
+        drawn = Drawn(cls)
+        drawn.layout = Measuring()
+        drawn.draw(now)
+        yield cls, drawn.layout
+
+
+def faults():
+    return [
+        f"{cls.__name__}: {fault}"
+        for cls, layout in drawn_panels()
+        for fault in layout.faults(SIDEBAR)
+        if not any(name in fault for name in _NAMES)
+    ]
+
+
+@pytest.fixture
+def ship():
+    """A ship of usual size, of which everything is shown."""
+    assert bpy.ops.hull.load_sample(name="coaster") == {"FINISHED"}
+    hull = bpy.context.object
+    settings = hull.hull
+    settings.beam, settings.draft, settings.trim, settings.heel = 13.625, 5.2375, -0.125, 0.21
+    fairness = settings.fairness
+    fairness.colours = "GAUSSIAN"
+    for name in ("comb_stations", "comb_waterlines", "comb_features", "show_reflections",
+                 "show_isophotes", "show_silhouette"):  # fmt: skip
+        setattr(fairness, name, True)
+    settings.lines.stations = "0:80:10"
+    settings.lines.frame_spacing = 0.625
+    settings.plan.paper = "OWN"
+    settings.loading.use_displacement = settings.loading.use_lcb = False
+    settings.loading.mass_t, settings.loading.kg, settings.loading.lcg = 3456.789, 4.625, 41.375
+    bpy.ops.hull.add_load_case()
+    bpy.ops.hull.add_flooding_point()
+    bpy.ops.hull.add_plane()
+    for name in part("bridge.analyses").PLOTTED:
+        setattr(settings.plots, name, True)
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    return hull
+
+
+def test_the_measure_itself():
+    layout = Measuring()
+    layout.label(text="Displacement")
+    assert not list(layout.faults(SIDEBAR))
+    layout.row().label(text="A text that is far too long for a sidebar of that width")
+    assert len(list(layout.faults(SIDEBAR))) == 1
+    split = layout.split(factor=0.5)
+    split.label(text="Displacement by volume")
+    split.label(text="1 m")
+    assert len(list(layout.faults(SIDEBAR))) == 2
+
+
+def test_without_a_hull():
+    assert faults() == []
+
+
+def test_a_ship_with_all_of_it(ship):
+    bpy.ops.hull.convert()
+    assert len(list(drawn_panels())) > 15
+    found = faults()
+    assert not found, "\n".join(found)
+
+
+def test_in_edit_mode_and_in_feet(ship):
+    bpy.context.scene.unit_settings.system = "IMPERIAL"
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.view_layer.update()
+    found = faults()
+    assert not found, "\n".join(found)
