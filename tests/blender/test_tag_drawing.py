@@ -10,6 +10,7 @@ from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, select
 
 SEED = 20261122
 VIEWPORT = (800, 400)
+LARGE_VIEWPORT = (8000, 4000)  # with room for all marks
 
 
 @pytest.fixture
@@ -84,6 +85,15 @@ def test_places_behind_the_eye_are_not_seen(arrays):
     assert is_seen.tolist() == [True, False, False]
 
 
+def test_spacing_is_about_that_of_a_grid(arrays):
+    x, y = np.meshgrid(np.linspace(-0.5, 0.5, 11), np.linspace(-0.5, 0.5, 6))
+    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+    wide, high = 0.5 * VIEWPORT[0] / 10, 0.5 * VIEWPORT[1] / 5
+    clip = arrays.in_clip(points, np.eye(4))
+    assert arrays.spacing(clip, VIEWPORT) == pytest.approx(np.sqrt(wide * high), rel=0.15)
+    assert arrays.spacing(arrays.in_clip(points, perspective()), VIEWPORT) == np.inf
+
+
 @pytest.mark.parametrize("name", ["square", "ring"])
 def test_outlines_are_closed_and_as_large_as_said(arrays, name):
     corners = in_dots(arrays.outlines(name, np.array([(0.5, 0.5, 0.25)]), 8.0, VIEWPORT))
@@ -116,14 +126,16 @@ def test_triangles_and_rim_of_faces(arrays):
     assert arrays.rim([]).shape == (0, 2) and arrays.fan_triangles([]).shape == (0, 3)
 
 
-def drawing_of(hull, is_refreshed=True):
+def drawing_of(hull, is_refreshed=True, zoom=1.0):
     """What is drawn of a hull, seen along z from above."""
     drawing = part("overlays.tag_drawing")
     scene = bpy.context.scene
     if is_refreshed:
         part("bridge.hull_state").refresh(hull, scene)
-    to_clip = np.diag([0.05, 0.05, 0.01, 1.0])
-    picture = drawing.Picture(to_clip, VIEWPORT, 1.0, part("bridge.units").metres_per_unit(scene))
+    to_clip = np.diag([0.05 * zoom, 0.05 * zoom, 0.01, 1.0])
+    picture = drawing.Picture(
+        to_clip, LARGE_VIEWPORT, 1.0, part("bridge.units").metres_per_unit(scene)
+    )
     return drawing.drawing_of(hull, state_of(hull), scene, picture)
 
 
@@ -263,6 +275,23 @@ def test_tags_stand_where_the_points_are_in_any_unit():
     ]
     assert len(rings) == 1
     assert rings[0].mean(axis=0)[:2] == pytest.approx(0.05 * middle[:2], abs=1e-6)
+
+
+def test_marks_are_smaller_where_there_is_no_room():
+    hull = grid_hull()
+    edit(hull)
+    select(hull, "vertex", [at(3, 3)])
+    bpy.ops.hull.tag_corner()
+    colour = part("bridge.preferences").colour("tags", "irregular")
+
+    def marks(zoom):
+        drawing = drawing_of(hull, zoom=zoom)
+        return [np.ptp(corners[:, 0]) for c, _, corners in drawing.lines if tuple(c) == colour]
+
+    # The ring and its number, and the ring alone.
+    near, far = marks(1.0), marks(0.1)
+    assert len(near) == 2 and len(far) == 1
+    assert far[0] == pytest.approx(0.5 * near[0])
 
 
 def test_sizes_are_those_of_the_preferences():

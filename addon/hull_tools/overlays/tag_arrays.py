@@ -52,6 +52,15 @@ def places(clip):
     return found, (depths[:, 0] > 0.0) & (np.abs(found) <= 1.0).all(axis=1)
 
 
+def spacing(clip, viewport):
+    """How far points are apart in the picture, about, in dots; infinite where the eye is among
+    them."""
+    if not len(clip) or clip[:, 3].min() <= 0.0:
+        return np.inf
+    extent = np.ptp(clip[:, :2] / clip[:, 3:], axis=0) * 0.5 * np.asarray(viewport)
+    return float(np.sqrt(extent.prod() / len(clip)))
+
+
 def _closed(corners):
     """Segments (2 n, 2) around a polygon."""
     corners = np.array(corners, dtype=np.float64)

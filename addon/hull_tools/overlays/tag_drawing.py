@@ -21,6 +21,9 @@ _PROBLEM = ("ring", 13.0, 2.5)
 _DIGIT_HEIGHT, _DIGIT_WIDTH = 11.0, 1.8
 _BESIDE, _CENTRED = (11.0, 5.0), (-2.75, -5.5)  # from a place to the lower left of its number
 _USUAL_MARK = 5.0
+# Marks are smaller where points are nearer to one another in the picture than so many dots, numbers
+# are left out where marks are smaller than a part of what they are elsewhere.
+_ROOM, _SMALLEST, _LEGIBLE = 26.0, 0.5, 0.7
 # Of tagged edges, and farther out of those with problems and of the rim of what is kept flat.
 _RAIL_DISTANCE, _RAIL_WIDTH, _USUAL_WIDTH = 2.6, 1.8, 3.0
 _OUTER, _FINE = 2.0, 0.6  # times the distance, times the width
@@ -92,7 +95,10 @@ class _Pen:
         self.drawing = Drawing()
         self._picture, self._points, self._is_seen = picture, points, is_seen
         self._clip = tag_arrays.in_clip(points, picture.to_clip)
-        self._mark = picture.scale * preferences.value("mark_size") / _USUAL_MARK
+        room = tag_arrays.spacing(self._clip, picture.viewport) / (_ROOM * picture.scale)
+        self._crowding = min(max(room, _SMALLEST), 1.0)
+        usual = picture.scale * preferences.value("mark_size") / _USUAL_MARK
+        self._mark = self._crowding * usual
         self._rail = picture.scale * preferences.value("tag_width") / _USUAL_WIDTH
 
     def draw_edges(self, edges, colour, *, outwards=1.0, width=1.0):
@@ -163,6 +169,8 @@ class _Pen:
         self._draw_with_halo(colour, width * self._mark, corners)
 
     def _write(self, numbers, at, shift, colour):
+        if self._crowding < _LEGIBLE:
+            return
         height, shift = _DIGIT_HEIGHT * self._mark, np.array(shift) * self._mark
         corners = tag_arrays.numbers(numbers, at, height, shift, self._picture.viewport)
         self._draw_with_halo(colour, _DIGIT_WIDTH * self._mark, corners)
