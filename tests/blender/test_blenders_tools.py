@@ -351,3 +351,69 @@ def test_modifiers_are_told_of_where_they_mislead():
     assert "exact" in remarks()[0] and "apply it" in remarks()[1]
     hull.hull.half = True
     assert_shows(hull, BOX)
+
+
+def flat_box(name="box"):
+    """A box whose bottom and side are kept flat."""
+    hull = add_hull(name)
+    flats = part("bridge.flats")
+    for index in (0, 1):
+        normal = (0.0, 1.0, 0.0) if index == 0 else (0.0, 0.0, -1.0)
+        reach = 2.0 if index == 0 else 0.0
+        flats.mark(hull, [index], np.array([*normal, reach]))
+    bpy.context.view_layer.update()
+    return hull
+
+
+def flat_kinds(hull):
+    return sorted(region.kind for region in part("bridge.flats").regions(hull))
+
+
+def test_flats_go_with_applied_scale():
+    hull = flat_box()
+    kinds = flat_kinds(hull)
+    assert len(kinds) == 2
+    hull.scale, hull.rotation_euler.z = (2.0, 3.0, 0.5), radians(30.0)
+    bpy.ops.object.transform_apply()
+    bpy.context.view_layer.update()
+    wanted = mesh_points(hull)
+    assert np.ptp(wanted, axis=0)[2] == pytest.approx(0.5 * DEPTH)
+    regions = part("bridge.flats").regions(hull)
+    assert len(regions) == 2
+    for region in regions:
+        heights = wanted[region.points] @ region.plane[:3] - region.plane[3]
+        assert np.abs(heights).max() < 1e-5
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    assert np.array_equal(mesh_points(hull), wanted)
+
+
+def test_joined_hulls_keep_their_flats_apart():
+    first = flat_box("first")
+    bpy.ops.object.duplicate()
+    second = bpy.context.object
+    for vertex in second.data.vertices:
+        vertex.co.y += 10.0
+        vertex.co.z += 1.0
+    second.data.update()
+    bpy.context.view_layer.update()
+    wanted = np.concatenate([mesh_points(second), mesh_points(first)])
+    first.select_set(True)
+    bpy.ops.object.join()
+    bpy.context.view_layer.update()
+    assert np.array_equal(mesh_points(bpy.data.objects[second.name]), wanted)
+
+
+def test_a_separated_part_keeps_its_own_flats():
+    hull = flat_box()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    bm = bmesh.from_edit_mesh(hull.data)
+    bm.faces.ensure_lookup_table()
+    bm.faces[1].select_set(True)  # the bottom
+    bmesh.update_edit_mesh(hull.data)
+    bpy.ops.mesh.separate()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    assert len(flat_kinds(hull)) == len(flat_kinds(bpy.data.objects["box.001"])) == 1
+    assert flat_kinds(hull) != flat_kinds(bpy.data.objects["box.001"])
