@@ -124,6 +124,21 @@ def test_tags_work_on_a_mesh_that_is_no_hull():
     assert not bpy.ops.hull.select_creases.poll()
 
 
+def test_tags_are_given_in_all_meshes_that_are_edited():
+    boxes = [add_hull("one"), add_hull("other")]
+    for box in boxes:
+        box.select_set(True)
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert {box.mode for box in boxes} == {"EDIT"}
+    bpy.ops.mesh.select_all(action="SELECT")
+    assert bpy.ops.hull.tag_by_angle(angle=radians(120.0)) == {"FINISHED"}
+    assert [len(tags_of(box).edges["knuckle"]) for box in boxes] == [0, 0]
+    bpy.ops.hull.tag_corner()
+    bpy.ops.hull.tag_automatic()
+    bpy.ops.hull.tag_crease()
+    assert [len(tags_of(box).edges["knuckle"]) for box in boxes] == [KNUCKLES, KNUCKLES]
+
+
 @pytest.mark.parametrize(
     "kind, count", [("ALL", KNUCKLES + BORDERS), ("KNUCKLE", KNUCKLES), ("BORDER", BORDERS)]
 )

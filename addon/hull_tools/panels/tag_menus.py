@@ -47,6 +47,7 @@ def _draw_point_operators(layout):
     layout.operator("hull.tag_smooth")
     layout.operator_menu_enum("hull.put_in_plane", "plane")
     layout.operator("hull.set_coordinates")
+    layout.operator("hull.reduce_valence")
 
 
 def _draw_edge_operators(layout):
