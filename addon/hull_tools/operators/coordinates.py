@@ -51,15 +51,11 @@ class HULL_OT_set_coordinates(bpy.types.Operator, ShapeOperator):
 
     def draw(self, context):
         table = self.layout.column(align=True)
-        self._row(table, "Point", lambda cells: [cells.label(text=axis) for axis in "xyz"])
+        table.label(text="Point")
         for point in self.points:
-            self._row(table, point.name, lambda cells: cells.prop(point, "co", text=""))
-
-    @staticmethod
-    def _row(table, name, draw_cells):
-        split = table.split(factor=0.15, align=True)
-        split.label(text=name)
-        draw_cells(split.row(align=True))
+            split = table.split(factor=0.15, align=True)
+            split.label(text=point.name)
+            split.row(align=True).prop(point, "co", text="")
 
     def run_on(self, hull, context):
         scale = units.metres_per_unit(context.scene) if self.in_metres else 1.0
