@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from addon_under_test import add_box, add_hull, part
-from edited_hulls import edit
+from edited_hulls import BORDERS, KNUCKLES, edit
 from test_panels import Drawn, Notebook
 
 OF_MODES = {
@@ -79,7 +79,7 @@ def test_menus_of_other_meshes_are_left_alone():
 def test_all_menus_are_blenders_and_have_the_hull_once():
     edit(add_hull())
     for name, draw in part("panels.tag_menus").DRAWN_IN.items():
-        functions = getattr(bpy.types, name).draw._draw_funcs
+        functions = getattr(bpy.types, name)._dyn_ui_initialize()
         assert functions.count(draw) == 1
         drawn(draw)
 
@@ -93,3 +93,17 @@ def test_the_select_menu_offers_all_ways():
         "hull.select_creases", "hull.select_chains", "hull.select_points", "hull.select_odd_faces",
         "hull.select_flat", "hull.select_problems",
     }  # fmt: skip
+
+
+def test_the_panel_counts_what_it_shows():
+    hull = add_hull()
+    edit(hull)
+    panel = Drawn(part("panels.tags").HULL_PT_shown_tags)
+    panel.layout = MenuNotebook()
+    panel.draw(bpy.context)
+    noted = panel.layout.noted
+    counts = {name: text for name, text in zip(noted, noted[1:]) if name.startswith("property")}
+    assert counts["property show_knuckle"] == str(KNUCKLES)
+    assert counts["property show_border"] == str(BORDERS)
+    assert counts["property show_corners"] == "8" and counts["property show_darts"] == "0"
+    assert counts["property show_odd_faces"] == counts["property show_problems"] == "0"

@@ -87,6 +87,11 @@ def _draw_in_select_menu(self, context):
         self.layout.menu("HULL_MT_select")
 
 
+def _draw_in_overlays(self, context):
+    if _is_hull(context):
+        self.layout.prop(hull_objects.hull_of(context.object).hull.tags, "show", text="Hull tags")
+
+
 def _appended(draw):
     def draw_in_menu(self, context):
         if _is_hull(context):
@@ -98,9 +103,10 @@ def _appended(draw):
 
 CLASSES = (HULL_MT_pie, HULL_MT_select)
 
-# By the name of Blender's menu.
+# By the name of Blender's menu or panel.
 DRAWN_IN = {
     "VIEW3D_MT_edit_mesh_context_menu": _draw_in_context_menu,
+    "VIEW3D_PT_overlay_edit_mesh": _draw_in_overlays,
     "VIEW3D_MT_select_edit_mesh": _draw_in_select_menu,
     "VIEW3D_MT_edit_mesh_vertices": _appended(_draw_point_operators),
     "VIEW3D_MT_edit_mesh_edges": _appended(_draw_edge_operators),

@@ -3,20 +3,19 @@
 
 import bpy
 
-from ..bridge import hull_objects
+from ..bridge import hull_objects, hull_state, tags
 from .shared import HullTab
 
-_SWITCHES = (
-    "show_knuckle",
-    "show_border",
-    "show_deck_edge",
-    "show_corners",
-    "show_darts",
-    "show_irregular",
-    "show_odd_faces",
-    "show_flats",
-    "show_problems",
-)
+# Of a switch what of tags.Tags it shows.
+_SHOWN = {
+    "show_knuckle": ("edges", ("knuckle",)),
+    "show_border": ("edges", ("border",)),
+    "show_deck_edge": ("edges", ("deck_edge",)),
+    "show_corners": ("points", ("corner", "automatic_corner")),
+    "show_darts": ("points", ("dart",)),
+    "show_irregular": ("points", ("irregular",)),
+}
+_SWITCHES = (*_SHOWN, "show_odd_faces", "show_flats", "show_problems")
 
 
 class HULL_PT_tags(HullTab, bpy.types.Panel):
@@ -73,11 +72,32 @@ class HULL_PT_shown_tags(TagSubpanel, bpy.types.Panel):
         self.layout.prop(hull_objects.hull_of(context.object).hull.tags, "show", text="")
 
     def draw(self, context):
-        settings = hull_objects.hull_of(context.object).hull.tags
+        hull = hull_objects.hull_of(context.object)
+        counts = _counts(hull)
         column = self.layout.column(align=True)
-        column.active = settings.show
+        column.active = hull.hull.tags.show
         for name in _SWITCHES:
-            column.prop(settings, name)
+            row = column.row(align=True)
+            row.prop(hull.hull.tags, name)
+            if name in counts:
+                count = row.row()
+                count.alignment = "RIGHT"
+                count.label(text=str(counts[name]))
+
+
+def _counts(hull):
+    """How many there are of what switches show, by the switch; of the last good mesh."""
+    state = hull_state.state_of(hull)
+    if state is None or state.surface is None:
+        return {}
+    known = tags.of_state(state)
+    counts = {
+        name: sum(len(getattr(known, where)[kind]) for kind in kinds)
+        for name, (where, kinds) in _SHOWN.items()
+    }
+    counts["show_odd_faces"] = len(known.odd_faces)
+    counts["show_problems"] = len(state.check.problems)
+    return counts
 
 
 CLASSES = (HULL_PT_tags, HULL_PT_select, HULL_PT_shown_tags)
