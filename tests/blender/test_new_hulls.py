@@ -122,6 +122,34 @@ def test_which_parts_are_flat():
     assert normals["PLANING"] == normals["CANOE_BODY"] == [transom]
 
 
+# Inflections of a station, of all of them, and of a waterline. Stations but those of the bow bend one
+# way; waterlines may be hollow at the entrance.
+INFLECTIONS = {
+    "BARGE": (0, 0, 0),
+    "ROUND_BILGE": (1, 3, 4),
+    "PLANING": (2, 3, 3),
+    "CANOE_BODY": (1, 4, 3),
+}
+
+
+def inflections(surface, axis, positions):
+    planes = np.array([native().plane_across(axis, position) for position in positions])
+    found = native().section_fairness(surface, planes, relative_noise=0.02)
+    return [sum(curve.inflection_count for curve in curves) for curves in found]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_lines_are_fair(kind):
+    of_station, of_stations, of_waterline = INFLECTIONS[kind]
+    for case in cases(kind, 12):
+        length, depth = case[0], case[3]
+        surface = surface_of(part("io.new_hulls").new_hull(kind, *case))
+        stations = inflections(surface, "x", np.linspace(0.05, 0.8, 16) * length)
+        assert max(stations) <= of_station and sum(stations) <= of_stations, (case, stations)
+        waterlines = inflections(surface, "z", np.linspace(0.1, 0.9, 9) * depth)
+        assert max(waterlines) <= of_waterline, (case, waterlines)
+
+
 def test_dimensions_that_no_hull_can_have():
     new_hull = part("io.new_hulls").new_hull
     with pytest.raises(ValueError, match="no freeboard"):

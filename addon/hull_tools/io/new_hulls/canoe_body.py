@@ -28,16 +28,17 @@ def _points(dimensions, sections, points):
     fore = np.clip((x - _WIDEST) / (1.0 - _WIDEST), 0.0, 1.0)
     aft = np.clip((_WIDEST - x) / (_WIDEST - _TRANSOM), 0.0, 1.0)
 
-    keel = draft * np.where(x < _DEEPEST, 1.0, 0.85) * rocker**2
-    sheer_y = half_beam * (1.0 - 0.26 * aft**2) * (1.0 - fore**2.3)
+    keel = draft * np.where(x < _DEEPEST, rocker**2, 0.95 * rocker**2.15)
+    sheer_y = half_beam * (1.0 - 0.26 * aft**2) * (1.0 - fore**2.35)
     sheer_z = depth + 0.25 * freeboard * fore**2 + 0.04 * freeboard * aft**2
 
     row = np.linspace(0.0, 1.0, points)[None, :]
-    angle = 0.46 * np.pi * row
-    round_y = (np.sin(angle) / np.sin(angle[:, -1:])) ** 0.8
-    round_z = ((1.0 - np.cos(angle)) / (1.0 - np.cos(angle[:, -1:]))) ** 1.1
-    sharp = fore**1.5
+    round_y = np.sin(0.46 * np.pi * row) / np.sin(0.46 * np.pi)
+    # Level at the keel: the first two points are at one height.
+    lift = np.clip((points - 1) * row - 1.0, 0.0, None) / (points - 2)
+    round_z = (1.0 - np.cos(0.46 * np.pi * lift)) / (1.0 - np.cos(0.46 * np.pi))
+    sharp = 0.7 * fore**1.8
     y = sheer_y * (round_y + (row - round_y) * sharp)
     z = keel + (sheer_z - keel) * (round_z + (row - round_z) * sharp)
-    x = dimensions.length * x + (z - draft) * (_STEM_LEAN * fore**2 + _TRANSOM_RAKE * aft**2)
+    x = dimensions.length * x + (z - draft) * (_STEM_LEAN * fore**1.8 + _TRANSOM_RAKE * aft**2)
     return np.stack([x, y, z], axis=-1)

@@ -57,7 +57,7 @@ def _draw_in_stern(grid, x, draft, depth):
     half = y[0, -1]
     height = z / depth
     keel = 1.03 * draft * run**2.2
-    rise = 0.10 * half * run**2.2 * (y / half) * (1 - height)
+    rise = 0.10 * half * run**2.2 * (y * (y - y[0, 1]) / half**2) * (1 - height)
     grid[:, :, 2] = keel + z * (1.0 - keel / depth) + rise + 0.10 * depth * run**2 * height**2
     grid[:, :, 1] = y * (1.0 - (0.24 - 0.12 * height) * run**2.6)
 
@@ -67,10 +67,10 @@ def _draw_in_bow(grid, x, draft, depth):
     entrance = np.clip((x - _SHOULDER) / (1.0 - _SHOULDER), 0.0, 1.0)[:, None]
     y, z = grid[:, :, 1].copy(), grid[:, :, 2].copy()
     height = z[-1] / depth
-    power = 1.9 + 1.2 * height
+    power = 2.1 + 1.7 * height
     flare = y[-1] * power / (y[-1, -1] * power[-1])
-    stem = 1.2 * depth * flare**1.08
+    stem = 1.2 * depth * flare**1.6
     grid[:, :, 1] = y * (1.0 - entrance**power)
-    grid[:, :, 2] = z + (stem - z) * entrance**2.4
+    grid[:, :, 2] = z + (stem - z) * entrance**2.6
     grid[x > _RUN, 0, 2] = 0.0
-    grid[:, :, 0] += _STEM_LEAN * (grid[:, :, 2] - draft) * entrance**2
+    grid[:, :, 0] += _STEM_LEAN * (grid[:, :, 2] - draft) * entrance**3
