@@ -4,7 +4,7 @@
 import addon_utils
 import bpy
 import pytest
-from addon_under_test import add_hull, module_name
+from addon_under_test import add_hull, mesh_points, module_name, part, state_of
 
 MENUS = ("TOPBAR_MT_file_import", "TOPBAR_MT_file_export")
 
@@ -66,3 +66,27 @@ def test_a_hull_survives_the_addon_being_off(addon):
     hull = bpy.data.objects[name]
     assert hull.hull.is_hull and hull.hull.surface_object.parent == hull
     assert bpy.ops.hull.update() == {"FINISHED"}
+
+
+def test_hulls_that_are_open_when_the_addon_is_enabled_are_shown(addon):
+    name = add_hull().name
+    addon_utils.disable(addon)
+    bpy.data.objects[name].data.vertices[0].co.x -= 1.0
+    addon_utils.enable(addon, default_set=True)
+    begin = part("handlers")._begin
+    assert bpy.app.timers.is_registered(begin)
+    assert state_of(bpy.data.objects[name]) is None
+    begin()  # the window's event loop calls it
+    hull = bpy.data.objects[name]
+    assert state_of(hull).surface is not None
+    assert mesh_points(hull.hull.surface_object)[:, 0].min() == -1.0
+
+
+def test_every_operator_that_changes_the_hull_is_undone():
+    changing = part("operators.shared").HullOperator
+    faults = [
+        cls.__name__
+        for cls in bpy.types.Operator.__subclasses__()
+        if issubclass(cls, changing) and not {"REGISTER", "UNDO"} <= set(cls.bl_options)
+    ]
+    assert not faults

@@ -20,12 +20,21 @@ _HANDLERS = (
 )
 
 
+def _begin():
+    """The file that is open when the add-on is enabled was loaded without it."""
+    follow.after_load()
+    keep.after_load()
+
+
 def register():
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
+    bpy.app.timers.register(_begin, first_interval=0.0)  # while enabling, data are out of reach
 
 
 def unregister():
+    if bpy.app.timers.is_registered(_begin):
+        bpy.app.timers.unregister(_begin)
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
     follow.forget_all()
