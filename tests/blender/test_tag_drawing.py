@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, part, state_of
+from addon_under_test import add_box, add_hull, part, state_of
 from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, select
 
 SEED = 20261122
@@ -246,6 +246,29 @@ def test_a_mesh_with_errors_is_drawn_by_its_tags_with_what_is_wrong():
     found = counts(drawing)
     assert found["knuckle"] == 2 * KNUCKLES and found["border"] == 2 * (BORDERS + 2)
     assert found["problem"] >= 2
+
+
+def test_a_mesh_that_never_had_a_surface_is_drawn():
+    box = add_box()
+    bm = bmesh.new()
+    bm.from_mesh(box.data)
+    bm.verts.ensure_lookup_table()
+    bm.faces.new((bm.verts[2], bm.verts[6], bm.verts.new((5.0, 3.0, 1.0))))
+    bm.to_mesh(box.data)
+    bm.free()
+    bpy.ops.hull.make_hull(half=True)
+    assert state_of(box).surface is None
+    edit(box)
+    # Two rails and a ring of an edge with three faces.
+    assert counts(drawing_of(box))["problem"] == 2 + 24
+
+
+def test_an_empty_mesh_is_drawn_as_nothing():
+    hull = add_hull()
+    edit(hull)
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.delete(type="VERT")
+    assert counts(drawing_of(hull)) == {}
 
 
 def test_a_mesh_that_is_not_known_yet_is_drawn_as_it_is():

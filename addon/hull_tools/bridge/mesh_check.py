@@ -109,7 +109,7 @@ def _side_warnings(control, half):
 
 
 def _dust(points):
-    return _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max()
+    return _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max() if len(points) else 0.0
 
 
 def on_centre_plane(points):

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import bmesh
 import numpy as np
+from mathutils import Vector
 
 from ..bridge import mesh_check, preferences, selection, tags
 from . import tag_arrays
@@ -51,12 +52,14 @@ class Drawing:
 
 
 def drawing_of(hull, state, scene, picture):
-    """The Drawing of a hull in edit mode whose HullState has a surface."""
+    """The Drawing of a hull in edit mode with its HullState."""
     settings, colours = hull.hull.tags, preferences.colours("tags")
     bm = bmesh.from_edit_mesh(hull.data)
-    points, known = state.surface.mesh.points, tags.of_state(state)
-    if state.status or known.vertex_ids.max(initial=-1) >= len(bm.verts):
+    known = None if state.status else tags.of_state(state)
+    if known is None or known.vertex_ids[-1] >= len(bm.verts):
         points, known = tags.of_broken(hull, scene)
+    else:
+        points = state.surface.mesh.points
     pen = _Pen(picture, points, _seen_points(bm, known))
     if settings.show_flats:
         for faces in tags.flat_faces(hull, known):
@@ -86,6 +89,11 @@ def _seen_points(bm, known):
     """(n,) which control points are not hidden."""
     hidden = np.array([vertex.hide for vertex in bm.verts], dtype=bool)
     return ~hidden[known.vertex_ids]
+
+
+def _middle(element):
+    """Of an edge or face of a BMesh."""
+    return sum((vertex.co for vertex in element.verts), Vector()) / len(element.verts)
 
 
 class _Pen:
@@ -133,20 +141,22 @@ class _Pen:
         found = selection.found(bm, problem.kind, problem.elements)
         elements = [element for element in found if not element.hide]
         if problem.kind == "vertex":
-            at, is_shown = tag_arrays.places(self._clip_of(elements))
-            self._draw_outlines(at[is_shown], colour, *_PROBLEM)
-            return
-        if problem.kind == "face":
-            elements = [edge for face in elements for edge in face.edges]
-        clip = self._clip_of([vertex for edge in elements for vertex in edge.verts])
-        self._draw_rails(tag_arrays.segments(clip, np.arange(len(clip))), colour, _OUTER)
+            rings = self._clip_of([vertex.co for vertex in elements])
+        else:
+            edges = elements if problem.kind == "edge" else [e for f in elements for e in f.edges]
+            clip = self._clip_of([vertex.co for edge in edges for vertex in edge.verts])
+            segments = tag_arrays.segments(clip, np.arange(len(clip)))
+            self._draw_rails(segments, colour, _OUTER)
+            rings = self._clip_of([_middle(element) for element in elements])
+        at, is_shown = tag_arrays.places(rings)
+        self._draw_outlines(at[is_shown], colour, *_PROBLEM)
 
     def _places(self, indices):
         at, is_shown = tag_arrays.places(self._clip[indices])
         return at, is_shown & self._is_seen[indices]
 
-    def _clip_of(self, vertices):
-        points = np.array([vertex.co for vertex in vertices]).reshape(-1, 3)
+    def _clip_of(self, places):
+        points = np.array(places).reshape(-1, 3)
         return tag_arrays.in_clip(points * self._picture.metres_per_unit, self._picture.to_clip)
 
     def _fill(self, faces, colour):

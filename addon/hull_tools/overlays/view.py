@@ -22,7 +22,10 @@ class HullInView:
     def __init__(self, context, hull, state):
         self.context, self.hull, self.state = context, hull, state
         self.metres_per_unit = units.metres_per_unit(context.scene)
-        self.size = lines.size_of(state.surface)
+        if state.surface is None:  # of a mesh that never was without errors
+            self.size = max(hull.dimensions) * self.metres_per_unit
+        else:
+            self.size = lines.size_of(state.surface)
         self.is_on_light = has_light_ground(context, hull)
 
     def to_view(self, is_image=False, layer=1):
@@ -50,9 +53,7 @@ def hulls_in_view(what="surface"):
     if context.region_data is None or not context.space_data.overlay.show_overlays:
         return
     for hull, state in hull_state.known_hulls(context.view_layer):
-        if state.surface is None or not getattr(state, what):
-            continue
-        if is_seen(context, hull):
+        if getattr(state, what) and is_seen(context, hull):
             yield HullInView(context, hull, state)
 
 

@@ -61,9 +61,10 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.scale_y = 0.8
         label_value(column, "Points", str(check.vertex_count))
-        label_value(column, "Edges", str(check.edge_count))
         label_value(column, "Faces", str(check.face_count))
-        label_value(column, "Irregular", str(check.irregular_count))
+        if not check.errors:
+            label_value(column, "Edges", str(check.edge_count))
+            label_value(column, "Irregular", str(check.irregular_count))
         if not check.problems:
             layout.label(text="No problems", icon="CHECKMARK")
         for index, problem in enumerate(check.problems):
