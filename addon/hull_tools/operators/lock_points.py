@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Points that stay when the surface is pulled."""
+
+import bpy
+
+from ..bridge import point_locks, selection
+from .shape import ShapeOperator
+
+
+class HULL_OT_lock_points(bpy.types.Operator, ShapeOperator):
+    """Lock the selected points: they stay when the surface is pulled or a bilge is rounded"""
+
+    bl_idname = "hull.lock_points"
+    bl_label = "Lock Points"
+
+    def run_on(self, hull, context):
+        count = point_locks.set_selected(hull, True)
+        self.report({"INFO"}, f"{count} points locked")
+
+
+class HULL_OT_unlock_points(bpy.types.Operator, ShapeOperator):
+    """Let the selected points move again when the surface is pulled"""
+
+    bl_idname = "hull.unlock_points"
+    bl_label = "Unlock Points"
+
+    def run_on(self, hull, context):
+        count = point_locks.set_selected(hull, False)
+        self.report({"INFO"}, f"{count} points unlocked")
+
+
+class HULL_OT_select_locked(bpy.types.Operator, ShapeOperator):
+    """Select the locked points, and no others"""
+
+    bl_idname = "hull.select_locked"
+    bl_label = "Select Locked Points"
+
+    def run_on(self, hull, context):
+        locked = point_locks.locked_points(hull.data)
+        if not len(locked):
+            raise ValueError("No point is locked")
+        count = selection.select(context, hull, "vertex", locked)
+        self.report({"INFO"}, f"{count} locked points selected")
+
+
+CLASSES = (HULL_OT_lock_points, HULL_OT_unlock_points, HULL_OT_select_locked)

@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface pulled by one of its points: with the mouse, or to numbers."""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
+from mathutils import Matrix
+
+from ..bridge import drags, hull_objects, hull_state, pull_lines, pulling, units
+from .shared import HullOperator
+
+_AXES = {"X": 0, "Y": 1, "Z": 2}
+# The planes that a point may be dragged in, by key; and the axis each is across.
+_PLANES = {"S": ("station plane", 0), "B": ("buttock plane", 1), "W": ("waterplane", 2)}
+_DIGITS = "0123456789.-"
+# A mouse that moved further than this many pixels while its button was down has dragged.
+_DRAGGED = 4
+_PICK_HELP = "Click or drag a point of the surface or of a section line    Esc: cancel"
+_DRAG_HELP = (
+    "V: in the view's plane    N: along the normal    S, W, B: in the station, water or buttock "
+    "plane    L: in the plane of the line    X, Y, Z: along the axis    Numbers: exact place on "
+    "the axis, distance along the normal    Esc: cancel"
+)
+
+
+def _place(name, description):
+    return FloatVectorProperty(
+        name=name, description=description, unit="LENGTH", subtype="XYZ", precision=5
+    )
+
+
+def _hold_creases():
+    return BoolProperty(
+        name="Hold creases",
+        description="Points of creases and borders stay, unless the point pulled is on one",
+        default=True,
+    )
+
+
+class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
+    """Pull the surface by one of its points, or by a point of a section line: the control points
+    around follow, moved as little as possible. Locked points stay, flats stay flat"""
+
+    bl_idname = "hull.pull_surface"
+    bl_label = "Pull Surface"
+
+    point: _place("Point", "The point of the surface nearest to this place is pulled")
+    target: _place("To", "Where this point of the surface comes to lie")
+    hold_creases: _hold_creases()
+
+    def run_on(self, hull, context):
+        pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
+        grip = pull.nearest(pull.scale * np.array(self.point))
+        count, longest = pull.pull(grip, pull.scale * np.array(self.target))
+        hull_state.refresh(hull, context.scene)
+        self._tell(context, count, longest)
+
+    def _tell(self, context, count, longest):
+        length = units.format_value(context.scene, longest, "m")
+        self.report({"INFO"}, f"{count} control points moved, {length} at most")
+
+    def invoke(self, context, event):
+        if context.area is None or context.area.type != "VIEW_3D":
+            return self.execute(context)
+        return self.reporting(self._begin, context)
+
+    def _begin(self, context):
+        hull = hull_objects.hull_of(context.object)
+        self._pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
+        self._grip, self._target, self._typed = None, None, ""
+        self._mode, self._is_pressed, self._pressed_at = "V", False, (0, 0)
+        self._area = context.area
+        context.window.cursor_modal_set("CROSSHAIR")
+        context.workspace.status_text_set(_PICK_HELP)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
+            self._pull.restore()
+            hull_state.refresh(self._pull.obj, context.scene)
+            self._leave(context)
+            return {"CANCELLED"}
+        handle = self._pick if self._grip is None else self._drag
+        return handle(context, event)
+
+    def cancel(self, context):
+        """Blender ends the operator, as when another file is loaded."""
+        self._leave(context)
+
+    # Before a point is held
+
+    def _pick(self, context, event):
+        if event.type == "MOUSEMOVE":
+            grip = self._under_mouse(event)
+            self._show(context, grip, None if grip is None else grip.point)
+            return {"RUNNING_MODAL"}
+        if event.type != "LEFTMOUSE" or event.value != "PRESS":
+            return {"PASS_THROUGH"}
+        grip = self._under_mouse(event)
+        if grip is None:
+            return {"RUNNING_MODAL"}
+        self._grip, self._target = grip, grip.point
+        self._mode = "V" if grip.plane is None else "L"
+        self._is_pressed, self._pressed_at = True, (event.mouse_x, event.mouse_y)
+        context.workspace.status_text_set(_DRAG_HELP)
+        return {"RUNNING_MODAL"}
+
+    def _under_mouse(self, event):
+        eye, mouse = self._eye(), self._mouse(event)
+        if not (0 <= mouse[0] < eye.size[0] and 0 <= mouse[1] < eye.size[1]):
+            return None
+        scale = bpy.context.preferences.system.ui_scale
+        return pull_lines.grip_at(self._pull, eye, mouse, scale)
+
+    # While it is held
+
+    def _drag(self, context, event):
+        if event.type == "MOUSEMOVE":
+            if not self._typed:
+                self._follow_mouse(context, event)
+        elif event.type == "LEFTMOUSE":
+            has_dragged = self._distance(event) > _DRAGGED
+            if event.value == "PRESS" or (self._is_pressed and has_dragged):
+                return self._finish(context)
+            self._is_pressed = False
+        elif event.value != "PRESS":
+            return {"RUNNING_MODAL"}
+        elif event.type in ("RET", "NUMPAD_ENTER"):
+            return self._finish(context)
+        elif event.type in _AXES or event.type in _PLANES or event.type in ("V", "N"):
+            self._choose(context, event, event.type)
+        elif event.type == "L" and self._grip.plane is not None:
+            self._choose(context, event, "L")
+        elif event.type == "BACK_SPACE":
+            self._type(context, self._typed[:-1])
+        elif event.unicode and event.unicode in _DIGITS:
+            self._type(context, self._typed + event.unicode)
+        return {"RUNNING_MODAL"}
+
+    def _choose(self, context, event, mode):
+        self._mode, self._typed = mode, ""
+        self._follow_mouse(context, event)
+
+    def _follow_mouse(self, context, event):
+        ray = self._eye().ray(self._mouse(event))
+        start = self._grip.point
+        along = self._line_direction()
+        if along is None:
+            target = drags.on_plane(*ray, start, self._plane_normal())
+        else:
+            target = drags.on_line(*ray, start, along)
+        if target is not None:
+            self._go(context, target)
+
+    def _line_direction(self):
+        """The direction of the line that the point is dragged along; None in a plane."""
+        if self._mode in _AXES:
+            return np.eye(3)[_AXES[self._mode]]
+        return self._grip.normal if self._mode == "N" and self._grip.normal.any() else None
+
+    def _plane_normal(self):
+        if self._mode in _PLANES:
+            return np.eye(3)[_PLANES[self._mode][1]]
+        if self._mode == "L":
+            return self._grip.plane
+        return self._eye().direction
+
+    def _type(self, context, text):
+        if self._line_direction() is None:
+            return
+        self._typed = text
+        try:
+            number = float(text) * self._pull.scale
+        except ValueError:
+            self._show(context, self._grip, self._target)
+            return
+        target = np.array(self._grip.point)
+        if self._mode in _AXES:
+            target[_AXES[self._mode]] = number
+        else:
+            target += number * self._grip.normal
+        self._go(context, target)
+
+    def _go(self, context, target):
+        """Pulls to a place, as the property for it can keep it."""
+        target = np.float32(target / self._pull.scale).astype(np.float64) * self._pull.scale
+        try:
+            self._pull.pull(self._grip, target)
+            self._target, trouble = target, ""
+        except ValueError as error:
+            trouble = str(error)
+        self._show(context, self._grip, self._target, trouble)
+
+    def _finish(self, context):
+        self._leave(context)
+        pull = self._pull
+        if np.array_equal(self._target, self._grip.point):
+            pull.restore()
+            return {"CANCELLED"}
+        self.point, self.target = self._grip.point / pull.scale, self._target / pull.scale
+        count, longest = pull.pull(self._grip, self._target)
+        hull_state.refresh(pull.obj, context.scene)
+        self._tell(context, count, longest)
+        return {"FINISHED"}
+
+    # What the view shows
+
+    def _show(self, context, grip, now, trouble=""):
+        if grip is None:
+            pull_lines.show(None)
+            text = _PICK_HELP
+        else:
+            text = trouble or self._words(context.scene, grip, now)
+            place = tuple(now), tuple(grip.point)
+            pull_lines.show(pull_lines.Mark(self._pull.obj.name, place[1], place[0], text))
+        self._area.header_text_set(text)
+        self._area.tag_redraw()
+
+    def _words(self, scene, grip, now):
+        places = "  ".join(
+            f"{axis} {units.format_value(scene, number, 'm')}" for axis, number in zip("xyz", now)
+        )
+        if self._grip is None:
+            return places + ("    On a crease, which moves too" if grip.moves_creases else "")
+        mode = {"V": "in the view's plane", "N": "along the normal", "L": "in the line's plane"}
+        where = mode.get(self._mode) or f"along {self._mode.lower()}"
+        if self._mode in _PLANES:
+            where = f"in the {_PLANES[self._mode][0]}"
+        typed = f"    [{self._typed}]" if self._typed else ""
+        return f"{places}    {where}{typed}"
+
+    def _leave(self, context):
+        pull_lines.show(None)
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        self._area.header_text_set(None)
+        self._area.tag_redraw()
+
+    def _region(self):
+        return next(region for region in self._area.regions if region.type == "WINDOW")
+
+    def _eye(self):
+        view, region = self._area.spaces.active.region_3d, self._region()
+        scale = 1.0 / self._pull.scale
+        to_world = self._pull.obj.matrix_world @ Matrix.Diagonal((scale, scale, scale, 1.0))
+        to_clip = np.array(view.perspective_matrix @ to_world, dtype=np.float64)
+        return pull_lines.Eye(to_clip, (region.width, region.height))
+
+    def _mouse(self, event):
+        region = self._region()
+        return event.mouse_x - region.x, event.mouse_y - region.y
+
+    def _distance(self, event):
+        return np.hypot(event.mouse_x - self._pressed_at[0], event.mouse_y - self._pressed_at[1])
+
+
+class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
+    """Pull the surface so that it has an exact coordinate at a place: y = 12.35 at this x and z,
+    say. The place is the 3D cursor's at first"""
+
+    bl_idname = "hull.surface_to_coordinate"
+    bl_label = "Surface to Coordinate"
+
+    axis: EnumProperty(
+        name="Along",
+        description="Which coordinate of the surface is given",
+        items=(
+            ("X", "x", "At a place given by y and z"),
+            ("Y", "y", "At a place given by x and z"),
+            ("Z", "z", "At a place given by x and y"),
+        ),
+        default="Y",
+    )
+    place: _place("Place", "The line through here, along the axis, meets the surface at the point")
+    value: FloatProperty(
+        name="Value",
+        description="The coordinate that the surface is to have there",
+        unit="LENGTH",
+        subtype="DISTANCE",
+        precision=5,
+    )
+    hold_creases: _hold_creases()
+
+    def invoke(self, context, event):
+        hull = hull_objects.hull_of(context.object)
+        if not self.properties.is_property_set("place"):
+            self.place = hull.matrix_world.inverted() @ context.scene.cursor.location
+        if not self.properties.is_property_set("value"):
+            self.value = self.place[_AXES[self.axis]]
+        return context.window_manager.invoke_props_dialog(self)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "axis", expand=True)
+        column = layout.column(align=True)
+        for name, index in _AXES.items():
+            if name != self.axis:
+                column.prop(self, "place", index=index, text=f"At {name.lower()}")
+        layout.prop(self, "value", text=f"Surface {self.axis.lower()}")
+        layout.prop(self, "hold_creases")
+
+    def run_on(self, hull, context):
+        axis = _AXES[self.axis]
+        pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
+        place = pull.scale * np.array(self.place)
+        place[axis] = pull.scale * self.value
+        grip = pull.across(place, axis)
+        before = units.format_value(context.scene, float(grip.point[axis]), "m")
+        pull.pull(grip, place)
+        hull_state.refresh(hull, context.scene)
+        after = units.format_value(context.scene, float(place[axis]), "m")
+        self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")
+
+
+CLASSES = (HULL_OT_pull_surface, HULL_OT_surface_to_coordinate)

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is held while the surface is pulled: a ring at the point, a line from where it was."""
+
+import bpy
+import gpu
+import numpy as np
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+from gpu_extras.batch import batch_for_shader
+from mathutils import Vector
+
+from ..bridge import blender_versions, pull_lines, units
+from .spots import ring
+from .view import Handler
+
+_COLOUR, _HALO = (0.95, 0.45, 0.0, 1.0), (1.0, 1.0, 1.0, 0.9)
+_RADIUS, _START, _WIDTH, _HALO_WIDTH = 8.0, 3.0, 2.0, 4.5  # dots, at a scale of 1
+
+
+def strokes(start, now, scale):
+    """Corners (n, 3) of the segments that show a pull, in the picture: a ring where the point is, a
+    smaller one where it was, and a line between."""
+    parts = [ring(now, _RADIUS * scale)]
+    way = np.subtract(now, start)
+    length = np.hypot(*way)
+    if length > (_RADIUS + _START) * scale:
+        ends = np.array(
+            [start + way * _START * scale / length, now - way * _RADIUS * scale / length]
+        )
+        parts += [ring(start, _START * scale), np.column_stack([ends, np.zeros(2)])]
+    return np.concatenate(parts).astype(np.float32)
+
+
+def _draw():
+    mark, context = pull_lines.shown(), bpy.context
+    hull = None if mark is None else context.scene.objects.get(mark.hull)
+    if hull is None or context.region_data is None:
+        return
+    places = [_in_picture(context, hull, point) for point in (mark.start, mark.now)]
+    if None in places:
+        return
+    scale = context.preferences.system.ui_scale
+    corners = strokes(np.array(places[0]), np.array(places[1]), scale)
+    gpu.state.blend_set("ALPHA")
+    shader = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
+    shader.bind()
+    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
+    for colour, width in ((_HALO, _HALO_WIDTH), (_COLOUR, _WIDTH)):
+        shader.uniform_float("lineWidth", width * scale)
+        shader.uniform_float("color", colour)
+        batch_for_shader(shader, "LINES", {"pos": corners}).draw(shader)
+    gpu.state.blend_set("NONE")
+
+
+def _in_picture(context, hull, point):
+    scale = units.metres_per_unit(context.scene)
+    place = hull.matrix_world @ (Vector(point) / scale)
+    return location_3d_to_region_2d(context.region, context.region_data, place)
+
+
+_handler = Handler(_draw, "POST_PIXEL")
+register, unregister = _handler.register, _handler.unregister
