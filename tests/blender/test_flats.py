@@ -305,3 +305,31 @@ def test_a_hull_without_flats_costs_no_look_at_its_points(monkeypatch):
     monkeypatch.setattr(part("bridge.mesh_points"), "read", lambda *a: asked.append(a))
     move(hull, [0], (0.0, 0.1, 0.0))
     assert asked == []
+
+
+def test_regions_that_touch_in_one_plane_become_one():
+    hull, flats = divided_hull(), part("bridge.flats")
+    side = faces_in(hull, SIDE)
+    flats.mark(hull, side[:1], SIDE)
+    flats.mark(hull, side[-1:], SIDE)
+    flats.mark(hull, faces_in(hull, BOTTOM), BOTTOM)
+    number = flats.mark(hull, side[1:-1], SIDE)
+    found = {region.number: region for region in flats.regions(hull)}
+    assert len(found) == 2 and found[number].faces.tolist() == side
+
+
+def test_a_region_held_by_another_does_not_leave_it():
+    hull, flats = divided_hull(), part("bridge.flats")
+    side = faces_in(hull, SIDE)
+    number = flats.mark(hull, side[:2], SIDE)
+    # A second region in the same plane that is another to the add-on, as after joining hulls.
+    part("bridge.flat_marks").write(hull.data, side[2:], number + 1)
+    flats.store_plane(hull, number + 1, np.array(SIDE))
+    update()
+    before = mesh_points(hull)
+    move(hull, points_of(hull, number), (0.0, 0.5, 0.0))
+    assert np.array_equal(mesh_points(hull), before)
+    assert set(map(tuple, kept_planes(hull).values())) == {SIDE}
+    everything = sorted({*points_of(hull, number), *points_of(hull, number + 1)})
+    move(hull, everything, (0.0, 0.5, 0.0))
+    assert set(map(tuple, kept_planes(hull).values())) == {(0.0, 1.0, 0.0, 2.5)}

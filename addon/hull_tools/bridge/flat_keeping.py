@@ -53,13 +53,46 @@ def keep(obj, memory):
     has_moved = None
     if key == memory.last_key:
         has_moved = (points != memory.last_points).any(axis=1)
-    if has_moved is None or has_moved.any():
-        _take_planes_along(obj, flat, entries, indices, points, has_moved)
-        is_changed = _bring_back(obj, flat, indices, points)
-    else:
-        is_changed = False
+    is_changed = (has_moved is None or has_moved.any()) and _restore(
+        obj, flat, entries, indices, points, has_moved
+    )
     memory.last_key, memory.last_points = key, points
     return is_changed
+
+
+def _restore(obj, flat, entries, indices, points, has_moved):
+    """Lets planes follow and brings points (k, 3) back, in place too; returns whether any was."""
+    known = {number: flats.plane_of(entry) for number, entry in entries.items()}
+    following = _planes_that_follow(flat, known, indices, points, has_moved)
+    while True:
+        held = {**known, **following}
+        places = _brought_back(flat, held, indices, points)
+        # A region that shares points with one that stays behind can't leave it.
+        torn = [
+            number
+            for number, plane in following.items()
+            if not _lie_in(places[_own(flat, number, indices)], plane)
+        ]
+        if not torn:
+            break
+        for number in torn:
+            del following[number]
+    for number, plane in following.items():
+        flats.store_plane(obj, number, plane)
+    changed = np.flatnonzero((places != points).any(axis=1))
+    if len(changed):
+        points[changed] = places[changed]
+        mesh_points.write(obj.data, indices[changed], points[changed])
+    return bool(len(changed))
+
+
+def _own(flat, number, indices):
+    """Where in the points `indices` those of a region are."""
+    return np.searchsorted(indices, flat.of_region(number)[1])
+
+
+def _lie_in(points, plane):
+    return np.abs(planes.heights(points, plane)).max() <= planes.tolerance(points)
 
 
 def _look_through(obj, flat, entries, is_new):
@@ -117,44 +150,39 @@ def _common_plane(points):
     return planes.stored(plane) if is_plane else None
 
 
-def _take_planes_along(obj, flat, entries, indices, points, has_moved):
-    """Regions that moved as a whole and are plane: their planes follow.
+def _planes_that_follow(flat, known, indices, points, has_moved):
+    """{number: plane} of the regions that moved as a whole and are plane still.
 
-    has_moved (k,): which of the points moved since the last time; None when nobody knows.
+    known: the planes by number. has_moved (k,): which of the points moved since the last time; None
+    when nobody knows.
     """
+    following = {}
     for number in np.unique(flat.regions).tolist():
-        entry = entries.get(number)
-        if entry is None:
+        if number not in known:
             continue
-        own = np.searchsorted(indices, flat.of_region(number)[1])
-        plane, places = flats.plane_of(entry), points[own]
+        own, plane = _own(flat, number, indices), known[number].copy()
+        places = points[own]
+        if _lie_in(places, plane):
+            continue
         heights = planes.heights(places, plane)
-        allowed = planes.tolerance(places)
-        if np.abs(heights).max() <= allowed:
-            continue
-        if np.ptp(heights) <= allowed:
+        if np.ptp(heights) <= planes.tolerance(places):
             plane[3] += np.median(heights)
-            flats.store_plane(obj, number, plane)
+            following[number] = planes.stored(plane)
         elif has_moved is None or np.count_nonzero(has_moved[own]) > len(own) / 2:
             # Turned, unless a few points were pulled out of it by as much.
             turned = _common_plane(places)
             if turned is not None:
-                flats.store_plane(obj, number, turned)
+                following[number] = turned
+    return following
 
 
-def _bring_back(obj, flat, indices, points):
-    """Moves the points that are out of their planes, in `points` too; returns whether there were
-    any."""
-    plane_of_region = {n: flats.plane_of(e) for n, e in flats.plane_entries(obj).items()}
-    of_points = flats.planes_of_points(flat, plane_of_region)
-    changed = []
+def _brought_back(flat, held, indices, points):
+    """(k, 3) the points, those that are out of the planes by number that they are held in moved
+    there, as Blender keeps them."""
+    places = points.copy()
+    of_points = flats.planes_of_points(flat, held)
     for place, index in enumerate(indices.tolist()):
         own = of_points.get(index, ())
         if own and not planes.lies_in(points[place], own):
-            moved = planes.into_planes(points[place], own).astype(np.float32)
-            if not np.array_equal(moved, points[place]):
-                points[place] = moved
-                changed.append(place)
-    if changed:
-        mesh_points.write(obj.data, indices[changed], points[changed])
-    return bool(changed)
+            places[place] = planes.into_planes(points[place], own).astype(np.float32)
+    return places

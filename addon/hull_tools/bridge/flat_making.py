@@ -117,7 +117,10 @@ def _outcome(obj, scene, faces, plane, moved):
     if not len(own):
         return FlatMade(text, True)
     allowed = lines.flat_tolerance(state.surface)
-    found = native.require().flatness(state.surface, faces=own, tolerance=allowed)
+    try:
+        found = native.require().flatness(state.surface, faces=own, tolerance=allowed)
+    except ValueError:  # the faces were pressed into a line
+        return FlatMade(text, False)
     if found.surface_distance <= allowed:
         return FlatMade(text, True)
     bend = units.format_value(scene, found.surface_distance, "m")

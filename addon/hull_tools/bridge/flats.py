@@ -50,7 +50,8 @@ def flat_planes(obj):
 
 def mark(obj, faces, plane):
     """Makes faces (f,), by their indices in the mesh, a region of its own that is kept in a plane,
-    and brings their points there; returns its number. Faces leave the region that they were of.
+    and brings their points there; returns its number. Faces leave the region that they were of, and
+    regions that they touch in the same plane become part of this one.
 
     Points of other regions stay in those planes too. ValueError without faces, or when a point
     would have to lie in two parallel planes: nothing is changed then.
@@ -80,7 +81,19 @@ def mark(obj, faces, plane):
         )
     mesh_points.write(obj.data, points, there)
     store_plane(obj, number, plane)
+    _join_touching(obj, number, plane)
     return number
+
+
+def _join_touching(obj, number, plane):
+    """Makes regions in the same plane that share points with a region part of it, and so on."""
+    others = [r for r in regions(obj) if r.number != number and np.array_equal(r.plane, plane)]
+    points = set(flat_marks.read(obj.data).of_region(number)[1].tolist())
+    while touching := [region for region in others if points.intersection(region.points.tolist())]:
+        for region in touching:
+            flat_marks.write(obj.data, region.faces, number)
+            points.update(region.points.tolist())
+            others.remove(region)
 
 
 def _write_numbers(mesh, faces, flat):
