@@ -18,7 +18,8 @@ constexpr double kUseful = 0.97;  // of an error: what is more is no gain
 constexpr int kHopeless = 12;     // as many halvings without a gain are enough
 constexpr int kLongestJump = 4;   // halvings at once
 constexpr double kMuchLess = 0.25;
-// Of the corner square, along its side v = 0 and off it; the side u = 0 is the next one's.
+// Of the corner square and of those within that its knots cut off at the corner, along the side
+// v = 0 and off it; the side u = 0 is the next one's.
 constexpr std::array<double, 6> kPlacesAlong{0.04, 0.12, 0.25, 0.4, 0.6, 0.8};
 constexpr std::array<double, 4> kPlacesAcross{0.0, 0.12, 0.3, 0.7};
 
@@ -46,13 +47,16 @@ double fan_distance(const LimitSurface& surface, const GradedFan& graded, double
   const SquareFan& fan = graded.fan;
   const double size = std::exp2(-graded.grading.halvings);
   double largest = 0.0;
+  const auto take = [&](int i, double a, double b) {
+    const CellPoint start = place_beside_half_edge(fan.half_edges[i], a * size, b * size);
+    const Vector3d point = fan.nets[i].evaluate(a, b).point;
+    largest = std::max(largest, near_surface(surface, point, start, enough).distance);
+  };
   for (int i = 0; i < fan.count(); ++i) {
     if (!fan.graded[i]) continue;
-    for (double a : kPlacesAlong) {
-      for (double b : kPlacesAcross) {
-        const CellPoint start = place_beside_half_edge(fan.half_edges[i], a * size, b * size);
-        const Vector3d point = fan.nets[i].evaluate(a, b).point;
-        largest = std::max(largest, near_surface(surface, point, start, enough).distance);
+    for (int k = 0; k < graded.grading.inner; ++k) {
+      for (double a : kPlacesAlong) {
+        for (double b : kPlacesAcross) take(i, std::ldexp(a, -k), std::ldexp(b, -k));
       }
     }
   }

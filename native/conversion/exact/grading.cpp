@@ -19,6 +19,8 @@ constexpr int kFirstGrading = 3;
 // CAD systems take knots closer together than 1e-9 for one.
 constexpr double kClosestKnots = 2e-9;
 constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
+// With more halvings rounding is seen: control points of neighbouring knots are close together.
+constexpr int kManyHalvings = 12;
 // Of an angle that is too large: knots within the corner squares make it as much smaller at best.
 constexpr double kWithinReach = 20.0;
 // Of the time: the search for gradings; the rest is for the patches.
@@ -113,15 +115,34 @@ class Grader {
     settle(points);
     if (options_.grading > 0) return;
     for (int inner = 2; inner <= kMostInner; ++inner) {
-      for (int point : points) {
-        const GradedFan& found = fans_[point];
-        if (found.excess() > 1.0 && found.outlook < kWithinReach &&
-            moved_points(found.fan.count(), inner) <= kMostMoved) {
-          of_group_[groups_.find(point)] = {kFirstGrading, inner};
-        }
-      }
+      add_inner_knots(points, inner);
       settle(points);
     }
+  }
+
+  // Begins anew, with more knots within the squares, where limits are not kept yet and where they
+  // are with very many halvings.
+  void add_inner_knots(const std::vector<int>& points, int inner) {
+    std::vector<char> is_open(of_group_.size(), 0), is_tried(of_group_.size(), 0);
+    for (int point : points) {
+      const GradedFan& found = fans_[point];
+      const bool is_kept = found.excess() <= 1.0;
+      const int group = groups_.find(point);
+      if (!is_kept) is_open[group] = 1;
+      const bool is_wanted =
+          is_kept ? found.grading.halvings > kManyHalvings : found.outlook < kWithinReach;
+      if (is_wanted && moved_points(found.fan.count(), inner) <= kMostMoved) is_tried[group] = 1;
+    }
+    const std::vector<Grading> before = of_group_;
+    for (std::size_t i = 0; i < is_tried.size(); ++i) {
+      if (is_tried[i]) of_group_[i] = {kFirstGrading, inner};
+    }
+    settle(points);
+    for (int point : points) {
+      const int group = groups_.find(point);
+      if (fans_[point].excess() > 1.0 && !is_open[group]) of_group_[group] = before[group];
+    }
+    settle(points);
   }
 
   // Fits those whose group has changed again, until none changes any more.
