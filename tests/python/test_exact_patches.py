@@ -168,7 +168,6 @@ ANGLES_NOT_KEPT = {
     ("corner_1_2_3.json", "catmull_clark"),
     ("FREE!ship demo 4.fbm", "catmull_clark"),
     ("FREE!ship demo 6.fbm", "catmull_clark"),
-    ("FREE!ship demo 6.fbm", "biermann"),  # 0.0033
     ("Parent 22_Oort.fbm", "catmull_clark"),
 }
 
