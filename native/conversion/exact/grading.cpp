@@ -15,7 +15,7 @@
 namespace hull {
 namespace {
 
-constexpr int kFirstGrading = 3;
+constexpr int kFirstGrading = 2;
 // CAD systems take knots closer together than 1e-9 for one.
 constexpr double kClosestKnots = 2e-9;
 constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
