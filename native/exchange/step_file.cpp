@@ -24,6 +24,7 @@
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_progress.h"
 #include "exchange/regions.h"
+#include "exchange/short_step.h"
 #include "exchange/step_styles.h"
 #include "exchange/text_holders.h"
 #include "files/atomic_file.h"
@@ -53,7 +54,7 @@ class StepText {
     add_curves();
     set_names();
     tell(progress_, 0.6, 1.0);
-    return texts_.filled(printed());
+    return short_step(texts_.filled(printed()));
   }
 
  private:
@@ -128,8 +129,8 @@ class StepText {
 
   std::string printed() {
     StepData_StepWriter text(writer_.Model());
-    // 17 digits: doubles come back as they were. Trailing zeros stay, because Open CASCADE's way of
-    // cutting them off loses the exponent.
+    // 17 digits: doubles come back as they were. Open CASCADE's own way of cutting off trailing
+    // zeros loses the exponent; short_step() does it.
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(Handle(StepData_Protocol)::DownCast(writer_.WS()->Protocol()));
     std::ostringstream stream;
