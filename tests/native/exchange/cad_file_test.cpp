@@ -233,7 +233,7 @@ bool mounted(const fs::path& folder, const char* options, unsigned long flags) {
 
 TEST_P(CadFile, IsNotThereWhenTheDiskIsFull) {
   const fs::path disk = folder_ / "disk";
-  if (!mounted(disk, "size=64k", 0)) GTEST_SKIP() << "file systems can't be made by this user";
+  if (!mounted(disk, "size=16k", 0)) GTEST_SKIP() << "file systems can't be made by this user";
   const std::string path = (disk / "hull.cad").string();
   std::ofstream(path) << "old";
   const std::string said = refusal(half_boat(0.5), path);
