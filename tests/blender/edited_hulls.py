@@ -58,3 +58,7 @@ def grid_hull(columns=6, rows=5):
 
 def at(i, j, rows=5):
     return i * rows + j
+
+
+def tags_of(hull):
+    return part("bridge.tags").of_hull(hull, bpy.context.scene)

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import add_box, add_hull, part, state_of
-from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, select
+from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, select, tags_of
 
 SEED = 20261122
 VIEWPORT = (800, 400)
@@ -186,7 +186,8 @@ def test_borders_on_the_centre_plane_of_a_half_hull_are_fine():
 @pytest.mark.parametrize(
     "switch, missing",
     [("show_border", "border"), ("show_deck_edge", "deck_edge"), ("show_irregular", "irregular"),
-     ("show_odd_faces", "odd_face"), ("show_problems", "problem"), ("show_flats", "flat")],
+     ("show_odd_faces", "odd_face"), ("show_problems", "problem"), ("show_flats", "flat"),
+     ("show_locked", "locked")],
 )  # fmt: skip
 def test_each_switch_takes_its_kind_away(switch, missing):
     hull = grid_hull()
@@ -199,13 +200,30 @@ def test_each_switch_takes_its_kind_away(switch, missing):
     select(hull, "edge", [(at(2, 4), at(3, 4))])
     bpy.ops.hull.mark_deck_edge()
     part("bridge.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
+    bpy.ops.hull.lock_points()
     before = counts(drawing_of(hull))
     assert set(before) == {
-        "knuckle", "border", "deck_edge", "irregular", "odd_face", "problem", "flat"
+        "knuckle", "border", "deck_edge", "irregular", "odd_face", "problem", "flat", "locked"
     }  # fmt: skip
     setattr(hull.hull.tags, switch, False)
     after = counts(drawing_of(hull))
     assert after == {name: count for name, count in before.items() if name != missing}
+
+
+def test_locks_are_where_their_points_are():
+    hull = add_hull()
+    # A point without faces, which is no control point, comes before others then.
+    bm = edit(hull)
+    bmesh.ops.delete(bm, geom=[f for f in bm.faces if f.calc_center_median().x < 1e-6],
+                     context="FACES_ONLY")  # fmt: skip
+    bmesh.update_edit_mesh(hull.data)
+    tags, place = tags_of(hull), (0.0, 2.0, 0.0)
+    select(hull, "vertex", [find(hull, *place), find(hull, 10, 0, 3)])
+    bpy.ops.hull.lock_points()
+    points = state_of(hull).surface.mesh.points
+    locked = points[part("bridge.tags").locked_points(hull, tags)]
+    assert {tuple(point) for point in locked} == {place, (10.0, 0.0, 3.0)}
+    assert counts(drawing_of(hull))["locked"] == 2 * 4
 
 
 def test_corners_darts_and_knuckles_have_switches():

@@ -7,11 +7,18 @@ import bmesh
 import bpy
 import pytest
 from addon_under_test import add_box, add_hull, part, state_of
-from edited_hulls import BORDERS, KNUCKLES, at, edit, find, grid_hull, keys, select, selected
-
-
-def tags_of(hull):
-    return part("bridge.tags").of_hull(hull, bpy.context.scene)
+from edited_hulls import (
+    BORDERS,
+    KNUCKLES,
+    at,
+    edit,
+    find,
+    grid_hull,
+    keys,
+    select,
+    selected,
+    tags_of,
+)
 
 
 def test_edges_of_a_box_by_kind():

@@ -55,6 +55,7 @@ _TAGS = {
     "corner": Ink("Corners, darts", (0.86, 0.08, 0.62)),
     "irregular": Ink("Irregular points", (0.48, 0.30, 0.95)),
     "odd_face": Ink("Not quads", (0.80, 0.58, 0.00)),
+    "locked": Ink("Locked", (0.10, 0.10, 0.14)),
     "flat": Ink("Kept flat", (0.10, 0.65, 0.45)),
     "problem": Ink("Problems", (0.92, 0.06, 0.06)),
 }

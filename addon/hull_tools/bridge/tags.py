@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import flat_marks, hull_objects, hull_state, mesh_arrays, native, units
+from . import flat_marks, hull_objects, hull_state, mesh_arrays, native, point_locks, units
 
 EDGE_KINDS = ("knuckle", "border", "deck_edge")
 POINT_KINDS = ("corner", "automatic_corner", "dart", "irregular")
@@ -83,15 +83,26 @@ def flat_faces(obj, tags):
     flat = flat_marks.read(obj.data)
     if flat is None:
         return []
-    new_index = np.full(flat.vertex_count, -1, dtype=np.int64)
-    new_index[tags.vertex_ids] = np.arange(len(tags.vertex_ids))
-    faces = np.split(new_index[flat.vertices], np.cumsum(flat.sizes)[:-1])
+    faces = np.split(_control_points(flat.vertices, tags), np.cumsum(flat.sizes)[:-1])
     known = {entry.region for entry in obj.hull.flats}
     found = {}
     for region, face in zip(flat.regions.tolist(), faces):
         if region in known and face.min() >= 0:
             found.setdefault(region, []).append(face)
     return list(found.values())
+
+
+def locked_points(obj, tags):
+    """(k,) the control points of `tags` that are locked."""
+    points = _control_points(point_locks.locked_points(obj.data), tags)
+    return points[points >= 0]
+
+
+def _control_points(vertices, tags):
+    """Of Blender's vertices, (k,) their control points; -1 for those that the shell has not."""
+    places = np.searchsorted(tags.vertex_ids, vertices)
+    places[places == len(tags.vertex_ids)] = 0
+    return np.where(tags.vertex_ids[places] == vertices, places, -1)
 
 
 def tags_of(mesh, control):

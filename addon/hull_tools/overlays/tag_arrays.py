@@ -72,11 +72,18 @@ def _circle(count=24):
     return np.column_stack([np.cos(angles), np.sin(angles)])
 
 
+def _pins():
+    """From four corners towards a place."""
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) / np.sqrt(2.0)
+    return np.stack([corners, 0.45 * corners], axis=1).reshape(-1, 2)
+
+
 # Segments (2 k, 2) of outlines around a place, for radius 1.
 OUTLINES = {
     "square": _closed([(-1, -1), (1, -1), (1, 1), (-1, 1)]),
     "diamond": _closed([(0, -1.4), (1.4, 0), (0, 1.4), (-1.4, 0)]),
     "ring": _closed(_circle()),
+    "pins": _pins(),
 }
 
 

@@ -18,6 +18,7 @@ _POINTS = {
     "dart": ("show_darts", "corner", "diamond", 6.0, 2.0),
     "irregular": ("show_irregular", "irregular", "ring", 9.5, 1.6),
 }
+_LOCKED = ("pins", 10.5, 2.2)
 _PROBLEM = ("ring", 13.0, 2.5)
 _DIGIT_HEIGHT, _DIGIT_WIDTH = 11.0, 1.8
 _BESIDE, _CENTRED = (11.0, 5.0), (-2.75, -5.5)  # from a place to the lower left of its number
@@ -79,6 +80,9 @@ def drawing_of(hull, state, scene, picture):
             pen.draw_points(known.points[kind], colours[colour], *shape)
     if settings.show_irregular:
         pen.write_beside(known.points["irregular"], known.valences, colours["irregular"])
+    if settings.show_locked:
+        locked = tags.locked_points(hull, known)
+        pen.draw_points(locked, colours["locked"], *_LOCKED)
     if settings.show_problems:
         for problem in state.check.problems:
             pen.draw_problem(bm, problem, colours["problem"])

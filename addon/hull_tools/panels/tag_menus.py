@@ -36,6 +36,7 @@ class HULL_MT_select(bpy.types.Menu):
         layout.operator_menu_enum("hull.select_creases", "kind")
         layout.operator("hull.select_chains")
         layout.operator_menu_enum("hull.select_points", "kind")
+        layout.operator("hull.select_locked")
         layout.operator("hull.select_odd_faces")
         layout.operator("hull.select_flat")
         layout.operator("hull.select_problems")
@@ -48,6 +49,8 @@ def _draw_point_operators(layout):
     layout.operator_menu_enum("hull.put_in_plane", "plane")
     layout.operator("hull.set_coordinates")
     layout.operator("hull.reduce_valence")
+    layout.operator("hull.lock_points")
+    layout.operator("hull.unlock_points")
 
 
 def _draw_edge_operators(layout):

@@ -15,7 +15,7 @@ _SHOWN = {
     "show_darts": ("points", ("dart",)),
     "show_irregular": ("points", ("irregular",)),
 }
-_SWITCHES = (*_SHOWN, "show_odd_faces", "show_flats", "show_problems")
+_SWITCHES = (*_SHOWN, "show_odd_faces", "show_flats", "show_locked", "show_problems")
 
 
 class HULL_PT_tags(HullTab, bpy.types.Panel):
