@@ -145,7 +145,8 @@ def _value_text(data, prop):
     if prop.type == "INT":
         return str(value)
     if prop.unit == "LENGTH":
-        return bpy.utils.units.to_string("METRIC", "LENGTH", value, precision=6)
+        system = bpy.context.scene.unit_settings.system
+        return bpy.utils.units.to_string(system, "LENGTH", value, precision=6)
     if prop.unit == "ROTATION":
         return f"{value * 57.29578:.2f}°"
     return f"{value:.{min(prop.precision, 6)}f}"

@@ -417,3 +417,48 @@ def test_a_separated_part_keeps_its_own_flats():
     bpy.context.view_layer.update()
     assert len(flat_kinds(hull)) == len(flat_kinds(bpy.data.objects["box.001"])) == 1
     assert flat_kinds(hull) != flat_kinds(bpy.data.objects["box.001"])
+
+
+def test_what_is_animated_is_followed():
+    hull = add_hull()
+    for frame, draft in ((1, 1.0), (11, 2.0)):
+        hull.hull.draft = draft
+        hull.hull.keyframe_insert("draft", frame=frame)
+    for frame in (1, 6, 11):
+        bpy.context.scene.frame_set(frame)
+        found = state_of(hull).hydrostatics
+        assert found.draft == pytest.approx(hull.hull.draft)
+        assert found.displaced_volume == pytest.approx(40.0 * hull.hull.draft, rel=1e-6)
+    assert hull.hull.draft == 2.0
+    hull.keyframe_insert("rotation_euler", frame=11)
+    hull.rotation_euler.z = 1.0
+    hull.keyframe_insert("rotation_euler", frame=20)
+    bpy.context.scene.frame_set(20)
+    assert "rotation" in state_of(hull).status
+    bpy.context.scene.frame_set(11)
+    assert not state_of(hull).status
+
+
+@pytest.mark.parametrize("kind, count", [("LINK_COPY", 1), ("FULL_COPY", 2)])
+def test_hulls_of_another_scene(kind, count):
+    hull = add_hull()
+    bpy.context.view_layer.update()
+    bpy.ops.scene.new(type=kind)
+    bpy.context.view_layer.update()
+    hulls = part("bridge.hull_objects").hulls(bpy.data.objects)
+    assert len(hulls) == count
+    (here,) = part("bridge.hull_objects").hulls(bpy.context.scene.objects)
+    assert (here == hull) == (count == 1)
+    here.data.vertices[0].co.x -= 1.0
+    here.data.update()
+    assert_shows(here, (LENGTH + 1.0, 4.0, DEPTH))
+    assert np.ptp(mesh_points(surface(hull))[:, 0]) == pytest.approx(LENGTH + (count == 1))
+
+
+def test_a_mesh_put_in_place_of_the_hull_s():
+    hull = add_hull()
+    mesh = hull.data.copy()
+    for vertex in mesh.vertices:
+        vertex.co.x *= 2.0
+    hull.data = mesh
+    assert_shows(hull, (2.0 * LENGTH, 4.0, DEPTH))

@@ -9,6 +9,8 @@ from . import follow, keep
 _HANDLERS = (
     ("depsgraph_update_post", follow.after_update),
     ("depsgraph_update_post", keep.after_update),
+    ("frame_change_post", follow.after_frame),
+    ("frame_change_post", keep.after_update),
     ("undo_post", follow.after_undo),
     ("undo_post", keep.after_undo),
     ("redo_post", follow.after_undo),

@@ -34,15 +34,26 @@ def _follow_all():
         _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
 
 
+def _updates_of_objects(depsgraph):
+    return (one for one in depsgraph.updates if isinstance(one.id, bpy.types.Object))
+
+
 @persistent
 def after_update(scene, depsgraph):
     changed = {
         update.id.original
-        for update in depsgraph.updates
-        if isinstance(update.id, bpy.types.Object)
-        and (update.is_updated_geometry or update.is_updated_transform)
+        for update in _updates_of_objects(depsgraph)
+        if update.is_updated_geometry or update.is_updated_transform
     }
     hull_state.forget_deleted()
+    _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
+
+
+@persistent
+def after_frame(scene, depsgraph):
+    """Another frame changes what is animated, which may be settings alone; another scene comes with
+    a frame of its own."""
+    changed = {update.id.original for update in _updates_of_objects(depsgraph)}
     _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
 
 
