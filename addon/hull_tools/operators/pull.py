@@ -15,6 +15,8 @@ _PLANES = {"S": ("station plane", 0), "B": ("buttock plane", 1), "W": ("waterpla
 _DIGITS = "0123456789.-"
 # A mouse that moved further than this many pixels while its button was down has dragged.
 _DRAGGED = 4
+# Sine of the angle between view and the plane of a line, for it to be pulled in this at first.
+_LEAST_SINE = 0.2
 _PICK_HELP = "Click or drag a point of the surface or of a section line    Esc: cancel"
 _DRAG_HELP = (
     "V: in the view's plane    N: along the normal    S, W, B: in the station, water or buttock "
@@ -101,10 +103,14 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         if grip is None:
             return {"RUNNING_MODAL"}
         self._grip, self._target = grip, grip.point
-        self._mode = "V" if grip.plane is None else "L"
+        self._mode = "L" if self._is_seen_flat(grip.plane) else "V"
         self._is_pressed, self._pressed_at = True, (event.mouse_x, event.mouse_y)
         context.workspace.status_text_set(_DRAG_HELP)
         return {"RUNNING_MODAL"}
+
+    def _is_seen_flat(self, normal):
+        """Whether the view looks at a plane, if there is one, rather than along it."""
+        return normal is not None and abs(normal @ self._eye().direction) > _LEAST_SINE
 
     def _under_mouse(self, event):
         eye, mouse = self._eye(), self._mouse(event)

@@ -34,18 +34,20 @@ _CLASSES = (
     *export.CLASSES,
 )
 
+_DRAWN_IN = (*tag_menus.DRAWN_IN.items(), *pull.DRAWN_IN.items())  # by the names of menus
+
 
 def register():
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
-    for name, draw in tag_menus.DRAWN_IN.items():
+    for name, draw in _DRAWN_IN:
         getattr(bpy.types, name).append(draw)
     keymap.register()
 
 
 def unregister():
     keymap.unregister()
-    for name, draw in tag_menus.DRAWN_IN.items():
+    for name, draw in _DRAWN_IN:
         getattr(bpy.types, name).remove(draw)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface pulled by its points, and what is locked meanwhile."""
+"""The surface pulled by its points, and what is locked meanwhile: panel, and the menus where the
+search of operators finds it."""
 
 import bpy
 
+from ..bridge import hull_objects
 from .shared import HullPanel
 
 
@@ -24,4 +26,29 @@ class HULL_PT_pull(HullPanel, bpy.types.Panel):
         row.operator("hull.select_locked", text="Select")
 
 
+def _draw_in_menu(self, context):
+    if hull_objects.hull_of(context.object) is None:
+        return
+    layout = self.layout
+    layout.separator()
+    layout.operator("hull.pull_surface")
+    layout.operator("hull.surface_to_coordinate", text="Surface to Coordinate …")
+
+
+def _draw_locks(self, context):
+    if hull_objects.hull_of(context.object) is None:
+        return
+    layout = self.layout
+    layout.separator()
+    layout.operator("hull.lock_points")
+    layout.operator("hull.unlock_points")
+    layout.operator("hull.select_locked")
+
+
 CLASSES = (HULL_PT_pull,)
+
+DRAWN_IN = {
+    "VIEW3D_MT_edit_mesh": _draw_in_menu,
+    "VIEW3D_MT_object": _draw_in_menu,
+    "VIEW3D_MT_edit_mesh_vertices": _draw_locks,
+}

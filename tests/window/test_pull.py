@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pulling the surface with the mouse: it is where it was dragged to, Esc and Ctrl-Z take
+it back."""
+
+import bpy
+import numpy as np
+from addon_under_test import part, state_of
+from editing import editing_a_hull, hull_at_hand
+from expect import are_equal, assert_follows, edited_points, snapshot
+from mathutils import Vector
+from window import FROM_AHEAD, FROM_PORT
+
+
+def begin(window, *kinds, angles=FROM_PORT):
+    """A hull in edit mode that shows these lines, and the Grip of a point of its side amidships."""
+    hull = editing_a_hull(window)
+    for kind, switch in part("bridge.lines").SWITCHES.items():
+        setattr(hull.hull.lines, switch, kind in kinds)
+    window.look(hull, angles)
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    bpy.ops.ed.undo_push(message="shown")
+    pull = part("bridge.pulling").SurfacePull(hull, bpy.context.scene)
+    return hull, pull.nearest((0.55 * max(hull.dimensions), 50.0, 2.5))
+
+
+def surface_point(hull, grip):
+    """Where the place is on the surface that the add-on shows, in m."""
+    return state_of(hull).surface.positions([grip.cell], grip.uv[None])[0]
+
+
+def start_pulling(window):
+    window.search("Pull Surface")
+
+
+def held(hull):
+    return part("bridge.pull_lines").shown()
+
+
+def test_a_drag_pulls_the_surface_and_all_follows(window):
+    hull, grip = begin(window, "feature")
+    before = snapshot(hull)
+    yield
+    start_pulling(window)
+    yield
+    window.move_to_point(hull, Vector(grip.point))
+    yield
+    mark = held(hull)
+    assert np.linalg.norm(np.array(mark.now) - grip.point) < 0.5
+    window.hold("LEFTMOUSE")
+    for _ in range(3):
+        last = snapshot(hull)
+        window.move_by(3, 8)
+        yield
+        assert not are_equal(snapshot(hull), last)
+        assert_follows(hull)
+    window.let_go("LEFTMOUSE")
+    yield
+    assert held(hull) is None
+    after = snapshot(hull)
+    assert not are_equal(after, before)
+    assert_follows(hull)
+    window.undo()
+    yield
+    hull = hull_at_hand()
+    assert hull.mode == "EDIT" and are_equal(snapshot(hull), before)
+    window.redo()
+    yield
+    hull = hull_at_hand()
+    assert are_equal(snapshot(hull), after)
+    assert_follows(hull)
+
+
+def test_escape_leaves_all_as_it_was(window):
+    hull, grip = begin(window, "feature")
+    before = snapshot(hull)
+    yield
+    start_pulling(window)
+    window.move_to_point(hull, Vector(grip.point))
+    yield
+    window.hold("LEFTMOUSE")
+    window.move_by(40, 40)
+    yield
+    assert not are_equal(snapshot(hull), before)
+    window.press("ESC")
+    window.let_go("LEFTMOUSE")
+    yield
+    assert np.array_equal(edited_points(hull), before["points"])
+    assert are_equal(snapshot(hull), before)
+    assert held(hull) is None
+    assert_follows(hull)
+
+
+def test_a_typed_coordinate_is_exact(window):
+    hull, grip = begin(window)
+    yield
+    start_pulling(window)
+    window.move_to_point(hull, Vector(grip.point))
+    yield
+    grip = part("bridge.pulling").SurfacePull(hull, bpy.context.scene).nearest(held(hull).now)
+    window.click()
+    window.press("Y")
+    window.write("6.125")
+    yield
+    window.press("RET")
+    yield
+    wanted = [grip.point[0], 6.125, grip.point[2]]
+    assert np.linalg.norm(surface_point(hull, grip) - wanted) < 1e-5
+    assert_follows(hull)
+
+
+def test_a_section_line_is_pulled_in_its_plane(window):
+    hull, _ = begin(window, "station", angles=FROM_AHEAD)
+    yield
+    section = state_of(hull).lines["station"].sections[10]
+    curve = max(section.curves, key=lambda one: len(one.points))
+    point = curve.points[len(curve.points) // 2]
+    hull.show_in_front = False
+    start_pulling(window)
+    window.move_to_point(hull, Vector(point))
+    yield
+    start = np.array(held(hull).now)
+    window.hold("LEFTMOUSE")
+    window.move_by(25, -20)
+    yield
+    now = np.array(held(hull).now)
+    assert np.linalg.norm(now - start) > 0.05
+    planes = [one.cut.plane for one in state_of(hull).lines["station"].sections]
+    assert min(abs(now[0] - plane[3]) for plane in planes) < 1e-5
+    window.press("L")
+    window.let_go("LEFTMOUSE")
+    yield
+    assert_follows(hull)
