@@ -17,6 +17,14 @@ _ICON = 20.0
 _NAME_PART = 0.25  # what the names of texts and of choices get of a field's width
 
 
+_ICONS = set(bpy.types.UILayout.bl_rna.functions["prop"].parameters["icon"].enum_items.keys())
+
+
+def _icon_width(icon):
+    assert icon in _ICONS, f"Blender has no icon {icon}"
+    return _ICON if icon != "NONE" else 0.0
+
+
 def text_width(text):
     blf.size(_FONT, _TEXT)
     return blf.dimensions(_FONT, text)[0]
@@ -61,12 +69,13 @@ class Measuring:
         self._items.append((width, what))
 
     def label(self, text="", icon="NONE", **unused):
-        self._add(text_width(text) + _LABEL + (_ICON if icon != "NONE" else 0.0), text)
+        self._add(text_width(text) + _LABEL + _icon_width(icon), text)
 
     def _button(self, text, icon):
         if text:
-            self._add(text_width(text) + _BUTTON + (_ICON if icon != "NONE" else 0.0), text)
+            self._add(text_width(text) + _BUTTON + _icon_width(icon), text)
         else:
+            _icon_width(icon)
             self._add(_ICON, "")
 
     def operator(self, idname, text=None, icon="NONE", **unused):
@@ -86,6 +95,7 @@ class Measuring:
     def prop(self, data, name, text=None, icon="NONE", icon_only=False, toggle=False, **unused):
         prop = data.bl_rna.properties[name]
         shown = prop.name if text is None else text
+        _icon_width(icon)
         if icon_only or (not shown and prop.type == "BOOLEAN"):
             self._add(_ICON, "")
         elif prop.type == "BOOLEAN":

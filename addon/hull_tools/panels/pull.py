@@ -16,14 +16,14 @@ class HULL_PT_pull(HullPanel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         column = layout.column(align=True)
-        column.operator("hull.pull_surface", icon="GRAB")
+        column.operator("hull.pull_surface", icon="VIEW_PAN")
         column.operator("hull.surface_to_coordinate", text="To Coordinate …")
         if context.object.mode != "EDIT":
             return
         row = layout.row(align=True)
         row.operator("hull.lock_points", text="Lock", icon="LOCKED")
         row.operator("hull.unlock_points", text="Unlock", icon="UNLOCKED")
-        row.operator("hull.select_locked", text="Select")
+        row.operator("hull.select_locked", text="", icon="RESTRICT_SELECT_OFF")
 
 
 def _draw_in_menu(self, context):
