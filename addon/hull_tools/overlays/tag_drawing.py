@@ -20,8 +20,8 @@ _POINTS = {
 }
 _LOCKED = ("pins", 10.5, 2.2)
 _PROBLEM = ("ring", 13.0, 2.5)
-_DIGIT_HEIGHT, _DIGIT_WIDTH = 11.0, 1.8
-_BESIDE, _CENTRED = (11.0, 5.0), (-2.75, -5.5)  # from a place to the lower left of its number
+_DIGIT_HEIGHT, _DIGIT_WIDTH = 14.0, 1.7
+_BESIDE, _CENTRED = (11.0, 5.0), (-3.5, -7.0)  # from a place to the lower left of its number
 _USUAL_MARK = 5.0
 # Marks are smaller where points are nearer to one another in the picture than so many dots, numbers
 # are left out where marks are smaller than a part of what they are elsewhere.
