@@ -76,6 +76,8 @@ def test_a_side_is_made_flat_and_kept():
     bpy.ops.object.mode_set(mode="OBJECT")
     flat = part("bridge.flat_making")
     assert flat.describe(bpy.context.scene, region.plane) == "y = 2.250 m"
+    tilted = np.array([0.0, -0.6, 0.8, 3.0])
+    assert flat.describe(bpy.context.scene, tilted) == "36.9° to level"
 
 
 def test_places_of_a_plane():
@@ -279,3 +281,16 @@ def test_shape_is_one_undo_step():
     assert [region.kind for region in regions(hull)] == ["SIDE"]
     bpy.ops.object.mode_set(mode="OBJECT")
     assert np.array_equal(mesh_points(hull)[:, 1], edited_points(hull)[:, 1])
+
+
+def test_planes_do_not_pile_up():
+    hull = bumpy_hull()
+    select_faces(hull, side)
+    for position in (2.0, 2.25, 2.5):
+        bpy.ops.hull.make_flat(kind="SIDE", place="POSITION", position=position)
+        bpy.ops.ed.undo_push(message=str(position))
+    assert len(hull.hull.flats) == 1
+    bpy.ops.ed.undo()
+    hull = bpy.data.objects["box"]
+    update()
+    assert [region.plane.tolist() for region in regions(hull)] == [[0.0, 1.0, 0.0, 2.25]]

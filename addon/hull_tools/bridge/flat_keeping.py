@@ -38,9 +38,9 @@ def keep(obj, memory):
         return False
     key = flat.key()
     entries = flats.plane_entries(obj)
-    if key not in memory.known:
-        is_new = not memory.known
-        _look_through(obj, flat, entries, is_new)
+    is_known = key in memory.known or not memory.known
+    if key not in memory.known or not entries.keys() >= set(flat.regions.tolist()):
+        _look_through(obj, flat, entries, is_known)
         flat = flat_marks.read(obj.data)
         if flat is None:
             return False
@@ -95,10 +95,11 @@ def _lie_in(points, plane):
     return np.abs(planes.heights(points, plane)).max() <= planes.tolerance(points)
 
 
-def _look_through(obj, flat, entries, is_new):
+def _look_through(obj, flat, entries, is_known):
     """Numbers of regions that nobody knows get a plane, and faces out of their plane lose theirs.
 
-    is_new: the hull was not seen before, so that points may have moved as well, and are not judged.
+    is_known: the faces are as once before, or the hull was not seen before, so that it is points
+    that may have moved, which are not judged by.
     """
     places = mesh_points.read(obj.data)
     for number in np.unique(flat.regions).tolist():
@@ -111,7 +112,7 @@ def _look_through(obj, flat, entries, is_new):
             else:
                 flats.store_plane(obj, number, plane)
             continue
-        if is_new:
+        if is_known:
             continue
         astray = _astray(flat, number, places, flats.plane_of(entry))
         if len(astray) < len(faces):

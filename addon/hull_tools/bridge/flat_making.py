@@ -2,6 +2,7 @@
 """The faces that are selected in edit mode are made flat: side, bottom, transom or any plane."""
 
 from dataclasses import dataclass
+from math import acos, degrees
 
 import bmesh
 import numpy as np
@@ -97,16 +98,17 @@ def _crease_rim(mesh, faces):
 
 
 def describe(scene, plane):
-    """A plane as short text: the axis it is across and where, or its direction."""
+    """A plane as short text: the axis it is across and where, or its angle to the base line."""
     kind = planes.kind_of(plane)
     if kind in _AXES:
         position = plane[3] * plane[_AXES[kind]] * units.metres_per_unit(scene)
         return f"{'xyz'[_AXES[kind]]} = {units.format_value(scene, position, 'm')}"
-    return f"across {plane[0]:.3f}, {plane[1]:.3f}, {plane[2]:.3f}"
+    return f"{degrees(acos(min(abs(plane[2]), 1.0))):.1f}° to level"
 
 
 def _outcome(obj, scene, faces, plane, moved):
-    text = f"{np.count_nonzero(moved)} of {len(moved)} points moved into {describe(scene, plane)}"
+    text = f"{np.count_nonzero(moved)} of {len(moved)} points moved into the plane "
+    text += describe(scene, plane)
     if moved.any():
         furthest = moved.max() * units.metres_per_unit(scene)
         text += f", by up to {units.format_value(scene, furthest, 'm')}"

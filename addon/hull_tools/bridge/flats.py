@@ -82,6 +82,7 @@ def mark(obj, faces, plane):
     mesh_points.write(obj.data, points, there)
     store_plane(obj, number, plane)
     _join_touching(obj, number, plane)
+    clear_unused(obj)
     return number
 
 
@@ -103,8 +104,7 @@ def _write_numbers(mesh, faces, flat):
 
 
 def release(obj, faces):
-    """These faces are not kept flat any longer. Planes are left for undo to find; new_number and
-    clear_unused look after them."""
+    """These faces are not kept flat any longer."""
     flat_marks.write(obj.data, faces, 0)
 
 
@@ -145,7 +145,8 @@ def store_plane(obj, number, plane):
 
 
 def clear_unused(obj):
-    """Removes the planes of regions that have no face any longer."""
+    """Removes the planes of regions that have no face any longer. Undo in edit mode may bring such
+    back: flat_keeping finds their planes then."""
     flat = flat_marks.read(obj.data)
     used = set() if flat is None else set(flat.regions.tolist())
     for index in reversed(range(len(obj.hull.flats))):

@@ -35,8 +35,11 @@ def _axis_of(plane):
 
 
 def stored(plane):
-    """The plane that is kept in single precision, axes that are meant exactly."""
-    normal = np.array(plane[:3], dtype=np.float64)
+    """The plane that is kept in single precision: axes that are meant exactly, the largest part of
+    the normal positive."""
+    plane = np.array(plane, dtype=np.float64)
+    plane *= np.copysign(1.0, plane[np.argmax(np.abs(plane[:3]))])
+    normal = plane[:3]
     length = np.linalg.norm(normal)
     normal[np.abs(normal) < _AXIS * length] = 0.0
     kept = np.append(normal / np.linalg.norm(normal), plane[3] / length).astype(np.float32)
