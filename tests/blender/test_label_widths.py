@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """No text of the sidebar is cut off at the width at which Blender opens it."""
 
+from types import SimpleNamespace
+
 import bpy
 import pytest
-from addon_under_test import part
+from addon_under_test import module_name, part
 from layout_widths import SIDEBAR, Measuring
 from test_panels import Drawn, compute_all, context
 
@@ -91,3 +93,24 @@ def test_in_edit_mode_and_in_feet(ship):
     bpy.context.view_layer.update()
     found = faults()
     assert not found, "\n".join(found)
+
+
+def drawn_in_menus():
+    """(name, drawing function) of the add-on's menus, and of what it adds to Blender's own."""
+    for cls in bpy.types.Menu.__subclasses__():
+        if cls.__module__.startswith(f"{module_name()}."):
+            yield cls.__name__, cls.draw
+    for name in dir(bpy.types):
+        for draw in getattr(getattr(getattr(bpy.types, name), "draw", None), "_draw_funcs", ()):
+            if draw.__module__.startswith(f"{module_name()}."):
+                yield name, draw
+
+
+def test_menus_have_what_blender_has(ship):
+    bpy.ops.object.mode_set(mode="EDIT")
+    found = dict(drawn_in_menus())
+    assert {"HULL_MT_pie", "TOPBAR_MT_file_import", "VIEW3D_MT_mesh_add"} <= set(found)
+    for name, draw in found.items():
+        layout = Measuring()
+        draw(SimpleNamespace(layout=layout), bpy.context)
+        assert layout.needed() > 0.0, name
