@@ -79,7 +79,8 @@ class Measuring:
             self._add(_ICON, "")
 
     def operator(self, idname, text=None, icon="NONE", **unused):
-        rna = getattr(bpy.ops.hull, idname.split(".")[1]).get_rna_type()
+        group, name = idname.split(".")
+        rna = getattr(getattr(bpy.ops, group), name).get_rna_type()
         self._button(rna.name if text is None else text, icon)
         return _Anything()
 

@@ -95,6 +95,20 @@ def test_in_edit_mode_and_in_feet(ship):
     assert not found, "\n".join(found)
 
 
+def test_a_hull_that_is_scaled_has_a_button_to_apply_it(ship):
+    def buttons():
+        bpy.context.view_layer.update()
+        layouts = {cls.__name__: layout for cls, layout in drawn_panels()}
+        assert faults() == []
+        return list(layouts["HULL_PT_hull"].texts())
+
+    assert "Apply" not in buttons()
+    ship.scale = (2.0, 1.0, 1.0)
+    assert "Apply" in buttons()
+    ship.scale = (1.0, 1.0, 1.0)
+    assert "Apply" not in buttons()
+
+
 def drawn_in_menus():
     """(name, drawing function) of the add-on's menus, and of what it adds to Blender's own."""
     for cls in bpy.types.Menu.__subclasses__():

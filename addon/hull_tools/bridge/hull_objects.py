@@ -64,7 +64,7 @@ def locked(obj):
 
 def _turned(obj):
     """What turns or scales an object, and what to do about it; "" when nothing does."""
-    if _is_turned(obj.matrix_basis):
+    if is_turned(obj):
         return f'"{obj.name}" has rotation or scale: apply them first (Ctrl A)'
     if not _is_turned(obj.matrix_world):
         return ""
@@ -77,6 +77,11 @@ def _turned(obj):
         f'"{obj.name}" is turned or scaled by its parent "{parent.name}": clear the parent and '
         "keep the transform (Alt P), then apply (Ctrl A)"
     )
+
+
+def is_turned(obj):
+    """Whether an object has rotation or scale of its own."""
+    return _is_turned(obj.matrix_basis)
 
 
 def _is_turned(matrix):

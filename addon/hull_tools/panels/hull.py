@@ -36,6 +36,9 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
             return
         if state.status:
             label_wrapped(layout, context, state.status, icon="ERROR")
+        if hull_objects.is_turned(hull):
+            button = layout.operator("object.transform_apply", text="Apply", icon="CHECKMARK")
+            button.location = False
         for remark in state.remarks:
             label_wrapped(layout, context, remark, icon="INFO")
 
