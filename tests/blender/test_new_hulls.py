@@ -122,8 +122,8 @@ def test_which_parts_are_flat():
     assert normals["PLANING"] == normals["CANOE_BODY"] == [transom]
 
 
-# Inflections of a station, of all of them, and of a waterline. Stations but those of the bow bend one
-# way; waterlines may be hollow at the entrance.
+# Inflections of a station, of all of them, and of a waterline. Stations but those of the bow bend
+# one way; waterlines may be hollow at the entrance.
 INFLECTIONS = {
     "BARGE": (0, 0, 0),
     "ROUND_BILGE": (1, 3, 4),

@@ -36,6 +36,10 @@ class Notebook:
     def operator_menu_enum(self, idname, name, **unused):
         self.noted.append(f"operator {idname}")
 
+    def menu(self, name, **unused):
+        assert hasattr(bpy.types, name)
+        self.noted.append(f"menu {name}")
+
     def template_list(self, list_type, identifier, data, name, active_data, active, **unused):
         assert hasattr(bpy.types, list_type)
         self.noted.append(f"list of {len(getattr(data, name))} at {getattr(active_data, active)}")
@@ -150,6 +154,7 @@ def test_panels_of_a_hull_of_which_nothing_is_known(hull):
 
 def test_without_a_hull_there_are_only_beginnings():
     assert "HULL_PT_stability" not in texts()
+    assert "menu HULL_MT_add" in texts()["HULL_PT_hull"]
 
 
 def test_conversion_and_its_report(hull):

@@ -49,7 +49,6 @@ _CLASSES = (
 def register():
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_mesh_add.append(add_hull.draw_add_menu)
     bpy.types.TOPBAR_MT_file_import.append(import_hull.draw_import_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_hull.draw_export_menu)
 
@@ -57,6 +56,5 @@ def register():
 def unregister():
     bpy.types.TOPBAR_MT_file_export.remove(export_hull.draw_export_menu)
     bpy.types.TOPBAR_MT_file_import.remove(import_hull.draw_import_menu)
-    bpy.types.VIEW3D_MT_mesh_add.remove(add_hull.draw_add_menu)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

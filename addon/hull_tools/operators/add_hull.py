@@ -74,6 +74,14 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
 
     needs = (native_is_there, in_object_mode)
 
+    def invoke(self, context, event):
+        """From a menu; shows all of the hull, which is seldom as large as what was in view."""
+        result = self.execute(context)
+        if result == {"FINISHED"} and bpy.ops.view3d.view_selected.poll():
+            context.view_layer.update()
+            bpy.ops.view3d.view_selected()
+        return result
+
     def run(self, context):
         for name, value in _usual(self.kind, context.scene).items():
             if not self.properties.is_property_set(name):
@@ -93,13 +101,6 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
             column = layout.column(align=True)
             for name in names:
                 column.prop(self, name)
-
-
-def draw_add_menu(self, context):
-    self.layout.separator()
-    self.layout.operator_menu_enum(
-        HULL_OT_add_hull.bl_idname, "kind", text="Ship Hull", icon="MOD_OCEAN"
-    )
 
 
 CLASSES = (HULL_OT_add_hull,)

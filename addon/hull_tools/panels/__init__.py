@@ -4,6 +4,7 @@
 import bpy
 
 from . import (
+    add_menu,
     export,
     fairness,
     hull,
@@ -20,6 +21,7 @@ from . import (
 )
 
 _CLASSES = (
+    *add_menu.CLASSES,
     *hull.CLASSES,
     *tags.CLASSES,
     *tag_menus.CLASSES,
@@ -34,7 +36,11 @@ _CLASSES = (
     *export.CLASSES,
 )
 
-_DRAWN_IN = (*tag_menus.DRAWN_IN.items(), *pull.DRAWN_IN.items())  # by the names of menus
+_DRAWN_IN = [  # by the names of menus and panels
+    *add_menu.DRAWN_IN.items(),
+    *tag_menus.DRAWN_IN.items(),
+    *pull.DRAWN_IN.items(),
+]
 
 
 def register():

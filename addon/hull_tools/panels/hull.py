@@ -22,7 +22,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
             self._draw_particulars(layout, hull.hull)
 
     def _draw_beginnings(self, layout):
-        layout.operator_menu_enum("hull.add_hull", "kind", text="New Hull", icon="MOD_OCEAN")
+        layout.menu("HULL_MT_add", text="New Hull", icon="MOD_OCEAN")
         layout.operator("hull.make_hull", icon="MESH_DATA")
         layout.operator("hull.import_hull", icon="IMPORT")
         layout.operator_menu_enum("hull.load_sample", "name", icon="FILE_3D")
