@@ -21,7 +21,10 @@ class Session:
         self.random = random.Random(seed)
         self.folder = folder
         self.depth = 0
-        add_hull()
+        if seed % 2:
+            add_hull()
+        else:  # with faces that are kept flat
+            assert bpy.ops.hull.add_hull(kind="BARGE") == {"FINISHED"}
         self.done("start")
 
     def done(self, name):
@@ -126,10 +129,10 @@ def assert_all_is_in_step(session, where):
         wanted = fresh_points(hull)
         assert not state_of(hull).status, where
         assert mesh_points(surface).shape == wanted.shape, where
-        assert np.abs(mesh_points(surface) - wanted).max() <= 1e-6 * LENGTH, where
+        assert np.abs(mesh_points(surface) - wanted).max() <= 1e-5 * LENGTH, where
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, 2, 3, 4])
 def test_what_is_shown_is_what_there_is(seed, tmp_path):
     print("seed", seed)
     session = Session(seed, tmp_path)
