@@ -294,3 +294,17 @@ def test_planes_do_not_pile_up():
     hull = bpy.data.objects["box"]
     update()
     assert [region.plane.tolist() for region in regions(hull)] == [[0.0, 1.0, 0.0, 2.25]]
+
+
+def test_settings_of_one_flat_are_not_those_of_the_next():
+    hull = bumpy_hull()
+    select_faces(hull, side)
+    bpy.ops.hull.make_flat(kind="SIDE", place="POSITION", position=2.25, crease_rim=True)
+    own = sorted(select_faces(hull, lambda centre: centre.z < 0.1))
+    bpy.ops.hull.make_flat("EXEC_DEFAULT", kind="BOTTOM")
+    assert (edited_points(hull)[own, 2] == 0.0).all()
+    made = part("bridge.flat_making").make_flat(hull, bpy.context.scene, "BOTTOM")
+    assert made.position == 0.0
+    for name in ("place", "position", "keep", "crease_rim"):
+        properties = bpy.ops.hull.make_flat.get_rna_type().properties
+        assert properties[name].is_skip_save, name

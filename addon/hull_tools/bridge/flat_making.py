@@ -17,10 +17,12 @@ _AXES = {"SIDE": 1, "BOTTOM": 2, "TRANSOM": 0}
 
 @dataclass(frozen=True)
 class FlatMade:
-    """is_flat: whether the surface of all the faces is flat now, to their rim."""
+    """is_flat: whether the surface of all the faces is flat now, to their rim. position: of a plane
+    across an axis, in Blender's units; None for others."""
 
     message: str
     is_flat: bool
+    position: object
 
 
 def make_flat(obj, scene, kind, place="MOST", position=0.0, keep=True, crease_rim=False):
@@ -97,12 +99,18 @@ def _crease_rim(mesh, faces):
     bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
 
 
+def _position_of(plane):
+    kind = planes.kind_of(plane)
+    return float(plane[3] * plane[_AXES[kind]]) if kind in _AXES else None
+
+
 def describe(scene, plane):
     """A plane as short text: the axis it is across and where, or its angle to the base line."""
-    kind = planes.kind_of(plane)
-    if kind in _AXES:
-        position = plane[3] * plane[_AXES[kind]] * units.metres_per_unit(scene)
-        return f"{'xyz'[_AXES[kind]]} = {units.format_value(scene, position, 'm')}"
+    position = _position_of(plane)
+    if position is not None:
+        axis = "xyz"[_AXES[planes.kind_of(plane)]]
+        metres = position * units.metres_per_unit(scene)
+        return f"{axis} = {units.format_value(scene, metres, 'm')}"
     return f"{degrees(acos(min(abs(plane[2]), 1.0))):.1f}° to level"
 
 
@@ -112,21 +120,26 @@ def _outcome(obj, scene, faces, plane, moved):
     if moved.any():
         furthest = moved.max() * units.metres_per_unit(scene)
         text += f", by up to {units.format_value(scene, furthest, 'm')}"
-    state = hull_state.refresh(obj, scene)
+    bend = _bend(hull_state.refresh(obj, scene), faces)
+    if bend:
+        bend_text = units.format_value(scene, bend, "m")
+        text += f". Near the rim the surface bends by up to {bend_text}"
+    return FlatMade(text, not bend, _position_of(plane))
+
+
+def _bend(state, faces):
+    """How far, in m, the surface of faces is from flat; 0 where it is, or nothing to be said."""
     if state.status:
-        return FlatMade(text, False)
+        return 0.0
     own = np.flatnonzero(np.isin(state.source.control.face_ids, faces))
     if not len(own):
-        return FlatMade(text, True)
+        return 0.0
     allowed = lines.flat_tolerance(state.surface)
     try:
         found = native.require().flatness(state.surface, faces=own, tolerance=allowed)
     except ValueError:  # the faces were pressed into a line
-        return FlatMade(text, False)
-    if found.surface_distance <= allowed:
-        return FlatMade(text, True)
-    bend = units.format_value(scene, found.surface_distance, "m")
-    return FlatMade(f"{text}. Near the rim the surface bends by up to {bend}", False)
+        return 0.0
+    return found.surface_distance if found.surface_distance > allowed else 0.0
 
 
 def select_regions(obj):

@@ -29,7 +29,7 @@ class HULL_OT_set_coordinates(bpy.types.Operator, ShapeOperator):
     bl_idname = "hull.set_coordinates"
     bl_label = "Coordinates"
 
-    points: CollectionProperty(type=HullPoint)
+    points: CollectionProperty(type=HullPoint, options={"SKIP_SAVE"})
     in_metres: BoolProperty(
         name="In metres",
         description="For scripts: the numbers are metres, whatever the scene's units",

@@ -19,6 +19,7 @@ def _position(description):
         unit="LENGTH",
         subtype="DISTANCE",
         precision=5,
+        options={"SKIP_SAVE"},
     )
 
 
@@ -42,6 +43,7 @@ class HULL_OT_make_flat(bpy.types.Operator, ShapeOperator):
     place: EnumProperty(
         name="Place",
         description="Where the plane lies",
+        options={"SKIP_SAVE"},
         items=(
             ("MOST", "Most points", "Where most of the points are"),
             ("OUTERMOST", "Outermost point", "Through the point furthest from the hull's middle"),
@@ -52,11 +54,13 @@ class HULL_OT_make_flat(bpy.types.Operator, ShapeOperator):
     position: _position("Of the plane: y of a side, z of a bottom, x of a transom")
     keep: BoolProperty(
         name="Keep flat",
+        options={"SKIP_SAVE"},
         description="Keep the points in the plane when they are moved",
         default=True,
     )
     crease_rim: BoolProperty(
         name="Crease rim",
+        options={"SKIP_SAVE"},
         description="Make the edges around the faces knuckles: the surface is flat up to them",
     )
 
@@ -74,6 +78,8 @@ class HULL_OT_make_flat(bpy.types.Operator, ShapeOperator):
         made = flat_making.make_flat(
             hull, context.scene, self.kind, self.place, self.position, self.keep, self.crease_rim
         )
+        if made.position is not None:
+            self.position = made.position  # where a position that is typed afterwards begins
         self.report({"INFO"}, made.message)
 
 
@@ -121,6 +127,7 @@ class HULL_OT_put_in_plane(bpy.types.Operator, ShapeOperator):
     place: EnumProperty(
         name="Place",
         description="Where the plane lies",
+        options={"SKIP_SAVE"},
         items=(
             ("MEAN", "Mean", "In the middle of the points"),
             ("ACTIVE", "Active point", "Through the point that was selected last"),
@@ -143,6 +150,7 @@ class HULL_OT_put_in_plane(bpy.types.Operator, ShapeOperator):
         position, count = point_places.put_in_plane(
             hull, scene, self.plane, self.place, self.position
         )
+        self.position = position  # where one that is typed afterwards begins
         hull_state.refresh(hull, scene)
         metres = units.format_value(scene, position * units.metres_per_unit(scene), "m")
         self.report({"INFO"}, f"{count} points at {self.plane.lower()} {metres}")

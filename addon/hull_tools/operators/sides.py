@@ -32,6 +32,7 @@ class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
 
     side: EnumProperty(
         name="Keep",
+        options={"SKIP_SAVE"},
         description="The side that is kept",
         items=(
             ("PORT", "Port", "Keep the port side (y > 0)"),
@@ -40,6 +41,7 @@ class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
     )
     cut: BoolProperty(
         name="Cut across",
+        options={"SKIP_SAVE"},
         description="Cut faces that reach across the centre plane; the surface changes there",
     )
 
