@@ -186,3 +186,16 @@ def test_a_deleted_surface_is_not_saved(tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "bare.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "bare.blend"))
     assert list(bpy.data.objects.keys()) == ["box"]
+
+
+def test_what_changes_a_hull_is_refused_of_a_linked_one(library):
+    bring(library, link=True)
+    changing = part("operators.shared").HullOperator
+    operators = {
+        cls.bl_rna.identifier: cls
+        for cls in bpy.types.Operator.__subclasses__()
+        if issubclass(cls, changing) and hasattr(bpy.types, cls.__name__)
+    }
+    assert len(operators) > 15
+    allowed = [name for name, cls in operators.items() if cls.poll(bpy.context)]
+    assert allowed == []
