@@ -7,8 +7,9 @@ Sizes are those of Blender's interface at a scale of 1, taken from pictures of i
 import blf
 import bpy
 
-# Of the sidebar as Blender opens it, what is left between the margins of a panel.
-SIDEBAR = 165.0
+# Of the sidebar as Blender opens it, what is left between the margins of a panel. It is 220 wide in
+# 3.4, and 280 in 4.3.
+SIDEBAR = (280.0 if bpy.app.version >= (4, 0, 0) else 220.0) - 55.0
 
 _TEXT = 11  # points
 _FONT = 0
