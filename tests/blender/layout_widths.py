@@ -88,6 +88,12 @@ class Measuring:
     def operator_menu_enum(self, idname, prop, text=None, icon="NONE", **unused):
         return self.operator(idname, text, icon)
 
+    def operator_enum(self, idname, prop, **unused):
+        group, name = idname.split(".")
+        rna = getattr(getattr(bpy.ops, group), name).get_rna_type()
+        for item in rna.properties[prop].enum_items:
+            self._button(item.name, item.icon)
+
     def menu(self, idname, text=None, icon="NONE", **unused):
         self._button(getattr(bpy.types, idname).bl_label if text is None else text, icon)
 
