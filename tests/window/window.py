@@ -18,6 +18,8 @@ FROM_PORT, FROM_AHEAD, FROM_ABOVE = (90.0, 0.0, 180.0), (90.0, 0.0, 90.0), (0.0,
 
 # A drag is one for Blender when it is longer than some pixels: the mouse moves in so many steps.
 _DRAG_STEPS = 4
+# Of the tab Hull below Item, Tool and View, in points from the sidebar's upper right corner.
+_PLACE_OF_TAB = (10, 158)
 _KEYS_OF_LETTERS = {
     **dict(zip("0123456789", "ZERO ONE TWO THREE FOUR FIVE SIX SEVEN EIGHT NINE".split())),
     **{letter: letter.upper() for letter in "abcdefghijklmnopqrstuvwxyz"},
@@ -151,8 +153,14 @@ class Window:
         self.move_to_middle()
 
     def move_to_middle(self):
-        region = self.region()
-        self.move_to(region.x + region.width // 2, region.y + region.height // 2)
+        """Moves the mouse to the middle of the 3D view."""
+
+        def move():
+            region = self.region()
+            self.cursor = (region.x + region.width // 2, region.y + region.height // 2)
+            self._simulate("MOUSEMOVE", "NOTHING")
+
+        self.actions.append(move)
 
     def move_to_point(self, obj, point):
         """Moves the mouse to a point given in an object's own coordinates, as it is shown then."""
@@ -168,6 +176,24 @@ class Window:
         region = self.region()
         place = location_3d_to_region_2d(region, self.space.region_3d, obj.matrix_world @ point)
         return round(region.x + place.x), round(region.y + place.y)
+
+    def open_sidebar(self):
+        """Shows the sidebar's tab Hull; some object is active."""
+        self.space.show_region_ui = True
+
+        def to_tab():
+            region = self.region("UI")
+            scale = bpy.context.preferences.system.ui_scale
+            right, down = (scale * part for part in _PLACE_OF_TAB)
+            self.cursor = (
+                round(region.x + region.width - right),
+                round(region.y + region.height - down),
+            )
+            self._simulate("MOUSEMOVE", "NOTHING")
+
+        self.actions.append(to_tab)
+        self.click()
+        self.move_to_middle()
 
     def screenshot(self, path):
         with bpy.context.temp_override(window=self.window, area=self.area):

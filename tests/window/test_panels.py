@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sidebar's tab as it is drawn: the log tells of what a panel trips over."""
+
+import bpy
+from addon_under_test import part
+
+
+def hull_panels():
+    """The classes of all panels of the tab, those of all parts included."""
+    classes = part("panels")._CLASSES
+    return [cls for cls in classes if getattr(cls, "bl_category", "") == "Hull"]
+
+
+def open_all():
+    """Registers the panels anew, each of them unfolded from the start."""
+    classes = hull_panels()
+    for cls in reversed(classes):
+        bpy.utils.unregister_class(cls)
+    for cls in classes:
+        cls.bl_options = set()
+        bpy.utils.register_class(cls)
+
+
+def noted_draws(classes):
+    """Names of those classes whose draw functions Blender has called; a set that grows."""
+    drawn = set()
+
+    def noting(name, draw):
+        def draw_and_note(self, context):
+            draw(self, context)
+            drawn.add(name)
+
+        return draw_and_note
+
+    for cls in classes:
+        cls.draw = noting(cls.__name__, cls.draw)
+    return drawn
+
+
+def test_every_panel_is_drawn_to_its_end(window):
+    open_all()
+    wanted = {cls.__name__ for cls in hull_panels()}
+    drawn = noted_draws(hull_panels())
+    with window.in_view():
+        bpy.ops.hull.load_sample(name="coaster")
+    window.open_sidebar()
+    yield
+    # All of a hull's panels are higher than the window: tiny letters bring them in.
+    bpy.context.preferences.view.ui_scale = 0.5
+    hull = bpy.context.view_layer.objects.active
+    hull.hull.fairness.comb_stations = hull.hull.fairness.show_reflections = True
+    hull.hull.fairness.colours = "MEAN"
+    for name in ("add_load_case", "add_flooding_point"):
+        getattr(bpy.ops.hull, name)()
+    yield
+    with window.in_view():
+        bpy.ops.object.mode_set(mode="EDIT")
+    yield lambda: not part("bridge.worker").is_busy()
+    bpy.context.preferences.view.ui_scale = 1.0
+    assert drawn == wanted
