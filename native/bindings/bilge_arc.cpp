@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/bilge_arc.h"
 
+#include <pybind11/stl.h>
+
 #include <numbers>
+#include <optional>
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 
 namespace hull::bindings {
+namespace {
+
+BilgeBorder border_from(bool is_moved, const std::optional<double>& outer) {
+  if (outer) return {BilgeBorder::Kind::kSmooth, *outer};
+  return {is_moved ? BilgeBorder::Kind::kBest : BilgeBorder::Kind::kTouching, 0.0};
+}
+
+}  // namespace
 
 void bind_bilge_arc(py::module_& module) {
   py::class_<BilgeArc>(module, "BilgeArc",
@@ -21,20 +32,24 @@ void bind_bilge_arc(py::module_& module) {
       .def_readonly("greatest_curvature", &BilgeArc::greatest_curvature, "In 1/radius.");
   module.def(
       "bilge_arc",
-      [](int count, double angle, bool move_borders) {
+      [](int count, double angle, bool move_borders, std::optional<double> outer_bottom,
+         std::optional<double> outer_side) {
         const py::gil_scoped_release release;
-        return bilge_arc(
-            count, angle,
-            move_borders ? BilgeBorders::kWhereBest : BilgeBorders::kWhereTheCircleTouches);
+        return bilge_arc(count, angle, border_from(move_borders, outer_bottom),
+                         border_from(move_borders, outer_side));
       },
       py::arg("count"), py::arg("angle") = 0.5 * std::numbers::pi, py::kw_only(),
-      py::arg("move_borders") = false,
-      "The BilgeArc with the least deviation: `count` control points (3 to 8) between two creases, "
+      py::arg("move_borders") = false, py::arg("outer_bottom") = py::none(),
+      py::arg("outer_side") = py::none(),
+      "The BilgeArc with the least deviation: `count` control points (3 to 8) between two borders, "
       "the first in the plane of the bottom and the last in that of the side. The circle is around "
       "the origin; the bottom is the line from (-1, -1) to (0, -1), where the circle touches it; "
       "the section turns left by `angle` (radians, 10° to 170°) from there to the side. "
-      "move_borders: the borders are not where the circle touches the flats, but a little further "
-      "out, where the deviation is the least. ValueError for other counts and angles.");
+      "The borders are creases where the circle touches the flats. move_borders: they are not "
+      "there but a little further "
+      "out, where the deviation is the least. outer_bottom, outer_side: the border of this flat is "
+      "no crease; the next control point is in the flat and stays, so far (radii) from where the "
+      "circle touches it. ValueError for other counts and angles.");
 }
 
 }  // namespace hull::bindings

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -18,33 +19,29 @@ using Eigen::Vector2d;
 
 constexpr int kFitSamples = 64, kFinalSamples = 1024;  // of each span
 constexpr int kMostSteps = 4000;
+constexpr int kEvenSteps = 10;
 // Of the deviation: how near to its proved lower bound the search ends.
 constexpr double kGap = 2e-4;
+constexpr double kNearestOuter = 0.05;
 
 // The control points as a linear function of the unknowns: points(x) = fixed + Σ x_i part_i. The
-// second half is the mirror image of the first, so that only that is unknown.
+// first and the last are those beyond the borders: reflected where the border is a crease.
 class BilgeShape {
  public:
-  BilgeShape(int count, double angle, BilgeBorders borders)
-      : size_(count + 2),
-        axis_(std::sin(0.5 * angle), -std::cos(0.5 * angle)),
-        fixed_(size_, Vector2d(0.0, 0.0)) {
-    put(0, {0.0, -1.0});
-    if (borders == BilgeBorders::kWhereBest) add(0, {-1.0, 0.0}, 0.0);
-    // Starting values: along the circle.
+  BilgeShape(int count, double angle, const BilgeBorder& bottom, const BilgeBorder& side)
+      : size_(count + 4), fixed_(zeros()) {
     const auto on_circle = [&](int i) {
-      const double turn = angle * i / (size_ - 1);
+      const double turn = angle * i / (count + 1);
       return Vector2d(std::sin(turn), -std::cos(turn));
     };
-    put(1, {0.0, -1.0});
-    add(1, {1.0, 0.0}, on_circle(1).x());
-    for (int i = 2; i < (size_ + 1) / 2; ++i) {
-      if (2 * i == size_ - 1) {
-        add(i, axis_, 1.0);
-      } else {
-        add(i, {1.0, 0.0}, on_circle(i).x());
-        add(i, {0.0, 1.0}, on_circle(i).y());
-      }
+    const Vector2d axis(std::sin(0.5 * angle), -std::cos(0.5 * angle));
+    const double first = on_circle(1).x();
+    place_end(bottom, 0, 1, first, [](const Vector2d& p) { return p; });
+    place_end(side, size_ - 1, -1, first,
+              [&](const Vector2d& p) { return Vector2d(2.0 * axis.dot(p) * axis - p); });
+    for (int i = 2; i < count; ++i) {
+      add({{i + 1, {1.0, 0.0}}}, on_circle(i).x());
+      add({{i + 1, {0.0, 1.0}}}, on_circle(i).y());
     }
   }
 
@@ -65,63 +62,83 @@ class BilgeShape {
   }
 
  private:
-  Vector2d image(const Vector2d& p) const { return 2.0 * axis_.dot(p) * axis_ - p; }
-  void put(int point, const Vector2d& at) {
-    fixed_[point] = at;
-    fixed_[size_ - 1 - point] = image(at);
+  struct Share {
+    int point;
+    Vector2d direction;
+  };
+
+  std::vector<Vector2d> zeros() const { return std::vector<Vector2d>(size_, Vector2d(0.0, 0.0)); }
+
+  // The point beyond the border, the border and the point after it, all three in the flat, numbered
+  // onwards from `outer`. `frame` takes the bottom to the flat.
+  template <class Frame>
+  void place_end(const BilgeBorder& border, int outer, int step, double first, const Frame& frame) {
+    const int at = outer + step, next = at + step;
+    const Vector2d along = frame({1.0, 0.0});
+    for (int point : {outer, at, next}) fixed_[point] = frame({0.0, -1.0});
+    if (border.kind == BilgeBorder::Kind::kSmooth) {
+      fixed_[outer] -= border.outer * along;
+      add({{at, along}}, std::min(0.25 * (border.outer - first), 0.2 * first));
+      add({{next, along}}, first);
+      return;
+    }
+    if (border.kind == BilgeBorder::Kind::kBest) add({{outer, 2.0 * along}, {at, along}}, 0.0);
+    add({{outer, -along}, {next, along}}, first);
   }
-  void add(int point, const Vector2d& direction, double value) {
-    std::vector<Vector2d> part(size_, Vector2d(0.0, 0.0));
-    part[size_ - 1 - point] = image(direction);
-    part[point] = direction;
-    parts_.push_back(std::move(part));
+
+  void add(std::initializer_list<Share> shares, double value) {
+    parts_.push_back(zeros());
+    for (const Share& share : shares) parts_.back()[share.point] = share.direction;
     start_.push_back(value);
   }
 
   int size_;
-  Vector2d axis_;  // of symmetry
   std::vector<Vector2d> fixed_;
   std::vector<std::vector<Vector2d>> parts_;
   std::vector<double> start_;
 };
 
-// Sums of four neighbouring control points of a span, with the reflected ones beyond the ends.
-Vector2d spline(const std::vector<Vector2d>& points, int span, const Basis& basis) {
-  const int last = static_cast<int>(points.size()) - 1;
-  Vector2d sum(0.0, 0.0);
-  for (int b = 0; b < 4; ++b) {
-    const int i = span - 1 + b;
-    const Vector2d p = i < 0      ? Vector2d(2.0 * points[0] - points[1])
-                       : i > last ? Vector2d(2.0 * points[last] - points[last - 1])
-                                  : points[i];
-    sum += basis[b] * p;
+// Flats and circle as the section is to be.
+class RoundedCorner {
+ public:
+  explicit RoundedCorner(double angle) : angle_(angle), side_(std::sin(angle), -std::cos(angle)) {}
+
+  // Signed distance, positive outside, and its gradient.
+  double distance(const Vector2d& q) const { return gradient(q).dot(q) - 1.0; }
+  Vector2d gradient(const Vector2d& q) const {
+    const double turn = std::atan2(q.x(), -q.y());
+    if (turn < 0.0) return {0.0, -1.0};
+    return turn > angle_ ? side_ : Vector2d(q / q.norm());
   }
+
+ private:
+  double angle_;
+  Vector2d side_;
+};
+
+Vector2d spline(const std::vector<Vector2d>& points, int span, const Basis& basis) {
+  Vector2d sum(0.0, 0.0);
+  for (int b = 0; b < 4; ++b) sum += basis[b] * points[span + b];
   return sum;
 }
 
-// Signed distance from the straight bottom, or from the circle, and its gradient.
-double distance(const Vector2d& q) { return q.x() < 0.0 ? -q.y() - 1.0 : q.norm() - 1.0; }
-Vector2d gradient(const Vector2d& q) {
-  return q.x() < 0.0 ? Vector2d(0.0, -1.0) : Vector2d(q / q.norm());
-}
-
-// Calls visit(span, t) along the first half of the curve.
+// Calls visit(span, t) along the curve between the borders.
 template <class Visit>
-void for_half(int size, int samples, const Visit& visit) {
-  const int spans = size - 1;
-  for (int i = 0; 2 * i <= spans * samples; ++i) {
+void for_curve(int size, int samples, const Visit& visit) {
+  const int spans = size - 3;
+  for (int i = 0; i <= spans * samples; ++i) {
     const int span = std::min(i / samples, spans - 1);
     visit(span, static_cast<double>(i) / samples - span);
   }
 }
 
-// Curve points of the fit: a constant and one column for each unknown.
+// Curve points of the fit: a constant and one part for each unknown.
 struct FitSamples {
   std::vector<Vector2d> fixed;
   std::vector<std::vector<Vector2d>> parts;  // by sample
 
   explicit FitSamples(const BilgeShape& shape) {
-    for_half(shape.size(), kFitSamples, [&](int span, double t) {
+    for_curve(shape.size(), kFitSamples, [&](int span, double t) {
       const Basis basis = cubic_basis(t);
       fixed.push_back(spline(shape.fixed(), span, basis));
       parts.emplace_back();
@@ -133,18 +150,20 @@ struct FitSamples {
 
 // Lawson's iteration: least squares, whose weights grow where the deviation is large. The weighted
 // mean is a lower bound of the least largest deviation, for what is nearly linear.
-Eigen::VectorXd minimax(const BilgeShape& shape) {
+Eigen::VectorXd minimax(const BilgeShape& shape, const RoundedCorner& wanted) {
   const FitSamples samples(shape);
   const Eigen::Index n = samples.count(), m = shape.unknowns();
-  Eigen::VectorXd x = shape.start(), best = x, e(n), weight = Eigen::VectorXd::Constant(n, 1.0 / n);
+  Eigen::VectorXd x = shape.start(), best = x, e(n);
+  Eigen::VectorXd weight = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
   Eigen::MatrixXd J(n, m);
   double least = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
     for (Eigen::Index i = 0; i < n; ++i) {
       Vector2d q = samples.fixed[i];
       for (Eigen::Index k = 0; k < m; ++k) q += x[k] * samples.parts[i][k];
-      e[i] = distance(q);
-      for (Eigen::Index k = 0; k < m; ++k) J(i, k) = gradient(q).dot(samples.parts[i][k]);
+      const Vector2d gradient = wanted.gradient(q);
+      e[i] = wanted.distance(q);
+      for (Eigen::Index k = 0; k < m; ++k) J(i, k) = gradient.dot(samples.parts[i][k]);
     }
     const double largest = e.cwiseAbs().maxCoeff();
     if (largest < least) {
@@ -152,9 +171,9 @@ Eigen::VectorXd minimax(const BilgeShape& shape) {
       best = x;
     }
     const double bound = std::sqrt(weight.dot(e.cwiseAbs2()));
-    if (step > 10 && largest < (1.0 + kGap) * bound) break;
     // The first steps find the curve, with even weights; then these turn towards the largest.
-    if (step > 10) {
+    if (step > kEvenSteps) {
+      if (largest < (1.0 + kGap) * bound) break;
       weight = weight.cwiseProduct(e.cwiseAbs());
       weight /= weight.sum();
     }
@@ -165,26 +184,48 @@ Eigen::VectorXd minimax(const BilgeShape& shape) {
   return best;
 }
 
-void measure(BilgeArc& arc) {
-  arc.deviation = arc.greatest_curvature = 0.0;
-  arc.least_curvature = std::numeric_limits<double>::infinity();
-  const int size = static_cast<int>(arc.points.size());
-  for_half(size, kFinalSamples, [&](int span, double t) {
-    const Vector2d q = spline(arc.points, span, cubic_basis(t));
-    const Vector2d d1 = spline(arc.points, span, cubic_basis_d1(t));
-    const Vector2d d2 = spline(arc.points, span, cubic_basis_d2(t));
+// `points`: with those beyond the borders.
+BilgeArc measured(const std::vector<Vector2d>& points, const RoundedCorner& wanted) {
+  BilgeArc arc{
+      {points.begin() + 1, points.end() - 1}, 0.0, std::numeric_limits<double>::infinity(), 0.0};
+  const int size = static_cast<int>(points.size()), spans = size - 3;
+  for_curve(size, kFinalSamples, [&](int span, double t) {
+    const Vector2d q = spline(points, span, cubic_basis(t));
+    const Vector2d d1 = spline(points, span, cubic_basis_d1(t));
+    const Vector2d d2 = spline(points, span, cubic_basis_d2(t));
     const double curvature = (d1.x() * d2.y() - d1.y() * d2.x()) / std::pow(d1.norm(), 3);
-    arc.deviation = std::max(arc.deviation, std::abs(distance(q)));
+    arc.deviation = std::max(arc.deviation, std::abs(wanted.distance(q)));
     arc.greatest_curvature = std::max(arc.greatest_curvature, curvature);
-    if (4.0 * (span + t) >= size - 1) {
+    if (std::abs(span + t - 0.5 * spans) <= 0.25 * spans) {
       arc.least_curvature = std::min(arc.least_curvature, curvature);
     }
   });
+  return arc;
+}
+
+void check(const BilgeBorder& border) {
+  if (border.kind != BilgeBorder::Kind::kSmooth || border.outer >= kNearestOuter) return;
+  throw std::invalid_argument(
+      "The flat beside the bilge is too short: beyond where the circle touches it, its next "
+      "control point must be a twentieth of the radius away or more.");
+}
+
+// With outer points far away the best fit may run to and fro in the flat.
+void check_order(const std::vector<Vector2d>& points) {
+  const std::size_t n = points.size();
+  const Vector2d first = points[2] - points[1], last = points[n - 2] - points[n - 3];
+  const bool is_straight =
+      first.dot(points[2] - points[0]) > 0.0 && last.dot(points[n - 1] - points[n - 3]) > 0.0 &&
+      first.dot(points[1] - points[0]) > 0.0 && last.dot(points[n - 1] - points[n - 2]) > 0.0;
+  if (is_straight) return;
+  throw std::invalid_argument(
+      "The next control point of the flat beside the bilge is too far away: add one nearer, or "
+      "make the border of the flat a crease.");
 }
 
 }  // namespace
 
-BilgeArc bilge_arc(int count, double angle, BilgeBorders borders) {
+BilgeArc bilge_arc(int count, double angle, const BilgeBorder& bottom, const BilgeBorder& side) {
   if (count < kFewestBilgePoints || count > kMostBilgePoints) {
     throw std::invalid_argument("A bilge takes " + std::to_string(kFewestBilgePoints) + " to " +
                                 std::to_string(kMostBilgePoints) +
@@ -197,10 +238,13 @@ BilgeArc bilge_arc(int count, double angle, BilgeBorders borders) {
         "The flat side must be turned from the flat bottom by 10 to 170 degrees, not " +
         std::to_string(angle / kDegree) + ".");
   }
-  const BilgeShape shape(count, angle, borders);
-  BilgeArc arc{shape.points(minimax(shape)), 0.0, 0.0, 0.0};
-  measure(arc);
-  return arc;
+  check(bottom);
+  check(side);
+  const BilgeShape shape(count, angle, bottom, side);
+  const RoundedCorner wanted(angle);
+  const std::vector<Vector2d> points = shape.points(minimax(shape, wanted));
+  check_order(points);
+  return measured(points, wanted);
 }
 
 }  // namespace hull

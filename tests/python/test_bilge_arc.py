@@ -8,11 +8,16 @@ import pytest
 SEED = 4112026
 
 
-def midbody(arc, angle, stations=6):
+def midbody(arc, angle):
     """A half hull of equal sections: centre line, border, bilge, border, deck; borders creases."""
     along = np.array([np.cos(angle), np.sin(angle)])
     touch = np.array([np.sin(angle), -np.cos(angle)])
     section = np.concatenate([[(-1.5, -1.0)], arc, [touch + 1.5 * along]])
+    return extruded(section, (1, len(section) - 2))
+
+
+def extruded(section, creased, stations=6):
+    """(LimitSurface, x amidships) of equal sections (k, 2); creases run along points of these."""
     k = len(section)
     x = np.arange(stations) * 2.0
     points = np.concatenate([np.column_stack([np.full(k, at), section]) for at in x])
@@ -21,7 +26,7 @@ def midbody(arc, angle, stations=6):
         for j in range(k - 1):
             a = i * k + j
             faces.append((a, a + 1, a + k + 1, a + k))
-        creases += [(i * k + j, i * k + k + j) for j in (1, k - 2)]
+        creases += [(i * k + j, i * k + k + j) for j in creased]
     mesh = hn.ControlMesh(points, [4] * len(faces), np.ravel(faces), creases=creases)
     return hn.LimitSurface(mesh), x[2]
 
@@ -86,6 +91,26 @@ def test_nothing_near_by_is_nearer_to_the_circle(count, degrees, move_borders):
             moved[0, 0] += random.normal(0, scale)
             moved[-1] += random.normal(0, scale) * side
         assert np.abs(deviation(matrix @ moved, angle)).max() > worst * (1 - 2e-3)
+
+
+@pytest.mark.parametrize("count", [3, 4, 5])
+@pytest.mark.parametrize("outer_bottom, outer_side", [(0.2, 0.2), (1.0, 0.5), (0.3, 1.2)])
+def test_smooth_borders_with_control_points_beyond_them(count, outer_bottom, outer_side):
+    arc = hn.bilge_arc(count, outer_bottom=outer_bottom, outer_side=outer_side)
+    beyond = [(-outer_bottom - 1.0, -1.0), (-outer_bottom, -1.0)]
+    above = [(1.0, outer_side), (1.0, outer_side + 1.0)]
+    surface, x = extruded(np.concatenate([beyond, arc.points, above]), ())
+    (curve,) = hn.sections(surface, [hn.plane_across("x", x)], 1e-7)[0]
+    found = np.abs(deviation(curve.points[:, 1:], np.pi / 2)).max()
+    assert found == pytest.approx(arc.deviation, rel=2e-3)
+    assert found < 2e-3
+
+
+def test_control_points_far_away_are_refused():
+    with pytest.raises(ValueError, match="too far away"):
+        hn.bilge_arc(6, outer_bottom=5.0, outer_side=5.0)
+    with pytest.raises(ValueError, match="too short"):
+        hn.bilge_arc(4, outer_bottom=0.01)
 
 
 def test_more_points_are_nearer_and_borders_apart_too():
