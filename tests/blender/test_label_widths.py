@@ -109,6 +109,21 @@ def test_a_hull_that_is_scaled_has_a_button_to_apply_it(ship):
     assert "Apply" not in buttons()
 
 
+def test_a_linked_hull(ship, tmp_path):
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "library.blend"))
+    bpy.ops.wm.read_homefile(use_empty=True)
+    with bpy.data.libraries.load(str(tmp_path / "library.blend"), link=True) as (_, wanted):
+        wanted.objects = ["Coaster"]
+    linked = wanted.objects[0]
+    bpy.context.collection.objects.link(linked)
+    bpy.context.view_layer.objects.active = linked
+    bpy.context.view_layer.update()
+    assert linked.library is not None
+    texts = " ".join(text for _, layout in drawn_panels() for text in layout.texts())
+    assert "linked from another file" in texts
+    assert faults() == []
+
+
 def drawn_in_menus():
     """(name, drawing function) of the add-on's menus, and of what it adds to Blender's own."""
     for cls in bpy.types.Menu.__subclasses__():
