@@ -280,6 +280,12 @@ def test_the_surface_hides_with_its_hull():
     hull.hide_set(False)
     bpy.context.view_layer.update()
     assert not surface(hull).hide_get()
+    hull.hide_viewport = True
+    bpy.context.view_layer.update()
+    assert not surface(hull).visible_get()
+    hull.hide_viewport = False
+    bpy.context.view_layer.update()
+    assert surface(hull).visible_get()
     surface(hull).hide_set(True)
     bpy.context.view_layer.update()
     bpy.context.view_layer.update()

@@ -82,7 +82,9 @@ def _collections(obj):
 
 
 def _is_hidden(obj, view_layer):
-    return obj.name in view_layer.objects and obj.hide_get(view_layer=view_layer)
+    if obj.name not in view_layer.objects:
+        return False
+    return obj.hide_viewport or obj.hide_get(view_layer=view_layer)
 
 
 def _tend(obj, seen, view_layer):
