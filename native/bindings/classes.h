@@ -11,6 +11,8 @@ void bind_limit_surface(pybind11::module_& module);
 void bind_curvature(pybind11::module_& module);
 void bind_crease_curves(pybind11::module_& module);
 void bind_tessellation(pybind11::module_& module);
+void bind_shown_points(pybind11::module_& module);
+void bind_move_watch(pybind11::module_& module);
 void bind_surface_tree(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
 void bind_hull_body(pybind11::module_& module);

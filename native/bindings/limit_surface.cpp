@@ -150,6 +150,8 @@ void bind_limit_surface(py::module_& module) {
           py::arg("points"),
           "Moves the control points to (n, 3), m, on the same topology. Not to be called while "
           "another thread uses the surface.")
+      .def_property_readonly("revision", &LimitSurface::revision,
+                             "How often set_points() was called.")
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("uv"), py::arg("derivatives") = 0,
            "cells: (k,), uv: (k, 2). Returns a tuple of (k, 3) arrays: the points; with "
            "derivatives=1 also those by u and v, with 2 also by uu, uv and vv, in m. Derivatives "

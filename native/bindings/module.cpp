@@ -9,6 +9,8 @@ PYBIND11_MODULE(_core, module) {
   bind_curvature(module);
   bind_crease_curves(module);
   bind_tessellation(module);
+  bind_shown_points(module);
+  bind_move_watch(module);
   bind_surface_tree(module);
   bind_feature_curves(module);
   bind_hull_body(module);

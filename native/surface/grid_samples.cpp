@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -199,6 +200,13 @@ void make_room(GridSamples& samples, std::size_t count, int order) {
 
 void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples,
                    int threads) {
+  std::vector<int> cells(surface.cell_count());
+  std::iota(cells.begin(), cells.end(), 0);
+  evaluate_cells(surface, cells, n, order, samples, threads);
+}
+
+void evaluate_cells(const LimitSurface& surface, const std::vector<int>& cells, int n, int order,
+                    GridSamples& samples, int threads) {
   if (n < 1 || n > 256) {
     throw std::invalid_argument("Cells can be divided into 1 to 256 parts a side, not " +
                                 std::to_string(n) + ".");
@@ -208,15 +216,15 @@ void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& s
                                 std::to_string(order) + ".");
   }
   samples.n = n;
-  make_room(samples, samples.index(surface.cell_count(), 0, 0), order);
+  make_room(samples, samples.index(static_cast<int>(cells.size()), 0, 0), order);
   const auto work = [&](std::size_t begin, std::size_t end) {
     GridEvaluator evaluator(surface, n, n, order, samples);
-    for (int cell = static_cast<int>(begin); cell < static_cast<int>(end); ++cell) {
-      evaluator.sample(cell, samples.index(cell, 0, 0));
+    for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+      evaluator.sample(cells[k], samples.index(k, 0, 0));
     }
   };
   constexpr std::size_t kSamplesPerRange = 16384;
-  parallel_for(surface.cell_count(), threads, work, kSamplesPerRange / ((n + 1) * (n + 1)) + 1);
+  parallel_for(cells.size(), threads, work, kSamplesPerRange / ((n + 1) * (n + 1)) + 1);
 }
 
 void evaluate_cell_grid(const LimitSurface& surface, int cell, int nu, int nv, int order,

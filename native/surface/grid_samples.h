@@ -29,6 +29,10 @@ GridSamples evaluate_grid(const LimitSurface& surface, int n, int order);
 void evaluate_grid(const LimitSurface& surface, int n, int order, GridSamples& samples,
                    int threads = 1);
 
+// The same of some cells only: sample (i, j) of cells[k] has index samples.index(k, i, j).
+void evaluate_cells(const LimitSurface& surface, const std::vector<int>& cells, int n, int order,
+                    GridSamples& samples, int threads = 1);
+
 // One cell on the grid (i/nu, j/nv): sample (i, j) has index i (nv + 1) + j, and samples.n no
 // meaning. REQUIRES: nu, nv >= 1, order 0, 1 or 2.
 void evaluate_cell_grid(const LimitSurface& surface, int cell, int nu, int nv, int order,

@@ -2,6 +2,7 @@
 #include "surface/limit_surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -31,22 +32,54 @@ bool is_knot(const PlaceInCell& place) {
 LimitSurface::LimitSurface(ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
     : mesh_(std::move(mesh)),
       layout_(std::make_shared<const SurfaceLayout>(mesh_.topology(), scheme, *cache)) {
+  leaves_.resize(layout_->leaf_count());
+  corners_.resize(layout_->corner_count());
+  moved_at_.assign(cell_count(), 0);
   take_points();
 }
 
 void LimitSurface::set_points(std::vector<Vector3d> points) {
   mesh_ = mesh_.with_points(std::move(points));
+  ++revision_;
   take_points();
 }
 
 void LimitSurface::take_points() {
-  const std::vector<Vector3d> refined = layout_->refine(mesh_.topology(), mesh_.points());
-  leaves_.resize(layout_->leaf_count());
-  for (int i = 0; i < layout_->leaf_count(); ++i) layout_->take_leaf(i, refined, leaves_[i]);
-  corners_.resize(layout_->corner_count());
-  for (int i = 0; i < layout_->corner_count(); ++i) {
-    layout_->take_corner(i, refined, corners_[i]);
+  std::vector<Vector3d> refined = layout_->refine(mesh_.topology(), mesh_.points());
+  std::vector<char> moved(refined.size(), 1);
+  if (refined_.size() == refined.size()) {
+    for (std::size_t i = 0; i < refined.size(); ++i) moved[i] = refined[i] != refined_[i];
   }
+  for (int cell = 0; cell < cell_count(); ++cell) {
+    if (take_node(layout_->root(cell), refined, moved)) moved_at_[cell] = revision_;
+  }
+  refined_ = std::move(refined);
+}
+
+// Takes the points of a node that has moved ones; whether it has.
+bool LimitSurface::take_node(const SurfaceNode& node, const std::vector<Vector3d>& refined,
+                             const std::vector<char>& moved) {
+  const auto has_moved = [&moved](const auto& points) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](int point) { return point != kNoPoint && moved[point]; });
+  };
+  switch (node.kind) {
+    case SurfaceNode::Kind::kLeaf:
+      if (!has_moved(layout_->leaf_points(node.index))) return false;
+      layout_->take_leaf(node.index, refined, leaves_[node.index]);
+      return true;
+    case SurfaceNode::Kind::kCorner:
+      if (!has_moved(layout_->corner_points(node.index))) return false;
+      layout_->take_corner(node.index, refined, corners_[node.index]);
+      return true;
+    case SurfaceNode::Kind::kSplit:
+      break;
+  }
+  bool any = false;
+  for (const SurfaceNode& child : layout_->split(node.index)) {
+    any = take_node(child, refined, moved) || any;
+  }
+  return any;
 }
 
 SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const {

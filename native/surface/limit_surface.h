@@ -27,9 +27,15 @@ class LimitSurface {
   explicit LimitSurface(ControlMesh mesh, Scheme scheme = Scheme::kBiermann,
                         std::shared_ptr<BasisCache> cache = std::make_shared<BasisCache>());
 
-  // Moves the control points; nothing that depends on topology alone is done again. Throws
+  // Moves the control points; nothing that depends on topology alone is done again, nor anything
+  // of cells that stay as they are: the surface is the same as if it were made anew. Throws
   // std::invalid_argument unless there are as many points as before, all finite.
   void set_points(std::vector<Vector3d> points);
+
+  // How often set_points() was called, and at which of these calls a cell was moved last (0:
+  // never): by these, what is computed of cells can be kept as long as they stay.
+  int revision() const { return revision_; }
+  int moved_at(int cell) const { return moved_at_[cell]; }
 
   const ControlMesh& mesh() const { return mesh_; }
   Scheme scheme() const { return layout_->scheme(); }
@@ -58,11 +64,16 @@ class LimitSurface {
 
  private:
   void take_points();
+  bool take_node(const SurfaceNode& node, const std::vector<Vector3d>& refined,
+                 const std::vector<char>& moved);
 
   ControlMesh mesh_;
   std::shared_ptr<const SurfaceLayout> layout_;
   std::vector<BicubicPoints> leaves_;
   std::vector<CornerPoints> corners_;
+  std::vector<Vector3d> refined_;  // what leaves and corners were taken from
+  int revision_ = 0;
+  std::vector<int> moved_at_;  // by cell
 };
 
 }  // namespace hull

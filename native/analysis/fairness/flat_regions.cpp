@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/fairness/flat_regions.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -17,6 +17,7 @@ namespace {
 constexpr int kMostFits = 4;
 constexpr int kAreaNodes = 5;
 constexpr double kSmallestSquare = 0x1p-10;
+constexpr double kEigenvalueError = 1e-12;  // of the greatest, by far
 
 using Points = std::vector<Vector3d>;
 
@@ -38,6 +39,21 @@ Points control_points(const LimitSurface& surface, int cell) {
 bool lies_in(const Points& points, const Plane& plane, double tolerance) {
   return std::all_of(points.begin(), points.end(),
                      [&](const Vector3d& p) { return std::abs(plane.height(p)) <= tolerance; });
+}
+
+// False where no plane is as near to all points: the squares of their distances from the plane of
+// least squares add up to the least eigenvalue, which is known to within rounding.
+bool may_lie_in_a_plane(const Points& points, double tolerance) {
+  Vector3d centre = Vector3d::Zero();
+  for (const Vector3d& p : points) centre += p;
+  const auto count = static_cast<double>(points.size());
+  centre /= count;
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (const Vector3d& p : points) squares += (p - centre) * (p - centre).transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(squares, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[0] <=
+         2.0 * count * tolerance * tolerance + kEigenvalueError * squares.trace();
 }
 
 double area_of(const LimitSurface& surface, int cell) {
@@ -118,10 +134,13 @@ class SideCubics {
 class RegionFinder {
  public:
   RegionFinder(const LimitSurface& surface, double tolerance)
-      : surface_(surface), tolerance_(tolerance), used_(surface.cell_count(), 0) {
+      : surface_(surface),
+        tolerance_(tolerance),
+        areas_(surface.cell_count(), -1.0),
+        used_(surface.cell_count(), 0) {
+    points_.reserve(surface.cell_count());
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       points_.push_back(control_points(surface, cell));
-      areas_.push_back(area_of(surface, cell));
     }
   }
 
@@ -135,15 +154,22 @@ class RegionFinder {
   }
 
   std::vector<FlatRegion> anywhere() {
-    std::vector<int> seeds(points_.size());
-    std::iota(seeds.begin(), seeds.end(), 0);
+    struct Seed {
+      int cell;
+      Plane plane;
+    };
+    std::vector<Seed> seeds;
+    for (int cell = 0; cell < surface_.cell_count(); ++cell) {
+      if (!may_lie_in_a_plane(points_[cell], tolerance_)) continue;
+      const Plane plane = fit_plane(points_[cell]).plane;
+      if (lies_in(points_[cell], plane, tolerance_)) seeds.push_back({cell, plane});
+    }
     std::stable_sort(seeds.begin(), seeds.end(),
-                     [&](int a, int b) { return areas_[a] > areas_[b]; });
+                     [&](const Seed& a, const Seed& b) { return area(a.cell) > area(b.cell); });
     std::vector<FlatRegion> regions;
-    for (const int seed : seeds) {
+    for (const auto& [seed, own_plane] : seeds) {
       if (used_[seed]) continue;
-      Plane plane = fit_plane(points_[seed]).plane;
-      if (!lies_in(points_[seed], plane, tolerance_)) continue;
+      Plane plane = own_plane;
       std::vector<int> cells = grown(seed, plane);
       // The plane of a small cell is too tilted for a large region: fit it again to all of it.
       for (int fit = 0; fit < kMostFits; ++fit) {
@@ -165,6 +191,12 @@ class RegionFinder {
   }
 
  private:
+  // Found when it is asked for: most cells are not flat.
+  double area(int cell) {
+    if (areas_[cell] < 0.0) areas_[cell] = area_of(surface_, cell);
+    return areas_[cell];
+  }
+
   std::vector<int> grown(int seed, const Plane& plane) const {
     std::vector<int> cells{seed};
     std::vector<char> seen(points_.size(), 0);
@@ -188,8 +220,8 @@ class RegionFinder {
     double outward = 0.0;
     for (const int cell : region.cells) {
       used_[cell] = 1;
-      region.area += areas_[cell];
-      outward += areas_[cell] * plane.normal.dot(surface_.normal(cell, 0.5, 0.5));
+      region.area += area(cell);
+      outward += area(cell) * plane.normal.dot(surface_.normal(cell, 0.5, 0.5));
     }
     if (outward < 0.0) region.plane = {-plane.normal, -plane.offset};
     region.borders = borders(region.cells);

@@ -45,7 +45,7 @@ HullBody::HullBody(const LimitSurface& surface, bool mirrored, Openings openings
 
 void HullBody::update() {
   parts_.update();
-  boxes_ = CellBoxes(surface());
+  boxes_.update(surface());
   close();
 }
 

@@ -6,11 +6,21 @@
 namespace hull {
 
 CellBoxes::CellBoxes(const LimitSurface& surface)
-    : low_(surface.cell_count(), Vector3d::Constant(std::numeric_limits<double>::infinity())),
-      high_(surface.cell_count(), Vector3d::Constant(-std::numeric_limits<double>::infinity())) {
+    : low_(surface.cell_count()), high_(surface.cell_count()), revision_(surface.revision()) {
+  for (int cell = 0; cell < surface.cell_count(); ++cell) take(surface, cell);
+}
+
+void CellBoxes::update(const LimitSurface& surface) {
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    add(surface, surface.layout().root(cell), cell);
+    if (surface.moved_at(cell) > revision_) take(surface, cell);
   }
+  revision_ = surface.revision();
+}
+
+void CellBoxes::take(const LimitSurface& surface, int cell) {
+  low_[cell].setConstant(std::numeric_limits<double>::infinity());
+  high_[cell].setConstant(-std::numeric_limits<double>::infinity());
+  add(surface, surface.layout().root(cell), cell);
 }
 
 void CellBoxes::add(const LimitSurface& surface, const SurfaceNode& node, int cell) {

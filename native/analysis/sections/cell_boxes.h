@@ -8,10 +8,13 @@
 namespace hull {
 
 // Axis-aligned boxes around the cells of a surface, from their control points: what a query need
-// not look at. They do not follow set_points().
+// not look at.
 class CellBoxes {
  public:
   explicit CellBoxes(const LimitSurface& surface);
+
+  // After set_points() of the same surface.
+  void update(const LimitSurface& surface);
 
   int size() const { return static_cast<int>(low_.size()); }
   // Bounds of direction·p over a cell.
@@ -33,9 +36,11 @@ class CellBoxes {
     }
     return sum;
   }
+  void take(const LimitSurface& surface, int cell);
   void add(const LimitSurface& surface, const SurfaceNode& node, int cell);
 
   std::vector<Vector3d> low_, high_;
+  int revision_;
 };
 
 }  // namespace hull

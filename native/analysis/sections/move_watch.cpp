@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/sections/move_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hull {
+
+MoveWatch::MoveWatch(const LimitSurface& surface)
+    : surface_(&surface), boxes_(surface), revision_(surface.revision()) {}
+
+void MoveWatch::update() {
+  cells_.clear();
+  moved_.clear();
+  for (int cell = 0; cell < surface_->cell_count(); ++cell) {
+    if (surface_->moved_at(cell) <= revision_) continue;
+    cells_.push_back(cell);
+    moved_.push_back({boxes_.low(cell), boxes_.high(cell)});
+  }
+  boxes_.update(*surface_);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const Vector3d low = moved_[i].middle.cwiseMin(boxes_.low(cells_[i]));
+    const Vector3d high = moved_[i].half.cwiseMax(boxes_.high(cells_[i]));
+    moved_[i] = {0.5 * (low + high), 0.5 * (high - low)};
+  }
+  revision_ = surface_->revision();
+}
+
+bool MoveWatch::comes_near(const Plane& plane, double margin) const {
+  const Vector3d extent = plane.normal.cwiseAbs();
+  return std::any_of(moved_.begin(), moved_.end(), [&](const Box& box) {
+    return std::abs(plane.height(box.middle)) <= extent.dot(box.half) + margin;
+  });
+}
+
+}  // namespace hull

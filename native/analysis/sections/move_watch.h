@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/sections/cell_boxes.h"
+#include "analysis/sections/plane_cut.h"
+
+namespace hull {
+
+// Where a surface was and is that has moved last: sections by planes that do not come near need not
+// be cut again. They are what a new cut would give, as long as it is cut to the same tolerances.
+class MoveWatch {
+ public:
+  // Nothing has moved yet. `surface` must outlive the watch.
+  explicit MoveWatch(const LimitSurface& surface);
+
+  // After surface.set_points(): what has moved since the last update, or the beginning, is what
+  // counts from now on.
+  void update();
+
+  // Whether a cell that has moved comes, or came, nearer to the plane than `margin`, m.
+  bool comes_near(const Plane& plane, double margin) const;
+
+  // The cells that have moved, in order.
+  const std::vector<int>& cells() const { return cells_; }
+
+ private:
+  struct Box {
+    Vector3d middle, half;
+  };
+
+  const LimitSurface* surface_;
+  CellBoxes boxes_;
+  int revision_;
+  std::vector<int> cells_;
+  std::vector<Box> moved_;  // around each of these before and after
+};
+
+}  // namespace hull
