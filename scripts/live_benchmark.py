@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the time goes when a control point is dragged, measured in Blender's window.
+"""Where the time goes while a control point is dragged, measured in Blender's window.
 
-blender --enable-event-simulate --python live_benchmark.py -- [--points N] [--moves N] [--samples N]
-        [--no-lines] [--profile]
+blender --python live_benchmark.py -- [--points N] [--moves N] [--samples N] [--no-lines]
+        [--drag one|all] [--draw-every N] [--profile]
 
-A half hull of 140 points or more is edited; points are moved by random steps (of a fixed seed) as a
-transform moves them: the edit mesh changes, Blender evaluates, handlers run, the window is drawn.
-Own time is that of the add-on's handlers and of its drawing, without Blender's own. The processor
-should be one: run it below `taskset -c 0`.
+A half hull, that of native/benchmarks/half_hull.h, is in edit mode; points are moved by random
+steps of a fixed seed, as a transform moves them: the edit mesh changes, Blender evaluates, the
+add-on's handlers run. Own time is the processor's for these and for what the add-on draws, without
+Blender's own. With `taskset -c 0` before it, all of it is on one processor.
 """
 
 import argparse
@@ -21,33 +21,36 @@ import sys
 import time
 import traceback
 from collections import defaultdict
+from pathlib import Path
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
-import bmesh  # noqa: E402
+import bmesh
 import bpy
 import numpy as np
-from enabled_addon import part
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from enabled_addon import part  # noqa: E402
 
 SEED = 7
-WARM_UP = 5
+WARM_UP = 10
 # Functions whose time is told apart: (module, name, what for). Those that call one another count
 # without what they call.
 STEPS = (
-    ("handlers.follow", "after_update", "handler, the rest"),
     ("bridge.mesh_arrays", "read_mesh", "control mesh read"),
+    ("bridge.flat_keeping", "keep", "flats kept"),
     ("bridge.hull_state", "_update_ship", "surface and body moved"),
-    ("bridge.hull_state", "_show_surface", "surface object"),
+    ("bridge.shown_surface", "follow", "surface object computed"),
     ("bridge.surface_object", "move_surface", "surface object written"),
     ("bridge.hull_state", "_update_hydrostatics", "hydrostatics"),
     ("bridge.hull_state", "_update_lines", "lines"),
     ("bridge.hull_state", "_update_fairness", "combs"),
-    ("bridge.live_analyses", "show_plots", "plots"),
+    ("bridge.live_analyses", "show_plots", "sectional areas, plots"),
 )
+DRAWN = ("lines", "marks", "tags", "legend", "spots", "status")
+NOT_OURS = ("Blender's update", "Blender's drawing")
 
 
 class Clock:
-    """Seconds by label, each without what is told apart within it."""
+    """Processor seconds by label, each without what is told apart within it."""
 
     def __init__(self):
         self.spent = defaultdict(float)
@@ -69,10 +72,10 @@ class Clock:
 
 
 def half_hull(stations, girth):
-    """(points, faces, creases) of the hull of native/benchmarks/half_hull.h."""
+    """(points, faces, creases) of native/benchmarks/half_hull.h with so many spaces each way."""
     points, faces, creases = [], [], []
     for i in range(stations + 1):
-        fullness = math.sin(math.pi * (0.12 + 0.88 * i / stations)) ** 0.45 if i < stations else 0.0
+        fullness = max(math.sin(3.14159265 * (0.12 + 0.88 * i / stations)), 0.0) ** 0.45
         for j in range(girth + 1):
             t = j / girth
             y = 9.0 * fullness * math.sin(0.5 * math.pi * t) ** 0.6 if j else 0.0
@@ -89,21 +92,19 @@ def half_hull(stations, girth):
             else:
                 faces.append((a, b, c, d))
     knuckle = 6 * girth // 9
-    for i in range(stations // 2, stations):
-        creases.append((at(i, knuckle), at(i + 1, knuckle)))
+    creases += [(at(i, knuckle), at(i + 1, knuckle)) for i in range(stations // 2, stations)]
     return points, faces, creases
 
 
-def make_hull(points, options):
+def make_hull(options):
     """The half hull of about so many points, with all that follows it switched on; in edit mode."""
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
-    girth = max(9, round(math.sqrt(points * 0.7)) - 1)
-    stations = max(13, round(points / (girth + 1)) - 1)
-    corners, faces, creases = half_hull(stations, girth)
+    girth = max(9, round(math.sqrt(0.65 * options.points)) - 1)
+    stations = max(13, round(options.points / (girth + 1)) - 1)
+    points, faces, creases = half_hull(stations, girth)
     mesh = bpy.data.meshes.new("benchmark")
-    mesh.from_pydata(corners, [], faces)
-    mesh.update()
+    mesh.from_pydata(points, [], faces)
     part("bridge.mesh_arrays").write_tags(mesh, creases, [])
     hull = bpy.data.objects.new("benchmark", mesh)
     bpy.context.scene.collection.objects.link(hull)
@@ -134,94 +135,118 @@ def _switch_lines(settings, on):
 class Benchmark:
     def __init__(self, options):
         self.options = options
-        self.hull = make_hull(options.points, options)
+        self.hull = make_hull(options)
         self.clock = Clock()
         self.random = random.Random(SEED)
-        self.profile = cProfile.Profile() if options.profile else None
-        self.moves = []
-        self._time_steps()
-
-    def _time_steps(self):
+        self.profile = cProfile.Profile()
         for module, name, label in STEPS:
-            module = part(module)
-            function = getattr(module, name)
-            timed = self.clock.timed(function, label)
-            setattr(module, name, timed)
-            if name == "after_update":
-                handlers = bpy.app.handlers.depsgraph_update_post
-                handlers.remove(function)
-                handlers.append(self._profiled(timed))
-        for overlay in part("overlays").DRAWN if hasattr(part("overlays"), "DRAWN") else ():
-            self._time_drawing(overlay)
-        for module in ("lines", "marks", "legend", "spots"):
-            handler = getattr(part(f"overlays.{module}"), "_handler", None)
-            if handler is not None:
-                handler.unregister()
-                handler._draw = self.clock.timed(handler._draw, f"drawing: {module}")
-                handler.register()
+            function = getattr(part(module), name)
+            setattr(part(module), name, self.clock.timed(function, label))
+        self._time_handlers()
+        self._time_drawing()
+
+    def _time_handlers(self):
+        handlers = bpy.app.handlers.depsgraph_update_post
+        own = part("handlers").__name__
+        for index, function in enumerate(handlers):
+            if function.__module__.startswith(own):
+                handlers[index] = self.clock.timed(self._profiled(function), "handlers, the rest")
+
+    def _time_drawing(self):
+        for name in DRAWN:
+            handler = part(f"overlays.{name}")._handler
+            handler.unregister()
+            handler._draw = self.clock.timed(self._profiled(handler._draw), f"drawing {name}")
+            handler.register()
+        plots = part("overlays.plots")
+        plots.unregister()
+        plots._draw = self.clock.timed(self._profiled(plots._draw), "drawing plots")
+        plots.register()
 
     def _profiled(self, function):
-        if self.profile is None:
+        if not self.options.profile:
             return function
         return lambda *arguments: self.profile.runcall(function, *arguments)
 
-    def move(self):
-        """One step of a drag; seconds by label."""
+    def move(self, is_drawn):
+        """One step of a drag; processor seconds by label."""
         self.clock.spent.clear()
         bm = bmesh.from_edit_mesh(self.hull.data)
         bm.verts.ensure_lookup_table()
-        count = len(bm.verts)
-        chosen = {
-            "one": [self.random.randrange(count)],
-            "all": range(count),
-        }[self.options.drag]
-        for index in chosen:
+        is_one = self.options.drag == "one"
+        for index in [self.random.randrange(len(bm.verts))] if is_one else range(len(bm.verts)):
             vertex = bm.verts[index]
             vertex.co.x += self.random.uniform(-0.02, 0.02)
             if vertex.co.y > 0.1:
                 vertex.co.y += self.random.uniform(-0.02, 0.02)
         bmesh.update_edit_mesh(self.hull.data, loop_triangles=False, destructive=False)
-        begin = time.thread_time()
-        bpy.context.view_layer.update()
-        evaluated = time.thread_time()
-        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
-        drawn = time.thread_time()
-        spent = dict(self.clock.spent)
-        spent["whole update"] = evaluated - begin
-        spent["whole drawing"] = drawn - evaluated
-        return spent
+        spent = {"Blender's update": self._others(bpy.context.view_layer.update)}
+        if is_drawn:
+            spent["Blender's drawing"] = self._others(self._draw)
+        return {**spent, **self.clock.spent}
+
+    def _others(self, function):
+        """Processor seconds that a function takes, without those of the add-on within it."""
+        own = sum(self.clock.spent.values())
+        begin = time.process_time()
+        function()
+        return time.process_time() - begin - (sum(self.clock.spent.values()) - own)
+
+    @staticmethod
+    def _draw():
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN", iterations=1)
 
     def run(self):
-        for _ in range(WARM_UP):
-            self.move()
-        if self.profile:
-            self.profile = self.profile.__class__() if False else self.profile
-            self.profile.clear()
-        self.moves = [self.move() for _ in range(self.options.moves)]
-        self.report()
+        for index in range(WARM_UP):
+            self.move(index % 5 == 4)
+        self.profile.clear()
+        every = self.options.draw_every
+        moves = [self.move(every and i % every == 0) for i in range(self.options.moves)]
+        self.report(moves)
 
-    def report(self):
+    def report(self, moves):
         state = part("bridge.hull_state").state_of(self.hull)
         if state.status or state.hydrostatics is None:
             raise RuntimeError(f"no results: {state.status} {state.hydrostatics_status}")
-        labels = sorted({label for move in self.moves for label in move})
-        own = [label for label in labels if not label.startswith("whole")]
         shown = self.hull.hull.surface_object.data
+        counts = ", ".join(f"{len(one.sections)} {name}" for name, one in state.lines.items())
         print(
-            f"\n{len(self.hull.data.vertices)} control points, {len(shown.vertices)} surface points, "
-            f"lines: {', '.join(f'{n} {len(g.sections)}' for n, g in state.lines.items()) or 'off'}"
+            f"\n{len(state.source.control.points)} control points of which "
+            f"{'one moves' if self.options.drag == 'one' else 'all move'}, "
+            f"{len(shown.vertices)} surface points\nlines: {counts or 'off'}\n\n"
+            f"{'milliseconds of processor time':<34}{'median':>9}{'90 %':>9}"
         )
-        print(f"{'milliseconds of':<28}{'median':>9}{'90 %':>9}")
-        for label in (*own, "whole update", "whole drawing"):
-            self._print(label, [move.get(label, 0.0) for move in self.moves])
-        self._print("OWN TIME", [sum(move.get(name, 0.0) for name in own) for move in self.moves])
-        if self.profile:
+        labels = sorted({label for move in moves for label in move}, key=self._order)
+        for label in labels:
+            if label not in NOT_OURS:
+                _print_line(label, [move[label] for move in moves if label in move])
+        drawn = [move for move in moves if "Blender's drawing" in move]
+        _print_line("OWN TIME without drawing", [_own(move, "drawing") for move in moves])
+        if drawn:
+            _print_line("OWN TIME", [_own(move) for move in drawn])
+        for label in NOT_OURS:
+            _print_line(label, [move[label] for move in moves if label in move])
+        if self.options.profile:
             pstats.Stats(self.profile).sort_stats("tottime").print_stats(40)
 
     @staticmethod
-    def _print(label, seconds):
-        low, high = 1e3 * np.percentile(seconds, [50, 90])
-        print(f"{label:<28}{low:>9.2f}{high:>9.2f}")
+    def _order(label):
+        known = [step[2] for step in STEPS]
+        return known.index(label) if label in known else len(known), label
+
+
+def _own(move, without=None):
+    return sum(
+        seconds
+        for label, seconds in move.items()
+        if label not in NOT_OURS and not (without and label.startswith(without))
+    )
+
+
+def _print_line(label, seconds):
+    if seconds:
+        median, most = 1e3 * np.percentile(seconds, [50, 90])
+        print(f"{label:<34}{median:>9.2f}{most:>9.2f}")
 
 
 def parsed():
@@ -230,20 +255,21 @@ def parsed():
     parser.add_argument("--moves", type=int, default=200)
     parser.add_argument("--samples", type=int, default=16)
     parser.add_argument("--drag", choices=("one", "all"), default="one")
+    parser.add_argument("--draw-every", type=int, default=10, help="moves; 0: never")
     parser.add_argument("--no-lines", action="store_true")
     parser.add_argument("--profile", action="store_true")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])
 
 
 def main():
+    result = 1
     try:
         Benchmark(parsed()).run()
+        result = 0
     except Exception:  # Blender would go on, and wait for the user
         traceback.print_exc()
-        sys.stdout.flush()
-        os._exit(1)
     sys.stdout.flush()
-    os._exit(0)
+    os._exit(result)
 
 
 bpy.context.preferences.view.show_splash = False

@@ -48,9 +48,6 @@ class SurfaceLayout {
 
   int leaf_count() const { return static_cast<int>(leaves_.size()); }
   int corner_count() const { return static_cast<int>(corners_.size()); }
-  // The refined points that a leaf (or kNoPoint, beyond creases) and a corner take.
-  const std::array<int, 16>& leaf_points(int leaf) const { return leaves_[leaf]; }
-  const std::vector<int>& corner_points(int corner) const { return corners_[corner].points; }
 
   // Points of the once-subdivided mesh, then those of the second and third subdivision that
   // quadrants need, from the control points.

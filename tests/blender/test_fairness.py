@@ -38,10 +38,8 @@ def test_combs_are_those_of_the_native_module():
     state, lines = state_of(hull), part("bridge.lines")
     (group,) = state.combs.values()
     native = part("bridge.native").require()
-    planes = np.array([cut.plane for cut, _ in group.sections])
-    wanted = native.section_fairness(
-        state.surface, planes, flat_tolerance=lines.flat_tolerance(state.surface)
-    )
+    planes = np.array([section.cut.plane for section in group.sections])
+    wanted = native.section_fairness(state.surface, planes, **group.rules)
     wanted = [curve for curves in wanted for curve in curves]
     assert len(wanted) == len(group.curves) > 3
     for ours, theirs in zip(group.curves, wanted):

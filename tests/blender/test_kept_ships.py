@@ -33,7 +33,8 @@ def assert_is_fresh(hull):
     assert not state.status
     where = part("bridge.afloat").afloat(hull.hull, bpy.context.scene.unit_settings.scale_length)
     body = fresh_body(hull)
-    assert state.hydrostatics == part("bridge.hydrostatics").at(body, where)
+    ship = part("bridge.ship").Ship(body, ())
+    assert state.hydrostatics == part("bridge.hydrostatics").at(ship, where)
     assert np.array_equal(state.surface.mesh.points, body.surface.mesh.points)
     assert (state.body.openings, state.body.mirrored) == (body.openings, body.mirrored)
     assert state.body.shell_area == body.shell_area

@@ -92,6 +92,12 @@ def set_corner_normals(mesh, normals):
     mesh.normals_split_custom_set(normals.tolist())
 
 
+def rest_corner_normals(mesh):
+    """Spares Blender the work of corner normals until they are set again, where it can be."""
+    if _SPLIT_NORMALS_NEED_AUTO_SMOOTH and mesh.use_auto_smooth:
+        mesh.use_auto_smooth = False
+
+
 def shader_input(node, *names):
     """The first of these input sockets that a shader node has (they were renamed in 4.0)."""
     return next(node.inputs[name] for name in names if name in node.inputs)

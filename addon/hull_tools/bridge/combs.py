@@ -31,13 +31,69 @@ _HEIGHT = 0.05
 # Over the hull's size: a curvature that is none.
 _STRAIGHT = 1e-3
 
+# Of the hull's size: the distance of teeth that is not given.
+_STEP = 1.0 / 200.0
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """hull_native.CurveFairness of the section by a lines.Cut, or of knuckles and borders: then
+    `cut` is None. straight: a curvature in 1/m that is none."""
+
+    cut: object
+    curves: list
+    straight: float
+
+    @cached_property
+    def comb(self):
+        """(points (n, 3) in m, curvature vectors (n, 3) in 1/m, pairs (m, 2) of points that follow
+        one another), of all that the cut wants to know."""
+        points, bends, pairs, count = [np.empty((0, 3))], [np.empty((0, 3))], [], 0
+        for curve in self.curves:
+            own = curve.points
+            kept = self._kept(own)
+            follows = np.ones(len(own), dtype=bool)
+            follows[curve.starts[1:] - 1] = False  # knuckles break the line
+            firsts = np.flatnonzero(follows[:-1] & kept[:-1] & kept[1:])
+            numbers = np.cumsum(kept) - 1 + count
+            pairs.append(np.column_stack([numbers[firsts], numbers[firsts + 1]]))
+            points.append(self._flipped(own[kept]))
+            bends.append(self._flipped(curve.curvature_vectors[kept]))
+            count += np.count_nonzero(kept)
+        pairs.append(np.empty((0, 2), dtype=np.int64))
+        return np.concatenate(points), np.concatenate(bends), np.concatenate(pairs)
+
+    @cached_property
+    def marks(self):
+        """Points (n, 3) in m by MARKS."""
+        found = {name: [np.empty((0, 3))] for name in MARKS}
+        for curve in self.curves:
+            marks = curve.marks
+            if not len(marks):
+                continue
+            points = marks.points
+            kept, points = self._kept(points), self._flipped(points)
+            is_inflection = np.array(marks.kinds) == "inflection"
+            # What is straight to rounding bends to neither side.
+            peaks = marks.peaks & (np.abs(marks.values) > self.straight)
+            found["inflection"].append(points[kept & is_inflection])
+            found["maximum"].append(points[kept & ~is_inflection & peaks])
+            found["minimum"].append(points[kept & ~is_inflection & ~peaks])
+        return {name: np.concatenate(parts) for name, parts in found.items()}
+
+    def _kept(self, points):
+        return np.ones(len(points), dtype=bool) if not self.cut else lines.kept_by(self.cut, points)
+
+    def _flipped(self, values):
+        return values if self.cut is None else lines.flipped(self.cut, values)
+
 
 @dataclass(frozen=True, eq=False)
 class CombGroup:
-    """hull_native.CurveFairness of all lines of one kind; pairs (lines.Cut or None, curves).
+    """All Judged lines of one kind.
 
-    scale: m of tooth for a curvature of 1/m, before the factor of the settings. straight: a
-    curvature in 1/m that is none.
+    scale: m of tooth for a curvature of 1/m, before the factor of the settings. rules: what
+    section_fairness was told beside the planes.
     """
 
     kind: str
@@ -45,70 +101,43 @@ class CombGroup:
     is_mirrored: bool
     sections: tuple
     scale: float
-    straight: float
+    rules: dict
 
     @cached_property
     def curves(self):
-        return [curve for _, curves in self.sections for curve in curves]
+        return [curve for section in self.sections for curve in section.curves]
 
     def segments(self, scale):
         """(segments (n, 2, 3), how many of them at the start are teeth), in m; scale in m²."""
-        teeth, outlines = [], []
-        for cut, curve in self._cut_curves():
-            found = curve.comb(scale=scale)
-            count = len(curve.points)
-            own_teeth, outline = found[:count], found[count:]
-            if cut is not None:
-                kept = lines.kept_by(cut, curve.points)
-                firsts = np.delete(np.arange(count), curve.starts[1:] - 1)
-                if len(outline) == len(firsts):
-                    outline = outline[kept[firsts] & kept[firsts + 1]]
-                own_teeth, outline = (
-                    lines.flipped(cut, part) for part in (own_teeth[kept], outline)
-                )
-            teeth.append(own_teeth)
-            outlines.append(outline)
-        if not teeth:
+        if not self.sections:
             return np.empty((0, 2, 3)), 0
-        return np.concatenate(teeth + outlines), sum(map(len, teeth))
+        combs = [section.comb for section in self.sections]
+        points, bends = (np.concatenate([comb[i] for comb in combs]) for i in (0, 1))
+        firsts = np.cumsum([0, *(len(comb[0]) for comb in combs[:-1])])
+        pairs = np.concatenate([comb[2] + first for comb, first in zip(combs, firsts)])
+        tips = points - scale * bends
+        teeth = np.stack([points, tips], axis=1)
+        return np.concatenate([teeth, tips[pairs]]), len(teeth)
 
     @cached_property
     def marks(self):
         """Points (n, 3) in m by MARKS: inflections, where the curve bends most and least."""
-        return _marks(self._cut_curves(), self.straight)
+        found = [section.marks for section in self.sections]
+        return {
+            name: np.concatenate([np.empty((0, 3)), *(marks[name] for marks in found)])
+            for name in MARKS
+        }
 
     @cached_property
     def mark_counts(self):
         """How many there are of each of MARKS, those of the other side's images left out."""
-        own = ((cut, one) for cut, one in self._cut_curves() if cut is None or not cut.is_image)
-        return {name: len(points) for name, points in _marks(own, self.straight).items()}
-
-    def _cut_curves(self):
-        return ((cut, curve) for cut, curves in self.sections for curve in curves)
+        own = [one.marks for one in self.sections if one.cut is None or not one.cut.is_image]
+        return {name: sum(len(marks[name]) for marks in own) for name in MARKS}
 
 
-def _marks(cut_curves, straight):
-    """straight: 1/m, a curvature that is none."""
-    found = {name: [] for name in MARKS}
-    for cut, curve in cut_curves:
-        marks = curve.marks
-        if not len(marks):
-            continue
-        points = marks.points
-        kept = np.ones(len(points), dtype=bool)
-        if cut is not None:
-            kept, points = lines.kept_by(cut, points), lines.flipped(cut, points)
-        is_inflection = np.array(marks.kinds) == "inflection"
-        # What is straight to rounding bends to neither side.
-        peaks = marks.peaks & (np.abs(marks.values) > straight)
-        found["inflection"].append(points[kept & is_inflection])
-        found["maximum"].append(points[kept & ~is_inflection & peaks])
-        found["minimum"].append(points[kept & ~is_inflection & ~peaks])
-    return {name: np.concatenate([np.empty((0, 3)), *parts]) for name, parts in found.items()}
-
-
-def combs(known, surface, settings, geometry_key, metres_per_unit):
-    """CombGroup by kind that an Object.hull wants; `known` ones are taken that are the same still.
+def combs(known, surface, settings, moved, metres_per_unit):
+    """CombGroup by kind that an Object.hull wants; `known` ones are taken that are the same still,
+    and of the others the sections that are. moved: the moves.Moves of the surface.
 
     The scale of a kind is chosen when it is switched on, or when the mesh's faces change; then it
     stays, so that combs can be compared while points move.
@@ -118,23 +147,34 @@ def combs(known, surface, settings, geometry_key, metres_per_unit):
     if not kinds:
         return {}
     size = lines.size_of(surface)
-    step = as_typed(fairness.comb_step) * metres_per_unit or None
+    rules = _rules(surface, as_typed(fairness.comb_step) * metres_per_unit)
     cuts = lines.cuts_of_kinds(settings, surface.mesh.points, metres_per_unit, kinds)
     groups = {}
     for kind in kinds:
-        key = (geometry_key, settings.half, cuts[kind], step)
+        key = (moved.after, settings.half, cuts[kind], tuple(rules.values()))
         before = known.get(kind)
         if before is not None and before.key == key:
             groups[kind] = before
             continue
-        sections = _judged(surface, kind, cuts[kind], step)
-        if before is not None and before.scale > 0.0 and before.key[0][0] == geometry_key[0]:
+        sections = _judged(surface, kind, cuts[kind], rules, before, moved)
+        if before is not None and before.scale > 0.0 and before.key[0][0] == moved.after[0]:
             scale = before.scale
         else:
-            scale = _handy_scale([curve for _, curves in sections for curve in curves], size)
+            scale = _handy_scale([curve for one in sections for curve in one.curves], size)
         is_mirrored = settings.half and kind != "plane"
-        groups[kind] = CombGroup(kind, key, is_mirrored, sections, scale, _STRAIGHT / size)
+        groups[kind] = CombGroup(kind, key, is_mirrored, sections, scale, rules)
     return groups
+
+
+def _rules(surface, step):
+    """Arguments of section_fairness; they stay while points move a little."""
+    size = lines.steady_size(surface)
+    return {
+        "step": step or _STEP * size,
+        "noise": _STRAIGHT / size,
+        "chord_tolerance": lines.chord_tolerance(surface),
+        "flat_tolerance": lines.flat_tolerance(surface),
+    }
 
 
 def _handy_scale(curves, size):
@@ -146,17 +186,26 @@ def _handy_scale(curves, size):
     return min(scale, height * size / _STRAIGHT)
 
 
-def _judged(surface, kind, cuts, step):
+def _judged(surface, kind, cuts, rules, before, moved):
     hull_native = native.require()
-    sections = []
-    if cuts:
-        found = hull_native.section_fairness(
-            surface,
-            np.array([cut.plane for cut in cuts]),
-            step=step,
-            flat_tolerance=lines.flat_tolerance(surface),
-        )
-        sections += zip(cuts, found)
+    judged = _judgements_that_stay(before, rules, moved)
+    new = [cut for cut in cuts if cut not in judged]
+    if new:
+        planes = np.array([cut.plane for cut in new])
+        found = hull_native.section_fairness(surface, planes, **rules)
+        judged.update((cut, Judged(cut, own, rules["noise"])) for cut, own in zip(new, found))
+    sections = [judged[cut] for cut in cuts]
     if kind == "feature":
-        sections.append((None, hull_native.feature_fairness(surface, step=step)))
+        found = hull_native.feature_fairness(surface, step=rules["step"], noise=rules["noise"])
+        sections.append(Judged(None, found, rules["noise"]))
     return tuple(sections)
+
+
+def _judgements_that_stay(before, rules, moved):
+    """Judged by Cut of a CombGroup of before, or None, that a move left as they are."""
+    if before is None or before.rules != rules:
+        return {}
+    sections = [one for one in before.sections if one.cut is not None]
+    planes = [one.cut.plane for one in sections]
+    stay = moved.kept(before.key[0], planes, rules["flat_tolerance"])
+    return {one.cut: one for one, is_same in zip(sections, stay) if is_same}

@@ -16,7 +16,6 @@ import numpy as np
 
 from . import (
     afloat,
-    colours,
     combs,
     flat_keeping,
     hull_objects,
@@ -25,16 +24,14 @@ from . import (
     lines,
     mesh_arrays,
     mesh_check,
+    moves,
     native,
     ship,
-    shown_objects,
-    surface_object,
+    shown_surface,
     units,
 )
 
 _states = {}
-
-_SHOWN_KEYS = ("shown surface", "shown faces", "normals", "colours")
 
 
 @dataclass
@@ -45,8 +42,10 @@ class HullState:
     hydrostatics_status says why. lines: lines.Group by kind of those that are shown; lines_status:
     why they are not up to date, or "". combs, level_lines and fairness_status: the same of what
     fairness is judged by. colour_scale: the hull_native.ColourScale of the surface object's
-    colours, None when it has none. body: the hull_native.HullBody of `surface`; both change
-    with the next edit, so that only `source`, the ship.ShipSource of both, is for threads.
+    colours, None when it has none. body: the hull_native.HullBody of `surface`; both change with
+    the next edit, so that only `source`, the ship.ShipSource of both, is for threads. moved: the
+    moves.Moves of the surface. memory: see ship.Ship. shown_points: the hull_native.ShownPoints of
+    the surface, None before they are shown.
     analyses: see bridge.analyses. task, conversion: what is converted or written, and what came of
     the last conversion: see bridge.conversions. worst_spot: the one of patches.SPOTS that is marked
     in the 3D view, or "". keys: what each result was computed from. flat_memory: see
@@ -58,6 +57,9 @@ class HullState:
     remarks: list = field(default_factory=list)
     check: mesh_check.MeshCheck = mesh_check.MeshCheck()
     surface: object = None
+    moved: object = None
+    memory: dict = field(default_factory=dict)
+    shown_points: object = None
     body: object = None
     source: object = None
     hydrostatics: object = None
@@ -78,7 +80,7 @@ class HullState:
     @property
     def ship(self):
         """The ship.Ship that follows the edits."""
-        return ship.Ship(self.body, self.source.deck_edge)
+        return ship.Ship(self.body, self.source.deck_edge, self.moved, self.memory)
 
 
 def state_of(obj):
@@ -105,8 +107,7 @@ def forget_all():
 def forget_shown():
     """Forgets what surface objects show, after they changed by themselves."""
     for state in _states.values():
-        for key in _SHOWN_KEYS:
-            state.keys.pop(key, None)
+        shown_surface.forget(state)
 
 
 def forget_deleted():
@@ -144,10 +145,10 @@ def _refresh(obj, scene, state):
     flat_keeping.keep(obj, state.flat_memory)
     scale = units.metres_per_unit(scene)
     geometry_key = _update_ship(obj, state, scale)
-    _show_surface(obj, state, scale, geometry_key)
+    shown_surface.follow(obj, state, scale, geometry_key)
     _update_hydrostatics(obj, state, scale)
-    _update_lines(obj, state, scale, geometry_key)
-    _update_fairness(obj, state, scale, geometry_key)
+    _update_lines(obj, state, scale)
+    _update_fairness(obj, state, scale)
 
 
 def _update_ship(obj, state, scale):
@@ -182,78 +183,38 @@ def _make_body(state, mesh, source, topology_key, geometry_key):
     has_moved = state.keys.get("geometry") != geometry_key
     if surface is None or state.keys.get("topology") != topology_key:
         surface, body = native.require().LimitSurface(mesh, source.scheme), None
+        state.moved = moves.Moves(None, geometry_key, native.require().MoveWatch(surface))
+        state.shown_points = None
     elif has_moved:
-        state.keys.pop("geometry", None)
-        state.body = None  # until it has the points that the surface has
+        # Until all of them have the points that the surface has, there is no body.
+        before, state.body = state.keys.pop("geometry", None), None
         surface.set_points(source.control.points)
+        state.moved = state.moved.further(before, geometry_key)
     if body is None or body.openings != source.openings:
         body = source.live_body(surface)
+        state.memory.clear()
     elif has_moved:
         body.update()
     state.surface, state.body, state.source = surface, body, source
     state.keys.update(topology=topology_key, geometry=geometry_key)
 
 
-def _show_surface(obj, state, scale, geometry_key):
-    shown = shown_objects.surface_of(obj)
-    if shown is None:
-        state.colour_scale = None
-        return
-    settings = obj.hull
-    mesh = shown.data
-    place_key = (geometry_key, settings.samples, shown.name_full)
-    # Normals take Blender most of the time: while the mesh is edited those of before turn along.
-    is_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
-    choice = colours.wanted(settings.fairness)
-    are_colours_due = state.keys.get("colours") != (place_key, choice)
-    if state.keys.get("shown surface") == place_key and not is_due and not are_colours_due:
-        return
-    tessellation = state.surface.tessellate(settings.samples)
-    points, shared = surface_object.surface_points(tessellation, settings.half)
-    faces_key = (geometry_key[0], settings.samples, shown.name_full, shared.tobytes())
-    has_faces = state.keys.get("shown faces") == faces_key and len(mesh.vertices) == len(points)
-    if has_faces:
-        surface_object.move_surface(mesh, points, scale)
-    if is_due or not has_faces:
-        quads, normals = surface_object.surface_faces(tessellation, shared)
-        if not has_faces:
-            surface_object.write_surface(mesh, points, quads, scale)
-        surface_object.write_normals(mesh, normals)
-        state.keys["normals"] = place_key
-    state.keys["shown faces"] = faces_key
-    state.keys["shown surface"] = place_key
-    if are_colours_due:
-        state.colour_scale = _colour(shown, state.surface, tessellation, shared, choice)
-        state.keys["colours"] = (place_key, choice)
-
-
-def _colour(shown, surface, tessellation, shared, choice):
-    """Gives the surface object its colours; returns their scale, or None."""
-    if choice is None:
-        colours.remove_colours(shown)
-        return None
-    scale, of_normals = colours.coloured(surface, tessellation, choice)
-    corners = of_normals[tessellation.normal_indices]
-    colours.write_colours(shown, surface_object.both_sides(tessellation, shared, corners))
-    return scale
-
-
-def _update_lines(obj, state, scale, geometry_key):
+def _update_lines(obj, state, scale):
     settings, surface = obj.hull, state.surface
     try:
         wanted = lines.wanted_cuts(settings, surface.mesh.points, scale)
-        state.lines = lines.groups(state.lines, surface, wanted, settings.half, geometry_key)
+        state.lines = lines.groups(state.lines, surface, wanted, settings.half, state.moved)
         state.lines_status = ""
     except ValueError as error:
         state.lines_status = str(error)
 
 
-def _update_fairness(obj, state, scale, geometry_key):
+def _update_fairness(obj, state, scale):
     settings, surface = obj.hull, state.surface
     try:
-        state.combs = combs.combs(state.combs, surface, settings, geometry_key, scale)
+        state.combs = combs.combs(state.combs, surface, settings, state.moved, scale)
         state.level_lines = level_lines.level_lines(
-            state.level_lines, surface, settings, geometry_key
+            state.level_lines, surface, settings, state.moved.after
         )
         state.fairness_status = ""
     except ValueError as error:
@@ -266,7 +227,7 @@ def _update_hydrostatics(obj, state, scale):
     if state.keys.get("hydrostatics") == key:
         return
     try:
-        state.hydrostatics = hydrostatics.at(state.body, where)
+        state.hydrostatics = hydrostatics.at(state.ship, where)
         state.hydrostatics_status = ""
     except ValueError as error:
         state.hydrostatics = None

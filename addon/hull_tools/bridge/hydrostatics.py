@@ -115,16 +115,16 @@ class Hydrostatics(SimpleNamespace):
     sentence, or ""."""
 
 
-def at(body, where):
-    """Hydrostatics of a hull_native.HullBody that lies as an Afloat says.
-
-    ValueError when nothing is under water, when the body floods, or faces are turned.
-    """
-    return described(particulars(body, where), where)
+def at(ship, where):
+    """Hydrostatics of a ship.Ship that lies as an Afloat says; ValueError as `particulars`."""
+    return described(ship.particulars(where), where)
 
 
 def particulars(body, where):
-    """The hull_native.Particulars; ValueError as `at`."""
+    """The hull_native.Particulars of a hull_native.HullBody.
+
+    ValueError when nothing is under water, when the body floods, or faces are turned.
+    """
     found = native.require().hydrostatics(body, **where.position(), **where.project())
     if found.displaced_volume <= 0.0:
         raise ValueError(f"Nothing is under water at a draft of {where.draft:.3f} m")

@@ -33,6 +33,7 @@ SWITCHES = {
 # is, since Blender keeps points in single precision.
 _CHORD_TOLERANCE = 1e-5
 _FLAT_TOLERANCE = 2e-7
+_STEPS_AN_OCTAVE = 4
 _SAMPLES_PER_EDGE = 16
 # Flats smaller than this part of the size squared are not what is called one.
 _SMALLEST_FLAT = 1e-4
@@ -81,13 +82,16 @@ class Section:
 
 @dataclass(frozen=True, eq=False)
 class Group:
-    """All lines of one kind, in m. is_mirrored: whether their mirror images belong to it too."""
+    """All lines of one kind, in m. is_mirrored: whether their mirror images belong to it too.
+
+    key: the surface's, whether it is a half, and the cuts. tolerance: m, of the sections."""
 
     kind: str
     key: tuple
     is_mirrored: bool
     sections: tuple = ()
     features: tuple = ()
+    tolerance: float = 0.0
 
     @cached_property
     def polylines(self):
@@ -174,27 +178,43 @@ def _planes(planes, half, metres_per_unit):
     return cuts
 
 
-def groups(known, surface, wanted, half, geometry_key):
+def groups(known, surface, wanted, half, moved):
     """Groups by kind of the `wanted` cuts of a hull_native.LimitSurface.
 
-    known: the groups of before, of which those are taken that are the same still. geometry_key:
-    equal when the surface is.
+    known: the groups of before, of which those are taken that are the same still, and of the others
+    the sections that are. moved: the moves.Moves of the surface.
     """
-    keys = {kind: (geometry_key, half, cuts) for kind, cuts in wanted.items()}
+    keys = {kind: (moved.after, half, cuts) for kind, cuts in wanted.items()}
     found = {
         kind: known[kind] for kind, key in keys.items() if kind in known and known[kind].key == key
     }
     missing = [kind for kind in wanted if kind not in found]
-    curves = iter(_curves(surface, [cut for kind in missing for cut in wanted[kind]]))
+    tolerance = flat_tolerance(surface)
+    stays = {}
     for kind in missing:
+        stays[kind] = _sections_that_stay(known.get(kind), moved, tolerance)
+    new = [cut for kind in missing for cut in wanted[kind] if cut not in stays[kind]]
+    curves = iter(_curves(surface, new))
+    for kind in missing:
+        own = stays[kind]
         found[kind] = Group(
             kind,
             keys[kind],
             half and kind != "plane",  # whose images are among the cuts
-            tuple(Section(cut, next(curves)) for cut in wanted[kind]),
+            tuple(own[cut] if cut in own else Section(cut, next(curves)) for cut in wanted[kind]),
             _other_curves(kind, surface),
+            tolerance,
         )
     return {kind: found[kind] for kind in KINDS if kind in found}
+
+
+def _sections_that_stay(before, moved, tolerance):
+    """The Sections by Cut of a Group of before, or None, that a move left as they are."""
+    if before is None or before.tolerance != tolerance:
+        return {}
+    planes = [section.cut.plane for section in before.sections]
+    stay = moved.kept(before.key[0], planes, tolerance)
+    return {one.cut: one for one, is_same in zip(before.sections, stay) if is_same}
 
 
 def _curves(surface, cuts):
@@ -203,7 +223,7 @@ def _curves(surface, cuts):
     return native.require().sections(
         surface,
         np.array([cut.plane for cut in cuts]),
-        _CHORD_TOLERANCE * size_of(surface),
+        chord_tolerance(surface),
         flat_tolerance=flat_tolerance(surface),
     )
 
@@ -234,8 +254,19 @@ def size_of(surface):
     return float(np.ptp(surface.mesh.points, axis=0).max())
 
 
+def steady_size(surface):
+    """A size that stays while points move, for tolerances: that of the surface, rounded down by up
+    to a fifth."""
+    size = size_of(surface)
+    return 2.0 ** (np.floor(_STEPS_AN_OCTAVE * np.log2(size)) / _STEPS_AN_OCTAVE) if size else 0.0
+
+
+def chord_tolerance(surface):
+    return _CHORD_TOLERANCE * steady_size(surface)
+
+
 def flat_tolerance(surface):
-    return _FLAT_TOLERANCE * size_of(surface)
+    return _FLAT_TOLERANCE * steady_size(surface)
 
 
 def mirror_image(points):

@@ -8,6 +8,7 @@ is no tag of a hull and is told apart so that it can be reported.
 
 import hashlib
 from dataclasses import dataclass
+from itertools import chain
 
 import bmesh
 import numpy as np
@@ -112,18 +113,19 @@ def _read_edit_mesh(mesh):
     bm = bmesh.from_edit_mesh(mesh)
     bm.verts.index_update()
     edge_layer, vertex_layer = blender_versions.find_crease_layers(bm)
-    points = np.array([v.co for v in bm.verts], dtype=np.float32).reshape(-1, 3)
-    edges = np.array([[v.index for v in e.verts] for e in bm.edges], dtype=np.int32)
+    # NumPy reads plain numbers much faster than Blender's vectors.
+    points = np.fromiter(chain.from_iterable([v.co for v in bm.verts]), np.float32)
+    edges = np.fromiter([v.index for e in bm.edges for v in e.verts], np.int32)
     edge_creases = [e[edge_layer] for e in bm.edges] if edge_layer else [0.0] * len(bm.edges)
     vertex_creases = [v[vertex_layer] for v in bm.verts] if vertex_layer else [0.0] * len(bm.verts)
     face_loops = [[v.index for v in face.verts] for face in bm.faces]
     return MeshData(
-        points,
+        points.reshape(-1, 3),
         edges.reshape(-1, 2),
         np.array(edge_creases, dtype=np.float32),
         np.array(vertex_creases, dtype=np.float32),
         np.array([len(loop) for loop in face_loops], dtype=np.int32),
-        np.array([index for loop in face_loops for index in loop], dtype=np.int32),
+        np.fromiter(chain.from_iterable(face_loops), np.int32),
         np.array([face.material_index for face in bm.faces], dtype=np.int32),
         edge_marks.edited_marks(bm),
     )

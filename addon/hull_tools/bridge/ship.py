@@ -1,20 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What hydrostatics and stability are computed of: surface, floating body, and what is marked."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
-from . import native
+from . import hydrostatics, native
 from .mesh_arrays import ControlArrays
 
 
 @dataclass(frozen=True, eq=False)
 class Ship:
     """body: hull_native.HullBody; its surface is that of the hull. deck_edge: the edges that are
-    marked, pairs of the surface's control points; without any the borders along the ship."""
+    marked, pairs of the surface's control points; without any the borders along the ship. moved:
+    the moves.Moves of a surface that follows edits, else None. memory: what analyses know of the
+    body as it is, or was; by what it is."""
 
     body: object
     deck_edge: tuple
+    moved: object = None
+    memory: dict = field(default_factory=dict)
+
+    def particulars(self, where):
+        """The hull_native.Particulars at an Afloat; ValueError as hydrostatics.particulars."""
+        key = (self.moved and self.moved.after, where)
+        known_key, known = self.memory.get("particulars", (None, None))
+        if known_key != key:
+            known = hydrostatics.particulars(self.body, where)
+            self.memory["particulars"] = key, known
+        return known
 
 
 @dataclass(frozen=True, eq=False)

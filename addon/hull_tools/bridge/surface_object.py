@@ -5,26 +5,10 @@ import numpy as np
 
 from . import blender_versions, materials, mesh_arrays
 
-# Points nearer to the centre plane than this part of the hull's size are put on it exactly and are
-# shared by both sides.
-_CENTRE_PLANE_TOLERANCE = 1e-9
-
-
-def surface_points(tessellation, half):
-    """(points (n, 3) in metres of the whole hull, (k,) which of the modelled ones both sides
-    share)."""
-    points = tessellation.points
-    if not half:
-        return points, np.ones(len(points), dtype=bool)
-    size = (points.max(axis=0) - points.min(axis=0)).max()
-    on_plane = np.abs(points[:, 1]) <= _CENTRE_PLANE_TOLERANCE * size
-    points[on_plane, 1] = 0.0
-    return np.concatenate([points, points[~on_plane] * [1.0, -1.0, 1.0]]), on_plane
-
 
 def surface_faces(tessellation, shared):
-    """(quads (k, 4), corner normals (k, 4, 3)) between surface_points, of which so many are
-    shared."""
+    """(quads (k, 4), corner normals (k, 4, 3)) between hull_native.ShownPoints, which say what of
+    the tessellation's points is shared."""
     quads, normals = tessellation.quads, tessellation.corner_normals
     mirror_of = np.arange(len(shared))
     mirror_of[~shared] = len(shared) + np.arange(np.count_nonzero(~shared))
@@ -42,22 +26,23 @@ def both_sides(tessellation, shared, values):
     return np.concatenate([values, values[on_one_side][:, ::-1]])
 
 
-def write_surface(mesh, points, quads, metres_per_unit):
-    """Replaces the geometry of `mesh`; points (n, 3) in metres, quads (k, 4)."""
+def write_surface(mesh, points, quads):
+    """Replaces the geometry of `mesh`; points (n, 3) in Blender's units, quads (k, 4)."""
     sizes = np.full(len(quads), 4, dtype=np.int32)
-    mesh_arrays.write_faces(mesh, points / metres_per_unit, sizes, quads.reshape(-1))
+    mesh_arrays.write_faces(mesh, points, sizes, quads.reshape(-1))
     mesh.polygons.foreach_set("use_smooth", np.ones(len(quads), dtype=bool))
     if not mesh.materials:
         mesh.materials.append(materials.surface_material())
 
 
-def move_surface(mesh, points, metres_per_unit):
-    """Moves the points of a `mesh` whose faces stay.
+def move_surface(mesh, points):
+    """Moves the points, (n, 3) float32 in Blender's units, of a `mesh` whose faces stay.
 
-    The normals turn along with the faces, so that they stay close to the surface's own.
+    Blender shades it by its faces until write_normals: exact normals cost it several times as much
+    as all the rest.
     """
-    co = np.ascontiguousarray(points / metres_per_unit, dtype=np.float32)
-    mesh.vertices.foreach_set("co", co.reshape(-1))
+    mesh.vertices.foreach_set("co", points.reshape(-1))
+    blender_versions.rest_corner_normals(mesh)
     mesh.update()
 
 

@@ -3,9 +3,9 @@
 that draws them with the graphics card."""
 
 from ..bridge import live_analyses
-from . import legend, lines, marks, plots, pulls, spots, tags
+from . import legend, lines, marks, plots, pulls, spots, status, tags
 
-_PARTS = (lines, marks, tags, legend, spots, pulls)
+_PARTS = (lines, marks, tags, legend, spots, pulls, status)
 
 
 def _view(shown, corner):

@@ -69,19 +69,15 @@ def _dashed(points, dashes):
     """The segments of a polyline (n, 2) drawn with lengths of line and gap in turn."""
     lengths = np.hypot(*np.diff(points, axis=0).T)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
-    period = np.cumsum(dashes)
-    starts = np.arange(0.0, along[-1], period[-1])
-    pairs = []
-    for on, off in ((0.0, period[0]), (period[1], period[2])):
-        for start in starts:
-            low, high = start + on, min(start + off, along[-1])
-            if low >= high:
-                continue
-            inside = along[(along > low) & (along < high)]
-            places = np.concatenate([[low], inside, [high]])
-            pieces = np.column_stack([np.interp(places, along, points[:, axis]) for axis in (0, 1)])
-            pairs.append(_pairs(pieces))
-    return np.concatenate(pairs) if pairs else np.empty((0, 2))
+    ends = np.cumsum(dashes)
+    period = ends[-1]
+    starts = np.arange(0.0, along[-1], period)
+    changes = (starts[:, None] + [0.0, *ends[:-1]]).reshape(-1)
+    places = np.unique(np.concatenate([along, changes[changes < along[-1]]]))
+    phases = np.mod(0.5 * (places[:-1] + places[1:]), period)
+    is_drawn = np.searchsorted(ends, phases, side="right") % 2 == 0
+    corners = np.column_stack([np.interp(places, along, points[:, axis]) for axis in (0, 1)])
+    return np.stack([corners[:-1], corners[1:]], axis=1)[is_drawn].reshape(-1, 2)
 
 
 def _joined(parts):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sectional area curve at the draft, trim and heel of the hydrostatics."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
-from .. import afloat, hydrostatics, native
+from .. import afloat, lines, native
 
 LABEL = "Sectional areas"
 IS_LIVE = True
@@ -16,9 +16,24 @@ _FINER = 4  # so many times, the two spaces at either end: there the curve bends
 _END_SHARE = 1e-6
 
 
+# Stations are rounded to 1e-8 m, so that they stay while other parts of the hull move.
+_DECIMALS = 8
+
+
+@dataclass(frozen=True)
+class Areas:
+    """As hull_native.SectionAreas: arrays with one entry per station."""
+
+    positions: np.ndarray
+    areas: np.ndarray
+    centroids: np.ndarray
+    girths: np.ndarray
+    breadths: np.ndarray
+
+
 @dataclass(frozen=True)
 class Result:
-    areas: object  # hull_native.SectionAreas
+    areas: Areas
     particulars: object  # hull_native.Particulars
     where: afloat.Afloat
 
@@ -28,16 +43,42 @@ def inputs(settings, metres_per_unit):
 
 
 def compute(ship, where):
-    body = ship.body
-    found = hydrostatics.particulars(body, where)
-    low, high = _reach(body, found)
+    found = ship.particulars(where)
+    low, high = _reach(ship.body, found)
     margin = _END_SHARE * (high - low)
     numbers = np.arange(_FINER * _SPACES + 1)
     inside = (numbers > 2 * _FINER) & (numbers < numbers[-1] - 2 * _FINER)
     numbers = numbers[~inside | (numbers % _FINER == 0)]
     stations = np.interp(numbers, numbers[[0, -1]], (low + margin, high - margin))
-    areas = native.require().section_areas(body, stations, **where.position())
-    return Result(areas, found, where)
+    return Result(_areas(ship, stations.round(_DECIMALS), where), found, where)
+
+
+def _areas(ship, stations, where):
+    """Areas at these stations; those of a body that follows edits are kept where it stays."""
+    if ship.moved is None:
+        return _computed(ship.body, stations, where)
+    known_key, known_where, known = ship.memory.get("sectional areas", (None, None, None))
+    stays = np.zeros(len(stations), dtype=bool)
+    if known_where == where and np.array_equal(known.positions, stations):
+        planes = np.column_stack([np.tile((1.0, 0.0, 0.0), (len(stations), 1)), stations])
+        stays = ship.moved.kept(known_key, planes, lines.flat_tolerance(ship.body.surface))
+    found = _computed(ship.body, stations[~stays], where)
+    if stays.any():
+        found = Areas(*(_merged(getattr(known, f.name), getattr(found, f.name), stays)
+                        for f in fields(Areas)))  # fmt: skip
+    ship.memory["sectional areas"] = ship.moved.after, where, found
+    return found
+
+
+def _computed(body, stations, where):
+    found = native.require().section_areas(body, stations, **where.position())
+    return Areas(*(getattr(found, f.name) for f in fields(Areas)))
+
+
+def _merged(known, new, stays):
+    merged = known.copy()
+    merged[~stays] = new
+    return merged
 
 
 def _reach(body, found):
