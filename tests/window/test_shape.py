@@ -97,6 +97,9 @@ def test_a_point_of_a_flat_side_slides_in_it_while_it_is_dragged(window):
     window.press("G")
     window.move_by(40, 30)
     yield
+    during = edited_points(hull)
+    assert during[own[2], 1] == before[own[2], 1] and not np.array_equal(during, before)
+    assert_follows(hull)
     window.press("ESC")
     yield
     assert np.array_equal(edited_points(hull), before) and are_equal(snapshot(hull), shown)
@@ -106,6 +109,24 @@ def test_a_point_of_a_flat_side_slides_in_it_while_it_is_dragged(window):
     window.press("RET")
     yield
     assert np.array_equal(edited_points(hull), before)
+    assert_follows(hull)
+
+
+def test_a_half_hull_is_made_whole_from_the_search(window):
+    hull = editing_a_hull(window)
+    window.press("TAB")
+    yield
+    volume, faces = snapshot(hull)["volume"], len(hull.data.polygons)
+    window.search("make whole")
+    yield
+    print("AFTER", hull.hull.half, len(hull.data.polygons), hull.mode)
+    assert not hull.hull.half and len(hull.data.polygons) == 2 * faces
+    assert np.allclose(snapshot(hull)["volume"], volume, 1e-7, 0.0)
+    assert_follows(hull)
+    window.undo()
+    yield
+    hull = hull_at_hand()
+    assert hull.hull.half and len(hull.data.polygons) == faces
     assert_follows(hull)
 
 

@@ -4,14 +4,15 @@
 Two steps, as long as they help. Triangles beside one another become quadrilaterals: no point moves.
 Else the point is parted in two with a new quadrilateral between them, so that each has part
 of the faces, and two neighbours one more: as long as the sum of the squares of what faces are too
-many or too few at these points gets less.
+many or too few at these points gets less. Parted points are put so that their limits lie on the
+surface of before; others stay.
 """
 
 from dataclasses import dataclass
 
 import bmesh
 
-from . import flat_marks
+from . import flat_marks, hull_state, limit_fitting, native
 from .vertex_fans import fan
 
 # How far new points go from the old one towards the neighbours on their side: as far apart from one
@@ -19,22 +20,29 @@ from .vertex_fans import fan
 _APART = 1.0 / 3.0
 _APART_FROM_CREASE = 0.5
 
+# So many squares along the side of a cell it is looked at how far the surface moved.
+_SAMPLES = 6
+
 
 @dataclass(frozen=True)
 class Reduced:
     """How many faces the worst of the chosen points had around it, how many the worst of those that
-    it became has, and how many points were added."""
+    it became has, and how many points were added. change: how far, in m, the surface is from that
+    of before at most; None when the mesh has errors."""
 
     before: int
     after: int
     added: int
+    change: object
 
 
-def reduce_selected(obj):
+def reduce_selected(obj, scene):
     """Reduces the irregular points that are selected in edit mode; returns what came of it.
 
     ValueError when none is selected, or none can be reduced.
     """
+    state = hull_state.refresh(obj, scene)
+    surface = None if state.status else state.surface
     bm = bmesh.from_edit_mesh(obj.data)
     bm.verts.index_update()
     chosen = [vertex for vertex in bm.verts if vertex.select and not vertex.hide]
@@ -42,11 +50,12 @@ def reduce_selected(obj):
     if not points:
         raise ValueError("Select points with more faces around them than regular ones have")
     before, count = max(len(vertex.link_faces) for vertex in points), len(bm.verts)
-    is_changed = False
+    is_changed, parted = False, set()
     for vertex in points:
         is_changed |= _join_triangles(bm, vertex)
         while (new := _part(bm, vertex)) is not None:
             points.append(new)  # and goes on with it
+            parted |= {new} if fan(bm, vertex).creases else {new, vertex}
             is_changed = True
     if not is_changed:
         raise ValueError(
@@ -55,8 +64,21 @@ def reduce_selected(obj):
         )
     bm.normal_update()
     bmesh.update_edit_mesh(obj.data)
-    after = max(len(vertex.link_faces) for vertex in points)
-    return Reduced(before, after, len(bm.verts) - count)
+    after, added = max(len(vertex.link_faces) for vertex in points), len(bm.verts) - count
+    change = None
+    if surface is not None:
+        indices = [vertex.index for vertex in parted]
+        limit_fitting.put_limits_on(surface, obj, scene, indices)
+        change = _change(surface, hull_state.refresh(obj, scene))
+    return Reduced(before, after, added, change)
+
+
+def _change(surface, state):
+    """The largest distance of a hull's surface from another one, at points all over it."""
+    if state.status:
+        return None
+    points = state.surface.tessellate(_SAMPLES).points
+    return float(native.require().SurfaceTree(surface).closest_points(points).distances.max())
 
 
 def _join_triangles(bm, vertex):

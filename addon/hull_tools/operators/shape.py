@@ -164,10 +164,13 @@ class HULL_OT_reduce_valence(bpy.types.Operator, ShapeOperator):
     bl_label = "Reduce Valence"
 
     def run_on(self, hull, context):
-        found = valence.reduce_selected(hull)
-        hull_state.refresh(hull, context.scene)
-        added = f", {found.added} points added" if found.added else ""
-        text = f"At most {found.after} faces around a point instead of {found.before}{added}"
+        found = valence.reduce_selected(hull, context.scene)
+        text = f"At most {found.after} faces around a point instead of {found.before}"
+        if found.added:
+            text += f", {found.added} points added"
+        if found.change is not None:
+            moved = units.format_value(context.scene, found.change, "m")
+            text += f"; the surface moved by up to {moved}"
         self.report({"INFO"}, text)
 
 
