@@ -119,7 +119,6 @@ def test_a_half_hull_is_made_whole_from_the_search(window):
     volume, faces = snapshot(hull)["volume"], len(hull.data.polygons)
     window.search("make whole")
     yield
-    print("AFTER", hull.hull.half, len(hull.data.polygons), hull.mode)
     assert not hull.hull.half and len(hull.data.polygons) == 2 * faces
     assert np.allclose(snapshot(hull)["volume"], volume, 1e-7, 0.0)
     assert_follows(hull)

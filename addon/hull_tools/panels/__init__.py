@@ -38,6 +38,7 @@ _CLASSES = (
 
 _DRAWN_IN = [  # by the names of menus and panels
     *add_menu.DRAWN_IN.items(),
+    *hull.DRAWN_IN.items(),
     *tag_menus.DRAWN_IN.items(),
     *pull.DRAWN_IN.items(),
 ]

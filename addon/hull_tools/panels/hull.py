@@ -79,4 +79,24 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
         layout.operator("hull.turn_outwards")
 
 
+def _draw_in_object_menu(self, context):
+    hull = hull_objects.hull_of(context.object)
+    if hull is None:
+        return
+    self.layout.separator()
+    self.layout.operator("hull.make_whole" if hull.hull.half else "hull.make_half")
+    self.layout.operator("hull.turn_outwards")
+
+
+def _draw_in_normals_menu(self, context):
+    if hull_objects.hull_of(context.object) is not None:
+        self.layout.separator()
+        self.layout.operator("hull.turn_outwards")
+
+
 CLASSES = (HULL_PT_hull, HULL_PT_check)
+
+DRAWN_IN = {
+    "VIEW3D_MT_object": _draw_in_object_menu,
+    "VIEW3D_MT_edit_mesh_normals": _draw_in_normals_menu,
+}
