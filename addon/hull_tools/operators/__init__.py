@@ -5,6 +5,7 @@ import bpy
 
 from . import (
     add_hull,
+    bilge,
     check_mesh,
     convert,
     coordinates,
@@ -34,6 +35,7 @@ _CLASSES = (
     *sides.CLASSES,
     *coordinates.CLASSES,
     *pull.CLASSES,
+    *bilge.CLASSES,
     *lock_points.CLASSES,
     *check_mesh.CLASSES,
     *import_hull.CLASSES,

@@ -24,6 +24,7 @@ class HULL_PT_pull(HullPanel, bpy.types.Panel):
         row.operator("hull.lock_points", text="Lock", icon="LOCKED")
         row.operator("hull.unlock_points", text="Unlock", icon="UNLOCKED")
         row.operator("hull.select_locked", text="", icon="RESTRICT_SELECT_OFF")
+        layout.operator("hull.round_bilge", icon="SPHERECURVE")
 
 
 def _draw_in_menu(self, context):
@@ -43,6 +44,7 @@ def _draw_locks(self, context):
     layout.operator("hull.lock_points")
     layout.operator("hull.unlock_points")
     layout.operator("hull.select_locked")
+    layout.operator("hull.round_bilge")
 
 
 CLASSES = (HULL_PT_pull,)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections rounded to a circle between flat bottom and flat side."""
+
+import bpy
+from bpy.props import BoolProperty, FloatProperty
+
+from ..bridge import bilge, units
+from .shape import ShapeOperator
+
+
+class HULL_OT_round_bilge(bpy.types.Operator, ShapeOperator):
+    """Place the points of the selected sections so that the bilge is nearest to a circle. Select
+    each section from the border of the flat bottom to that of the flat side"""
+
+    bl_idname = "hull.round_bilge"
+    bl_label = "Bilge Radius"
+
+    radius: FloatProperty(
+        name="Radius",
+        description="Of the circle between flat bottom and flat side",
+        default=1.0,
+        min=1e-3,
+        unit="LENGTH",
+        subtype="DISTANCE",
+        precision=4,
+    )
+    move_borders: BoolProperty(
+        name="Best borders",
+        description="Creases along the flats lie a little further out than where the circle "
+        "touches: the section is nearer to the circle, and its curvature more even",
+    )
+
+    def run_on(self, hull, context):
+        found = bilge.round_selected(hull, context.scene, self.radius, self.move_borders)
+        worst = max(found, key=lambda one: one.best if one.found is None else one.found)
+        self.report({"INFO"}, _words(found, worst, context.scene))
+
+
+def _words(found, worst, scene):
+    sections = "1 section" if len(found) == 1 else f"{len(found)} sections"
+    if worst.found is None:
+        return f"{sections}: the surface has no section there; at best {_part(worst, worst.best)}"
+    at = units.format_value(scene, worst.x, "m")
+    return (
+        f"{sections}, {worst.count} points: off the circle by {_part(worst, worst.found)} at x = "
+        f"{at}; between equal sections {_part(worst, worst.best)}"
+    )
+
+
+def _part(one, deviation):
+    return f"{units.format_mm(deviation)} ({100.0 * deviation / one.radius:.3f} %)"
+
+
+CLASSES = (HULL_OT_round_bilge,)
