@@ -86,3 +86,15 @@ def lined_hull():
     plane.normal, plane.point = (1.0, 1.0, 0.0), (5.0, 0.0, 0.0)
     bpy.context.view_layer.update()
     return hull
+
+
+def shown_points(surface, hull):
+    """The points in m that a hull's surface object has to show of a LimitSurface; both sides."""
+    import numpy as np
+
+    points = surface.tessellate(hull.hull.samples).points
+    if not hull.hull.half:
+        return points
+    on_plane = np.abs(points[:, 1]) < 1e-8
+    points[on_plane, 1] = 0.0
+    return np.concatenate([points, points[~on_plane] * [1.0, -1.0, 1.0]])

@@ -9,7 +9,15 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import LENGTH, add_hull, make_active, mesh_points, part, state_of
+from addon_under_test import (
+    LENGTH,
+    add_hull,
+    make_active,
+    mesh_points,
+    part,
+    shown_points,
+    state_of,
+)
 
 STEPS = 80
 
@@ -112,8 +120,7 @@ def fresh_points(hull):
     arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
-    tessellation = surface.tessellate(hull.hull.samples)
-    return part("bridge.surface_object").surface_points(tessellation, hull.hull.half)[0]
+    return shown_points(surface, hull)
 
 
 def assert_all_is_in_step(session, where):

@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import LENGTH, add_hull, mesh_points, part, state_of
+from addon_under_test import LENGTH, add_hull, mesh_points, part, shown_points, state_of
 
 
 def fresh_surface_points(hull):
@@ -13,12 +13,7 @@ def fresh_surface_points(hull):
     arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
-    points = surface.tessellate(hull.hull.samples).points
-    if not hull.hull.half:
-        return points
-    on_plane = np.abs(points[:, 1]) < 1e-8
-    points[on_plane, 1] = 0.0
-    return np.concatenate([points, points[~on_plane] * [1.0, -1.0, 1.0]])
+    return shown_points(surface, hull)
 
 
 def assert_surface_is_fresh(hull):

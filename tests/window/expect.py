@@ -2,7 +2,7 @@
 """What is expected of a hull at any moment: all that is shown is of the mesh as it is now."""
 
 import numpy as np
-from addon_under_test import mesh_points, part, state_of
+from addon_under_test import mesh_points, part, shown_points, state_of
 
 
 def edited_points(hull):
@@ -17,21 +17,21 @@ def assert_follows(hull):
     source, surface = _fresh(hull)
     size = max(hull.dimensions)
 
-    tessellation = surface.tessellate(settings.samples)
-    wanted = part("bridge.surface_object").surface_points(tessellation, settings.half)[0]
+    wanted = shown_points(surface, hull)
     shown = mesh_points(settings.surface_object)
     assert shown.shape == wanted.shape
     # Blender keeps points in single precision.
     assert np.abs(shown - wanted).max() <= 1e-6 * size
 
     where = part("bridge.afloat").afloat(settings, 1.0)
-    fresh = part("bridge.hydrostatics").at(source.live_body(surface), where)
+    fresh = part("bridge.hydrostatics").particulars(source.live_body(surface), where)
     volume = state.hydrostatics.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
 
     lines = part("bridge.lines")
     cuts = lines.wanted_cuts(settings, surface.mesh.points, 1.0)
-    groups = lines.groups({}, surface, cuts, settings.half, None)
+    nothing_known = part("bridge.moves").Moves(None, None, None)
+    groups = lines.groups({}, surface, cuts, settings.half, nothing_known)
     assert groups.keys() == state.lines.keys()
     for kind, group in groups.items():
         _assert_same_lines(state.lines[kind].polylines, group.polylines, 1e-9 * size)
