@@ -36,21 +36,9 @@ def _draw_in_menu(self, context):
     layout.operator("hull.surface_to_coordinate", text="Surface to Coordinate …")
 
 
-def _draw_locks(self, context):
-    if hull_objects.hull_of(context.object) is None:
-        return
-    layout = self.layout
-    layout.separator()
-    layout.operator("hull.lock_points")
-    layout.operator("hull.unlock_points")
-    layout.operator("hull.select_locked")
-    layout.operator("hull.round_bilge")
-
-
 CLASSES = (HULL_PT_pull,)
 
 DRAWN_IN = {
     "VIEW3D_MT_edit_mesh": _draw_in_menu,
     "VIEW3D_MT_object": _draw_in_menu,
-    "VIEW3D_MT_edit_mesh_vertices": _draw_locks,
 }
