@@ -209,6 +209,7 @@ def test_points_are_put_in_the_nearest_line():
     bm = bmesh.from_edit_mesh(hull.data)
     bm.verts.ensure_lookup_table()
     select_points(hull, [5])
+    hull.hull.keep_centre = False
     bm.verts[5].co = (4.3, -0.8, 1.4)
     for plane in ("STATION", "WATERLINE", "BUTTOCK"):
         bpy.ops.hull.put_in_plane(plane=plane, place="NEAREST")

@@ -16,6 +16,7 @@ import numpy as np
 
 from . import (
     afloat,
+    centre_keeping,
     combs,
     flat_keeping,
     hull_objects,
@@ -33,6 +34,9 @@ from . import (
 
 _states = {}
 
+_HELD_IN_FLATS = "Points stay in their flats: Release under Shape frees them."
+_HELD_ON_CENTRE = "Points stay on the centre plane: Keep on centre, switched off, frees them."
+
 
 @dataclass
 class HullState:
@@ -49,7 +53,8 @@ class HullState:
     analyses: see bridge.analyses. task, conversion: what is converted or written, and what came of
     the last conversion: see bridge.conversions. worst_spot: the one of patches.SPOTS that is marked
     in the 3D view, or "". keys: what each result was computed from. flat_memory: see
-    bridge.flat_keeping. name: the object's.
+    bridge.flat_keeping. held: what points were kept from in the last edit that moved any, for the
+    user, or "". is_placed: undo or numbers have put the points where they are. name: the object's.
     """
 
     name: str
@@ -76,6 +81,8 @@ class HullState:
     worst_spot: str = ""
     keys: dict = field(default_factory=dict)
     flat_memory: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)
+    held: str = ""
+    is_placed: bool = False
 
     @property
     def ship(self):
@@ -105,9 +112,16 @@ def forget_all():
 
 
 def forget_shown():
-    """Forgets what surface objects show, after they changed by themselves."""
+    """Forgets what surface objects show, after undo has changed them and the hulls."""
     for state in _states.values():
         shown_surface.forget(state)
+        state.is_placed = True
+
+
+def let_be_placed(obj):
+    """What is about to move a hull's points places them on purpose, the centre plane or not."""
+    if state_of(obj) is not None:
+        state_of(obj).is_placed = True
 
 
 def forget_deleted():
@@ -142,17 +156,21 @@ def _refresh(obj, scene, state):
     if reason:
         raise ValueError(reason)
     state.remarks = hull_objects.remarks(obj)
-    flat_keeping.keep(obj, state.flat_memory)
+    held = [_HELD_IN_FLATS] if flat_keeping.keep(obj, state.flat_memory) else []
     scale = units.metres_per_unit(scene)
-    geometry_key = _update_ship(obj, state, scale)
+    geometry_before = state.keys.get("geometry")
+    geometry_key = _update_ship(obj, state, scale, held)
+    if held or geometry_key != geometry_before:
+        state.held = " ".join(held)
     shown_surface.follow(obj, state, scale, geometry_key)
     _update_hydrostatics(obj, state, scale)
     _update_lines(obj, state, scale)
     _update_fairness(obj, state, scale)
 
 
-def _update_ship(obj, state, scale):
-    """Brings surface, body and source up to date; returns the key of the surface.
+def _update_ship(obj, state, scale, held):
+    """Brings surface, body and source up to date; returns the key of the surface. What points are
+    kept from is added to the texts `held`.
 
     ValueError with the first error of a mesh that has any.
     """
@@ -160,6 +178,13 @@ def _update_ship(obj, state, scale):
     data = mesh_arrays.read_mesh(obj.data)
     excluded = hull_objects.excluded_slots(obj)
     topology_key = (data.topology_digest(), excluded, settings.half, settings.scheme)
+    if _keeps_centre(obj, state, topology_key):
+        border = state.surface.mesh.border_edges
+        kept = centre_keeping.kept(obj, data, state.source.control, border)
+        if kept is not data:
+            data = kept
+            held.append(_HELD_ON_CENTRE)
+    state.is_placed = False
     geometry_key = (topology_key, data.points_digest(), scale)
     marks = np.packbits(data.deck_edges).tobytes()
     openings = "closed" if settings.deck_closed else "open"
@@ -175,6 +200,19 @@ def _update_ship(obj, state, scale):
     if state.check.errors:
         raise ValueError(state.check.errors[0].message)
     return geometry_key
+
+
+def _keeps_centre(obj, state, topology_key):
+    """Whether points were moved by hand, so that those on the centre plane are to stay there."""
+    settings = obj.hull
+    return (
+        settings.half
+        and settings.keep_centre
+        and obj.data.is_editmode
+        and not state.is_placed
+        and state.surface is not None
+        and state.keys.get("topology") == topology_key
+    )
 
 
 def _make_body(state, mesh, source, topology_key, geometry_key):

@@ -39,7 +39,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         if hull_objects.is_turned(hull):
             button = layout.operator("object.transform_apply", text="Apply", icon="CHECKMARK")
             button.location = False
-        for remark in state.remarks:
+        for remark in (*state.remarks, *([state.held] if state.held else [])):
             label_wrapped(layout, context, remark, icon="INFO")
 
     def _draw_particulars(self, layout, settings):
@@ -50,6 +50,8 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         row = layout.row(align=True)
         row.prop(settings, "half")
         row.operator("hull.make_whole" if settings.half else "hull.make_half")
+        if settings.half:
+            layout.prop(settings, "keep_centre")
 
 
 class HULL_PT_check(HullPanel, bpy.types.Panel):

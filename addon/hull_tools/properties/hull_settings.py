@@ -59,6 +59,12 @@ class HullSettings(bpy.types.PropertyGroup):
         default=True,
         update=changed,
     )
+    keep_centre: BoolProperty(
+        name="Keep on centre",
+        description="Points of a half hull's border that are on the centre plane stay there while "
+        "they are moved in edit mode, so that both halves stay joined",
+        default=True,
+    )
     source: StringProperty(name="Source", description="Where the hull comes from")
 
     length_pp: length("Lpp", "Length between perpendiculars; stations divide it")
