@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is on the docs' pictures, by the files' names: PANELS of the sidebar, VIEWS of the window.
+They are set up by generators as the tests of the window are: see tests/window/stepping.py."""
+
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+from addon_under_test import part
+from editing import select
+from expect import edited_points
+from mathutils import Vector
+from screenshot_tools import save_smaller
+
+# The view over the bow from port, where the control points are, as the angles of its turn.
+_OVER_THE_BOW = (74.0, 0.0, 142.0)
+
+
+@dataclass(frozen=True)
+class PanelShot:
+    """Panels alone. panels: class names; prepare(hull): what is set before; in_edit_mode;
+    analyses: those that are shown."""
+
+    panels: tuple
+    prepare: object = None
+    in_edit_mode: bool = False
+    analyses: tuple = ()
+
+
+def hull_panels(*names):
+    return tuple(f"HULL_PT_{name}" for name in names)
+
+
+def _load(window, name="coaster"):
+    with window.in_view():
+        bpy.ops.hull.load_sample(name=name)
+    return bpy.context.view_layer.objects.active
+
+
+def panel_scene(window, shot):
+    hull = _load(window)
+    if shot.prepare is not None:
+        shot.prepare(hull)
+    bpy.context.view_layer.update()
+    if shot.in_edit_mode:
+        bpy.ops.object.mode_set(mode="EDIT")
+    # Only what is drawn asks for analyses that take their time.
+    window.open_sidebar()
+    yield
+    yield lambda: _are_known(hull, shot.analyses)
+    yield
+
+
+def _are_known(hull, analyses):
+    last_outcome = part("bridge.analyses").last_outcome
+    return all(last_outcome(hull, bpy.context.scene, name)[1] for name in analyses)
+
+
+def _with_combs(hull):
+    hull.hull.fairness.comb_stations = True
+    hull.hull.fairness.colours = "GAUSSIAN"
+
+
+def _with_load_case(hull):
+    hull.hull.loading.kg = 5.0
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.add_load_case()
+
+
+PANELS = {
+    "panels/hull": PanelShot(hull_panels("hull", "check")),
+    "panels/surface": PanelShot(hull_panels("surface")),
+    "panels/edges-and-points": PanelShot(
+        hull_panels("tags", "select", "shown_tags"), in_edit_mode=True
+    ),
+    "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
+    "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
+    "panels/sections": PanelShot(hull_panels("sections", "planes")),
+    "panels/fairness": PanelShot(hull_panels("fairness", "combs", "reflections"), _with_combs),
+    "panels/hydrostatics": PanelShot(
+        hull_panels(
+            "hydrostatics",
+            "hydrostatics_displacement",
+            "hydrostatics_centres",
+            "hydrostatics_stability",
+            "hydrostatic_table",
+        )
+    ),
+    "panels/stability": PanelShot(
+        hull_panels("stability", "flooding_points", "load_cases"),
+        _with_load_case,
+        analyses=("righting_levers", "load_cases"),
+    ),
+    "panels/plots": PanelShot(hull_panels("plots")),
+    "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
+    "panels/export": PanelShot(hull_panels("export", "patches", "cad_file")),
+}
+
+
+@dataclass(frozen=True)
+class View:
+    """The whole window. scene(window) sets it up; panels: class names of those in the sidebar."""
+
+    scene: object
+    panels: tuple
+
+
+def _new_hull(window, closer=1.7):
+    """A hull as Add > Mesh > Ship Hull makes it, in a window that is nothing but the 3D view."""
+    with window.in_view():
+        bpy.ops.screen.screen_full_area()
+    yield
+    space = window.space
+    space.show_region_toolbar, space.shading.color_type, space.lens = False, "MATERIAL", 90.0
+    window.move_to_middle()
+    window.search("round bilge")
+    yield
+    hull = bpy.context.view_layer.objects.active
+    window.open_sidebar()
+    yield
+    window.look(hull, _OVER_THE_BOW, is_perspective=True)
+    space.region_3d.view_distance /= closer
+    yield
+    return hull
+
+
+def _added(window):
+    yield from _new_hull(window)
+    region = window.region()
+    window.move_to(region.x + 0.2 * region.width, region.y + 0.45 * region.height)
+    window.press("F9")
+    yield
+
+
+def _edited(window):
+    hull = yield from _new_hull(window, closer=1.75)
+    with window.in_view():
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="DESELECT")
+    points = edited_points(hull)
+    wanted = points.max(axis=0) * [0.75, 1.0, 0.5]
+    nearest = int(np.linalg.norm(points - wanted, axis=1).argmin())
+    select(hull, nearest)
+    window.move_to_point(hull, Vector(points[nearest].tolist()))
+    window.press("G")
+    window.press("Y")
+    window.move_by(16, -6)
+    yield
+
+
+def _pie(window):
+    hull = yield from _new_hull(window, closer=1.75)
+    with window.in_view():
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_mode(type="EDGE")
+        bpy.ops.mesh.select_all(action="DESELECT")
+    edges = [edge for edge in bmesh.from_edit_mesh(hull.data).edges if len(edge.link_faces) == 2]
+    # One along the hull, nearest to a place at the bilge forward.
+    length, height = hull.dimensions.x, hull.dimensions.z
+    place = Vector((0.6 * length, hull.dimensions.y, 0.3 * height))
+    along = [e for e in edges if abs(e.verts[0].co.x - e.verts[1].co.x) > 0.5 * e.calc_length()]
+    nearest = min(along, key=lambda edge: (edge.verts[0].co - place).length)
+    select(hull, nearest.index, kind="edges")
+    with window.in_view():
+        bpy.ops.mesh.loop_multi_select(ring=False)
+    window.press("Q", shift=True)
+    window.move_by(-60, 0)
+    yield
+
+
+def _judged(window):
+    hull = yield from _new_hull(window)
+    fairness = hull.hull.fairness
+    fairness.colours, fairness.comb_stations = "GAUSSIAN", True
+    hull.hull.lines.show_buttocks = hull.hull.lines.show_waterlines = False
+    bpy.context.view_layer.update()
+    yield
+
+
+def _measured(window):
+    hull = yield from _new_hull(window)
+    window.space.region_3d.view_location.y -= 0.3 * hull.dimensions.x
+    hull.hull.plots.sectional_areas, hull.hull.plots.corner = True, "BOTTOM_LEFT"
+    bpy.context.view_layer.update()
+    yield
+    yield lambda: _are_known(hull, ("sectional_areas",))
+    yield
+
+
+def _plan(window, path):
+    """The lines plan of the new hull, as the button writes it."""
+    yield from _new_hull(window)
+    bpy.ops.hull.export_lines(filepath=path)
+    save_smaller(path, 3)
+
+
+_NUMBERS = hull_panels(
+    "hydrostatics", "hydrostatics_displacement", "hydrostatics_centres", "hydrostatics_stability"
+)
+VIEWS = {
+    "first-hull/added": View(_added, hull_panels("hull", "surface")),
+    "first-hull/edited": View(_edited, _NUMBERS),
+    "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),
+    "first-hull/judged": View(_judged, hull_panels("fairness", "combs")),
+    "first-hull/measured": View(_measured, (*_NUMBERS, "HULL_PT_plots")),
+}
+
+# By the file's name a scene that writes the picture to a path itself.
+DRAWINGS = {"first-hull/lines-plan": _plan}
