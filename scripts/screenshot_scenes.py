@@ -106,7 +106,7 @@ class View:
     panels: tuple
 
 
-def _new_hull(window, closer=1.7):
+def _new_hull(window, closer=1.5):
     """A hull as Add > Mesh > Ship Hull makes it, in a window that is nothing but the 3D view."""
     with window.in_view():
         bpy.ops.screen.screen_full_area()
@@ -134,7 +134,7 @@ def _added(window):
 
 
 def _edited(window):
-    hull = yield from _new_hull(window, closer=1.75)
+    hull = yield from _new_hull(window, closer=1.6)
     with window.in_view():
         bpy.ops.object.mode_set(mode="EDIT")
         bpy.ops.mesh.select_all(action="DESELECT")
@@ -145,12 +145,12 @@ def _edited(window):
     window.move_to_point(hull, Vector(points[nearest].tolist()))
     window.press("G")
     window.press("Y")
-    window.move_by(16, -6)
+    window.move_by(6, -2)
     yield
 
 
 def _pie(window):
-    hull = yield from _new_hull(window, closer=1.75)
+    hull = yield from _new_hull(window, closer=1.6)
     with window.in_view():
         bpy.ops.object.mode_set(mode="EDIT")
         bpy.ops.mesh.select_mode(type="EDGE")
@@ -180,8 +180,8 @@ def _judged(window):
 
 def _measured(window):
     hull = yield from _new_hull(window)
-    window.space.region_3d.view_location.y -= 0.3 * hull.dimensions.x
-    hull.hull.plots.sectional_areas, hull.hull.plots.corner = True, "BOTTOM_LEFT"
+    window.space.region_3d.view_location.z += 0.17 * hull.dimensions.x
+    hull.hull.plots.sectional_areas, hull.hull.plots.corner = True, "TOP_LEFT"
     bpy.context.view_layer.update()
     yield
     yield lambda: _are_known(hull, ("sectional_areas",))
