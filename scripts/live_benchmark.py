@@ -44,6 +44,8 @@ STEPS = (
     ("bridge.hull_state", "_update_lines", "lines"),
     ("bridge.hull_state", "_update_fairness", "combs"),
     ("bridge.live_analyses", "show_plots", "sectional areas, plots"),
+    ("overlays.lines", "_batch_of", "lines to the graphics card"),
+    ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
 DRAWN = ("lines", "marks", "tags", "legend", "spots", "status")
 NOT_OURS = ("Blender's update", "Blender's drawing")

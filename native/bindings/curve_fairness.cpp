@@ -85,6 +85,22 @@ py::array_t<double> comb_of(const CurveFairness& curve, double scale) {
   return array;
 }
 
+// Lists of SectionCurve, one for each plane; they must outlive what is returned.
+std::vector<std::vector<const SectionCurve*>> curves_from(const py::list& sections,
+                                                          std::size_t planes) {
+  if (sections.size() != planes) {
+    throw std::invalid_argument("Give as many sections as planes, " + std::to_string(planes) +
+                                ", not " + std::to_string(sections.size()) + ".");
+  }
+  std::vector<std::vector<const SectionCurve*>> curves(planes);
+  for (std::size_t i = 0; i < planes; ++i) {
+    for (const py::handle curve : sections[i]) {
+      curves[i].push_back(&curve.cast<const SectionCurve&>());
+    }
+  }
+  return curves;
+}
+
 void bind_marks(py::module_& module) {
   py::class_<CurveMarks>(module, "CurveMarks",
                          "Inflections and curvature extrema of a curve, in its order.")
@@ -159,8 +175,14 @@ void bind_curve_fairness(py::module_& module) {
       [](const LimitSurface& surface, const DoubleArray& planes, std::optional<double> step,
          std::optional<int> count, std::optional<double> chord_tolerance,
          std::optional<double> flat_tolerance, std::optional<double> noise, double relative_noise,
-         bool marks) {
+         bool marks, const std::optional<py::list>& sections) {
         const std::vector<Plane> wanted = planes_from(planes);
+        if (sections) {
+          const auto curves = curves_from(*sections, wanted.size());
+          const py::gil_scoped_release release;
+          return section_fairness(surface, wanted, curves,
+                                  {step, count, noise, relative_noise, marks});
+        }
         const SectionOptions sampling{
             chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
         const py::gil_scoped_release release;
@@ -170,7 +192,7 @@ void bind_curve_fairness(py::module_& module) {
       py::arg("surface"), py::arg("planes"), py::kw_only(), py::arg("step") = py::none(),
       py::arg("count") = py::none(), py::arg("chord_tolerance") = py::none(),
       py::arg("flat_tolerance") = py::none(), py::arg("noise") = py::none(),
-      py::arg("relative_noise") = 1e-3, py::arg("marks") = true,
+      py::arg("relative_noise") = 1e-3, py::arg("marks") = true, py::arg("sections") = py::none(),
       "Sections by planes (n, 4), as for sections(), with what is needed to judge them: a list of "
       "n lists of CurveFairness.\n\n"
       "step: largest distance of samples along the curve, m (default 1/200 of the mesh's size); or "
@@ -180,7 +202,10 @@ void bind_curve_fairness(py::module_& module) {
       "Inflections count between places that bend to different sides by more than the noise, "
       "extrema where curvature falls by more than that on either side: noise (1/m; default 1e-3 "
       "over the mesh's size), or relative_noise times the curvature that 95 % of the curve stay "
-      "below, whichever is more. With marks=False none are looked for, which takes half the time. "
+      "below, whichever is more. With marks=False none are looked for, which takes half the "
+      "time.\n\n"
+      "sections: what sections() gave for these planes, of the surface as it is, to a "
+      "chord_tolerance no coarser than the default; nothing is cut then. "
       "ValueError for planes, tolerances and options out of range.");
   module.def(
       "feature_fairness",

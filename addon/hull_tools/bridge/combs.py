@@ -135,9 +135,10 @@ class CombGroup:
         return {name: sum(len(marks[name]) for marks in own) for name in MARKS}
 
 
-def combs(known, surface, settings, moved, metres_per_unit):
+def combs(known, surface, settings, moved, metres_per_unit, shown=()):
     """CombGroup by kind that an Object.hull wants; `known` ones are taken that are the same still,
-    and of the others the sections that are. moved: the moves.Moves of the surface.
+    and of the others the sections that are. moved: the moves.Moves of the surface. shown:
+    lines.Group of the surface as it is, whose sections need not be cut again.
 
     The scale of a kind is chosen when it is switched on, or when the mesh's faces change; then it
     stays, so that combs can be compared while points move.
@@ -149,6 +150,7 @@ def combs(known, surface, settings, moved, metres_per_unit):
     size = lines.size_of(surface)
     rules = _rules(surface, as_typed(fairness.comb_step) * metres_per_unit)
     cuts = lines.cuts_of_kinds(settings, surface.mesh.points, metres_per_unit, kinds)
+    cut_already = {one.cut: one.curves for group in shown for one in group.sections}
     groups = {}
     for kind in kinds:
         key = (moved.after, settings.half, cuts[kind], tuple(rules.values()))
@@ -156,7 +158,7 @@ def combs(known, surface, settings, moved, metres_per_unit):
         if before is not None and before.key == key:
             groups[kind] = before
             continue
-        sections = _judged(surface, kind, cuts[kind], rules, before, moved)
+        sections = _judged(surface, kind, cuts[kind], rules, before, moved, cut_already)
         if before is not None and before.scale > 0.0 and before.key[0][0] == moved.after[0]:
             scale = before.scale
         else:
@@ -186,14 +188,22 @@ def _handy_scale(curves, size):
     return min(scale, height * size / _STRAIGHT)
 
 
-def _judged(surface, kind, cuts, rules, before, moved):
+def _judged(surface, kind, cuts, rules, before, moved, cut_already):
     hull_native = native.require()
     judged = _judgements_that_stay(before, rules, moved)
     new = [cut for cut in cuts if cut not in judged]
-    if new:
-        planes = np.array([cut.plane for cut in new])
-        found = hull_native.section_fairness(surface, planes, **rules)
-        judged.update((cut, Judged(cut, own, rules["noise"])) for cut, own in zip(new, found))
+    for own, sections in (
+        ([cut for cut in new if cut in cut_already], True),
+        ([cut for cut in new if cut not in cut_already], False),
+    ):
+        if own:
+            found = hull_native.section_fairness(
+                surface,
+                np.array([cut.plane for cut in own]),
+                sections=[cut_already[cut] for cut in own] if sections else None,
+                **rules,
+            )
+            judged.update((cut, Judged(cut, one, rules["noise"])) for cut, one in zip(own, found))
     sections = [judged[cut] for cut in cuts]
     if kind == "feature":
         found = hull_native.feature_fairness(surface, step=rules["step"], noise=rules["noise"])

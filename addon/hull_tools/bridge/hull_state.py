@@ -250,7 +250,8 @@ def _update_lines(obj, state, scale):
 def _update_fairness(obj, state, scale):
     settings, surface = obj.hull, state.surface
     try:
-        state.combs = combs.combs(state.combs, surface, settings, state.moved, scale)
+        shown = [group for group in state.lines.values() if group.key[0] == state.moved.after]
+        state.combs = combs.combs(state.combs, surface, settings, state.moved, scale, shown)
         state.level_lines = level_lines.level_lines(
             state.level_lines, surface, settings, state.moved.after
         )

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -99,10 +100,22 @@ std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& sur
                                                          const std::vector<Plane>& planes,
                                                          const SectionOptions& sampling,
                                                          const FairnessOptions& options) {
-  const Rules rules = rules_from(surface, options);
+  rules_from(surface, options);  // what is out of range is known before anything is cut
   SectionOptions fine = sampling;
   fine.chord_tolerance = std::min(fine.chord_tolerance, kCoarsest * surface.mesh().size());
-  const auto curves = sections(surface, planes, fine);
+  const auto cut = sections(surface, planes, fine);
+  std::vector<std::vector<const SectionCurve*>> curves(planes.size());
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    for (const SectionCurve& curve : cut[i]) curves[i].push_back(&curve);
+  }
+  return section_fairness(surface, planes, curves, options);
+}
+
+std::vector<std::vector<CurveFairness>> section_fairness(
+    const LimitSurface& surface, const std::vector<Plane>& planes,
+    const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options) {
+  assert(curves.size() == planes.size());
+  const Rules rules = rules_from(surface, options);
   std::vector<std::vector<CurveFairness>> result(planes.size());
   constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a plane's curves take some 100 microseconds
@@ -110,8 +123,8 @@ std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& sur
       planes.size(), kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          for (const SectionCurve& curve : curves[i]) {
-            result[i].push_back(judged(surface, planes[i], curve, rules));
+          for (const SectionCurve* curve : curves[i]) {
+            result[i].push_back(judged(surface, planes[i], *curve, rules));
           }
         }
       },

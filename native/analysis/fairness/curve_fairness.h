@@ -46,6 +46,12 @@ std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& sur
                                                          const SectionOptions& sampling,
                                                          const FairnessOptions& options);
 
+// The same of sections that are there: curves[i] are those by planes[i], as sections() gives them
+// to a chord tolerance no coarser than 1e-5 of the mesh's size. REQUIRES: as many as planes.
+std::vector<std::vector<CurveFairness>> section_fairness(
+    const LimitSurface& surface, const std::vector<Plane>& planes,
+    const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options);
+
 // Creases and borders, as crease_curves() gives them. With a direction of view (of any length) they
 // are judged as seen along it. Else plane curves are judged in their plane, seen against that
 // normal whose largest component is positive; others by the length of their curvature vector, which

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/arithmetic/bracketed_maximum.h"
 #include "analysis/arithmetic/bracketed_root.h"
 
 namespace hull {
@@ -133,34 +134,19 @@ class Marker {
     }
   }
 
-  // The largest value of sign * curvature about a probe, by golden sections (Kiefer 1953).
+  // The largest value of sign * curvature about a probe.
   void add_extremum(std::size_t at, double sign) {
     if (at == 0 && !curve_.closed()) return;
     const double before = at > 0 ? along_[at - 1].s : along_[at].s - (along_[1].s - along_[0].s);
-    double a = before, b = along_[std::min(at + 1, along_.size() - 1)].s;
-    constexpr double kGolden = 0.6180339887498949;
-    double x = b - kGolden * (b - a), y = a + kGolden * (b - a);
-    double fx = sign * curvature(x), fy = sign * curvature(y);
-    while (b - a > kExtremumWidth * curve_.length()) {
-      if (fx > fy) {
-        b = y;
-        y = x;
-        fy = fx;
-        x = b - kGolden * (b - a);
-        fx = sign * curvature(x);
-      } else {
-        a = x;
-        x = y;
-        fx = fy;
-        y = a + kGolden * (b - a);
-        fy = sign * curvature(y);
-      }
-    }
+    const double after = along_[std::min(at + 1, along_.size() - 1)].s;
+    const auto f = [&](double s) { return sign * curvature(s); };
+    const auto [place, largest] =
+        bracketed_maximum(f, before, after, kExtremumWidth * curve_.length());
     // A peak at the probe itself, at a knot, may be sharper than the search has seen.
     double s = along_[at].s, value = sign * along_[at].curvature;
-    if (std::max(fx, fy) > value) {
-      s = fx > fy ? x : y;
-      value = std::max(fx, fy);
+    if (largest > value) {
+      s = place;
+      value = largest;
     }
     value *= sign;
     const auto kind = sign > 0.0 ? CurveMark::Kind::kMaximum : CurveMark::Kind::kMinimum;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMostSteps = 20;
 constexpr double kConverged = 1e-14;  // of the mesh's size
+constexpr double kLastStep = 1e-8;    // in (u, v): what Newton's method still misses is its square
 constexpr double kOnCurve = 1e-10;
 
 // Length of an arc by its chord and the curvatures at its ends.
@@ -137,8 +138,8 @@ bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vect
     if (determinant == 0.0) break;
     const Eigen::Vector2d moved = (uv - slopes.inverse() * missed).cwiseMax(0.0).cwiseMin(1.0) - uv;
     if (!moved.allFinite()) break;
-    if (moved.cwiseAbs().maxCoeff() == 0.0) break;
     uv += moved;
+    if (moved.cwiseAbs().maxCoeff() < kLastStep) break;
   }
   jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
   if (!(std::abs(plane_.height(jet.point)) <= kOnCurve * size)) return false;
