@@ -107,17 +107,21 @@ class CombGroup:
     def curves(self):
         return [curve for section in self.sections for curve in section.curves]
 
-    def segments(self, scale):
-        """(segments (n, 2, 3), how many of them at the start are teeth), in m; scale in m²."""
+    def comb(self, scale):
+        """(points (n, 3), ends of their teeth (n, 3), pairs (m, 2) of ends that a line joins), in
+        m; scale in m²."""
         if not self.sections:
-            return np.empty((0, 2, 3)), 0
+            return np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 2), dtype=np.int64)
         combs = [section.comb for section in self.sections]
         points, bends = (np.concatenate([comb[i] for comb in combs]) for i in (0, 1))
         firsts = np.cumsum([0, *(len(comb[0]) for comb in combs[:-1])])
         pairs = np.concatenate([comb[2] + first for comb, first in zip(combs, firsts)])
-        tips = points - scale * bends
-        teeth = np.stack([points, tips], axis=1)
-        return np.concatenate([teeth, tips[pairs]]), len(teeth)
+        return points, points - scale * bends, pairs
+
+    def segments(self, scale):
+        """(segments (n, 2, 3), how many of them at the start are teeth), in m; scale in m²."""
+        points, tips, pairs = self.comb(scale)
+        return np.concatenate([np.stack([points, tips], axis=1), tips[pairs]]), len(points)
 
     @cached_property
     def marks(self):

@@ -190,12 +190,16 @@ def _update_ship(obj, state, scale, held):
     openings = "closed" if settings.deck_closed else "open"
     key = (geometry_key, openings, marks)
     if state.keys.get("ship") != key:
-        control = mesh_arrays.control_arrays(data, scale, excluded)
+        if state.keys.get("control") == (topology_key, marks):
+            control = mesh_arrays.moved_arrays(state.source.control, data, scale)
+        else:
+            control = mesh_arrays.control_arrays(data, scale, excluded)
         state.check, mesh = mesh_check.check_control_mesh(data, control, settings.half)
         if mesh is not None:
             deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
             source = ship.ShipSource(control, settings.scheme, settings.half, openings, deck_edge)
             _make_body(state, mesh, source, topology_key, geometry_key)
+            state.keys["control"] = topology_key, marks
         state.keys["ship"] = key
     if state.check.errors:
         raise ValueError(state.check.errors[0].message)

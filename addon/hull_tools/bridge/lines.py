@@ -6,7 +6,7 @@ it in one go.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -143,6 +143,7 @@ def cuts_of_kinds(settings, points, metres_per_unit, kinds):
     return {kind: tuple(cuts[kind]) for kind in kinds}
 
 
+@lru_cache(maxsize=1024)
 def _across(axis, position, is_image=False):
     normal = [0.0, 0.0, 0.0]
     normal[axis] = 1.0

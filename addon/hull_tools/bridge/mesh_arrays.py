@@ -7,7 +7,7 @@ is no tag of a hull and is told apart so that it can be reported.
 """
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 
 import bmesh
@@ -159,6 +159,12 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
         np.flatnonzero(in_shell),
         on_shell(data.edges[data.deck_edges]),
     )
+
+
+def moved_arrays(control, data, metres_per_unit):
+    """The ControlArrays `control` with the points of a mesh that differs by their places only."""
+    points = data.points[control.vertex_ids].astype(np.float64) * metres_per_unit
+    return replace(control, points=points)
 
 
 def fractional_creases(data):

@@ -29,7 +29,12 @@ def strokes_of(polylines):
     return Strokes(points, np.stack([firsts, firsts + 1], axis=1))
 
 
-def strokes_of_segments(segments):
-    """The Strokes of segments (n, 2, 3)."""
-    points = segments.reshape(-1, 3).astype(np.float32)
-    return Strokes(points, np.arange(len(points), dtype=np.int32).reshape(-1, 2))
+def comb_strokes(points, tips, pairs):
+    """The Strokes of teeth from points (n, 3) to their tips, and of the line that joins pairs
+    (m, 2) of tips."""
+    count = len(points)
+    corners = np.empty((2 * count, 3), dtype=np.float32)
+    corners[:count], corners[count:] = points, tips
+    numbers = np.arange(count, dtype=np.int32)
+    teeth = np.stack([numbers, numbers + count], axis=1)
+    return Strokes(corners, teeth), Strokes(corners, pairs.astype(np.int32) + count)

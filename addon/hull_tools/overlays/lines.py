@@ -9,11 +9,10 @@ import weakref
 from contextlib import contextmanager
 
 import gpu
-import numpy as np
 from gpu.types import GPUBatch, GPUIndexBuf, GPUVertBuf
 
 from ..bridge import blender_versions, preferences
-from .line_arrays import Strokes, strokes_of, strokes_of_segments
+from .line_arrays import comb_strokes, strokes_of
 from .view import Handler, hulls_in_view
 
 # Times the width that is set.
@@ -87,27 +86,35 @@ class _Pen:
 
 def _batch_of(group, shader):
     if group not in _batches:
-        _batches[group] = _stroke_batch(shader, strokes_of(group.polylines))
+        strokes = strokes_of(group.polylines)
+        _batches[group] = _batch(_buffer(strokes.points, shader), strokes)
     return _batches[group]
 
 
 def _comb_batches_of(group, scale, shader):
     known = _comb_batches.get(group)
     if known is None or known[0] != scale:
-        segments, teeth_count = group.segments(scale)
-        parts = (segments[:teeth_count], segments[teeth_count:])
-        known = scale, *(_stroke_batch(shader, strokes_of_segments(part)) for part in parts)
+        teeth, outline = comb_strokes(*group.comb(scale))
+        buffer = _buffer(teeth.points, shader)
+        known = scale, _batch(buffer, teeth), _batch(buffer, outline)
         _comb_batches[group] = known
     return known[1:]
 
 
-def _stroke_batch(shader, strokes: Strokes):
-    """Strokes on the graphics card; None where there are none."""
-    if not len(strokes):
+def _buffer(points, shader):
+    """Points (n, 3) on the graphics card; None where there are none."""
+    if not len(points):
         return None
-    points = GPUVertBuf(shader.format_calc(), len(strokes.points))
-    points.attr_fill("pos", np.ascontiguousarray(strokes.points))
-    return GPUBatch(type="LINES", buf=points, elem=GPUIndexBuf(type="LINES", seq=strokes.segments))
+    buffer = GPUVertBuf(shader.format_calc(), len(points))
+    buffer.attr_fill("pos", points)
+    return buffer
+
+
+def _batch(buffer, strokes):
+    """Strokes between the points of a buffer; None where there are none."""
+    if buffer is None or not len(strokes):
+        return None
+    return GPUBatch(type="LINES", buf=buffer, elem=GPUIndexBuf(type="LINES", seq=strokes.segments))
 
 
 _handler = Handler(_draw, "POST_VIEW")

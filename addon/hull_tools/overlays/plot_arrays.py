@@ -82,11 +82,11 @@ def _dashed(points, dashes):
 
 def _joined(parts):
     """(points, colours) of several parts of one colour each."""
-    points = np.concatenate([np.empty((0, 2)), *(own for own, _ in parts)])
-    colours = np.concatenate(
-        [np.empty((0, 4)), *(np.tile(colour, (len(own), 1)) for own, colour in parts)]
-    )
-    return points.astype(np.float32), colours.astype(np.float32)
+    if not parts:
+        return np.empty((0, 2), dtype=np.float32), np.empty((0, 4), dtype=np.float32)
+    points = np.concatenate([own for own, _ in parts], dtype=np.float32, casting="same_kind")
+    colours = np.array([colour for _, colour in parts], dtype=np.float32)
+    return points, np.repeat(colours, [len(own) for own, _ in parts], axis=0)
 
 
 def _triangles(fills):

@@ -11,7 +11,10 @@
 namespace hull {
 namespace {
 
-constexpr int kPartsOfBreak = 4;
+// Between two breaks probes are no further apart than a part of the curve's length, as far as the
+// number of them allows.
+constexpr double kFewestParts = 2.0, kMostParts = 4.0;
+constexpr double kProbeDistance = 1.0 / 128.0;
 constexpr double kShortestPart = 1e-6;  // of the curve's length
 constexpr double kRootWidth = 1e-10, kExtremumWidth = 1e-6;
 constexpr double kBulk = 0.95;  // of the length: what bends more is left to its own size
@@ -28,9 +31,9 @@ std::vector<Probe> probes(const MeasuredCurve& curve) {
   double from = 0.0;
   for (const double to : curve.breaks()) {
     if (to - from <= shortest) continue;
-    for (int part = 1; part < kPartsOfBreak; ++part) {
-      add(from + (to - from) * part / kPartsOfBreak);
-    }
+    const double wanted = std::ceil((to - from) / (kProbeDistance * curve.length()));
+    const int parts = static_cast<int>(std::clamp(wanted, kFewestParts, kMostParts));
+    for (int part = 1; part < parts; ++part) add(from + (to - from) * part / parts);
     add(to);
     from = to;
   }

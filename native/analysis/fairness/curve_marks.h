@@ -30,10 +30,11 @@ struct CurveMark {
 // either side before it comes as far again. So straight parts have none, however they tremble. Ends
 // of open curves are no extrema.
 //
-// Both are looked for between four places to each of the curve's breaks, so that what comes and
-// goes within less is not found; and then refined on the curve itself, inflections to 1e-10 of its
-// length, extrema to 1e-6 (a curvature hardly changes beside its extremum). Where a curve is
-// straight between two bends an inflection is somewhere on the straight part.
+// Both are looked for between two to four places to each of the curve's breaks, the more the longer
+// it is, so that what comes and goes within less is not found; and then refined on the curve
+// itself, inflections to 1e-10 of its length, extrema to 1e-6 (a curvature hardly changes beside
+// its extremum). Where a curve is straight between two bends an inflection is somewhere on the
+// straight part.
 std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise);
 
 }  // namespace hull
