@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surface, lines and numbers follow the control mesh, and show exactly the native surface."""
 
+import random
+
 import bmesh
 import bpy
 import numpy as np
@@ -164,3 +166,71 @@ def test_the_mirrored_half_closes_the_surface():
             faces_of_edge[key] = faces_of_edge.get(key, 0) + 1
     keel = [n for (a, b), n in faces_of_edge.items() if on_plane[a] and on_plane[b]]
     assert keel and set(keel) == {2}
+
+
+def pull_a_point(hull, by):
+    bm = bmesh.from_edit_mesh(hull.data)
+    bm.verts.ensure_lookup_table()
+    bm.verts[3].co.y += by
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+
+
+def test_normals_wait_while_points_move_and_come_at_a_pause(monkeypatch):
+    hull = add_hull()
+    surface_object, written = part("bridge.surface_object"), []
+    write = surface_object.write_normals
+    monkeypatch.setattr(surface_object, "write_normals", lambda *a: (written.append(1), write(*a)))
+    bpy.ops.object.mode_set(mode="EDIT")
+    for _ in range(3):
+        pull_a_point(hull, 0.1)
+    assert not written
+    part("bridge.live_normals")._write()
+    assert written == [1]
+    part("bridge.live_normals")._write()
+    assert written == [1], "they are there"
+    bpy.context.view_layer.update()
+    assert_surface_is_fresh(hull)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    assert written == [1], "nothing has moved since"
+
+
+def test_a_surface_that_is_hidden_waits_until_it_is_seen():
+    hull = add_hull()
+    shown = hull.hull.surface_object
+    bpy.ops.object.mode_set(mode="EDIT")
+    shown.hide_render = True
+    shown.hide_set(True)
+    before = mesh_points(shown)
+    pull_a_point(hull, 0.5)
+    assert np.array_equal(mesh_points(shown), before)
+    assert state_of(hull).hydrostatics.displaced_volume > 0.0
+    shown.hide_set(False)
+    bpy.context.view_layer.update()
+    assert_surface_is_fresh(hull)
+    shown.hide_set(True)
+    pull_a_point(hull, 0.5)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    assert_surface_is_fresh(hull)
+
+
+def test_only_what_moved_is_computed_and_it_is_all_that_moved():
+    """A fan of moves here and there, in edit mode, with images that come and go at the keel."""
+    hull = add_hull()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide(number_cuts=3)
+    bpy.context.view_layer.update()
+    choice = random.Random(5)
+    for step in range(30):
+        bm = bmesh.from_edit_mesh(hull.data)
+        vertex = choice.choice(list(bm.verts))
+        vertex.co.x += choice.gauss(0.0, 0.1)
+        vertex.co.z += choice.gauss(0.0, 0.1)
+        if step % 5 == 0:
+            vertex.co.y += 0.1
+        bmesh.update_edit_mesh(hull.data)
+        bpy.context.view_layer.update()
+        assert_surface_is_fresh(hull)

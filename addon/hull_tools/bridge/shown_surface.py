@@ -23,11 +23,14 @@ def forget(state):
 def follow(obj, state, scale, geometry_key):
     """Brings the surface object of a hull up to date with the surface of its HullState.
 
-    While the mesh is edited the exact normals wait for follow_normals.
+    While the mesh is edited the exact normals wait for follow_normals, and a surface that is hidden
+    in views and renders waits until it is seen.
     """
     shown = shown_objects.surface_of(obj)
     if shown is None:
         state.colour_scale = None
+        return
+    if obj.mode == "EDIT" and shown.hide_render and not shown.visible_get():
         return
     choice = colours.wanted(obj.hull.fairness)
     place_key = (geometry_key, obj.hull.samples, shown.name_full)

@@ -38,7 +38,7 @@ def write_surface(mesh, points, quads):
 def move_surface(mesh, points):
     """Moves the points, (n, 3) float32 in Blender's units, of a `mesh` whose faces stay.
 
-    Blender shades it by its faces until write_normals: exact normals cost it several times as much
+    Blender shades it by its faces until write_normals: corner normals cost it several times as much
     as all the rest.
     """
     mesh.vertices.foreach_set("co", points.reshape(-1))

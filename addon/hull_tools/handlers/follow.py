@@ -4,7 +4,14 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import colour_views, conversions, hull_objects, hull_state, live_analyses
+from ..bridge import (
+    colour_views,
+    conversions,
+    hull_objects,
+    hull_state,
+    live_analyses,
+    live_normals,
+)
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False
@@ -12,6 +19,7 @@ _is_following = False
 
 def forget_all():
     live_analyses.stop()
+    live_normals.stop()
     conversions.stop()
     hull_state.forget_all()
 
@@ -24,6 +32,8 @@ def _follow(hulls, scene, view_layer):
     try:
         for hull in hulls:
             hull_state.refresh(hull, scene)
+            if hull.mode == "EDIT":
+                live_normals.ask()
         live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)
     finally:
         _is_following = False
@@ -45,6 +55,8 @@ def after_update(scene, depsgraph):
         for update in _updates_of_objects(depsgraph)
         if update.is_updated_geometry or update.is_updated_transform
     }
+    if depsgraph.id_type_updated("SCENE"):  # what was hidden may be seen again
+        changed.update(obj for obj in depsgraph.view_layer.objects if obj.mode == "EDIT")
     hull_state.forget_deleted()
     _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
 
