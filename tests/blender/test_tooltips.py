@@ -70,6 +70,8 @@ def test_operators_say_what_they_do():
             faults.append(f"{cls.bl_idname}: no description")
         if text.endswith("."):
             faults.append(f"{cls.bl_idname}: Blender adds the full stop itself")
+        if "\n" in text or "  " in text:
+            faults.append(f"{cls.bl_idname}: the text has line breaks of the source")
         for prop in own_properties(rna):
             faults += faults_of(prop, f"{cls.bl_idname}.{prop.identifier}")
     assert not faults, "\n".join(faults)

@@ -50,6 +50,8 @@ _CLASSES = (
 
 def register():
     for cls in _CLASSES:
+        # Blender breaks the lines of a tooltip where the text does, and indents them alike.
+        cls.bl_description = " ".join((cls.__doc__ or "").split())
         bpy.utils.register_class(cls)
     bpy.types.TOPBAR_MT_file_import.append(import_hull.draw_import_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_hull.draw_export_menu)
