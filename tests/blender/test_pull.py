@@ -282,6 +282,10 @@ def test_a_section_line_is_held_exactly():
             ]:
                 grip = part("bridge.pull_lines").grip_at(pull, eye, mouse + (2.0, 1.0))
                 assert grip.plane is not None
+                surface = part("bridge.pull_lines").grip_at(
+                    pull, eye, mouse + (2.0, 1.0), takes_lines=False
+                )
+                assert surface is None or surface.plane is None
                 assert abs(grip.point @ section.cut.plane[:3] - section.cut.plane[3]) < 1e-9
 
 

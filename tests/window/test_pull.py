@@ -130,3 +130,29 @@ def test_a_section_line_is_pulled_in_its_plane(window):
     window.let_go("LEFTMOUSE")
     yield
     assert_follows(hull)
+
+
+def test_in_object_mode_and_with_ctrl_on_the_surface(window):
+    hull, grip = begin(window, "station", "waterline", "feature")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.ed.undo_push(message="object mode")
+    before = snapshot(hull)
+    yield
+    start_pulling(window)
+    window.hold("LEFT_CTRL")
+    window.move_to_point(hull, Vector(grip.point))
+    yield
+    window.press("LEFTMOUSE", ctrl=True)  # held by a click
+    window.let_go("LEFT_CTRL")
+    window.press("N")
+    window.write("0.5")
+    yield
+    moved = np.array(held(hull).now) - held(hull).start
+    assert abs(np.linalg.norm(moved) - 0.5) < 1e-5
+    window.press("RET")
+    yield
+    assert hull.mode == "OBJECT" and not are_equal(snapshot(hull), before)
+    assert_follows(hull)
+    window.undo()
+    yield
+    assert are_equal(snapshot(hull_at_hand()), before)

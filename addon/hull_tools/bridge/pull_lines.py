@@ -9,7 +9,7 @@ import numpy as np
 from . import drags, hull_state, lines
 
 # In pixels at a scale of 1.
-_NEAR = 9.0
+_NEAR = 7.0
 # Of the size: lines further than this from what the eye sees are behind it.
 _BEHIND = 0.02
 
@@ -37,13 +37,15 @@ def shown():
     return _Shown.mark
 
 
-def grip_at(pull, eye, mouse, interface_scale=1.0):
+def grip_at(pull, eye, mouse, interface_scale=1.0, takes_lines=True):
     """The Grip of a SurfacePull under the mouse; None where there is no surface.
 
-    eye: Eye; mouse: (2,) pixels in its picture.
+    eye: Eye; mouse: (2,) pixels in its picture. takes_lines: section lines come first.
     """
     mouse = np.asarray(mouse, dtype=np.float64)
     hit = pull.hit(*eye.ray(mouse))
+    if not takes_lines:
+        return hit
     on_line = _line_at(pull, eye, mouse, _NEAR * interface_scale, hit)
     return hit if on_line is None else on_line
 

@@ -17,11 +17,12 @@ _DIGITS = "0123456789.-"
 _DRAGGED = 4
 # Sine of the angle between view and the plane of a line, for it to be pulled in this at first.
 _LEAST_SINE = 0.2
-_PICK_HELP = "Click or drag a point of the surface or of a section line    Esc: cancel"
+_PICK_HELP = (
+    "Click or drag: a point of the surface or of a line   Ctrl: of the surface   Esc: cancel"
+)
 _DRAG_HELP = (
-    "V: in the view's plane    N: along the normal    S, W, B: in the station, water or buttock "
-    "plane    L: in the plane of the line    X, Y, Z: along the axis    Numbers: exact place on "
-    "the axis, distance along the normal    Esc: cancel"
+    "V: view   N: normal   S, W, B: station, waterplane, buttock   L: plane of the line   "
+    "X, Y, Z: axis   0-9: exact   Enter: done   Esc: cancel"
 )
 
 
@@ -117,7 +118,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         if not (0 <= mouse[0] < eye.size[0] and 0 <= mouse[1] < eye.size[1]):
             return None
         scale = bpy.context.preferences.system.ui_scale
-        return pull_lines.grip_at(self._pull, eye, mouse, scale)
+        return pull_lines.grip_at(self._pull, eye, mouse, scale, takes_lines=not event.ctrl)
 
     # While it is held
 
