@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .grid import HullGrid, fitted, hull_of
+from .grid import HullGrid, fitted, hull_of, move_foot
 
 SOURCE = "new hull: sailing-yacht canoe body"
 
@@ -41,4 +41,6 @@ def _points(dimensions, sections, points):
     y = sheer_y * (round_y + (row - round_y) * sharp)
     z = keel + (sheer_z - keel) * (round_z + (row - round_z) * sharp)
     x = dimensions.length * x + (z - draft) * (_STEM_LEAN * fore**1.8 + _TRANSOM_RAKE * aft**2)
-    return np.stack([x, y, z], axis=-1)
+    grid = np.stack([x, y, z], axis=-1)
+    move_foot(grid, along=0.3, up=0.1)
+    return grid

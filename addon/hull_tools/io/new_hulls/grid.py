@@ -49,6 +49,14 @@ class HullGrid:
         return [line[first : end + 1] for first, end in zip(cuts, cuts[1:]) if end > first]
 
 
+def move_foot(points, along, up):
+    """Moves the stem's foot, in place, by parts of the way to the next point of the stem: the more,
+    the more evenly the keel turns into the stem. The point beside it follows by a third."""
+    way = points[-1, 2] - points[-2, 0]
+    points[-2, 0] += way * (along, 0.0, up)
+    points[-2, 1, 0] += along / 3.0 * way[0]
+
+
 def fitted(grid, dimensions, widest):
     """The grid with its surface scaled to its dimensions, in place; returns it.
 

@@ -4,7 +4,7 @@
 import numpy as np
 
 from . import bilge
-from .grid import HullGrid, fitted, hull_of
+from .grid import HullGrid, fitted, hull_of, move_foot
 
 SOURCE = "new hull: round-bilge displacement type"
 
@@ -74,3 +74,4 @@ def _draw_in_bow(grid, x, draft, depth):
     grid[:, :, 2] = z + (stem - z) * entrance**2.6
     grid[x > _RUN, 0, 2] = 0.0
     grid[:, :, 0] += _STEM_LEAN * (grid[:, :, 2] - draft) * entrance**3
+    move_foot(grid, along=0.3, up=0.0)
