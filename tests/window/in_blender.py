@@ -80,6 +80,10 @@ def main():
     # Drawn by the processor, smoothing takes longer than all else.
     bpy.context.preferences.system.viewport_aa = "OFF"
     bpy.context.preferences.filepaths.use_auto_save_temporary_files = False
+    # However slow the machine: a key that opens a pie was tapped, and two clicks are two.
+    view, inputs = bpy.context.preferences.view, bpy.context.preferences.inputs
+    view.pie_tap_timeout, view.pie_animation_timeout = 1000, 0
+    inputs.mouse_double_click_time = 1
     run = Run(tests_of(Path(path), wanted), Path(folder))
     bpy.app.timers.register(run.step, first_interval=0.5, persistent=True)
 
