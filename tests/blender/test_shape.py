@@ -77,7 +77,7 @@ def test_a_side_is_made_flat_and_kept():
     flat = part("bridge.flat_making")
     assert flat.describe(bpy.context.scene, region.plane) == "y = 2.250 m"
     tilted = np.array([0.0, -0.6, 0.8, 3.0])
-    assert flat.describe(bpy.context.scene, tilted) == "36.9° to level"
+    assert flat.describe(bpy.context.scene, tilted) == "slope 36.9°"
 
 
 def test_places_of_a_plane():

@@ -273,3 +273,24 @@ def test_isophotes_out_of_range():
         hn.isophotes(wavy(), direction=(0, 0, 1), angles=[4.0])
     with pytest.raises(ValueError, match="direction"):
         hn.isophotes(wavy(), direction=(0, 0, 0), angles=[1.0])
+
+
+def test_lines_end_where_the_reflection_is_along_the_light():
+    """A crumpled mesh whose normals turn so fast that this comes between two points of the grid."""
+    points = [(-82, 4, 5), (-2, 4, 5), (-2, 5, 6), (-2, 5, 7), (-2, 5, 8), (4, 6, 7), (4, 6, 8),
+              (-2, 4, 8)]  # fmt: skip
+    faces = [3, 4, 6, 5, 0, 7, 4, 1, 1, 4, 3, 2]
+    creases = np.array([(1, 2), (3, 4), (0, 1)])
+    mesh = hn.ControlMesh(np.array(points, dtype=float), [4, 4, 4], faces, creases)
+    surface = hn.LimitSurface(mesh)
+    curves = hn.reflection_lines(
+        surface,
+        line_direction=(1, 0, 0),
+        light_direction=(0, 1, 0.5),
+        eye_direction=(0, 1, 0),
+        spacing=np.radians(5),
+    )
+    assert curves
+    for curve in curves:
+        assert np.isfinite(curve.points).all()
+        check_places(surface, curve)

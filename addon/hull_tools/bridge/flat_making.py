@@ -111,7 +111,7 @@ def describe(scene, plane):
         axis = "xyz"[_AXES[planes.kind_of(plane)]]
         metres = position * units.metres_per_unit(scene)
         return f"{axis} = {units.format_value(scene, metres, 'm')}"
-    return f"{degrees(acos(min(abs(plane[2]), 1.0))):.1f}° to level"
+    return f"slope {degrees(acos(min(abs(plane[2]), 1.0))):.1f}°"
 
 
 def _outcome(obj, scene, faces, plane, moved):

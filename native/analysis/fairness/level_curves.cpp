@@ -166,7 +166,11 @@ class Tracer {
     const double fa = wrapped(samples_.values[a]), fb = wrapped(samples_.values[b]);
     double t = 0.0;
     if ((fa > 0.0) != (fb > 0.0)) {
-      const auto f = [&](double x) { return height(cell, from + x * (to - from)); };
+      // Where the function is not defined between the corners, the curve ends there.
+      const auto f = [&](double x) {
+        const double found = height(cell, from + x * (to - from));
+        return std::isnan(found) ? 0.0 : found;
+      };
       t = bracketed_root(f, 0.0, fa, 1.0, fb, kRootWidth);
     } else {
       t = std::abs(fa) <= std::abs(fb) ? 0.0 : 1.0;
