@@ -73,6 +73,15 @@ def test_a_bilge_between_creases_is_as_round_as_can_be(count, move_borders):
     assert part("bridge.hull_state").state_of(hull).status == ""
 
 
+def test_the_radius_that_is_there_is_offered():
+    section = [*FLAT[::2], *bilge_points(4), *SIDE[::2]]
+    hull = midbody(section, (1, 6))
+    select_rows(hull, len(section), 1, 6)
+    assert part("bridge.bilge").present_radius(hull, bpy.context.scene) == 2.0
+    bpy.ops.hull.round_bilge(radius=2.75)
+    assert part("bridge.bilge").present_radius(hull, bpy.context.scene) == 2.75
+
+
 def test_a_bilge_between_smooth_borders():
     section = [*FLAT, *bilge_points(4), *SIDE]
     hull = midbody(section, ())

@@ -12,7 +12,16 @@ from functools import lru_cache
 import bmesh
 import numpy as np
 
-from . import hull_objects, hull_state, mesh_arrays, mesh_points, native, point_locks, units
+from . import (
+    bilge_sections,
+    hull_objects,
+    hull_state,
+    mesh_arrays,
+    mesh_points,
+    native,
+    point_locks,
+    units,
+)
 from .bilge_sections import beyond, corner_of, in_plane, sections_of
 
 
@@ -29,15 +38,21 @@ class Rounded:
     found: object
 
 
+def present_radius(obj, scene):
+    """The radius, in Blender's units, that the bilge of the selected section amidships has now,
+    about; ValueError as round_selected."""
+    scale, control, mesh = _control(obj, scene)
+    sections = _selected_sections(obj, control, mesh)
+    radius = bilge_sections.present_radius(sections[len(sections) // 2], control.points) / scale
+    return max(float(f"{radius:.3g}"), 1e-3)
+
+
 def round_selected(obj, scene, radius, move_borders):
     """Rounds the selected sections; returns a Rounded for each, from aft forward.
 
     radius in Blender's units. ValueError where that cannot be: nothing moves then.
     """
-    data = mesh_arrays.read_mesh(obj.data)
-    scale = units.metres_per_unit(scene)
-    control = mesh_arrays.control_arrays(data, scale, hull_objects.excluded_slots(obj))
-    mesh = native.require().ControlMesh(*control.arguments())
+    scale, control, mesh = _control(obj, scene)
     sections = _selected_sections(obj, control, mesh)
     places, rounded = {}, []
     for section in sections:
@@ -61,6 +76,13 @@ def round_selected(obj, scene, radius, move_borders):
     if state.status:
         raise ValueError(state.status)
     return [_outcome(state.surface, control, *one) for one in rounded]
+
+
+def _control(obj, scene):
+    """(metres per unit, ControlArrays, hull_native.ControlMesh)."""
+    data, scale = mesh_arrays.read_mesh(obj.data), units.metres_per_unit(scene)
+    control = mesh_arrays.control_arrays(data, scale, hull_objects.excluded_slots(obj))
+    return scale, control, native.require().ControlMesh(*control.arguments())
 
 
 def _selected_sections(obj, control, mesh):

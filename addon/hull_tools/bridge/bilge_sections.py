@@ -254,14 +254,33 @@ class Corner:
 
 def corner_of(section, points, radius):
     """The Corner of a BilgeSection. BilgeError where its flats do not meet, or meet too flatly."""
+    low, _, along, up = _flats(section, points)
+    angle, turn = _angle(along, up)
+    t = _to_meeting(section, points)[0]
+    touch = low + along * (t - radius * np.tan(0.5 * angle))
+    inwards = np.sign(turn) * np.array([-along[1], along[0]])
+    return Corner(radius, angle, touch + radius * inwards, along, -inwards)
+
+
+def present_radius(section, points):
+    """The radius of the largest circle that touches the flats between the borders as they are."""
+    _, _, along, up = _flats(section, points)
+    return min(_to_meeting(section, points)) / np.tan(0.5 * _angle(along, up)[0])
+
+
+def _flats(section, points):
+    """(border of the bottom, border of the side, direction of the bottom, of the side)."""
     places = in_plane(points)
     low, high = places[section.row[0]], places[section.row[-1]]
     along = _way(places, section.bottom.outer, section.row[0])
     up = _way(places, section.row[-1], section.side.outer)
     if along is None:
         along = np.array([np.sign(high[0] - low[0]) or 1.0, 0.0])
-    if up is None:
-        up = np.array([0.0, 1.0])
+    return low, high, along, np.array([0.0, 1.0]) if up is None else up
+
+
+def _angle(along, up):
+    """(radians that the side is turned from the bottom, positive; the signed sine)."""
     turn = along[0] * up[1] - along[1] * up[0]
     angle = float(np.arctan2(abs(turn), along @ up))
     if not np.radians(10.0) <= angle <= np.radians(170.0):
@@ -269,11 +288,15 @@ def corner_of(section, points, radius):
             f"The flats beside the bilge are turned by {np.degrees(angle):.1f}° only: there must "
             "be a flat bottom and a flat side, 10° to 170° apart"
         )
-    # Where the flats meet, and from there back along the bottom to where the circle touches it.
-    t = ((high - low)[0] * up[1] - (high - low)[1] * up[0]) / turn
-    touch = low + along * (t - radius * np.tan(0.5 * angle))
-    inwards = np.sign(turn) * np.array([-along[1], along[0]])
-    return Corner(radius, angle, touch + radius * inwards, along, -inwards)
+    return angle, turn
+
+
+def _to_meeting(section, points):
+    """Distances along the bottom and the side from their borders to where the flats meet."""
+    low, high, along, up = _flats(section, points)
+    _, turn = _angle(along, up)
+    way = high - low
+    return (way[0] * up[1] - way[1] * up[0]) / turn, (along[0] * way[1] - along[1] * way[0]) / turn
 
 
 def _way(places, start, end):

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, FloatProperty
 
-from ..bridge import bilge, units
+from ..bridge import bilge, hull_objects, units
 from .shape import ShapeOperator
 
 
@@ -29,6 +29,15 @@ class HULL_OT_round_bilge(bpy.types.Operator, ShapeOperator):
         description="Creases along the flats lie a little further out than where the circle "
         "touches: the section is nearer to the circle, and its curvature more even",
     )
+
+    def invoke(self, context, event):
+        return self.reporting(self._open_dialog, context)
+
+    def _open_dialog(self, context):
+        if not self.properties.is_property_set("radius"):
+            hull = hull_objects.hull_of(context.object)
+            self.radius = bilge.present_radius(hull, context.scene)
+        return context.window_manager.invoke_props_dialog(self, width=240)
 
     def run_on(self, hull, context):
         found = bilge.round_selected(hull, context.scene, self.radius, self.move_borders)

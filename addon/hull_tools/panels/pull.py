@@ -34,6 +34,8 @@ def _draw_in_menu(self, context):
     layout.separator()
     layout.operator("hull.pull_surface")
     layout.operator("hull.surface_to_coordinate", text="Surface to Coordinate …")
+    if context.mode == "EDIT_MESH":
+        layout.operator("hull.round_bilge")
 
 
 CLASSES = (HULL_PT_pull,)
