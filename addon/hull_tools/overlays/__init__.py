@@ -5,7 +5,7 @@ that draws them with the graphics card."""
 from ..bridge import live_analyses
 from . import legend, lines, marks, plots, pulls, spots, status, tags
 
-_PARTS = (lines, marks, tags, legend, spots, pulls, status)
+_PARTS = (lines, marks, tags, legend, spots, pulls)
 
 
 def _view(shown, corner):
@@ -17,11 +17,13 @@ def register():
     for part in _PARTS:
         part.register()
     plots.register()
+    status.register()  # over the plots
     live_analyses.plot_viewers.append(_view)
 
 
 def unregister():
     live_analyses.plot_viewers.remove(_view)
+    status.unregister()
     plots.unregister()
     for part in reversed(_PARTS):
         part.unregister()

@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A quiet line at the foot of the 3D view while the active hull's mesh is under construction: why
+"""A quiet line at the top of the 3D view while the active hull's mesh is under construction: why
 the surface is that of before."""
 
 import blf
 import bpy
+import gpu
+from gpu_extras.batch import batch_for_shader
 
-from ..bridge import hull_objects, hull_state
+from ..bridge import blender_versions, hull_objects, hull_state
 from .plots import free_room
 from .view import Handler
 
 _FONT = 0  # Blender's own
 _SIZE = 12.0  # dots, at a scale of 1
-_GAP = 14.0
-_INK, _SHADOW = (1.0, 0.86, 0.55, 1.0), (0.0, 0.0, 0.0, 0.9)
-_SHADOW_BLUR = 3
+_MARGIN, _GAP = 8.0, 8.0  # around the text, to the region's left border
+_TEXTS, _GIZMOS = 56.0, 64.0  # what Blender's own take at the top and at the right
+_HEIGHT = 22.0  # of the card
+_INK, _CARD = (1.0, 0.86, 0.55, 1.0), (0.10, 0.10, 0.10, 0.85)
 _ELLIPSIS = "…"
+_CORNERS = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0))
 
 
 def status_line(hull):
@@ -45,15 +49,27 @@ def _draw():
     if not text:
         return
     scale = context.preferences.system.ui_scale
-    left, bottom, width, _ = free_room(context.area, context.region)
+    left, bottom, room, height = free_room(context.area, context.region)
     blf.size(_FONT, _SIZE * scale)
-    text = shortened(text, width - 2.0 * _GAP * scale, _width)
-    blf.position(_FONT, left + 0.5 * (width - _width(text)), bottom + _GAP * scale, 0.0)
+    margin = _MARGIN * scale
+    text = shortened(text, room - (_GAP + _GIZMOS) * scale - 2.0 * margin, _width)
+    width = _width(text) + 2.0 * margin
+    x = left + _GAP * scale
+    y = bottom + height - (_TEXTS + _HEIGHT) * scale
+    _draw_card(x, y, width, _HEIGHT * scale)
+    blf.position(_FONT, x + margin, y + 0.5 * (_HEIGHT - 0.7 * _SIZE) * scale, 0.0)
     blf.color(_FONT, *_INK)
-    blf.enable(_FONT, blf.SHADOW)
-    blf.shadow(_FONT, _SHADOW_BLUR, *_SHADOW)
     blf.draw(_FONT, text)
-    blf.disable(_FONT, blf.SHADOW)
+
+
+def _draw_card(x, y, width, height):
+    shader = blender_versions.builtin_shader("UNIFORM_COLOR")
+    places = [(x + u * width, y + v * height, 0.0) for u, v in _CORNERS]
+    gpu.state.blend_set("ALPHA")
+    shader.bind()
+    shader.uniform_float("color", _CARD)
+    batch_for_shader(shader, "TRI_STRIP", {"pos": places}).draw(shader)
+    gpu.state.blend_set("NONE")
 
 
 def _width(text):
