@@ -199,6 +199,12 @@ def test_a_coordinate_is_given_by_numbers():
         bpy.ops.hull.surface_to_coordinate(axis="Y", place=(x, 0.0, 500.0), value=6.25)
 
 
+def test_a_pull_from_nowhere_is_refused():
+    grid_hull()
+    with pytest.raises(RuntimeError, match="give point and target"):
+        bpy.ops.hull.pull_surface(point=(1.0, 1.0, 1.0))
+
+
 def test_scene_units_count():
     bpy.context.scene.unit_settings.scale_length = 0.5
     hull = grid_hull()

@@ -67,6 +67,19 @@ def test_a_coordinate_is_taken_from_the_cursor(window):
     yield
     assert_follows(hull)
     assert not are_equal(snapshot(hull), before)
+    assert_has(hull, x, 6.25)
+    bpy.context.scene.cursor.location = (x + 9.0, 6.125, 3.0)
+    window.move_to_middle()
+    window.search("Surface to Coordinate")
+    yield
+    window.move_by(*TO_OK)
+    window.click()
+    yield
+    assert_has(hull, x + 9.0, 6.125)
+
+
+def assert_has(hull, x, y):
+    """The surface has this y at this x and z = 3."""
     tree = part("bridge.native").require().SurfaceTree(state_of(hull).surface)
     hits = tree.all_ray_hits(np.array([x, -50.0, 3.0]), np.array([0.0, 1.0, 0.0]))
-    assert np.abs(hits.points[:, 1] - 6.25).min() < 1e-5
+    assert np.abs(hits.points[:, 1] - y).min() < 1e-5

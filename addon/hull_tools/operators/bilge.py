@@ -23,6 +23,7 @@ class HULL_OT_round_bilge(bpy.types.Operator, ShapeOperator):
         unit="LENGTH",
         subtype="DISTANCE",
         precision=4,
+        options={"SKIP_SAVE"},
     )
     move_borders: BoolProperty(
         name="Best borders",

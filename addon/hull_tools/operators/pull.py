@@ -28,7 +28,12 @@ _DRAG_HELP = (
 
 def _place(name, description):
     return FloatVectorProperty(
-        name=name, description=description, unit="LENGTH", subtype="XYZ", precision=5
+        name=name,
+        description=description,
+        unit="LENGTH",
+        subtype="XYZ",
+        precision=5,
+        options={"SKIP_SAVE"},
     )
 
 
@@ -52,6 +57,8 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
     hold_creases: _hold_creases()
 
     def run_on(self, hull, context):
+        if not all(map(self.properties.is_property_set, ("point", "target"))):
+            raise ValueError("Say which point of the surface goes where: give point and target")
         pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
         grip = pull.nearest(pull.scale * np.array(self.point))
         count, longest = pull.pull(grip, pull.scale * np.array(self.target))
@@ -286,6 +293,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
         unit="LENGTH",
         subtype="DISTANCE",
         precision=5,
+        options={"SKIP_SAVE"},
     )
     hold_creases: _hold_creases()
 
