@@ -211,3 +211,10 @@ def test_the_glossary_tells_each_word_once():
     words = re.findall(r"^\| ([^|]+?) \|", (DOCS / "glossary.md").read_text(), flags=re.M)
     words = [word for word in words if word != "Word"]
     assert len(words) > 60 and len(set(words)) == len(words)
+
+
+def test_the_key_of_the_pie_menu_is_the_one_named():
+    key = part("panels.keymap").KEY
+    named = " ".join([*(["Shift"] if key.get("shift") else []), key["type"]])
+    for page in ("first-hull.md", "tags.md", "panels/edges-and-points.md"):
+        assert f"**{named}**" in (DOCS / page).read_text()

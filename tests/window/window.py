@@ -183,6 +183,8 @@ class Window:
 
         def to_tab():
             region = self.region("UI")
+            if bpy.app.version >= (4, 2, 0):
+                region.active_panel_category = "Hull"
             scale = bpy.context.preferences.system.ui_scale
             right, down = (scale * part for part in _PLACE_OF_TAB)
             self.cursor = (
