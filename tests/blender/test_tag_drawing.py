@@ -174,6 +174,7 @@ def test_borders_on_the_centre_plane_of_a_half_hull_are_fine():
     half = border_widths()
     # Three are along the deck, three on the centre plane.
     assert list(half.values()) == [3, 3] and min(half) == pytest.approx(0.6 * max(half), rel=1e-3)
+    hull.hull.keep_centre = False
     bm = bmesh.from_edit_mesh(hull.data)
     bm.verts.ensure_lookup_table()
     bm.verts[find(hull, 0, 0, 0)].co.y = 1e-3
