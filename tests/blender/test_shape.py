@@ -169,6 +169,20 @@ def test_flat_regions_are_selected_and_released():
     assert sum(face.select for face in bm.faces) == 9
 
 
+def test_faces_at_a_selected_point_are_released():
+    hull = bumpy_hull()
+    select_faces(hull, side)
+    bpy.ops.hull.make_flat(kind="SIDE")
+    (region,) = regions(hull)
+    select_points(hull, [int(region.points[0])])
+    assert bpy.ops.hull.release_flat() == {"FINISHED"}
+    (left,) = regions(hull)
+    assert 0 < len(left.faces) < len(region.faces) and region.points[0] not in left.points
+    select_points(hull, [])
+    with pytest.raises(RuntimeError, match="Select the faces or points"):
+        bpy.ops.hull.release_flat()
+
+
 def test_what_cannot_be_flat_is_refused():
     hull = bumpy_hull()
     select_faces(hull, lambda centre: False)

@@ -55,7 +55,7 @@ def _selected(mesh):
     bm.verts.index_update()
     chosen = [(i, face) for i, face in enumerate(bm.faces) if face.select and not face.hide]
     if not chosen:
-        raise ValueError("Select the faces that should be flat")
+        raise ValueError("Select the faces first")
     points = sorted({vertex.index for _, face in chosen for vertex in face.verts})
     return np.array([index for index, _ in chosen]), np.array(points)
 
@@ -161,9 +161,23 @@ def select_regions(obj):
     return len(touched)
 
 
+def _faces_at_selection(mesh):
+    """(k,) the selected faces, or where there are none those of the selected points."""
+    bm = bmesh.from_edit_mesh(mesh)
+    bm.faces.index_update()
+    faces = {face.index for face in bm.faces if face.select and not face.hide}
+    if not faces:
+        points = [vertex for vertex in bm.verts if vertex.select and not vertex.hide]
+        faces = {face.index for vertex in points for face in vertex.link_faces}
+    if not faces:
+        raise ValueError("Select the faces or points to release first")
+    return np.array(sorted(faces), dtype=np.int64)
+
+
 def release_selected(obj):
-    """Faces that are selected are not kept flat any longer; returns how many were."""
-    faces = selected_faces(obj.data)
+    """Faces that are selected, or else those at selected points, are not kept flat any longer;
+    returns how many were."""
+    faces = _faces_at_selection(obj.data)
     kept = np.concatenate([region.faces for region in flats.regions(obj)] or [[]])
     own = np.intersect1d(faces, kept).astype(np.int64)
     if not len(own):

@@ -98,7 +98,8 @@ class HULL_OT_select_flat(bpy.types.Operator, ShapeOperator):
 
 
 class HULL_OT_release_flat(bpy.types.Operator, ShapeOperator):
-    """The selected faces are not kept flat any longer; their points stay where they are"""
+    """Faces that are selected, or else those at selected points, are not kept flat any longer;
+    their points stay where they are"""
 
     bl_idname = "hull.release_flat"
     bl_label = "Release Flat"
