@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace hull {
@@ -20,7 +21,8 @@ double bracketed_root(const Function& f, double a, double fa, double b, double f
       if (std::abs(b - a) > 0.5 * width) fa = -fb;
       width = std::abs(b - a);
     }
-    const double c = b - fb * (b - a) / (fb - fa);
+    // Rounding must not lead out of the bracket: f may not be defined there.
+    const double c = std::clamp(b - fb * (b - a) / (fb - fa), std::min(a, b), std::max(a, b));
     const double fc = f(c);
     if (fc == 0.0) return c;
     const double moved = std::abs(c - b);
