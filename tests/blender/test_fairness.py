@@ -241,6 +241,21 @@ def test_solid_views_show_colours_while_there_are_some():
     assert shading().color_type == "RANDOM"
 
 
+def test_views_of_wires_show_colours_once_they_are_solid():
+    hull = round_hull()
+    shading().color_type = "OBJECT"
+    shading().type = "WIREFRAME"
+    hull.hull.fairness.colours = "MEAN"
+    assert shading().type == "WIREFRAME"
+    shading().type = "SOLID"
+    assert shading().color_type == "VERTEX"
+    shading().type = "WIREFRAME"
+    hull.hull.fairness.colours = "NONE"
+    assert shading().type == "WIREFRAME"
+    shading().type = "SOLID"
+    assert shading().color_type == "OBJECT"
+
+
 def test_undo_brings_colours_back():
     hull = round_hull()
     hull.hull.fairness.colours = "MEAN"

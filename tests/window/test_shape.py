@@ -71,7 +71,7 @@ def test_a_flat_side_is_moved_as_a_whole(window):
     before = edited_points(hull)
     window.press("G")
     window.press("Y")
-    window.write(".5")
+    window.write("0.5")
     window.press("RET")
     yield
     after = edited_points(hull)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solid 3D views show the colours of a mesh only when they are told to."""
 
+from contextlib import contextmanager
+
 import bpy
 
 from . import hull_objects
@@ -17,15 +19,31 @@ def follow():
     hulls = hull_objects.hulls(bpy.data.objects)
     any_colours = any(hull.hull.fairness.colours != "NONE" for hull in hulls)
     for space in _views():
-        shading, address = space.shading, space.as_pointer()
-        shown = shading.color_type, shading.light
-        if any_colours and address not in _before:
-            _before[address] = _USUAL if shown == _COLOURED else shown
-            shading.color_type, shading.light = _COLOURED
-        elif not any_colours and address in _before:
-            before = _before.pop(address)
-            if shown == _COLOURED:  # else the user has chosen meanwhile
-                shading.color_type, shading.light = before
+        if any_colours != (space.as_pointer() in _before):
+            with _as_solid(space.shading) as shading:
+                _follow(shading, space.as_pointer(), any_colours)
+
+
+def _follow(shading, address, any_colours):
+    shown = shading.color_type, shading.light
+    if any_colours:
+        _before[address] = _USUAL if shown == _COLOURED else shown
+        shading.color_type, shading.light = _COLOURED
+        return
+    before = _before.pop(address)
+    if shown == _COLOURED:  # else the user has chosen meanwhile
+        shading.color_type, shading.light = before
+
+
+@contextmanager
+def _as_solid(shading):
+    """A view that shows wires does not tell its colours of solids, nor takes any."""
+    is_wire = shading.type == "WIREFRAME"
+    if is_wire:
+        shading.type = "SOLID"
+    yield shading
+    if is_wire:
+        shading.type = "WIREFRAME"
 
 
 def forget():
