@@ -135,6 +135,24 @@ def test_flats_stay_flat():
     assert np.linalg.norm(place_now(hull, grip) - target) < 1e-7
 
 
+def test_nothing_is_flung_about_beside_a_flat():
+    hull = grid_hull(columns=9, rows=9)
+    edit(hull, (False, False, True))
+    bm = bmesh.from_edit_mesh(hull.data)
+    select(hull, "face", [f.index for f in bm.faces if f.calc_center_median().x < 5])
+    bpy.ops.hull.make_flat(kind="SIDE", place="POSITION", position=2.25)
+    before = edited_points(hull)
+    pull = pull_of(hull)
+    beside = pull.nearest((4.3, 2.25, 4.0))
+    with pytest.raises(ValueError, match="times as far"):
+        pull.pull(beside, beside.point + (0.0, 0.2, 0.0))
+    assert (edited_points(hull) == before).all()
+    away = pull.nearest((6.0, 2.5, 4.0))
+    pull.pull(away, away.point + (0.0, 0.2, 0.0))
+    assert np.abs(edited_points(hull) - before).max() < 8 * 0.2
+    assert np.linalg.norm(place_now(hull, away) - away.point - (0.0, 0.2, 0.0)) < 1e-7
+
+
 def test_creases_stay_unless_the_point_is_on_one():
     hull = grid_hull()
     edit(hull, (False, True, False))

@@ -14,13 +14,17 @@ import numpy as np
 from . import flats, hull_objects, lines, mesh_arrays, mesh_points, native, point_locks, units
 from .single_rounding import rounded
 
-# How many times as far as the surface control points may be moved to spare creases.
+# How many times as far as the surface control points may be moved, to spare creases or at all.
 _FAR = 8.0
 # Of the size: what counts as on the centre plane.
 _ON_CENTRE = 1e-6
 _UNREACHABLE = (
     "The surface cannot be pulled this way here: control points around are locked, of creases, or "
     "kept flat. Pull along the flat, let creases move, or unlock points"
+)
+_TOO_FAR = (
+    "Control points would move {0:.0f} times as far as the surface: most around are locked, of "
+    "creases or kept flat. Pull further away from these, along the flat, or release them"
 )
 
 
@@ -183,6 +187,8 @@ class SurfacePull:
             )
         except ValueError as error:
             raise ValueError(_UNREACHABLE) from error
+        if found.reach > _FAR:
+            raise ValueError(_TOO_FAR.format(found.reach))
         controls = found.points
         places = self._start[self._ids[controls]] + found.moves / self.scale
         weights = np.zeros(len(self._ids))
