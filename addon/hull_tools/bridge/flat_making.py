@@ -60,11 +60,6 @@ def _selected(mesh):
     return np.array([index for index, _ in chosen]), np.array(points)
 
 
-def selected_faces(mesh):
-    """(k,) the faces that are selected in edit mode; ValueError without any."""
-    return _selected(mesh)[0]
-
-
 def _plane(obj, points, kind, place, position):
     if place == "POSITION":
         if kind not in _AXES:
