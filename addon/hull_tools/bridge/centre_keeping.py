@@ -20,9 +20,9 @@ def kept(obj, data, control, border_edges):
     border = np.unique(border_edges)
     on_plane = border[control.points[border, 1] == 0.0]
     left = on_plane[data.points[control.vertex_ids[on_plane], 1] != 0.0]
-    left = left[_have_area(control, left)]
     if not len(left):
         return data
+    left = left[_have_area(control, left)]
     indices = np.setdiff1d(control.vertex_ids[left], _of_tilted_flats(obj))
     if not len(indices):
         return data
@@ -43,10 +43,10 @@ def _have_area(control, vertices):
     ends = np.cumsum(control.face_sizes)
     size = np.ptp(control.points, axis=0).max(initial=0.0)
     found = np.zeros(len(control.points), dtype=bool)
-    for face, (first, end) in enumerate(zip(ends - control.face_sizes, ends)):
+    starts = ends - control.face_sizes
+    is_near = np.logical_or.reduceat(np.isin(control.face_vertices, vertices), starts)
+    for first, end in zip(starts[is_near], ends[is_near]):
         own = control.face_vertices[first:end]
-        if not np.isin(own, vertices).any():
-            continue
         spokes = control.points[own] - control.points[own[0]]
         area = np.cross(spokes[1:-1], spokes[2:]).sum(axis=0)
         if np.linalg.norm(area) > 1e-12 * size * size:

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""When a point moves, sections, combs and sectional areas that it does not reach are kept."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import LENGTH, lined_hull, part, state_of
+
+
+@pytest.fixture
+def hull():
+    """A box of many faces in edit mode, with lines, combs and the sectional area curve."""
+    hull = lined_hull()
+    hull.hull.lines.station_count = 20
+    hull.hull.fairness.comb_stations = hull.hull.fairness.comb_waterlines = True
+    hull.hull.plots.sectional_areas = True
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide(number_cuts=10)
+    bpy.context.view_layer.update()
+    return hull
+
+
+def pull_forward_end(hull):
+    """Moves a point of the side near the forward end; within its box, so that the size stays."""
+    bm = bmesh.from_edit_mesh(hull.data)
+    side = (vertex for vertex in bm.verts if vertex.co.y == 2.0 and 1.0 < vertex.co.z < 1.5)
+    vertex = min(side, key=lambda vertex: abs(vertex.co.x - 0.9 * LENGTH))
+    vertex.co.y -= 0.2
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+
+
+def test_stations_and_their_combs_stay_where_nothing_moved(hull):
+    before = state_of(hull)
+    stations, combs = before.lines["station"].sections, before.combs["station"].sections
+    pull_forward_end(hull)
+    for old, new in ((stations, before.lines["station"]), (combs, before.combs["station"])):
+        kept = [a is b for a, b in zip(old, new.sections)]
+        assert len(kept) == 21 and all(kept[:12]) and not any(kept[17:20])
+    assert len(before.lines["station"].sections) == 21
+
+
+def test_waterlines_that_pass_by_the_point_are_cut_again(hull):
+    before = state_of(hull).lines["waterline"].sections
+    pull_forward_end(hull)
+    after = state_of(hull).lines["waterline"].sections
+    assert [section.cut for section in before] == [section.cut for section in after]
+    assert any(a is not b for a, b in zip(before, after))
+
+
+def test_only_areas_near_the_point_are_integrated_again(hull, monkeypatch):
+    areas = part("bridge.analyses.sectional_areas")
+    counts, computed = [], areas._computed
+
+    def counted(body, stations, where):
+        counts.append(len(stations))
+        return computed(body, stations, where)
+
+    monkeypatch.setattr(areas, "_computed", counted)
+    outcome_of = part("bridge.analyses").outcome_of
+    outcome_of(hull, bpy.context.scene, "sectional_areas")
+    counts.clear()
+    pull_forward_end(hull)
+    shown = outcome_of(hull, bpy.context.scene, "sectional_areas").result.areas
+    assert len(counts) == 1 and 0 < counts[0] < len(shown.areas) / 2
+    fresh = part("bridge.analyses").result_of(hull, bpy.context.scene, "sectional_areas").areas
+    assert np.allclose(shown.areas, fresh.areas, rtol=0.0, atol=1e-7)
+
+
+def test_lines_cut_for_the_view_are_not_cut_again_for_combs(hull, monkeypatch):
+    native, cut = part("bridge.native").require(), []
+    judge = native.section_fairness
+
+    def counted(surface, planes, sections=None, **rules):
+        cut.append(sections is None)
+        return judge(surface, planes, sections=sections, **rules)
+
+    monkeypatch.setattr(native, "section_fairness", counted)
+    pull_forward_end(hull)
+    assert cut and not any(cut)
+    hull.hull.lines.show_stations = False
+    pull_forward_end(hull)
+    assert any(cut)
