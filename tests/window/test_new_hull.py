@@ -90,3 +90,19 @@ def test_all_of_the_new_hull_is_in_view(window):
         x, y = window.place_of(the_hull(), Vector(corner))
         assert region.x <= x <= region.x + region.width
         assert region.y <= y <= region.y + region.height
+
+
+def test_a_new_hull_is_seen_in_local_view(window):
+    new_hull(window, "barge")
+    yield
+    window.press("NUMPAD_SLASH")
+    yield
+    assert window.space.local_view is not None
+    new_hull(window, "sailing yacht")
+    yield
+    hull = hull_at_hand()
+    assert hull.name.startswith("Canoe") and hull.select_get()
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    for shown in (hull, hull.hull.surface_object):
+        # Of objects themselves Blender does not keep it.
+        assert shown.evaluated_get(depsgraph).local_view_get(window.space)
