@@ -54,10 +54,7 @@ def in_object_mode(cls, context):
 
 
 def make_active(context, obj):
-    """Selects exactly this object and makes it the active one, in local view too."""
-    space = context.space_data
-    if getattr(space, "local_view", None) is not None:
-        obj.local_view_set(space, True)
+    """Selects exactly this object and makes it the active one."""
     for selected in context.selected_objects:
         selected.select_set(False)
     obj.select_set(True)
