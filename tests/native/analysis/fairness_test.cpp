@@ -59,7 +59,7 @@ TEST(CurveFairness, SamplesOfRandomSectionsAreInTheirPlanes) {
     const double size = surface.mesh().size();
     const Vector3d normal = random_direction(random);
     const Plane plane{normal, normal.dot(surface.position(0, 0.37, 0.59))};
-    const auto judged = section_fairness(surface, {plane}, {1e-4 * size, {}}, {});
+    const auto judged = section_fairness(surface, {plane}, SectionOptions{1e-4 * size, {}}, {});
     for (const CurveFairness& curve : judged[0]) {
       ++curves;
       ASSERT_EQ(curve.samples.size(), curve.arc_lengths.size());
