@@ -23,7 +23,7 @@ HERE = Path(__file__).resolve().parent
 FILE_SECONDS = 900
 # What a log without trouble does not have. Fixed words of Python and of Blender.
 TROUBLE = re.compile(
-    r"^(Traceback \(most recent call last\)|\w*Error: |.*Error: (Not freed|Python)"
+    r"^(Traceback \(most recent call last\)|\w+Error: |.*Error: (Not freed|Python)"
     r"|WARN \(bpy\.rna\)|.*ERROR \(gpu\.)",
     re.M,
 )
