@@ -62,10 +62,10 @@ def _with_combs(hull):
     hull.hull.fairness.colours = "GAUSSIAN"
 
 
-def _with_load_case(hull):
+def _with_opening(hull):
     hull.hull.loading.kg = 5.0
     with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.add_load_case()
+        bpy.ops.hull.add_flooding_point()
 
 
 PANELS = {
@@ -84,13 +84,10 @@ PANELS = {
             "hydrostatics_displacement",
             "hydrostatics_centres",
             "hydrostatics_stability",
-            "hydrostatic_table",
         )
     ),
     "panels/stability": PanelShot(
-        hull_panels("stability", "flooding_points", "load_cases"),
-        _with_load_case,
-        analyses=("righting_levers", "load_cases"),
+        hull_panels("stability", "flooding_points"), _with_opening, analyses=("righting_levers",)
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
