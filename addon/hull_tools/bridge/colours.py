@@ -57,14 +57,14 @@ def coloured(surface, tessellation, choice):
 
 
 def write_colours(shown, corner_colours):
-    """Gives the surface object `shown` colours, sRGB (faces, 4, 3), and shows them."""
+    """Gives the surface object `shown` colours, linear (faces, 4, 3), and shows them."""
     mesh = shown.data
     attribute = mesh.color_attributes.get(ATTRIBUTE)
     if attribute is None:
         attribute = mesh.color_attributes.new(ATTRIBUTE, "FLOAT_COLOR", "CORNER")
         mesh.color_attributes.active_color = attribute
     colours = np.ones((len(mesh.loops), 4), dtype=np.float32)
-    colours[:, :3] = _linear(corner_colours.reshape(-1, 3))
+    colours[:, :3] = corner_colours.reshape(-1, 3)
     attribute.data.foreach_set("color", colours.reshape(-1))
     slot = shown.material_slots[0] if shown.material_slots else None
     if slot is not None and slot.link != "OBJECT":
@@ -83,5 +83,7 @@ def remove_colours(shown):
             slot.link = "DATA"
 
 
-def _linear(srgb):
+def linear(srgb):
+    """Colours as Blender keeps them."""
+    srgb = np.asarray(srgb, dtype=np.float32)
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)

@@ -97,7 +97,7 @@ class _Writer:
             return None
         tessellation = self._tessellation()
         scale, of_normals = colours.coloured(self._state.surface, tessellation, choice)
-        corners = of_normals[tessellation.normal_indices]
+        corners = colours.linear(of_normals)[tessellation.normal_indices]
         shared = self._points().shared
         colours.write_colours(self._shown, surface_object.both_sides(tessellation, shared, corners))
         return scale
