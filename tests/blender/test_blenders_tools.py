@@ -152,17 +152,21 @@ def test_joining_keeps_tags():
     assert len(first.data.edges) == 22 and (creases(first.data) == 1.0).all()
 
 
-def test_a_separated_part_is_a_hull_of_its_own():
-    hull = add_hull()
+def separate_bottom(hull):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="DESELECT")
     bm = bmesh.from_edit_mesh(hull.data)
     bm.faces.ensure_lookup_table()
-    bm.faces[1].select_set(True)  # the bottom
+    bm.faces[1].select_set(True)
     bmesh.update_edit_mesh(hull.data)
     bpy.ops.mesh.separate()
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.update()
+
+
+def test_a_separated_part_is_a_hull_of_its_own():
+    hull = add_hull()
+    separate_bottom(hull)
     part_of_it = bpy.data.objects["box.001"]
     assert part_of_it.hull.is_hull and not state_of(part_of_it).status
     assert_shows(part_of_it, (LENGTH, 4.0, 0.0))
@@ -412,15 +416,7 @@ def test_joined_hulls_keep_their_flats_apart():
 
 def test_a_separated_part_keeps_its_own_flats():
     hull = flat_box()
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bm = bmesh.from_edit_mesh(hull.data)
-    bm.faces.ensure_lookup_table()
-    bm.faces[1].select_set(True)  # the bottom
-    bmesh.update_edit_mesh(hull.data)
-    bpy.ops.mesh.separate()
-    bpy.ops.object.mode_set(mode="OBJECT")
-    bpy.context.view_layer.update()
+    separate_bottom(hull)
     assert len(flat_kinds(hull)) == len(flat_kinds(bpy.data.objects["box.001"])) == 1
     assert flat_kinds(hull) != flat_kinds(bpy.data.objects["box.001"])
 

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Turning a hull's faces so that their normals point into the water."""
 
-import contextlib
-
 import bmesh
 import numpy as np
 
 from ..io import orientation
 from . import hull_objects, mesh_arrays
+from .mesh_editing import editing
 
 
 def turn_outwards(obj):
@@ -24,23 +23,7 @@ def turn_outwards(obj):
         after, _ = orientation.turn_outwards(data.points.astype(np.float64), before, obj.hull.half)
         turned += [index for index, a, b in zip(part.tolist(), before, after) if a != b]
     if turned:
-        with _editing(obj.data) as bm:
+        with editing(obj.data) as bm:
             bm.faces.ensure_lookup_table()
             bmesh.ops.reverse_faces(bm, faces=[bm.faces[index] for index in turned])
     return len(turned)
-
-
-@contextlib.contextmanager
-def _editing(mesh):
-    """A BMesh of the mesh, in edit mode or not, whose changes are stored at the end."""
-    if mesh.is_editmode:
-        yield bmesh.from_edit_mesh(mesh)
-        bmesh.update_edit_mesh(mesh)
-        return
-    bm = bmesh.new()
-    try:
-        bm.from_mesh(mesh)
-        yield bm
-        bm.to_mesh(mesh)
-    finally:
-        bm.free()

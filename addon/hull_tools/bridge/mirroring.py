@@ -8,7 +8,6 @@ Points nearer to the centre plane than a millionth of the hull's size are put on
 by both sides. Tags, layers, marks and flat regions come along.
 """
 
-import contextlib
 from dataclasses import dataclass
 
 import bmesh
@@ -17,6 +16,7 @@ from mathutils import kdtree
 
 from ..io.mirror import ON_CENTRE_PLANE
 from . import blender_versions, flat_marks, flats, hull_state, planes
+from .mesh_editing import editing
 
 # Points of both sides that are nearer than this part of the hull's size are alike.
 ALIKE = 1e-5
@@ -41,7 +41,7 @@ def to_whole(obj, scene):
     if not obj.hull.half:
         raise ValueError("The hull is whole already")
     _check_users(obj.data)
-    with _stored(obj.data) as bm:
+    with editing(obj.data) as bm:
         _put_on_centre_plane(bm)
         astray = sum(vertex.co.y < 0.0 for vertex in bm.verts if vertex.link_faces)
         if astray:
@@ -66,7 +66,7 @@ def to_half(obj, scene, side="PORT", cut=False):
     if obj.hull.half:
         raise ValueError("The hull is a half already")
     _check_users(obj.data)
-    with _stored(obj.data) as bm:
+    with editing(obj.data) as bm:
         _put_on_centre_plane(bm)
         _cut_at_centre_plane(bm, cut)
         made = _leave(bm, SIDES[side])
@@ -85,18 +85,6 @@ def _check_users(mesh):
             f'{users} objects share the mesh "{mesh.name}": make it single-user first (Object ▸ '
             "Relations)"
         )
-
-
-@contextlib.contextmanager
-def _stored(mesh):
-    """A BMesh of a mesh, whose changes are stored at the end unless something goes wrong."""
-    bm = bmesh.new()
-    try:
-        bm.from_mesh(mesh)
-        yield bm
-        bm.to_mesh(mesh)
-    finally:
-        bm.free()
 
 
 def _put_on_centre_plane(bm):
