@@ -30,20 +30,23 @@ if not SHARED.exists():
 
 
 def control_mesh(name):
-    if name in MESHES:
-        data = json.loads((SHARED / "reference" / "meshes" / name).read_text())
-        return hn.ControlMesh(
-            np.array(data["vertices"], float),
-            np.array([len(face) for face in data["faces"]]),
-            np.concatenate(data["faces"]),
-            np.array(data["crease_edges"], int).reshape(-1, 2),
-            np.array(data["corner_vertices"], int),
-        )
+    if name not in MESHES:
+        return hn.ControlMesh(*shell_of(name))
+    data = json.loads((SHARED / "reference" / "meshes" / name).read_text())
+    return hn.ControlMesh(
+        np.array(data["vertices"], float),
+        np.array([len(face) for face in data["faces"]]),
+        np.concatenate(data["faces"]),
+        np.array(data["crease_edges"], int).reshape(-1, 2),
+        np.array(data["corner_vertices"], int),
+    )
+
+
+def shell_of(name):
+    """Arguments of ControlMesh."""
     folder = ROOT / "samples" if name in SAMPLES else SHARED / "hulls" / "freeship"
     shell = hull_io.shell_arrays(hull_io.read_hull(folder / name))
-    return hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    return shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
 
 
 _surfaces = {}
@@ -289,3 +292,36 @@ def test_regular_meshes_are_exact_with_a_patch_for_each_rectangle(name, scheme):
     assert position <= 1e-12 * report.length
     assert first <= 1e-11 * report.length
     assert second <= 1e-9 * report.length
+
+
+def subdivided(points, face_sizes, face_vertices, creases, corners):
+    """Arguments of ControlMesh with new points at the middles of edges and faces, as Blender's
+    Subdivide makes them: the surface has large parts that are plane or ruled."""
+    places, middles = list(points), {}
+
+    def middle(*ends):
+        if ends not in middles:
+            middles[ends] = len(places)
+            places.append(points[list(ends)].mean(axis=0))
+        return middles[ends]
+
+    faces = []
+    for face in np.split(face_vertices, np.cumsum(face_sizes)[:-1]):
+        ring = [middle(*sorted((a, b))) for a, b in zip(face, np.roll(face, -1))]
+        centre = len(places)
+        places.append(points[face].mean(axis=0))
+        faces += [(face[i], ring[i], centre, ring[i - 1]) for i in range(len(face))]
+    halves = [(end, middle(*sorted(edge))) for edge in creases for end in edge]
+    return np.array(places), np.full(len(faces), 4), np.ravel(faces), np.array(halves), corners
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_meshes_subdivided_without_smoothing_are_converted_to_the_last_digits(name, tmp_path):
+    shell = shell_of(name)
+    for _ in range(3):
+        shell = subdivided(*shell)
+    surface = hn.LimitSurface(hn.ControlMesh(*shell))
+    patches = hn.exact_patches(surface)
+    report = hn.measure_quality(surface, patches)
+    assert report.largest_gap <= 1e-13 * report.length
+    assert hn.write_step(patches, str(tmp_path / "hull.step"))["valid"]

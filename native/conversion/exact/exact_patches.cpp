@@ -16,6 +16,9 @@ namespace {
 
 // Of the mesh's size: a smaller jump of third differences is none.
 constexpr double kSmooth = 1e-13;
+// In spans: farther from the span that control points are computed from, rounding grows with the
+// cube of the distance.
+constexpr double kLongestInterval = 2.0;
 
 // The knots of one direction.
 struct KnotLine {
@@ -61,7 +64,8 @@ KnotLine knot_line(const BlockSpans& spans, bool along_u, double tolerance) {
     bool removable = true;
     for (int l = 0; l < across && removable; ++l) {
       const BlockSpan *a = span_at(k - 1, l), *b = span_at(k, l);
-      removable = a && b && (a == b || is_smooth(*a, *b, along_u, tolerance));
+      removable = a && b && (a == b || is_smooth(*a, *b, along_u, tolerance)) &&
+                  all[k + 1] - knots.lines.back() <= kLongestInterval * b->size;
     }
     if (removable) continue;
     knots.lines.push_back(all[k]);
