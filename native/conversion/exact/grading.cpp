@@ -15,7 +15,7 @@
 namespace hull {
 namespace {
 
-constexpr int kFirstGrading = 2;
+constexpr int kFirstGrading = 2, kFirstWithInner = 3;
 // CAD systems take knots closer together than 1e-9 for one.
 constexpr double kClosestKnots = 2e-9;
 constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
@@ -135,7 +135,7 @@ class Grader {
     }
     const std::vector<Grading> before = of_group_;
     for (std::size_t i = 0; i < is_tried.size(); ++i) {
-      if (is_tried[i]) of_group_[i] = {kFirstGrading, inner};
+      if (is_tried[i]) of_group_[i] = {kFirstWithInner, inner};
     }
     settle(points);
     for (int point : points) {
