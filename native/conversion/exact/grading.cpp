@@ -114,35 +114,43 @@ class Grader {
     }
     settle(points);
     if (options_.grading > 0) return;
-    for (int inner = 2; inner <= kMostInner; ++inner) {
-      add_inner_knots(points, inner);
-      settle(points);
-    }
+    for (int inner = 2; inner <= kMostInner; ++inner) add_inner_knots(points, inner);
   }
 
   // Begins anew, with more knots within the squares, where limits are not kept yet and where they
-  // are with very many halvings.
+  // are with very many halvings; these stay as they were if that misses the limits.
   void add_inner_knots(const std::vector<int>& points, int inner) {
-    std::vector<char> is_open(of_group_.size(), 0), is_tried(of_group_.size(), 0);
-    for (int point : points) {
-      const GradedFan& found = fans_[point];
-      const bool is_kept = found.excess() <= 1.0;
-      const int group = groups_.find(point);
-      if (!is_kept) is_open[group] = 1;
-      const bool is_wanted =
-          is_kept ? found.grading.halvings > kManyHalvings : found.outlook < kWithinReach;
-      if (is_wanted && moved_points(found.fan.count(), inner) <= kMostMoved) is_tried[group] = 1;
-    }
-    const std::vector<Grading> before = of_group_;
-    for (std::size_t i = 0; i < is_tried.size(); ++i) {
-      if (is_tried[i]) of_group_[i] = {kFirstWithInner, inner};
-    }
-    settle(points);
-    for (int point : points) {
-      const int group = groups_.find(point);
-      if (fans_[point].excess() > 1.0 && !is_open[group]) of_group_[group] = before[group];
+    const auto misses = [](const GradedFan& fan) { return fan.excess() > 1.0; };
+    const auto is_worth_it = [&](const GradedFan& fan) {
+      return moved_points(fan.fan.count(), inner) <= kMostMoved &&
+             (misses(fan) ? fan.outlook < kWithinReach : fan.grading.halvings > kManyHalvings);
+    };
+    const std::vector<char> missed = groups_with(points, misses);
+    const std::vector<char> tried = groups_with(points, is_worth_it);
+    if (std::ranges::count(tried, 1) == 0) return;
+    const std::vector<Grading> gradings_before = of_group_;
+    const std::vector<GradedFan> fans_before = fans_;
+    for (std::size_t i = 0; i < tried.size(); ++i) {
+      if (tried[i]) of_group_[i] = {kFirstWithInner, inner};
     }
     settle(points);
+    const std::vector<char> still_missed = groups_with(points, misses);
+    for (int point : points) {
+      const int group = groups_.find(point);
+      if (missed[group] || !still_missed[group]) continue;
+      of_group_[group] = gradings_before[group];
+      fans_[point] = fans_before[point];
+    }
+  }
+
+  // Per group, whether one of its fans is such.
+  template <class Such>
+  std::vector<char> groups_with(const std::vector<int>& points, const Such& such) {
+    std::vector<char> found(of_group_.size(), 0);
+    for (int point : points) {
+      if (such(fans_[point])) found[groups_.find(point)] = 1;
+    }
+    return found;
   }
 
   // Fits those whose group has changed again, until none changes any more.
