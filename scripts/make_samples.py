@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes samples/NAME.hull.json from samples/sources/NAME.py, and on request their numbers.
+
+python3 scripts/make_samples.py [NAME ...]
+PYTHONPATH=build/dev/python python3 scripts/make_samples.py --expected [NAME ...]
+
+Without names: all that have a source. --expected also writes samples/expected/NAME.json, the
+particulars of the surface at the design draft.
+"""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+SAMPLES = ROOT / "samples"
+sys.path[:0] = [str(SAMPLES), str(ROOT / "tests" / "blender" / "io")]
+import sources  # noqa: E402
+from hull_io_loader import load_hull_io  # noqa: E402
+
+hull_io = load_hull_io()
+
+EXPECTED = (
+    "displaced_volume",
+    "lcb",
+    "kb",
+    "wetted_surface",
+    "waterplane_area",
+    "lcf",
+    "km_transverse",
+    "km_longitudinal",
+)
+
+
+def expected(data):
+    """The particulars of a hull at its design draft, by name: m, m², m³."""
+    import hull_native as hn
+
+    shell = hull_io.shell_arrays(data)
+    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    surface = hn.LimitSurface(hn.ControlMesh(*arrays), data.scheme)
+    found = hn.upright_hydrostatics(surface, draft=data.particulars.draft, mirrored=data.half)
+    return {name: getattr(found, name) for name in EXPECTED}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--expected", action="store_true")
+    given = parser.parse_args()
+    for name in given.names or sources.names():
+        data = sources.source(name).make(hull_io)
+        hull_io.write_hull_file(data, SAMPLES / f"{name}.hull.json")
+        print(f"{name}: {len(data.points)} points, {len(data.faces)} faces")
+        if given.expected:
+            text = json.dumps(expected(data), indent=1)
+            (SAMPLES / "expected").mkdir(exist_ok=True)
+            (SAMPLES / "expected" / f"{name}.json").write_text(text + "\n")
+
+
+if __name__ == "__main__":
+    main()
