@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Counts the inflections and flat spots of hulls' lines, and tells those that no design calls for.
+
+PYTHONPATH=build/release/python python3 scripts/check_fairness.py [--all] [HULL ...]
+
+HULL is a sample's name or a hull file; without any: every sample. What the design calls for is
+WANTED in samples/sources/NAME.py; fair_lines.py tells its form, fair_marks.py what is seen. Ends
+with 1 where something is unwanted. --all shows the lines that are as wanted, too.
+"""
+
+import argparse
+import sys
+
+import fair_lines
+import vessels
+
+
+def counts(found):
+    """Such as "2 inflections, 1 dip"."""
+    names = [mark.mark for mark in found]
+    kinds = [(kind, names.count(kind)) for kind in sorted(set(names), reverse=True)]
+    return ", ".join(f"{n} {kind}{'s' * (n > 1)}" for kind, n in kinds) or "nothing"
+
+
+def tell(line, is_all):
+    if not (line.unwanted or (is_all and line.found)):
+        return
+    wanted = [mark for mark in line.found if mark.reason is not None]
+    print(f"  {line.name}: found {counts(line.found)}; wanted {counts(wanted)}")
+    for mark in line.found:
+        place = "({:.2f}, {:.2f}, {:.2f})".format(*mark.point)
+        why = f"wanted: {mark.reason}" if mark.reason is not None else "UNWANTED"
+        if mark.reason is None or is_all:
+            print(f"    {mark.mark} at {place}, {1e3 * mark.depth:.1f} mm deep, {why}")
+
+
+def check(name, is_all):
+    """How many marks of a hull are unwanted."""
+    vessel = vessels.vessel(name)
+    beam = vessel.data.particulars.beam
+    lines = fair_lines.judged(vessel.surface, beam, vessel.wanted)
+    unwanted = sum(len(line.unwanted) for line in lines)
+    print(
+        f"{vessel.name}: {len(lines)} lines; seen from {1e3 * fair_lines.LEAST_DEPTH * beam:.1f} mm"
+        f" depth on: {counts([mark for line in lines for mark in line.found])}; {unwanted} unwanted"
+    )
+    for kind in fair_lines.KINDS:
+        of_kind = [line for line in lines if line.kind == kind]
+        for line in of_kind:
+            tell(line, is_all)
+    return unwanted
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("hulls", nargs="*", metavar="HULL")
+    parser.add_argument("--all", action="store_true")
+    given = parser.parse_args()
+    unwanted = [check(name, given.all) for name in given.hulls or vessels.names()]
+    sys.exit(1 if any(unwanted) else 0)
+
+
+if __name__ == "__main__":
+    main()

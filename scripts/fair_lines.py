@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Inflections and dips of a hull's lines, found and wanted.
+
+Lines are stations, waterlines and buttocks of the exact surface at even distances, and its creases
+and borders: those that lie in a plane judged there, others in plan and in profile. WANTED lists
+what the design calls for, entries of
+
+    (kind of line, mark, how many a line, {"x": (from, to), ...}, why)
+
+with the kinds of KINDS, the marks of fair_marks, and the box in m that the mark is in; a letter
+left out is everywhere.
+"""
+
+from dataclasses import dataclass
+
+import fair_marks
+import hull_native as hn
+import numpy as np
+
+KINDS = ("station", "waterline", "buttock", "feature")
+# How many planes there are along each axis.
+PLANES = {"station": ("x", 48), "waterline": ("z", 20), "buttock": ("y", 12)}
+# Of the beam: what is less deep is not seen.
+LEAST_DEPTH = 2e-4
+# A tangent that turns by less is no knuckle.
+KNUCKLE = np.radians(1.0)
+# Of the beam: the distance of samples; of the hull's size: what lies in a plane.
+_STEP, _IN_PLANE = 1.0 / 200.0, 1e-6
+
+
+@dataclass(frozen=True)
+class Found:
+    """A mark on a line: its kind, place (3,) and depth in m, and why it is wanted or None."""
+
+    mark: str
+    point: tuple
+    depth: float
+    reason: object = None
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line with the marks found on it."""
+
+    kind: str
+    name: str
+    found: list
+
+    @property
+    def unwanted(self):
+        return [found for found in self.found if found.reason is None]
+
+
+def judged(surface, beam, wanted=()):
+    """Every Line of a surface; beam in m."""
+    least = LEAST_DEPTH * beam
+    lines = []
+    for kind, name, curves in _all_curves(surface, _STEP * beam):
+        found = [mark for curve in curves for mark in _marks(*curve, least)]
+        lines.append(Line(kind, name, _with_reasons(kind, found, wanted)))
+    return lines
+
+
+def _all_curves(surface, step):
+    """(kind, name, [(points in plane (n, 2), points (n, 3), curvatures, starts)]) of each line."""
+    points = surface.tessellate(4).points
+    low, high = points.min(axis=0), points.max(axis=0)
+    for kind, (axis, count) in PLANES.items():
+        column = "xyz".index(axis)
+        at = low[column] + (np.arange(count) + 0.5) / count * (high[column] - low[column])
+        planes = np.zeros((count, 4))
+        planes[:, column], planes[:, 3] = 1.0, at
+        kept = [i for i in range(3) if i != column]
+        cut = hn.section_fairness(surface, planes, step=step, marks=False)
+        for place, curves in zip(at, cut):
+            name = f"{kind} {axis} = {place:.3f} m"
+            yield kind, name, [_seen(curve, kept) for curve in curves]
+    yield from _features(surface, step, float(np.ptp(points, axis=0).max()))
+
+
+def _features(surface, step, size):
+    plain = hn.feature_fairness(surface, step=step, marks=False)
+    views = [
+        (name, kept, hn.feature_fairness(surface, step=step, marks=False, direction=direction))
+        for name, kept, direction in (
+            ("in plan", (0, 1), (0.0, 0.0, 1.0)),
+            ("in profile", (0, 2), (0.0, 1.0, 0.0)),
+        )
+    ]
+    for index, curve in enumerate(plain):
+        ends = " to ".join("({:.2f}, {:.2f}, {:.2f})".format(*curve.points[i]) for i in (0, -1))
+        name = f"{curve.kind} from {ends}"
+        frame = _plane_frame(curve.points, _IN_PLANE * size)
+        if frame is not None:
+            yield "feature", name, [(curve.points @ frame.T, *_rest(curve))]
+            continue
+        for view, kept, curves in views:
+            yield "feature", f"{name} {view}", [_seen(curves[index], list(kept))]
+
+
+def _plane_frame(points, tolerance):
+    """Two directions (2, 3) of the plane that points lie in, or None."""
+    _, spread, axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    return axes[:2] if spread[2] / np.sqrt(len(points)) <= tolerance else None
+
+
+def _seen(curve, kept):
+    return curve.points[:, kept], *_rest(curve)
+
+
+def _rest(curve):
+    return curve.points, curve.curvatures, curve.starts
+
+
+def _marks(flat, points, curvatures, starts, least):
+    """Found without reasons, of each part between knuckles."""
+    for first, last in _parts(flat, starts):
+        lengths = np.linalg.norm(np.diff(flat[first:last], axis=0), axis=1)
+        lengths = np.concatenate([[0.0], np.cumsum(lengths)])
+        if lengths[-1] < least:
+            continue
+        for mark in fair_marks.marks(lengths, curvatures[first:last], least):
+            yield Found(mark.kind, tuple(points[first + mark.index]), mark.depth)
+
+
+def _parts(flat, starts):
+    """(first, last + 1) of the samples between knuckles."""
+    first = 0
+    for border in starts[1:-1]:
+        before, after = flat[border - 1] - flat[border - 2], flat[border + 1] - flat[border]
+        turn = np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)
+        if abs(turn) > KNUCKLE:
+            yield first, border
+            first = border
+    yield first, len(flat)
+
+
+def _with_reasons(kind, marks, wanted):
+    left = [[entry, entry[2]] for entry in wanted if entry[0] == kind]
+    return [Found(found.mark, found.point, found.depth, _reason(found, left)) for found in marks]
+
+
+def _reason(found, left):
+    """Why a mark is wanted, by the first entry that has one left; None where none has."""
+    for place in left:
+        (_, mark, _, box, why), number = place
+        inside = all(a <= found.point["xyz".index(axis)] <= b for axis, (a, b) in box.items())
+        if mark == found.mark and number > 0 and inside:
+            place[1] -= 1
+            return why
+    return None

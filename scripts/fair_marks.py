@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Inflections and flat spots of a plane curve that an eye sees, from its curvature.
+
+A mark counts by how far the curve had to move for it to vanish, its depth. A hollow is as deep as
+the curve lies below its chord. A dip is the place of least bend between two where it bends more to
+the same side; it vanishes with the lesser of the two when both are made one even bend, and its
+depth is how far that moves the curve. What is less deep than a given length, or than SHALLOWEST of
+its own length, is not seen: splines ripple by that about circles.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+# A depth over the length it stretches along: a batten bent by a quarter of a degree.
+SHALLOWEST = 1.0 / 2000.0
+# Curvatures over the largest that differ by no more are the same.
+_ROUNDING = 1e-9
+_BISECTIONS = 30
+# Waves whose heights differ by less are of one height.
+_ABOUT = 0.05
+
+INFLECTION, DIP = "inflection", "dip"
+
+
+@dataclass(frozen=True)
+class Mark:
+    """An inflection or a dip, at an index of the samples; its depth in m."""
+
+    kind: str
+    index: int
+    depth: float
+
+
+def marks(lengths, curvatures, least_depth):
+    """The visible Marks of a curve without knuckles: lengths (n,) along it in m, rising, and signed
+    curvatures (n,) in 1/m; in their order along it. least_depth in m."""
+    curve = _Curve(lengths, curvatures, least_depth)
+    sides, inflections = _sides(curve)
+    dips = [mark for side in sides for mark in _dips(curve, *side)]
+    return sorted(inflections + dips, key=lambda mark: mark.index)
+
+
+class _Curve:
+    def __init__(self, lengths, curvatures, least_depth):
+        self.s = np.asarray(lengths, dtype=float)
+        step = _ROUNDING * max(np.abs(curvatures).max(initial=0.0), _ROUNDING)
+        self.k = np.round(np.asarray(curvatures) / step) * step
+        self.least_depth = least_depth
+
+    def depth(self, first, last, bend):
+        """(depth in m, depth over the least that is seen) of bends in 1/m more than wanted, given
+        from one index to another."""
+        s = self.s[first : last + 1]
+        length = s[-1] - s[0]
+        if not length > 0.0:
+            return 0.0, 0.0
+        rise = _integral(s, _integral(s, bend))
+        depth = float(np.abs(rise[-1] * (s - s[0]) / length - rise).max())
+        return depth, depth / max(self.least_depth, SHALLOWEST * length)
+
+    def hollow(self, first, last, sign):
+        """depth() of all that bends to one side between two indices."""
+        bend = np.maximum(sign * self.k[first : last + 1], 0.0)
+        bent = np.flatnonzero(bend)
+        # One sample more at either end: there it is down to nothing.
+        low, high = max(bent[0] - 1, 0), min(bent[-1] + 1, last - first)
+        return self.depth(first + low, first + high, bend[low : high + 1])
+
+
+def _integral(s, values):
+    steps = 0.5 * np.diff(s) * (values[1:] + values[:-1])
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _sides(curve):
+    """[(first, last, sign)] of the parts that bend to one side as far as is seen, and the Marks of
+    the inflections between them."""
+    signs = np.sign(curve.k)
+    bent = np.flatnonzero(signs)
+    if not len(bent):
+        return [], []
+    turns = np.flatnonzero(signs[bent[1:]] != signs[bent[:-1]])
+    # Where it is straight between two sides, the inflection is in the middle.
+    borders = [0, *((bent[turns] + bent[turns + 1] + 1) // 2), len(signs) - 1]
+    sign = signs[bent[0]]
+    sides = [(a, b, sign * (-1) ** i) for i, (a, b) in enumerate(zip(borders, borders[1:]))]
+    while True:
+        depths = [curve.hollow(*side) for side in sides]
+        least = min(range(len(sides)), key=lambda i: depths[i][1])
+        if len(sides) == 1 or depths[least][1] >= 1.0:
+            break
+        # It goes to its neighbours, which bend to one side.
+        around = sides[max(least - 1, 0) : least + 2]
+        other = sides[least - 1 if least else 1][2]
+        sides[max(least - 1, 0) : least + 2] = [(around[0][0], around[-1][1], other)]
+    found = [
+        Mark(INFLECTION, int(side[1]), min(depths[i][0], depths[i + 1][0]))
+        for i, side in enumerate(sides[:-1])
+    ]
+    return sides, found
+
+
+def _dips(curve, first, last, sign):
+    """The Marks of the dips of a part that bends to one side."""
+    bend = sign * curve.k[first : last + 1]
+    while True:
+        at = _extremes(bend)
+        dips = [i for i in range(1, len(at) - 1) if bend[at[i]] < bend[at[i - 1]]]
+        if not dips:
+            return []
+        evened = [_Evened(curve, first, bend, at, i) for i in _pairs(bend, at)]
+        if not _make_even(bend, [one for one in evened if one.ratio < 1.0]):
+            break
+    marks = []
+    for i in dips:
+        depth = max(_Evened(curve, first, bend, at, pair).depth for pair in (i - 1, i))
+        marks.append(Mark(DIP, first + _middle(bend, *at[i - 1 : i + 2]), depth))
+    return marks
+
+
+def _make_even(bend, evened):
+    """Makes each _Evened so, the shallowest first, but none beside another; whether any was."""
+    changed = np.zeros(len(bend), dtype=bool)
+    for one in sorted(evened, key=lambda one: one.ratio):
+        around = slice(max(one.part.start - 1, 0), one.part.stop + 1)
+        if not changed[around].any():
+            bend[one.part] = one.level
+            changed[one.part] = True
+    return bool(evened)
+
+
+def _extremes(bend):
+    """Indices of the ends and of the maxima and minima between them, in turn."""
+    steps = np.sign(np.diff(bend))
+    moving = np.flatnonzero(steps)
+    turns = moving[:-1][steps[moving[1:]] != steps[moving[:-1]]] + 1
+    return [0, *turns.tolist(), len(bend) - 1]
+
+
+def _pairs(bend, at):
+    """Each i with at[i] and at[i + 1] between neighbours that go about as far or further."""
+    for i in range(len(at) - 1):
+        fall = bend[at[i]] - bend[at[i + 1]]
+        slack = _ABOUT * fall * fall
+        before = i == 0 or (bend[at[i - 1]] - bend[at[i + 1]]) * fall <= slack
+        after = i + 2 == len(at) or (bend[at[i + 2]] - bend[at[i]]) * fall >= -slack
+        if before and after:
+            yield i
+
+
+class _Evened:
+    """A maximum and a minimum beside it made one even bend, that turns the curve as far."""
+
+    def __init__(self, curve, first, bend, at, pair):
+        self.pair = pair
+        low = at[max(pair - 1, 0)]
+        high = at[min(pair + 2, len(at) - 1)]
+        one, other = at[pair], at[pair + 1]
+        levels = [bend[one], bend[other]]
+        for _ in range(_BISECTIONS):
+            self.level = 0.5 * sum(levels)
+            self.part = _beyond(bend, self.level, low, one, other, high)
+            turned = _integral(curve.s[first:][self.part], bend[self.part] - self.level)[-1]
+            levels[0 if turned * (levels[0] - levels[1]) < 0.0 else 1] = self.level
+        a, b = first + self.part.start, first + self.part.stop - 1
+        self.depth, self.ratio = curve.depth(a, b, bend[self.part] - self.level)
+
+
+def _beyond(bend, level, low, one, other, high):
+    """The indices around an extreme `one` and the next, from where the bend leaves a level before
+    them to where it is back."""
+    sign = 1.0 if bend[one] > bend[other] else -1.0
+    before = np.flatnonzero(sign * (bend[low:one] - level) <= 0.0)
+    after = np.flatnonzero(sign * (bend[other : high + 1] - level) >= 0.0)
+    start = low + before[-1] + 1 if len(before) else low
+    stop = other + after[0] if len(after) else high + 1
+    return slice(start, stop)
+
+
+def _middle(bend, before, dip, after):
+    """The middle of where it bends hardly more than in a dip."""
+    level = bend[dip] + 0.01 * (min(bend[before], bend[after]) - bend[dip])
+    more = np.flatnonzero(bend[before : after + 1] > level) + before
+    low = more[more < dip].max(initial=before)
+    high = more[more > dip].min(initial=after)
+    return int(low + high) // 2

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The samples as scripts want them: their data, their exact surface, what their sources tell."""
+
+import sys
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+SAMPLES = ROOT / "samples"
+sys.path[:0] = [str(SAMPLES), str(ROOT / "tests" / "blender" / "io")]
+import sources  # noqa: E402
+from hull_io_loader import load_hull_io  # noqa: E402
+
+hull_io = load_hull_io()
+_ENDING = ".hull.json"
+
+
+def names():
+    """Names of all samples."""
+    return sorted(path.name.removesuffix(_ENDING) for path in SAMPLES.glob("*" + _ENDING))
+
+
+def surface_of(data):
+    """The hull_native.LimitSurface of a HullData's shell."""
+    import hull_native as hn
+
+    shell = hull_io.shell_arrays(data)
+    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    return hn.LimitSurface(hn.ControlMesh(*arrays), data.scheme)
+
+
+@dataclass(frozen=True)
+class Vessel:
+    """A hull: name, HullData and the module of its source, None where there is none."""
+
+    name: str
+    data: object
+    source: object = None
+
+    @cached_property
+    def surface(self):
+        return surface_of(self.data)
+
+    @property
+    def wanted(self):
+        return getattr(self.source, "WANTED", ())
+
+
+def vessel(name):
+    """The Vessel of a sample's name, or of the path of any hull file."""
+    path = SAMPLES / (name + _ENDING)
+    if not path.exists():
+        return Vessel(Path(name).name.removesuffix(_ENDING), hull_io.read_hull(Path(name)))
+    source = sources.source(name) if name in sources.names() else None
+    return Vessel(name, hull_io.read_hull(path), source)

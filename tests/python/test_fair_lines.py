@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Inflections and dips that are seen: of curves with known curvature, and of hulls with a dent."""
+
+import copy
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import fair_lines  # noqa: E402
+import fair_marks  # noqa: E402
+import vessels  # noqa: E402
+
+LEAST = 0.001
+
+
+def kinds(lengths, curvatures, least=LEAST):
+    return [mark.kind for mark in fair_marks.marks(lengths, curvatures, least)]
+
+
+def test_waves_have_their_inflections():
+    s = np.linspace(0.0, 60.0, 2001)
+    found = fair_marks.marks(s, 0.1 * np.cos(0.3 * s), LEAST)
+    assert [mark.kind for mark in found] == ["inflection"] * 6
+    places = [s[mark.index] for mark in found]
+    assert places == pytest.approx((np.arange(6) + 0.5) * np.pi / 0.3, abs=0.05)
+
+
+def test_one_bend_is_fair():
+    s = np.linspace(0.0, 10.0, 501)
+    for curvature in (0.0 * s, 0.1 + 0.0 * s, 0.01 * s, np.exp(-((s - 4.0) ** 2)), -np.exp(-s)):
+        assert kinds(s, curvature) == []
+        assert kinds(s, -curvature) == []
+
+
+def test_a_flat_between_two_bends_is_a_dip_in_its_middle():
+    s = np.linspace(0.0, 10.0, 1001)
+    curvature = np.exp(-4.0 * (s - 1.5) ** 2) + np.exp(-4.0 * (s - 8.0) ** 2)
+    (mark,) = fair_marks.marks(s, curvature, LEAST)
+    assert mark.kind == "dip"
+    assert s[mark.index] == pytest.approx(4.75, abs=0.3)
+
+
+def test_ripple_counts_from_its_depth_on():
+    """A circle with a ripple r cos(w s) of its radius: the curvature's is r w²."""
+    s, waves = np.linspace(0.0, 1.5, 1501), 24.0
+
+    def dips(r):
+        return kinds(s, 1.0 + r * waves**2 * np.cos(waves * s)).count("dip")
+
+    assert dips(0.5 * LEAST) == 0
+    assert dips(2.0 * LEAST) == 5
+
+
+def test_noise_is_not_counted():
+    s = np.linspace(0.0, 10.0, 1001)
+    noise = np.random.default_rng(1).normal(scale=1e-4, size=len(s))
+    assert kinds(s, noise) == []
+    assert kinds(s, 0.05 * s / s[-1] + noise) == []
+
+
+def test_depth_is_that_of_the_chord():
+    """Of an arc of 40 m radius, hollow, between two round ones."""
+    s = np.linspace(0.0, 12.0, 1201)
+    curvature = np.where(np.abs(s - 6.0) < 2.0, -1.0 / 40.0, 0.2)
+    marks = [m for m in fair_marks.marks(s, curvature, LEAST) if m.kind == "inflection"]
+    assert [m.depth for m in marks] == pytest.approx([4.0**2 / 8.0 / 40.0] * 2, rel=0.02)
+    assert [m.kind for m in fair_marks.marks(s, curvature, 0.06)] == ["dip"]
+
+
+def test_a_mark_is_wanted_once_in_its_box():
+    wanted = [("station", "dip", 1, {"x": (0.0, 5.0), "z": (1.0, 2.0)}, "the chine")]
+    inside, outside = (3.0, 0.0, 1.5), (3.0, 0.0, 2.5)
+
+    def reasons(kind, *points):
+        marks = [fair_lines.Found("dip", point, 0.1) for point in points]
+        return [m.reason for m in fair_lines._with_reasons(kind, marks, wanted)]
+
+    assert reasons("station", inside, inside) == ["the chine", None]
+    assert reasons("station", outside, inside) == [None, "the chine"]
+    assert reasons("waterline", inside) == [None]
+
+
+def marks_by_line(data):
+    lines = fair_lines.judged(vessels.surface_of(data), data.particulars.beam)
+    return [len(line.found) for line in lines]
+
+
+# Points of the coaster where it is gently bent.
+@pytest.mark.parametrize("point", [30, 53, 62, 70, 78])
+@pytest.mark.parametrize("mille", [4.0, -4.0])
+def test_a_dent_and_a_bump_are_found(point, mille):
+    data = vessels.vessel("coaster").data
+    before = marks_by_line(data)
+    dented = copy.deepcopy(data)
+    dented.points[point, 1] -= mille * 1e-3 * data.particulars.beam
+    after = marks_by_line(dented)
+    assert max(b - a for a, b in zip(before, after)) >= 1
