@@ -168,6 +168,7 @@ def test_what_panels_show_is_on_their_pages():
     hull.hull.plan.paper = "OWN"
     hull.hull.lines.stations = "1 2"
     bpy.ops.hull.add_plane()
+    bpy.ops.hull.make_studio()
     for name in ("add_load_case", "add_flooding_point"):
         getattr(bpy.ops.hull, name)()
     bpy.context.view_layer.update()

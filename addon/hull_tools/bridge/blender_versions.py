@@ -106,3 +106,17 @@ def shader_input(node, *names):
 def builtin_shader(name):
     """One of the graphics card's ready-made shaders, by its present name ("SMOOTH_COLOR")."""
     return gpu.shader.from_builtin(name if _SHADERS_ARE_UNPREFIXED else f"3D_{name}")
+
+
+def make_see_through(material):
+    """Has EEVEE draw a material with transparent parts, which cast no shadow."""
+    if hasattr(material, "surface_render_method"):
+        material.surface_render_method = "BLENDED"
+    else:
+        material.blend_method = "BLEND"
+        material.shadow_method = "NONE"
+
+
+def eevee():
+    """The name of the renderer EEVEE in this Blender."""
+    return "BLENDER_EEVEE_NEXT" if (4, 2, 0) <= bpy.app.version < (5, 0, 0) else "BLENDER_EEVEE"

@@ -79,7 +79,8 @@ def remove_colours(shown):
     if attribute is not None:
         shown.data.color_attributes.remove(attribute)
     for slot in shown.material_slots:
-        if slot.link == "OBJECT" and slot.material == materials.attribute_material(ATTRIBUTE):
+        own = slot.material if slot.link == "OBJECT" else None
+        if own is not None and own.name == ATTRIBUTE:
             slot.link = "DATA"
 
 

@@ -36,21 +36,41 @@ def make_curves(obj, surface, groups, metres_per_unit, as_splines):
     as_splines: as Bézier curves within the tolerance of splines; else as polylines. Returns how
     many curves there are.
     """
-    size = lines.size_of(surface)
+    radius = _LINE_RADIUS * lines.size_of(surface)
     collection = _emptied_collection(obj)
     count = 0
     for group in groups:
-        chains = _splines_of(surface, group) if as_splines else _polylines_of(group)
-        if group.is_mirrored:
-            chains = _with_images(chains, _CENTRE_PLANE_TOLERANCE * size)
+        chains = chains_of(surface, group, as_splines)
         if not chains:
             continue
-        curve = _new_curve(obj, collection, group.kind)
-        curve.bevel_depth = _LINE_RADIUS * size / metres_per_unit
-        for points in chains:
-            _add_chain(curve, points / metres_per_unit, as_splines)
+        name = f"{obj.name} {LAYER_NAMES[group.kind]}"
+        curve = new_curve(name, chains, radius, metres_per_unit, as_splines)
+        curve.materials.append(materials.line_material(group.kind))
+        shown = bpy.data.objects.new(curve.name, curve)
+        shown.parent = obj
+        collection.objects.link(shown)
         count += len(chains)
     return count
+
+
+def chains_of(surface, group, as_splines):
+    """The lines of a group, both sides of the hull, in m: points (k, 3), or as_splines (k, 3, 3)
+    left handle, point and right handle."""
+    chains = _splines_of(surface, group) if as_splines else _polylines_of(group)
+    if group.is_mirrored:
+        return _with_images(chains, _CENTRE_PLANE_TOLERANCE * lines.size_of(surface))
+    return chains
+
+
+def new_curve(name, chains, radius, metres_per_unit, as_splines):
+    """A curve of chains_of a group: tubes of this radius in m."""
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions = "3D"
+    curve.bevel_resolution = 1
+    curve.bevel_depth = radius / metres_per_unit
+    for points in chains:
+        _add_chain(curve, points / metres_per_unit, as_splines)
+    return curve
 
 
 def _emptied_collection(obj):
@@ -75,17 +95,6 @@ def _belongs_to_another(collection, obj):
         for other in bpy.data.objects
         if other.type == "MESH" and other.hull.is_hull
     )
-
-
-def _new_curve(obj, collection, kind):
-    curve = bpy.data.curves.new(f"{obj.name} {LAYER_NAMES[kind]}", "CURVE")
-    curve.dimensions = "3D"
-    curve.bevel_resolution = 1
-    curve.materials.append(materials.line_material(kind))
-    shown = bpy.data.objects.new(curve.name, curve)
-    shown.parent = obj
-    collection.objects.link(shown)
-    return curve
 
 
 def _polylines_of(group):

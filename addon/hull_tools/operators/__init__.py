@@ -22,6 +22,7 @@ from . import (
     select_tags,
     shape,
     sides,
+    studio,
     tag_mesh,
 )
 
@@ -45,6 +46,7 @@ _CLASSES = (
     *loading_lists.CLASSES,
     *lines.CLASSES,
     *fairness.CLASSES,
+    *studio.CLASSES,
 )
 
 

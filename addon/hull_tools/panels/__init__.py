@@ -10,6 +10,7 @@ from . import (
     hull,
     keymap,
     lines_plan,
+    presentation,
     pull,
     results,
     sections,
@@ -34,6 +35,7 @@ _CLASSES = (
     *stability.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,
+    *presentation.CLASSES,
 )
 
 _DRAWN_IN = [  # by the names of menus and panels

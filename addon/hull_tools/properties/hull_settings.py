@@ -25,6 +25,7 @@ from . import (
     line_settings,
     output_settings,
     stability_settings,
+    studio_settings,
     tag_settings,
 )
 from .shared import angle, changed, length
@@ -128,6 +129,7 @@ class HullSettings(bpy.types.PropertyGroup):
     plots: PointerProperty(type=output_settings.HullPlots)
     plan: PointerProperty(type=output_settings.HullPlan)
     export: PointerProperty(type=export_settings.HullExport)
+    studio: PointerProperty(type=studio_settings.HullStudio)
 
 
 CLASSES = (
@@ -138,6 +140,7 @@ CLASSES = (
     *stability_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,
+    *studio_settings.CLASSES,
     HullLayer,
     HullSettings,
 )

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Node trees of materials and worlds, written as formulas of sockets and numbers."""
+
+
+class Nodes:
+    """The node tree of a material or a world, emptied."""
+
+    def __init__(self, owner):
+        owner.use_nodes = True
+        self._tree = owner.node_tree
+        self._tree.nodes.clear()
+
+    def add(self, kind, **inputs):
+        """A node; inputs by the names of its sockets, with _ for blanks: numbers, colours or
+        sockets of other nodes."""
+        node = self._tree.nodes.new(kind)
+        for name, value in inputs.items():
+            self.put(value, node.inputs[name.replace("_", " ")])
+        return node
+
+    def put(self, value, socket):
+        """Gives an input socket a number, a colour or what another node's socket gives."""
+        if hasattr(value, "is_output"):
+            self._tree.links.new(value, socket)
+        else:
+            socket.default_value = value
+
+    def math(self, operation, *values):
+        node = self._tree.nodes.new("ShaderNodeMath")
+        node.operation = operation
+        for value, socket in zip(values, node.inputs):
+            self.put(value, socket)
+        return node.outputs[0]
+
+    def choose(self, condition, if_not, if_so):
+        """Of two numbers the second where a condition is 1, the first where it is 0."""
+        difference = self.math("SUBTRACT", if_so, if_not)
+        return self.math("MULTIPLY_ADD", condition, difference, if_not)
+
+    def smooth(self, value, low, high):
+        """0 at `low` to 1 at `high`, without kinks."""
+        node = self.add("ShaderNodeMapRange", Value=value, From_Min=low, From_Max=high)
+        node.interpolation_type = "SMOOTHSTEP"
+        return node.outputs[0]
+
+    def split(self, vector):
+        """(x, y, z) of a vector's socket."""
+        return tuple(self.add("ShaderNodeSeparateXYZ", Vector=vector).outputs)
+
+    def ramp(self, value, stops, low=0.0, high=1.0, steps=False):
+        """The colour at a value: stops are pairs (value, colour), from `low` to `high`."""
+        part = self.add("ShaderNodeMapRange", Value=value, From_Min=low, From_Max=high)
+        node = self.add("ShaderNodeValToRGB", Fac=part.outputs[0])
+        ramp = node.color_ramp
+        ramp.interpolation = "CONSTANT" if steps else "LINEAR"
+        elements = ramp.elements
+        while len(elements) > 1:
+            elements.remove(elements[-1])
+        for index, (place, colour) in enumerate(stops):
+            position = (place - low) / (high - low)
+            element = elements.new(position) if index else elements[0]
+            element.position, element.color = position, rgba(colour)
+        return node.outputs[0]
+
+    def mix_colour(self, part, first, second):
+        node = self._tree.nodes.new("ShaderNodeMixRGB")
+        for value, socket in zip((part, first, second), node.inputs):
+            self.put(value, socket)
+        return node.outputs[0]
+
+    def mix_shader(self, part, first, second):
+        node = self._tree.nodes.new("ShaderNodeMixShader")
+        for value, socket in zip((part, first, second), node.inputs):
+            self.put(value, socket)
+        return node.outputs[0]
+
+    def emission(self, colour):
+        return self.add("ShaderNodeEmission", Color=colour).outputs[0]
+
+    def finish(self, shader, kind="ShaderNodeOutputMaterial"):
+        self.add(kind, Surface=shader)
+
+
+def rgba(colour):
+    return (*colour[:3], 1.0)

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the hull floats in or stands on: a sheet of water out to the horizon, or a floor."""
+
+from math import sqrt
+
+import bmesh
+import bpy
+
+from .. import blender_versions
+from ..shader_nodes import Nodes, rgba
+from . import light, place, water_look
+
+# In lengths of the hull.
+_TO_THE_HORIZON = 400.0
+_FLOOR = 60.0
+_HAZE = 18.0
+_FLOOR_SEEN = (1.0, 6.0)
+_CALM_FROM = 1.2
+
+# Of waves in metres, for a hull one metre long; they grow with the root of the length, as a ship's
+# own do with its speed.
+_WAVE = 0.16
+_REFRACTION = 1.333
+_TINT = (0.80, 0.93, 0.95)
+# Less than a mirror: the topsides' image would lie over the underwater body.
+_MIRRORING = 0.75
+
+_WINDOW = (0.35, 0.85)  # sines between which the surface is seen from below as a mirror, and open
+_WINDOW_COLOUR = (0.42, 0.80, 0.88)
+_SEEN_FROM_BELOW = 1.6  # lengths
+
+_FLOOR_COLOUR = (0.42, 0.43, 0.44)
+
+
+def add_water(here, waterlines):
+    """Water at the draft, with none inside the hull's closed `waterlines`, polylines (k, 3) of both
+    sides in Blender's units."""
+    size = _TO_THE_HORIZON * here.length
+    x, y = here.centre[:2]
+    outline = [
+        (x - size, y - size),
+        (x + size, y - size),
+        (x + size, y + size),
+        (x - size, y + size),
+    ]
+    outline = [(*corner, 0.0) for corner in outline]
+    mesh = bpy.data.meshes.new("Studio water")
+    lines = [[(float(p[0]), float(p[1]), 0.0) for p in line] for line in waterlines]
+    if not _fill_around(mesh, outline, lines, 1e-5 * here.length):
+        mesh.from_pydata(outline, [], [(0, 1, 2, 3)])
+    mesh.materials.append(_water(here))
+    water = here.add_scenery("Studio water", mesh, (0.0, 0.0, here.draft))
+    water.visible_shadow = False
+    water.visible_diffuse = False
+
+
+def _fill_around(mesh, outline, polylines, weld_distance):
+    """Fills a mesh between an outline and closed lines in it; False where these do not close."""
+    bm = bmesh.new()
+    try:
+        for polyline in (outline + outline[:1], *polylines):
+            vertices = [bm.verts.new(point) for point in polyline]
+            for ends in zip(vertices, vertices[1:]):
+                bm.edges.new(ends)
+        bmesh.ops.remove_doubles(bm, verts=bm.verts, dist=weld_distance)
+        if any(len(vertex.link_edges) != 2 for vertex in bm.verts):
+            return False
+        bmesh.ops.triangle_fill(bm, edges=bm.edges)
+        for face in bm.faces:
+            face.normal_update()
+            if face.normal.z < 0.0:
+                face.normal_flip()
+        bm.to_mesh(mesh)
+        return bool(mesh.polygons)
+    finally:
+        bm.free()
+
+
+def _water(here):
+    material = place.new_material("Studio water", (0.3, 0.6, 0.7, 0.35))
+    nodes = Nodes(material)
+    geometry = nodes.add("ShaderNodeNewGeometry").outputs
+    sine = nodes.math("ABSOLUTE", nodes.split(geometry["Incoming"])[2])
+    distance = nodes.add("ShaderNodeCameraData").outputs["View Distance"]
+    ripples = _ripples(nodes, here, distance)
+    shader = nodes.mix_shader(
+        geometry["Backfacing"],
+        _from_above(nodes, here, distance, ripples),
+        _from_below(nodes, here, distance, sine, ripples),
+    )
+    nodes.finish(shader)
+    blender_versions.make_see_through(material)
+    return material
+
+
+def _ripples(nodes, here, distance):
+    """The normal of small waves, which are too small to be seen far away."""
+    wave = _WAVE * sqrt(here.length * here.metres_per_unit) / here.metres_per_unit
+    coordinates = nodes.add("ShaderNodeTexCoord").outputs["Object"]
+    noise = nodes.add(
+        "ShaderNodeTexNoise", Vector=coordinates, Scale=1.0 / wave, Detail=2.0, Distortion=0.4
+    )
+    part = nodes.math("DIVIDE", distance, _CALM_FROM * here.length)
+    strength = nodes.math("DIVIDE", 0.16, nodes.math("ADD", 1.0, nodes.math("POWER", part, 2.0)))
+    bump = nodes.add(
+        "ShaderNodeBump", Strength=strength, Distance=0.4 * wave, Height=noise.outputs["Fac"]
+    )
+    return bump.outputs[0]
+
+
+def _from_above(nodes, here, distance, ripples):
+    """Clear where one looks down, a mirror of the sky where one looks along, haze far away."""
+    fresnel = nodes.add("ShaderNodeFresnel", IOR=_REFRACTION, Normal=ripples).outputs[0]
+    clear = nodes.add("ShaderNodeBsdfTransparent", Color=rgba(_TINT)).outputs[0]
+    mirror = nodes.add("ShaderNodeBsdfGlossy", Roughness=0.04, Normal=ripples).outputs[0]
+    near = nodes.mix_shader(nodes.math("MULTIPLY", fresnel, _MIRRORING), clear, mirror)
+    part = nodes.math("POWER", nodes.math("DIVIDE", distance, _HAZE * here.length), 2.0)
+    clearness = nodes.math("EXPONENT", nodes.math("MULTIPLY", part, -1.0))
+    return nodes.mix_shader(clearness, nodes.emission(rgba(light.HORIZON)), near)
+
+
+def _from_below(nodes, here, distance, sine, ripples):
+    """Bright where one looks up steeply, a mirror of the depth else."""
+    slope = nodes.split(ripples)[0]
+    seen = nodes.math("ADD", sine, nodes.math("MULTIPLY", slope, 1.5))
+    depth = water_look.depth_colour(nodes, sine)
+    colour = nodes.mix_colour(nodes.smooth(seen, *_WINDOW), depth, rgba(_WINDOW_COLOUR))
+    part = nodes.math("DIVIDE", distance, _SEEN_FROM_BELOW * here.length)
+    clearness = nodes.math("EXPONENT", nodes.math("MULTIPLY", part, -1.0))
+    return nodes.emission(nodes.mix_colour(clearness, depth, colour))
+
+
+def add_floor(here):
+    """A floor under the keel that goes over into the background, and is not there from below."""
+    size = _FLOOR * here.length
+    corners = [(-size, -size, 0.0), (size, -size, 0.0), (size, size, 0.0), (-size, size, 0.0)]
+    mesh = bpy.data.meshes.new("Studio floor")
+    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+    mesh.materials.append(_floor(here))
+    x, y, _ = here.centre
+    here.add_scenery("Studio floor", mesh, (x, y, here.low[2] - 1e-3 * here.length))
+
+
+def _floor(here):
+    material = place.new_material("Studio floor", _FLOOR_COLOUR)
+    nodes = Nodes(material)
+    x, y, _ = nodes.split(nodes.add("ShaderNodeTexCoord").outputs["Object"])
+    squares = (nodes.math("MULTIPLY", part, part) for part in (x, y))
+    away = nodes.math("SQRT", nodes.math("ADD", *squares))
+    near, far = (part * here.length for part in _FLOOR_SEEN)
+    plain = nodes.add("ShaderNodeBsdfDiffuse", Color=rgba(_FLOOR_COLOUR)).outputs[0]
+    shader = nodes.mix_shader(
+        nodes.smooth(away, near, far), plain, nodes.emission(rgba(light.BACKDROP))
+    )
+    is_below = nodes.add("ShaderNodeNewGeometry").outputs["Backfacing"]
+    nothing = nodes.add("ShaderNodeBsdfTransparent").outputs[0]
+    nodes.finish(nodes.mix_shader(is_below, shader, nothing))
+    blender_versions.make_see_through(material)
+    return material

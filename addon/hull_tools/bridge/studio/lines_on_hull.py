@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections and waterlines drawn on the hull as thin tubes."""
+
+from .. import line_curves, lines
+from . import paint
+
+# Of the hull's size: a line of two or three points of a picture that the hull fills.
+_RADIUS = 4.5e-4
+# Where the hull has no spacing of its own.
+_WATERLINES_TO_DRAFT = 4
+_STATIONS = 20
+
+
+def find(hull, state, choice, metres_per_unit):
+    """The lines.Groups to draw: "SECTIONS" for stations and waterlines, "SHOWN" for the kinds that
+    are shown in the 3D view, "NONE"."""
+    if choice == "NONE":
+        return []
+    surface = state.surface
+    points = surface.mesh.points
+    if choice == "SHOWN":
+        wanted = lines.wanted_cuts(hull.hull, points, metres_per_unit)
+    else:
+        kinds = ("station", "waterline", "draft")
+        wanted = lines.cuts_of_kinds(hull.hull, points, metres_per_unit, kinds)
+        wanted["station"] = wanted["station"] or _even_stations(points)
+        wanted["waterline"] = wanted["waterline"] or _even_waterlines(wanted["draft"], points)
+    known = state.lines if choice == "SHOWN" else {}
+    return list(lines.groups(known, surface, wanted, hull.hull.half, state.moved).values())
+
+
+def waterlines(hull, state, metres_per_unit):
+    """Polylines (k, 3) in m of the waterline at the draft, both sides."""
+    surface = state.surface
+    wanted = lines.cuts_of_kinds(hull.hull, surface.mesh.points, metres_per_unit, ("draft",))
+    group = lines.groups({}, surface, wanted, hull.hull.half, state.moved)["draft"]
+    return line_curves.chains_of(surface, group, False)
+
+
+def _even_stations(points):
+    low, high = points[:, 0].min(), points[:, 0].max()
+    step = (high - low) / _STATIONS
+    return tuple(lines.Cut((1.0, 0.0, 0.0, low + i * step)) for i in range(1, _STATIONS))
+
+
+def _even_waterlines(draft_cuts, points):
+    low, high = points[:, 2].min(), points[:, 2].max()
+    top = draft_cuts[0].plane[3] if draft_cuts and draft_cuts[0].plane[3] > low else high
+    step = (top - low) / _WATERLINES_TO_DRAFT
+    count = int((high - low) / step)
+    heights = [low + i * step for i in range(1, count + 1)]
+    return tuple(lines.Cut((0.0, 0.0, 1.0, z)) for z in heights if abs(z - top) > 1e-3 * step)
+
+
+def add_lines(here, surface, groups, in_water):
+    for group in groups:
+        chains = line_curves.chains_of(surface, group, True)
+        if not chains:
+            continue
+        name = f"Studio {line_curves.LAYER_NAMES[group.kind]}"
+        radius = _RADIUS * here.length * here.metres_per_unit
+        curve = line_curves.new_curve(name, chains, radius, here.metres_per_unit, True)
+        curve.materials.append(paint.line_paint(group.kind, here, in_water))
+        here.add_scenery(name, curve).visible_shadow = False

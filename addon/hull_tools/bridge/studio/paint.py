@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Paint: antifouling up to the water, a boot top above it, topsides; that of the deck, and of lines
+drawn on the hull.
+
+The height decides for each point of the picture by itself, so that the border is exactly the
+waterline, whatever the faces are.
+"""
+
+from ..shader_nodes import Nodes, rgba
+from . import place, water_look
+
+_INSIDE = (0.30, 0.31, 0.32)
+_DECK = (0.36, 0.37, 0.35)
+_ROUGHNESS = 0.3
+# Of the hull's height, where the height of the boot top is not given.
+_BOOT_TOP_PART = 0.035
+
+_LINE_COLOURS = {"waterline": (0.010, 0.022, 0.090), "draft": (0.85, 0.87, 0.88)}
+_OTHER_LINES = (0.008, 0.008, 0.010)
+
+
+def hull_paint(here, settings, in_water):
+    """The material of the hull's surface; `settings`: an Object.hull.studio."""
+    material = place.new_material("Studio hull paint", settings.topside)
+    nodes = Nodes(material)
+    boot_top = settings.boot_top_height or _BOOT_TOP_PART * (here.high[2] - here.low[2])
+    height = nodes.split(nodes.add("ShaderNodeTexCoord").outputs["Object"])[2]
+    colour = nodes.mix_colour(
+        nodes.math("GREATER_THAN", height, here.draft),
+        rgba(settings.antifouling),
+        rgba(settings.boot_top),
+    )
+    is_topside = nodes.math("GREATER_THAN", height, here.draft + boot_top)
+    colour = nodes.mix_colour(is_topside, colour, rgba(settings.topside))
+    is_inside = nodes.add("ShaderNodeNewGeometry").outputs["Backfacing"]
+    colour = nodes.mix_colour(is_inside, colour, rgba(_INSIDE))
+    shader = nodes.add("ShaderNodeBsdfPrincipled", Base_Color=colour, Roughness=_ROUGHNESS)
+    _finish(nodes, shader, here, in_water)
+    return material
+
+
+def deck_paint(here, in_water):
+    material = place.new_material("Studio deck paint", _DECK)
+    nodes = Nodes(material)
+    shader = nodes.add("ShaderNodeBsdfDiffuse", Color=rgba(_DECK))
+    _finish(nodes, shader, here, in_water)
+    return material
+
+
+def line_paint(kind, here, in_water):
+    """Of the lines of one of lines.KINDS; without gloss, as a pencil's."""
+    colour = _LINE_COLOURS.get(kind, _OTHER_LINES)
+    material = place.new_material(f"Studio {kind} lines", colour)
+    nodes = Nodes(material)
+    shader = nodes.add("ShaderNodeBsdfDiffuse", Color=rgba(colour))
+    _finish(nodes, shader, here, in_water)
+    return material
+
+
+def _finish(nodes, shader, here, in_water):
+    seen = shader.outputs[0]
+    if in_water:
+        seen = water_look.veiled(nodes, seen, here.draft, here.length)
+    nodes.finish(seen)
