@@ -29,6 +29,7 @@ void bind_flatness(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 void bind_quality_report(pybind11::module_& module);
 void bind_pull(pybind11::module_& module);
+void bind_fit(pybind11::module_& module);
 void bind_bilge_arc(pybind11::module_& module);
 
 }  // namespace hull::bindings

@@ -27,5 +27,6 @@ PYBIND11_MODULE(_core, module) {
   bind_patch_set(module);
   bind_quality_report(module);
   bind_pull(module);
+  bind_fit(module);
   bind_bilge_arc(module);
 }

@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "conversion/progress.h"
+#include "surface/progress.h"
 
 namespace hull::bindings {
 

@@ -5,6 +5,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "bindings/move_limits.h"
 #include "bindings/places.h"
 #include "surface/point_weights.h"
 
@@ -45,20 +46,6 @@ std::vector<PullTarget> targets_from(const LimitSurface& surface, const py::obje
   return result;
 }
 
-PullLimits limits_from(const py::object& locked, const py::object& held_points,
-                       const DoubleArray& held_normals) {
-  PullLimits limits{integers_from(locked, "locked"), {}};
-  const std::vector<int> points = integers_from(held_points, "held_points");
-  const std::vector<Vector3d> normals = points_from(held_normals, "held_normals");
-  if (points.size() != normals.size()) {
-    throw std::invalid_argument("held_points and held_normals must be of equal length, not " +
-                                std::to_string(points.size()) + " and " +
-                                std::to_string(normals.size()) + ".");
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) limits.held.push_back({points[i], normals[i]});
-  return limits;
-}
-
 }  // namespace
 
 void bind_pull(py::module_& module) {
@@ -82,7 +69,7 @@ void bind_pull(py::module_& module) {
          const DoubleArray& targets, const py::object& locked, const py::object& held_points,
          const DoubleArray& held_normals) {
         const std::vector<PullTarget> wanted = targets_from(surface, cells, uv, targets);
-        const PullLimits limits = limits_from(locked, held_points, held_normals);
+        const MoveLimits limits = limits_from(locked, held_points, held_normals);
         const py::gil_scoped_release release;
         return pull(surface, wanted, limits);
       },

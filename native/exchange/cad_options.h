@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "conversion/patches/bspline_curve.h"
-#include "conversion/progress.h"
+#include "surface/progress.h"
 
 namespace hull {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "conversion/progress.h"
+#include "surface/progress.h"
 #include "exchange/cad_options.h"
 
 namespace hull {

@@ -4,7 +4,7 @@
 #include <Message_ProgressIndicator.hxx>
 #include <exception>
 
-#include "conversion/progress.h"
+#include "surface/progress.h"
 
 namespace hull {
 

@@ -20,41 +20,6 @@ constexpr double kLeastWeight = 1e-6;
 // Of the pull: what is left where a target cannot be reached is never near this, and rounding is
 // far below.
 constexpr double kMiss = 1e-8;
-// Two held directions of a point closer than this (sine of their angle) are one.
-constexpr double kSameDirection = 1e-9;
-
-// The orthonormal directions a control point may move in.
-struct Freedom {
-  std::array<Vector3d, 3> directions;
-  int count;
-};
-
-Freedom freedom_across(const std::vector<Vector3d>& normals) {
-  std::array<Vector3d, 3> held;
-  int held_count = 0;
-  const auto rest_of = [&](Vector3d v) {
-    // Twice: once leaves rounding of what was nearly parallel.
-    for (int pass = 0; pass < 2; ++pass) {
-      for (int i = 0; i < held_count; ++i) v -= held[i].dot(v) * held[i];
-    }
-    return v;
-  };
-  for (const Vector3d& normal : normals) {
-    const Vector3d rest = rest_of(normal.normalized());
-    if (held_count < 3 && rest.norm() > kSameDirection) held[held_count++] = rest.normalized();
-  }
-  Freedom freedom{{}, 3 - held_count};
-  for (int k = 0; k < freedom.count; ++k) {
-    // Of the axes' rests the longest, so that axes stay axes where planes are square to them.
-    Vector3d best = Vector3d::Zero();
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d rest = rest_of(Vector3d::Unit(axis));
-      if (rest.norm() > best.norm() + 1e-12) best = rest;
-    }
-    freedom.directions[k] = held[held_count++] = best.normalized();
-  }
-  return freedom;
-}
 
 void check_targets(const LimitSurface& surface, const std::vector<PullTarget>& targets) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -74,36 +39,17 @@ void check_targets(const LimitSurface& surface, const std::vector<PullTarget>& t
   }
 }
 
-int checked_point(const LimitSurface& surface, int point, const char* what) {
-  const int count = surface.mesh().topology().vertex_count();
-  if (point >= 0 && point < count) return point;
-  throw std::invalid_argument(std::string("A ") + what + " point is " + std::to_string(point) +
-                              ", but the control points are 0 to " + std::to_string(count - 1) +
-                              ".");
-}
-
 // What each of the control points with a weight may do.
 std::map<int, Freedom> freedoms(const LimitSurface& surface,
                                 const std::vector<std::vector<PointWeight>>& rows,
-                                const PullLimits& limits) {
-  std::map<int, std::vector<Vector3d>> held;
-  for (const HeldDirection& h : limits.held) {
-    checked_point(surface, h.point, "held");
-    if (!h.normal.allFinite() || h.normal.squaredNorm() == 0.0) {
-      throw std::invalid_argument("The held direction of point " + std::to_string(h.point) +
-                                  " has no length.");
-    }
-    held[h.point].push_back(h.normal);
-  }
+                                const MoveLimits& limits) {
+  const int count = surface.mesh().topology().vertex_count();
+  const std::vector<Freedom> of_all = freedoms_within(limits, count);
   std::map<int, Freedom> result;
   for (const auto& row : rows) {
-    for (const PointWeight& w : row) {
-      const auto [it, is_new] = result.try_emplace(w.point);
-      if (!is_new) continue;
-      it->second = freedom_across(held[w.point]);
-    }
+    for (const PointWeight& w : row) result.try_emplace(w.point, of_all[w.point]);
   }
-  for (int point : limits.locked) result.erase(checked_point(surface, point, "locked"));
+  for (int point : limits.locked) result.erase(point);
   return result;
 }
 
@@ -177,7 +123,7 @@ std::string number(double value) {
 }  // namespace
 
 Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
-          const PullLimits& limits) {
+          const MoveLimits& limits) {
   check_targets(surface, targets);
   PointWeights weights(surface);
   std::vector<std::vector<PointWeight>> rows;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "modelling/freedom.h"
 #include "surface/limit_surface.h"
 
 namespace hull {
@@ -12,18 +13,6 @@ struct PullTarget {
   int cell;
   double u, v;
   Vector3d point;  // m
-};
-
-// A control point may move across this direction only. Several may be given for one point.
-struct HeldDirection {
-  int point;
-  Vector3d normal;  // of any length but zero
-};
-
-// What stays while a surface is pulled.
-struct PullLimits {
-  std::vector<int> locked;          // control points
-  std::vector<HeldDirection> held;  // points of a flat region, across its plane
 };
 
 // Control points that move, rising, and by what, m.
@@ -48,6 +37,6 @@ struct Pull {
 // in which a place can be moved by less than 1e-6 of its control points' moves count as held) or
 // targets contradict one another; for places, points or normals that are none.
 Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
-          const PullLimits& limits = {});
+          const MoveLimits& limits = {});
 
 }  // namespace hull

@@ -24,8 +24,10 @@ class PointWeights {
   // By rising number of the point; no zeros. REQUIRES: as LimitSurface::position().
   std::vector<PointWeight> at(int cell, double u, double v);
 
- private:
+  // The same of a refined point, as the layout numbers them.
   const WeightRow& refined(int point);
+
+ private:
   const WeightRow& second(int half_edge);
   WeightRow leaf_row(int leaf, double u, double v);
   WeightRow corner_row(int corner, double u, double v);

@@ -3,7 +3,7 @@
 
 #include "conversion/exact/exact_patches.h"
 #include "conversion/patches/patch_set.h"
-#include "conversion/progress.h"
+#include "surface/progress.h"
 
 namespace hull {
 

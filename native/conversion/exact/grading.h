@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "conversion/exact/exact_conversion.h"
-#include "conversion/progress.h"
+#include "surface/progress.h"
 
 namespace hull {
 

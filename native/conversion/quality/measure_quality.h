@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "conversion/patches/patch_set.h"
-#include "conversion/progress.h"
+#include "surface/progress.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/limit_surface.h"
 

@@ -5,7 +5,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 #include "conversion/patches/patch_set.h"
-#include "conversion/progress.h"
+#include "surface/progress.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/surface_tree.h"
 

@@ -82,7 +82,7 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
     MeshArrays arrays = testing::grid(6, 6);
     for (auto& p : arrays.points) p += 0.2 * random_vector(random);
     LimitSurface surface{ControlMesh(arrays)};
-    PullLimits limits;
+    MoveLimits limits;
     const std::vector<int> faces{7, 16, 28};
     for (int k = 0; k < 6; ++k) limits.locked.push_back(static_cast<int>(random() % 49));
     for (int k = 0; k < 8; ++k) {
@@ -148,14 +148,14 @@ TEST(Pull, ReachesAsManyTargetsAsPointsAllow) {
 TEST(Pull, SaysWhatCannotBe) {
   const LimitSurface surface{ControlMesh(testing::grid(4, 4))};
   const Vector3d at = surface.position(20, 0.5, 0.5);
-  PullLimits flat;
+  MoveLimits flat;
   for (int p = 0; p < 25; ++p) flat.held.push_back({p, {0.0, 0.0, 2.0}});
   EXPECT_THROW(pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.0, 0.0, 1.0)}}, flat),
                std::invalid_argument);
   const Pull within = pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.1, 0.2, 0.0)}}, flat);
   for (const Vector3d& move : within.moves) EXPECT_EQ(move.z(), 0.0);
 
-  PullLimits all;
+  MoveLimits all;
   for (int p = 0; p < 25; ++p) all.locked.push_back(p);
   EXPECT_THROW(pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.1, 0.0, 0.0)}}, all),
                std::invalid_argument);

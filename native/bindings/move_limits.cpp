@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings/move_limits.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace hull::bindings {
+
+MoveLimits limits_from(const py::object& locked, const py::object& held_points,
+                       const DoubleArray& held_normals) {
+  MoveLimits limits{integers_from(locked, "locked"), {}};
+  const std::vector<int> points = integers_from(held_points, "held_points");
+  const std::vector<Vector3d> normals = points_from(held_normals, "held_normals");
+  if (points.size() != normals.size()) {
+    throw std::invalid_argument("held_points and held_normals must be of equal length, not " +
+                                std::to_string(points.size()) + " and " +
+                                std::to_string(normals.size()) + ".");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) limits.held.push_back({points[i], normals[i]});
+  return limits;
+}
+
+}  // namespace hull::bindings

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "modelling/fit_curves.h"
+#include "modelling/fit_feet.h"
+#include "modelling/thin_plate.h"
+#include "surface/crease_curves.h"
+
+namespace hull {
+namespace {
+
+using fit_internal::CurvePulls;
+using fit_internal::Feet;
+
+// Damping: of the mean of the equations' diagonal.
+constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-13, kMostDamping = 1e6;
+// Of the cost: steps that gain less, this many in a row, end the fit.
+constexpr double kNoGain = 1e-7;
+constexpr int kIdleSteps = 3;
+
+void check_points(const std::vector<Vector3d>& points, const char* what) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() <= kMaxCoordinate) continue;
+    throw std::invalid_argument(std::string(what) + " " + std::to_string(i) +
+                                " is no place within " + std::to_string(1e9) + " m.");
+  }
+}
+
+void check_target(const FitTarget& target) {
+  check_points(target.points, "Target");
+  const auto check_length = [&](std::size_t length, const char* what) {
+    if (length == 0 || length == target.points.size()) return;
+    throw std::invalid_argument(std::string("There must be as many ") + what + " as targets, " +
+                                std::to_string(target.points.size()) + ", not " +
+                                std::to_string(length) + ".");
+  };
+  check_length(target.normals.size(), "normals");
+  check_length(target.weights.size(), "weights");
+  for (double weight : target.weights) {
+    if (!(weight >= 0.0 && std::isfinite(weight))) {
+      throw std::invalid_argument("A target's weight is " + std::to_string(weight) +
+                                  "; it must not be negative.");
+    }
+  }
+}
+
+void check_curves(const std::vector<FitCurve>& curves, int chain_count) {
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const FitCurve& curve = curves[i];
+    const std::string name = "Curve " + std::to_string(i);
+    if (curve.points.size() < 2) throw std::invalid_argument(name + " needs two points or more.");
+    check_points(curve.points, (name + ": point").c_str());
+    if (curve.chain >= FitCurve::kNearest && curve.chain < chain_count) continue;
+    throw std::invalid_argument(name + " is for crease curve " + std::to_string(curve.chain) +
+                                ", but they are 0 to " + std::to_string(chain_count - 1) + ".");
+  }
+}
+
+void check_options(const FitOptions& options) {
+  const auto check = [](double value, const char* what) {
+    if (value >= 0.0 && std::isfinite(value)) return;
+    throw std::invalid_argument(std::string(what) + " must not be negative, nor infinite.");
+  };
+  check(options.fairness, "fairness");
+  check(options.stiffness, "stiffness");
+  check(options.curve_weight, "curve_weight");
+  check(options.least_move, "least_move");
+  if (!(options.reach > 0.0)) throw std::invalid_argument("reach must be positive.");
+  if (options.most_steps < 0) throw std::invalid_argument("most_steps must not be negative.");
+}
+
+// The surface at some step, and all that its cost is made of.
+struct State {
+  LimitSurface surface;
+  SurfaceTree tree;
+  Feet feet;
+  CurvePulls curves;
+  double energy = 0.0;       // of the surface
+  double move_energy = 0.0;  // of the moves
+};
+
+class Fitting {
+ public:
+  Fitting(const LimitSurface& surface, const FitTarget& target, const std::vector<FitCurve>& curves,
+          const FitOptions& options)
+      : target_(target),
+        curves_(curves),
+        options_(options),
+        pieces_(surface),
+        freedoms_(freedoms_within(options.limits, surface.mesh().topology().vertex_count())),
+        size_(surface.mesh().size()),
+        start_(surface),
+        state_{surface, SurfaceTree(surface), {}, {}} {
+    measure(state_);
+    if (!target.points.empty() && state_.feet.weight <= 0.0) {
+      throw std::invalid_argument(
+          "No target counts: none lies within reach of the surface, on a side where normals agree. "
+          "Move surface and target to one place, allow a greater reach, or turn the normals.");
+    }
+  }
+
+  Fit run() {
+    int step = 0, idle = 0;
+    bool settled = false;
+    for (; step < options_.most_steps && !settled; ++step) {
+      tell(options_.progress, step, options_.most_steps);
+      const double before = cost(state_);
+      const double move = advance();
+      const double gain = before - cost(state_);
+      idle = gain > kNoGain * before ? 0 : idle + 1;
+      settled = move <= options_.least_move * size_ || idle >= kIdleSteps;
+    }
+    tell(options_.progress, 1.0, 1.0);
+    return report(step, settled || options_.most_steps == 0);
+  }
+
+ private:
+  // In m²: what the fit makes least.
+  double cost(const State& state) const {
+    return state.feet.mean_square + options_.curve_weight * state.curves.mean_square +
+           factor(options_.fairness) * state.energy +
+           factor(options_.stiffness) * state.move_energy;
+  }
+  double factor(double share) const { return share * share * size_ * size_; }
+
+  void measure(State& state) const {
+    state.feet = fit_internal::find_feet(state.surface, state.tree, target_, options_);
+    state.curves = fit_internal::find_curve_pulls(state.surface, curves_, options_);
+    if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
+    if (options_.stiffness > 0.0) {
+      state.move_energy = thin_plate_energy(start_, pieces_, moves(state));
+    }
+  }
+
+  double energy_of(const LimitSurface& surface) const {
+    return thin_plate_energy(surface, pieces_, surface.mesh().points());
+  }
+
+  std::vector<Vector3d> moves(const State& state) const {
+    std::vector<Vector3d> moves = state.surface.mesh().points();
+    for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= start_.mesh().points()[i];
+    return moves;
+  }
+
+  FitEquations equations() const {
+    FitEquations equations(state_.surface.mesh().topology().vertex_count());
+    fit_internal::add_feet(state_.feet, target_, state_.surface, pieces_, equations);
+    std::vector<fit_internal::FitRow> rows = state_.curves.rows;
+    for (fit_internal::FitRow& row : rows) row.weight *= options_.curve_weight;
+    fit_internal::add_rows(rows, state_.surface, pieces_, equations);
+    if (options_.fairness > 0.0) {
+      add_thin_plate(state_.surface, pieces_, state_.surface.mesh().points(),
+                     factor(options_.fairness), equations);
+    }
+    if (options_.stiffness > 0.0) {
+      add_thin_plate(start_, pieces_, moves(state_), factor(options_.stiffness), equations);
+    }
+    return equations;
+  }
+
+  // One step that lowers the cost: the largest move of a control point; 0 where there is none.
+  double advance() {
+    const FitEquations system = equations();
+    const double before = cost(state_);
+    for (; damping_ <= kMostDamping; damping_ *= 10.0) {
+      const auto moves = system.solve(freedoms_, damping_);
+      if (!moves) continue;
+      std::vector<Vector3d> points = state_.surface.mesh().points();
+      double largest = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] += (*moves)[i];
+        largest = std::max(largest, (*moves)[i].norm());
+      }
+      if (!(largest < size_)) continue;
+      State next{state_.surface, state_.tree, {}, {}};
+      next.surface.set_points(std::move(points));
+      next.tree.refit(next.surface);
+      measure(next);
+      if (cost(next) > before) {
+        if (largest <= options_.least_move * size_) return 0.0;
+        continue;
+      }
+      state_ = std::move(next);
+      damping_ = std::max(kLeastDamping, 0.1 * damping_);
+      return largest;
+    }
+    damping_ = kFirstDamping;
+    return 0.0;
+  }
+
+  Fit report(int steps, bool settled) const;
+
+  const FitTarget& target_;
+  const std::vector<FitCurve>& curves_;
+  const FitOptions& options_;
+  PieceWeights pieces_;
+  std::vector<Freedom> freedoms_;
+  double size_;
+  const LimitSurface& start_;
+  State state_;
+  double damping_ = kFirstDamping;
+};
+
+Fit Fitting::report(int steps, bool settled) const {
+  Fit fit{};
+  fit.points = state_.surface.mesh().points();
+  fit.largest_target = -1;
+  fit.largest_place.setZero();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < state_.feet.all.size(); ++i) {
+    const fit_internal::Foot& foot = state_.feet.all[i];
+    fit.distances.push_back(foot.cell < 0 ? std::nan("") : foot.distance);
+    if (foot.cell < 0) continue;
+    ++fit.counted;
+    sum += foot.distance * foot.distance;
+    if (std::abs(foot.distance) <= fit.largest && fit.largest_target >= 0) continue;
+    fit.largest = std::abs(foot.distance);
+    fit.largest_target = static_cast<int>(i);
+    fit.largest_place = foot.point;
+  }
+  fit.rms = fit.counted > 0 ? std::sqrt(sum / fit.counted) : 0.0;
+  fit.curve_distances = state_.curves.distances;
+  double curve_sum = 0.0;
+  int curve_count = 0;
+  for (double distance : fit.curve_distances) {
+    if (std::isnan(distance)) continue;
+    ++curve_count;
+    curve_sum += distance * distance;
+    fit.curve_largest = std::max(fit.curve_largest, distance);
+  }
+  fit.curve_rms = curve_count > 0 ? std::sqrt(curve_sum / curve_count) : 0.0;
+  fit.energy = energy_of(state_.surface);
+  fit.steps = steps;
+  fit.settled = settled;
+  return fit;
+}
+
+}  // namespace
+
+Fit fit(const LimitSurface& surface, const FitTarget& target, const std::vector<FitCurve>& curves,
+        const FitOptions& options) {
+  check_target(target);
+  check_options(options);
+  check_curves(curves, static_cast<int>(crease_curves(surface).size()));
+  return Fitting(surface, target, curves, options).run();
+}
+
+}  // namespace hull

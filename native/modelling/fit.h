@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "modelling/freedom.h"
+#include "surface/limit_surface.h"
+#include "surface/progress.h"
+
+namespace hull {
+
+// Points that a surface is to go through.
+struct FitTarget {
+  std::vector<Vector3d> points;   // m
+  std::vector<Vector3d> normals;  // none, or one a point, turned as the surface's are
+  std::vector<double> weights;    // none, or one a point, not negative
+};
+
+// A line that creases or borders are to go along.
+struct FitCurve {
+  static constexpr int kNearest = -1;
+
+  std::vector<Vector3d> points;  // m, in order
+  // Index in crease_curves(surface); kNearest: for each point that which is nearest and runs in the
+  // line's direction there, within FitOptions::reach.
+  int chain = kNearest;
+  bool whole = false;  // the chain's ends are to come to the line's ends; not for kNearest
+};
+
+struct FitOptions {
+  MoveLimits limits;
+  // What fair costs: this squared, times the mesh's size squared, times the thin-plate energy, is
+  // added to the mean squared distance. 0: nothing.
+  double fairness = 1e-4;
+  // The same for the thin-plate energy of the moves from the start: what keeps rows of control
+  // points as they are laid out, where the target does not tell.
+  double stiffness = 0.0;
+  double curve_weight = 1.0;  // of the curves' mean squared distance
+  // Farther targets and points of curves are left out, m.
+  double reach = std::numeric_limits<double>::infinity();
+  // Targets beyond the surface's border are left out; or they draw the border.
+  bool draw_border = false;
+  int most_steps = 60;
+  double least_move = 1e-10;  // of the mesh's size: the fit ends when no control point moves more
+  Progress progress;
+};
+
+// Where the surface came to lie.
+struct Fit {
+  std::vector<Vector3d> points;  // the control points
+  // Of the targets from the surface, m, positive on the normal's side; at the border the part
+  // across the surface unless targets draw it. NaN for those left out.
+  std::vector<double> distances;
+  int counted;                          // targets not left out
+  double rms, largest;                  // m, of them
+  int largest_target;                   // -1 without any
+  Vector3d largest_place;               // where on the surface
+  std::vector<double> curve_distances;  // of all curves' points, in order, m; NaN if left out
+  double curve_rms, curve_largest;      // m
+  double energy;                        // thin-plate energy of the surface
+  int steps;
+  bool settled;  // the fit ended by itself, not by most_steps
+};
+
+// Moves the control points of a surface so that it goes through targets, its creases along curves,
+// and bends little: the least sum of the mean squared distance of the targets from the exact
+// surface, the same of the curves, and the energies, by Levenberg's and Marquardt's method.
+// Distances are to the closest points (closest_point.h), found anew for each step; control points
+// count by their exact weights there (point_weights.h). What neither targets nor curves tell of
+// stays where it is nearest to its start, but for fairness and stiffness.
+//
+// The same arguments give the same points. Throws std::invalid_argument for what is none of a
+// target, a curve or a limit, and where no target lies within reach.
+Fit fit(const LimitSurface& surface, const FitTarget& target, const std::vector<FitCurve>& curves,
+        const FitOptions& options = {});
+
+}  // namespace hull

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/fit_feet.h"
+
+#include <cmath>
+
+#include "modelling/fit_rows.h"
+#include "surface/closest_point.h"
+#include "surface/parallel_for.h"
+
+namespace hull::fit_internal {
+namespace {
+
+// Of the size: nearer targets are on the surface, and p - foot has no direction.
+constexpr double kOnSurface = 1e-13;
+// Cosine of the angle between p - foot and the normal: below, a target beyond the border is there
+// because the surface ends too early, not because it lies off the surface.
+constexpr double kAcross = 0.7;
+
+bool is_on_border(const LimitSurface& surface, const ClosestPoint& at) {
+  const Topology& cells = surface.cells();
+  const bool sides[] = {at.v == 0.0, at.u == 1.0, at.v == 1.0, at.u == 0.0};
+  for (int k = 0; k < 4; ++k) {
+    if (sides[k] && cells.twin(4 * at.cell + k) < 0) return true;
+  }
+  return false;
+}
+
+Foot foot_of(const LimitSurface& surface, const ClosestPoint& at, const Vector3d& target,
+             const Vector3d* normal, double on_surface, bool draw_border) {
+  if (at.cell < 0) return {};
+  const Vector3d own = surface.normal(at.cell, at.u, at.v);
+  if (normal && own.dot(*normal) < 0.0) return {};
+  Foot foot{at.cell, at.u, at.v, at.point, own, 0.0};
+  const Vector3d off = target - at.point;
+  foot.distance = off.dot(own);
+  if (at.distance <= on_surface || (at.kind == FootKind::kSmooth && !own.isZero())) return foot;
+  if (!draw_border && is_on_border(surface, at)) {
+    // Across the surface only, so that the border is not drawn out by and by.
+    return std::abs(foot.distance) > kAcross * at.distance ? foot : Foot{};
+  }
+  const double sign = foot.distance < 0.0 ? -1.0 : 1.0;
+  foot.direction = sign * off / at.distance;
+  foot.distance = sign * at.distance;
+  return foot;
+}
+
+}  // namespace
+
+Feet find_feet(const LimitSurface& surface, const SurfaceTree& tree, const FitTarget& target,
+               const FitOptions& options) {
+  Feet feet;
+  feet.all.resize(target.points.size());
+  const double on_surface = kOnSurface * tree.error_size();
+  parallel_for(
+      target.points.size(), 0,
+      [&](std::size_t begin, std::size_t end) {
+        const std::vector<Vector3d> some(target.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                         target.points.begin() + static_cast<std::ptrdiff_t>(end));
+        const std::vector<ClosestPoint> closest = closest_points(tree, some, options.reach);
+        for (std::size_t i = begin; i < end; ++i) {
+          feet.all[i] = foot_of(surface, closest[i - begin], target.points[i],
+                                target.normals.empty() ? nullptr : &target.normals[i], on_surface,
+                                options.draw_border);
+        }
+      },
+      512);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < feet.all.size(); ++i) {
+    if (feet.all[i].cell < 0) continue;
+    const double weight = target.weights.empty() ? 1.0 : target.weights[i];
+    feet.weight += weight;
+    sum += weight * feet.all[i].distance * feet.all[i].distance;
+  }
+  if (feet.weight > 0.0) feet.mean_square = sum / feet.weight;
+  return feet;
+}
+
+void add_feet(const Feet& feet, const FitTarget& target, const LimitSurface& surface,
+              const PieceWeights& pieces, FitEquations& equations) {
+  if (!(feet.weight > 0.0)) return;
+  std::vector<FitRow> rows;
+  rows.reserve(feet.all.size());
+  for (std::size_t i = 0; i < feet.all.size(); ++i) {
+    const Foot& foot = feet.all[i];
+    if (foot.cell < 0) continue;
+    const double weight = (target.weights.empty() ? 1.0 : target.weights[i]) / feet.weight;
+    rows.push_back({foot.cell, foot.u, foot.v, foot.direction, foot.distance, weight});
+  }
+  add_rows(rows, surface, pieces, equations);
+}
+
+}  // namespace hull::fit_internal

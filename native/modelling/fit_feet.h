@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "modelling/fit.h"
+#include "modelling/fit_equations.h"
+#include "surface/piece_weights.h"
+#include "surface/surface_tree.h"
+
+namespace hull::fit_internal {
+
+// A target and the surface's closest point to it.
+struct Foot {
+  int cell = -1;  // -1: the target is left out
+  double u = 0.0, v = 0.0;
+  Vector3d point = Vector3d::Zero();
+  Vector3d direction = Vector3d::Zero();  // of length 1, across the surface
+  double distance = 0.0;                  // along it
+};
+
+struct Feet {
+  std::vector<Foot> all;     // as the targets
+  double mean_square = 0.0;  // by their weights
+  double weight = 0.0;       // the sum of those that count
+};
+
+Feet find_feet(const LimitSurface& surface, const SurfaceTree& tree, const FitTarget& target,
+               const FitOptions& options);
+
+// Adds the mean square of the distances, each along its direction.
+void add_feet(const Feet& feet, const FitTarget& target, const LimitSurface& surface,
+              const PieceWeights& pieces, FitEquations& equations);
+
+}  // namespace hull::fit_internal

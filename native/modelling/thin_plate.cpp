@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/thin_plate.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+namespace hull {
+namespace {
+
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+// Gauss's points and weights on [0, 1].
+constexpr std::array<double, 3> kGauss = {0.1127016653792583, 0.5, 0.8872983346207417};
+constexpr std::array<double, 3> kWeights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+// sine of the angle between the sides of a piece: below, it has no area to speak of
+constexpr double kNoArea = 1e-6;
+
+Points some_of(const std::vector<Vector3d>& values, const std::vector<int>& which) {
+  Points some(static_cast<Eigen::Index>(which.size()), 3);
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    some.row(static_cast<Eigen::Index>(i)) = values[which[i]].transpose();
+  }
+  return some;
+}
+
+// Rows of weights whose products with the points are the components of the second derivatives in
+// orthonormal directions of the tangent plane, times the square root of dA: the energy is the sum
+// of their squares. The mixed one counts twice, by its factor. Empty where there is no area.
+Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const PieceWeights::Jet& jet,
+                                                      const Points& points, double weight) {
+  const Vector3d s = points.transpose() * jet.ds, t = points.transpose() * jet.dt;
+  const double area = s.cross(t).norm();
+  if (!(area > kNoArea * s.norm() * t.norm())) return {};
+  Eigen::Matrix2d metric;
+  metric << s.dot(s), s.dot(t), s.dot(t), t.dot(t);
+  const Eigen::Matrix2d inverse = metric.inverse();
+  // Second derivatives without their part along the surface, which the parameters make.
+  const auto covariant = [&](const Eigen::VectorXd& second) -> Eigen::VectorXd {
+    const Vector3d along = points.transpose() * second;
+    const Eigen::Vector2d symbols = inverse * Eigen::Vector2d(along.dot(s), along.dot(t));
+    return second - symbols[0] * jet.ds - symbols[1] * jet.dt;
+  };
+  const Eigen::VectorXd ss = covariant(jet.dss), st = covariant(jet.dst), tt = covariant(jet.dtt);
+  // (s, t) per metre along e1 ∥ s and e2 square to it.
+  const double a = 1.0 / s.norm();
+  const double c = s.norm() / area, b = -s.dot(t) / (s.norm() * area);
+  const double root = std::sqrt(weight * area);
+  Eigen::Matrix<double, 3, Eigen::Dynamic> rows(3, points.rows());
+  rows.row(0) = root * a * a * ss.transpose();
+  rows.row(1) = root * std::sqrt(2.0) * (a * b * ss + a * c * st).transpose();
+  rows.row(2) = root * (b * b * ss + 2.0 * b * c * st + c * c * tt).transpose();
+  return rows;
+}
+
+// Calls visit(rows) for each place of the quadrature on a piece.
+template <class Visit>
+void for_each_place(const PieceWeights& pieces, int piece, const Points& points,
+                    const Visit& visit) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const auto rows = bending_rows(pieces.jet({piece, kGauss[i], kGauss[j]}), points,
+                                     kWeights[i] * kWeights[j]);
+      if (rows.cols() > 0) visit(rows);
+    }
+  }
+}
+
+}  // namespace
+
+double thin_plate_energy(const LimitSurface& surface, const PieceWeights& pieces,
+                         const std::vector<Vector3d>& values) {
+  double energy = 0.0;
+  for (int i = 0; i < pieces.piece_count(); ++i) {
+    const std::vector<int>& which = pieces.piece(i).points;
+    const Points bent = some_of(values, which);
+    for_each_place(pieces, i, some_of(surface.mesh().points(), which),
+                   [&](const auto& rows) { energy += (rows * bent).squaredNorm(); });
+  }
+  return energy;
+}
+
+void add_thin_plate(const LimitSurface& surface, const PieceWeights& pieces,
+                    const std::vector<Vector3d>& values, double factor, FitEquations& equations) {
+  for (int i = 0; i < pieces.piece_count(); ++i) {
+    const std::vector<int>& which = pieces.piece(i).points;
+    const Points points = some_of(surface.mesh().points(), which);
+    Eigen::MatrixXd form = Eigen::MatrixXd::Zero(points.rows(), points.rows());
+    for_each_place(pieces, i, points,
+                   [&](const auto& rows) { form += factor * rows.transpose() * rows; });
+    equations.add_scalar(which, form, -form * some_of(values, which));
+  }
+}
+
+}  // namespace hull

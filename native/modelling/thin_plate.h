@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "modelling/fit_equations.h"
+#include "surface/piece_weights.h"
+
+namespace hull {
+
+// The thin-plate energy of the exact surface, ∫ |second derivatives|² dA, of something that the
+// control points carry, `values`: of their places it is ∫ κ1² + κ2² dA (a number: a sphere has 8π);
+// of moves it is what these bend the surface by, to second order, along it as well as across.
+//
+// Derivatives are to the surface's own metric (covariant ones), so that uneven distances of points
+// cost nothing. By Gauss quadrature on the pieces; squares of 2^-kPlainRings of a cell at irregular
+// knots, and pieces without area, are left out; nothing is counted across creases.
+//
+// REQUIRES: as many values as control points.
+double thin_plate_energy(const LimitSurface& surface, const PieceWeights& pieces,
+                         const std::vector<Vector3d>& values);
+
+// Adds `factor` times that energy to the equations for what is added to the values.
+void add_thin_plate(const LimitSurface& surface, const PieceWeights& pieces,
+                    const std::vector<Vector3d>& values, double factor, FitEquations& equations);
+
+}  // namespace hull

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fitting surfaces to points: samples shaken at random come back, and what is wrong is said."""
+
+import sys
+from pathlib import Path
+
+import hull_native as hn
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
+from hull_io_loader import load_hull_io  # noqa: E402
+
+hull_io = load_hull_io()
+
+SEED = 20261122
+SHAKEN = 0.02  # of the beam
+SAMPLES = sorted(path.name.split(".")[0] for path in (ROOT / "samples").glob("*.hull.json"))
+
+
+def surface_of(name):
+    shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
+    return hn.LimitSurface(
+        hn.ControlMesh(
+            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
+        )
+    )
+
+
+def samples_of(surface, n):
+    return surface.evaluate_grid(n, 0)[0].reshape(-1, 3)
+
+
+def curves_of(surface):
+    curves = []
+    for chain, curve in enumerate(hn.crease_curves(surface)):
+        t = np.linspace(0, curve.edge_count, 8 * curve.edge_count + 1)
+        curves.append((curve.evaluate(t)[0], chain, True))
+    return curves
+
+
+def with_points(surface, points):
+    return hn.LimitSurface(surface.mesh.with_points(points), surface.scheme)
+
+
+def shaken(surface, random, by):
+    points = surface.mesh.points
+    moves = random.normal(size=points.shape)
+    return with_points(surface, points + by * moves / np.linalg.norm(moves, axis=1)[:, None])
+
+
+def farthest(a, b):
+    """Either surface's largest distance from the other, at places that no target was taken at."""
+    return max(
+        hn.SurfaceTree(one).closest_points(samples_of(other, 5)).distances.max()
+        for one, other in ((a, b), (b, a))
+    )
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_comes_back(name):
+    surface = surface_of(name)
+    length = np.ptp(surface.mesh.points[:, 0])
+    beam = 2 * np.abs(surface.mesh.points[:, 1]).max()
+    start = shaken(surface, np.random.default_rng(SEED), SHAKEN * beam)
+    assert farthest(start, surface) > 1e-3 * length
+    fit = hn.fit_surface(
+        start, samples_of(surface, 4), curves=curves_of(surface), fairness=0, most_steps=150
+    )
+    assert farthest(with_points(surface, fit.points), surface) < 1e-6 * length
+    assert fit.rms < 1e-7 * length
+    assert fit.curve_largest < 1e-6 * length
+
+
+def test_the_report_is_of_the_surface_it_gives():
+    surface = surface_of("barge")
+    start = shaken(surface, np.random.default_rng(SEED), 0.1)
+    targets = samples_of(surface, 3)
+    normals = np.tile([0.0, 0.0, 1.0], (len(targets), 1))
+    fit = hn.fit_surface(start, targets, fairness=1e-3, reach=1.0)
+    fitted = with_points(surface, fit.points)
+    closest = hn.SurfaceTree(fitted).closest_points(targets)
+    counted = ~np.isnan(fit.distances)
+    assert counted.sum() == fit.counted
+    # At the border only the part across the surface counts.
+    far = np.abs(fit.distances)
+    assert (far[counted] <= closest.distances[counted] + 1e-12).all()
+    inner = counted & (closest.kinds == 0)
+    np.testing.assert_allclose(far[inner], closest.distances[inner], atol=1e-9)
+    assert fit.rms == pytest.approx(np.sqrt(np.mean(fit.distances[counted] ** 2)))
+    assert fit.largest == pytest.approx(np.nanmax(np.abs(fit.distances)))
+    assert abs(fit.distances[fit.largest_target]) == pytest.approx(fit.largest)
+    np.testing.assert_allclose(fit.largest_place, closest.points[fit.largest_target], atol=1e-9)
+    # Facing up, only few of a hull's outsides agree.
+    assert hn.fit_surface(start, targets, normals=normals, most_steps=0).counted < fit.counted
+
+
+def test_fairness_takes_away_a_dent_and_stiffness_keeps_it():
+    surface = surface_of("coaster")
+    points = surface.mesh.points.copy()
+    inner = int(np.argmin(np.linalg.norm(points - [44.0, 6.0, 2.5], axis=1)))
+    points[inner, 1] += 0.2
+    dented = with_points(surface, points)
+    few = samples_of(surface, 1)
+    loose = hn.fit_surface(dented, few, fairness=0)
+    assert hn.fit_surface(dented, few, fairness=1e-3).energy < loose.energy
+    stiff = hn.fit_surface(dented, few, fairness=0, stiffness=1.0)
+    assert np.abs(stiff.points - points).max() < np.abs(loose.points - points).max()
+
+
+def test_it_can_be_watched_and_cancelled():
+    surface = surface_of("barge")
+    start = shaken(surface, np.random.default_rng(SEED), 0.1)
+    shares = []
+
+    class Enough(Exception):
+        pass
+
+    def watch(share):
+        shares.append(share)
+        if len(shares) == 3:
+            raise Enough
+
+    with pytest.raises(Enough):
+        hn.fit_surface(start, samples_of(surface, 2), progress=watch)
+    assert len(shares) == 3 and shares[0] == 0 and shares == sorted(shares)
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"targets": np.zeros((3, 2))}, r"targets must have shape \(n, 3\)"),
+        ({"targets": [[np.nan, 0, 0]]}, "Target 0"),
+        ({"normals": np.zeros((2, 3))}, "as many normals as targets"),
+        ({"weights": [-1.0]}, "weight"),
+        ({"curves": [3]}, r"curves\[0\]"),
+        ({"curves": [(np.zeros((1, 3)), 0, True)]}, "Curve 0 needs two points"),
+        ({"curves": [(np.eye(3), 999, True)]}, "crease curve 999"),
+        ({"fairness": -1}, "fairness"),
+        ({"stiffness": np.inf}, "stiffness"),
+        ({"reach": 0}, "reach"),
+        ({"reach": 1e-9}, "No target counts"),
+        ({"locked": [9999]}, "locked point is 9999"),
+        ({"held_points": [1]}, "held_normals"),
+    ],
+)
+def test_what_is_wrong_is_said(options, message):
+    surface = surface_of("barge")
+    with pytest.raises(ValueError, match=message):
+        hn.fit_surface(surface, **{"targets": [[30.0, 9.0, 2.0]], **options})
