@@ -60,6 +60,18 @@ class Mesh:
         for aft, forward in zip(rows, rows[1:]):
             self.strip(aft, forward, layer)
 
+    def transom(self, rim, layer=1):
+        """A plane transom within its rim, which runs up from the centre plane: the rim a knuckle,
+        strips across, a further point in the centre plane at the height of the rim's end."""
+        self.crease(rim)
+        x, _, z = self.points[rim[-1]]
+        ring = [*rim, self.point((x, 0.0, z))]
+        low, high = 0, len(ring) - 1
+        while high - low >= 5:
+            self.face(ring[high], ring[high - 1], ring[low + 1], ring[low], layer=layer)
+            low, high = low + 1, high - 1
+        self.face(*ring[high : low - 1 if low else None : -1], layer=layer)
+
     def crease(self, chain):
         """A knuckle along a chain of points."""
         self.creases.update(_edges(chain))
@@ -157,3 +169,36 @@ def through(places):
     for k in range(1, len(places) - 1):
         matrix[k, k - 1 : k + 2] = 1 / 6, 4 / 6, 1 / 6
     return np.linalg.solve(matrix, places)
+
+
+def faired(values, stiffness, held=(0, -1)):
+    """Coordinates (n,) along a row, moved so that their third differences are small.
+
+    stiffness: how much that counts against staying where they are. Those that are held stay.
+    """
+    values = np.asarray(values, dtype=float)
+    # The surface goes on beyond the ends of a row as if it were reflected there.
+    unit = np.eye(len(values))
+    extended = np.vstack([2 * unit[0] - unit[1], unit, 2 * unit[-1] - unit[-2]])
+    third = np.diff(extended, 3, axis=0)
+    matrix = unit + stiffness * third.T @ third
+    free = np.setdiff1d(np.arange(len(values)), np.arange(len(values))[list(held)])
+    moves = np.zeros(len(values))
+    right = -stiffness * (third.T @ (third @ values))
+    moves[free] = np.linalg.solve(matrix[np.ix_(free, free)], right[free])
+    return values + moves
+
+
+def largest(values):
+    """The largest coordinate of the crease or border of control points with these (n,)."""
+    values = np.asarray(values, dtype=float)
+    line = np.concatenate([2 * values[:1] - values[1:2], values, 2 * values[-1:] - values[-2:-1]])
+    t = np.linspace(0.0, 1.0, 65)
+    basis = (
+        (1 - t) ** 3,
+        3 * t**3 - 6 * t**2 + 4,
+        -3 * t**3 + 3 * t**2 + 3 * t + 1,
+        t**3,
+    )
+    spans = np.stack([line[k : len(line) - 3 + k] for k in range(4)], axis=1)
+    return float((spans @ np.array(basis)).max() / 6)
