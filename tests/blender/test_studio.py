@@ -301,7 +301,8 @@ def test_lines_are_on_the_surface():
     set_up(hull)
     curves = [obj for obj in collection().objects if obj.type == "CURVE"]
     assert {obj.name for obj in curves} == {
-        "Studio stations", "Studio waterlines", "Studio design waterline"
+        "Studio stations", "Studio waterlines", "Studio design waterline",
+        "Studio knuckles and borders",
     }  # fmt: skip
     for obj in curves:
         points = np.array([p.co[:] for s in obj.data.splines for p in s.bezier_points])

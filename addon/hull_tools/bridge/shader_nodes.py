@@ -47,6 +47,20 @@ class Nodes:
         """(x, y, z) of a vector's socket."""
         return tuple(self.add("ShaderNodeSeparateXYZ", Vector=vector).outputs)
 
+    def eye(self):
+        """Where the camera is, in the object's coordinates."""
+        node = self._tree.nodes.new("ShaderNodeVectorTransform")
+        node.vector_type, node.convert_from, node.convert_to = "POINT", "CAMERA", "OBJECT"
+        node.inputs[0].default_value = (0.0, 0.0, 0.0)
+        return node.outputs[0]
+
+    def vector_math(self, operation, *values):
+        node = self._tree.nodes.new("ShaderNodeVectorMath")
+        node.operation = operation
+        for value, socket in zip(values, node.inputs):
+            self.put(value, socket)
+        return node.outputs[0]
+
     def ramp(self, value, stops, low=0.0, high=1.0, steps=False):
         """The colour at a value: stops are pairs (value, colour), from `low` to `high`."""
         part = self.add("ShaderNodeMapRange", Value=value, From_Min=low, From_Max=high)

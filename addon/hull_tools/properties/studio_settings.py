@@ -28,7 +28,7 @@ class HullStudio(bpy.types.PropertyGroup):
         description="What the hull is lit by",
         items=(
             ("SUN", "Sun and sky", "A sun to starboard, and blue sky"),
-            ("STUDIO", "Studio lights", "Three soft lamps before a grey backdrop"),
+            ("STUDIO", "Studio lights", "A lamp and soft boxes before a grey backdrop"),
         ),
     )
     lines: EnumProperty(
@@ -51,7 +51,7 @@ class HullStudio(bpy.types.PropertyGroup):
         "else the surface keeps its material or its colours of curvature",
         default=True,
     )
-    topside: _colour("Topsides", "Paint above the boot top", (0.50, 0.53, 0.56))
+    topside: _colour("Topsides", "Paint above the boot top", (0.34, 0.40, 0.46))
     boot_top: _colour("Boot top", "Paint of the stripe at the waterline", (0.80, 0.80, 0.78))
     antifouling: _colour("Antifouling", "Paint under water", (0.38, 0.045, 0.025))
     boot_top_height: length(

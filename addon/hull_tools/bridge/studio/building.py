@@ -8,7 +8,7 @@ from . import cameras, deck, ground, keeping, light, lines_on_hull, paint, rende
 from .place import MARK, Place, points_of
 
 # Faces along each side of a cell: fine enough that a facet shows nowhere in the picture.
-_SAMPLES = 8
+_SAMPLES = 12
 
 
 def find(scene):
@@ -52,11 +52,12 @@ def make(hull, scene):
         _paint(collection, surface_object, paint.hull_paint(here, settings, in_water))
     if settings.deck:
         deck.add_deck(here, surface_object.data, paint.deck_paint(here, in_water))
+    backdrop = light.backdrop_of(settings.light)
     if in_water:
         lines = lines_on_hull.waterlines(hull, state, scale)
-        ground.add_water(here, [line / scale for line in lines])
+        ground.add_water(here, [line / scale for line in lines], backdrop)
     elif settings.ground == "FLOOR":
-        ground.add_floor(here)
+        ground.add_floor(here, backdrop)
     lines_on_hull.add_lines(here, state.surface, groups, in_water)
     scene.world = light.add_light(here, settings.light, in_water)
     collection["own world"] = scene.world
@@ -111,6 +112,7 @@ def look_from(scene, view):
     if camera is None:
         raise ValueError(f"The camera {cameras.VIEWS[view].label} is gone: set up the studio anew")
     cameras.frame(here, camera, view)
+    lines_on_hull.draw_thin(here, cameras.width_at(here, camera))
     scene.camera = camera
 
 

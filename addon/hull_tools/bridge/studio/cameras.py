@@ -36,15 +36,15 @@ class View:
 
 
 VIEWS = {
-    "BOW": View("Bow quarter", "From off the starboard bow", -40.0, 13.0, 85.0),
-    "STERN": View("Stern quarter", "From off the starboard quarter", -140.0, 14.0, 85.0),
+    "BOW": View("Bow quarter", "From off the starboard bow", -40.0, 8.0, 55.0),
+    "STERN": View("Stern quarter", "From off the starboard quarter", -140.0, 8.5, 55.0),
     "PROFILE": View("Profile", "From starboard, level, to scale", -90.0, 0.0),
     "PLAN": View("Plan", "From above, to scale", -90.0, 90.0),
     "BODY": View("Body", "From ahead, level, to scale", 0.0, 0.0),
     "UNDERWATER": View(
         "Underwater", "What is under water, from there", -52.0, -16.0, 40.0, below=True
     ),
-    "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 13.0, 85.0),
+    "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 8.0, 85.0),
 }
 FIRST, TURNTABLE = "BOW", "TURNTABLE"
 _PIVOT = "Studio turntable"
@@ -90,6 +90,16 @@ def frame(here, camera, name):
         points = wet if len(wet) else points
     place_of = _perspective if view.lens else _orthographic
     camera.matrix_basis = place_of(here, camera.data, points, _axes(view))
+
+
+def width_at(here, camera):
+    """How wide the picture is where the hull is, along the picture's longer side."""
+    if camera.data.type == "ORTHO":
+        return camera.data.ortho_scale
+    away = camera.matrix_basis.to_3x3().col[2]
+    centre = Vector((0.0, 0.0, 0.0)) if camera.parent != here.hull else Vector(here.centre)
+    distance = (camera.matrix_basis.translation - centre).dot(away)
+    return distance * _SENSOR / camera.data.lens
 
 
 def _swept(here):

@@ -8,12 +8,12 @@ import bpy
 
 from .. import blender_versions
 from ..shader_nodes import Nodes, rgba
-from . import light, place, water_look
+from . import place, water_look
 
 # In lengths of the hull.
 _TO_THE_HORIZON = 400.0
 _FLOOR = 60.0
-_HAZE = 18.0
+_HAZE = 45.0
 _FLOOR_SEEN = (1.0, 6.0)
 _CALM_FROM = 1.2
 
@@ -21,20 +21,20 @@ _CALM_FROM = 1.2
 # own do with its speed.
 _WAVE = 0.16
 _REFRACTION = 1.333
-_TINT = (0.80, 0.93, 0.95)
-# Less than a mirror: the topsides' image would lie over the underwater body.
+# Less than a mirror, so that the underwater body is seen.
 _MIRRORING = 0.75
+_TINT = (0.80, 0.93, 0.95)
 
 _WINDOW = (0.35, 0.85)  # sines between which the surface is seen from below as a mirror, and open
 _WINDOW_COLOUR = (0.42, 0.80, 0.88)
 _SEEN_FROM_BELOW = 1.6  # lengths
 
-_FLOOR_COLOUR = (0.42, 0.43, 0.44)
+_FLOOR_COLOUR = (0.48, 0.485, 0.49)
 
 
-def add_water(here, waterlines):
+def add_water(here, waterlines, backdrop):
     """Water at the draft, with none inside the hull's closed `waterlines`, polylines (k, 3) of both
-    sides in Blender's units."""
+    sides in Blender's units. backdrop: see light.backdrop_of."""
     size = _TO_THE_HORIZON * here.length
     x, y = here.centre[:2]
     outline = [
@@ -48,7 +48,7 @@ def add_water(here, waterlines):
     lines = [[(float(p[0]), float(p[1]), 0.0) for p in line] for line in waterlines]
     if not _fill_around(mesh, outline, lines, 1e-5 * here.length):
         mesh.from_pydata(outline, [], [(0, 1, 2, 3)])
-    mesh.materials.append(_water(here))
+    mesh.materials.append(_water(here, backdrop))
     water = here.add_scenery("Studio water", mesh, (0.0, 0.0, here.draft))
     water.visible_shadow = False
     water.visible_diffuse = False
@@ -76,7 +76,7 @@ def _fill_around(mesh, outline, polylines, weld_distance):
         bm.free()
 
 
-def _water(here):
+def _water(here, backdrop):
     material = place.new_material("Studio water", (0.3, 0.6, 0.7, 0.35))
     nodes = Nodes(material)
     geometry = nodes.add("ShaderNodeNewGeometry").outputs
@@ -85,7 +85,7 @@ def _water(here):
     ripples = _ripples(nodes, here, distance)
     shader = nodes.mix_shader(
         geometry["Backfacing"],
-        _from_above(nodes, here, distance, ripples),
+        _from_above(nodes, here, distance, ripples, backdrop),
         _from_below(nodes, here, distance, sine, ripples),
     )
     nodes.finish(shader)
@@ -108,15 +108,23 @@ def _ripples(nodes, here, distance):
     return bump.outputs[0]
 
 
-def _from_above(nodes, here, distance, ripples):
-    """Clear where one looks down, a mirror of the sky where one looks along, haze far away."""
+def _from_above(nodes, here, distance, ripples, backdrop):
+    """Clear where one looks down, a mirror of the sky where one looks along, haze far away.
+
+    The mirror image is worked out, not traced: there is no noise in it, and no image of the
+    topsides over the underwater body.
+    """
     fresnel = nodes.add("ShaderNodeFresnel", IOR=_REFRACTION, Normal=ripples).outputs[0]
     clear = nodes.add("ShaderNodeBsdfTransparent", Color=rgba(_TINT)).outputs[0]
-    mirror = nodes.add("ShaderNodeBsdfGlossy", Roughness=0.04, Normal=ripples).outputs[0]
+    towards_eye = nodes.add("ShaderNodeNewGeometry").outputs["Incoming"]
+    from_eye = nodes.vector_math("SCALE", towards_eye)
+    from_eye.node.inputs["Scale"].default_value = -1.0
+    sine = nodes.split(nodes.vector_math("REFLECT", from_eye, ripples))[2]
+    mirror = nodes.emission(backdrop(nodes, nodes.math("ABSOLUTE", sine)))
     near = nodes.mix_shader(nodes.math("MULTIPLY", fresnel, _MIRRORING), clear, mirror)
     part = nodes.math("POWER", nodes.math("DIVIDE", distance, _HAZE * here.length), 2.0)
     clearness = nodes.math("EXPONENT", nodes.math("MULTIPLY", part, -1.0))
-    return nodes.mix_shader(clearness, nodes.emission(rgba(light.HORIZON)), near)
+    return nodes.mix_shader(clearness, nodes.emission(backdrop(nodes, 0.0)), near)
 
 
 def _from_below(nodes, here, distance, sine, ripples):
@@ -130,18 +138,20 @@ def _from_below(nodes, here, distance, sine, ripples):
     return nodes.emission(nodes.mix_colour(clearness, depth, colour))
 
 
-def add_floor(here):
-    """A floor under the keel that goes over into the background, and is not there from below."""
+def add_floor(here, backdrop):
+    """A floor under the keel that goes over into the backdrop, and is not there from below."""
     size = _FLOOR * here.length
     corners = [(-size, -size, 0.0), (size, -size, 0.0), (size, size, 0.0), (-size, size, 0.0)]
     mesh = bpy.data.meshes.new("Studio floor")
     mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
-    mesh.materials.append(_floor(here))
+    mesh.materials.append(_floor(here, backdrop))
     x, y, _ = here.centre
-    here.add_scenery("Studio floor", mesh, (x, y, here.low[2] - 1e-3 * here.length))
+    floor = here.add_scenery("Studio floor", mesh, (x, y, here.low[2] - 1e-3 * here.length))
+    # The bottom is lit through it, and can be looked at from below.
+    floor.visible_shadow = floor.visible_diffuse = False
 
 
-def _floor(here):
+def _floor(here, backdrop):
     material = place.new_material("Studio floor", _FLOOR_COLOUR)
     nodes = Nodes(material)
     x, y, _ = nodes.split(nodes.add("ShaderNodeTexCoord").outputs["Object"])
@@ -150,7 +160,7 @@ def _floor(here):
     near, far = (part * here.length for part in _FLOOR_SEEN)
     plain = nodes.add("ShaderNodeBsdfDiffuse", Color=rgba(_FLOOR_COLOUR)).outputs[0]
     shader = nodes.mix_shader(
-        nodes.smooth(away, near, far), plain, nodes.emission(rgba(light.BACKDROP))
+        nodes.smooth(away, near, far), plain, nodes.emission(backdrop(nodes, 0.0))
     )
     is_below = nodes.add("ShaderNodeNewGeometry").outputs["Backfacing"]
     nothing = nodes.add("ShaderNodeBsdfTransparent").outputs[0]

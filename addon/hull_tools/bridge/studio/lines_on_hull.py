@@ -2,10 +2,11 @@
 """Sections and waterlines drawn on the hull as thin tubes."""
 
 from .. import line_curves, lines
-from . import paint
+from . import paint, place
 
-# Of the hull's size: a line of two or three points of a picture that the hull fills.
+# Of the picture's width: a line of one and a half points of one that has 1600.
 _RADIUS = 4.5e-4
+_LEAST_POINTS = 1.0
 # Where the hull has no spacing of its own.
 _WATERLINES_TO_DRAFT = 4
 _STATIONS = 20
@@ -21,7 +22,7 @@ def find(hull, state, choice, metres_per_unit):
     if choice == "SHOWN":
         wanted = lines.wanted_cuts(hull.hull, points, metres_per_unit)
     else:
-        kinds = ("station", "waterline", "draft")
+        kinds = ("station", "waterline", "draft", "feature")
         wanted = lines.cuts_of_kinds(hull.hull, points, metres_per_unit, kinds)
         wanted["station"] = wanted["station"] or _even_stations(points)
         wanted["waterline"] = wanted["waterline"] or _even_waterlines(wanted["draft"], points)
@@ -58,7 +59,16 @@ def add_lines(here, surface, groups, in_water):
         if not chains:
             continue
         name = f"Studio {line_curves.LAYER_NAMES[group.kind]}"
-        radius = _RADIUS * here.length * here.metres_per_unit
-        curve = line_curves.new_curve(name, chains, radius, here.metres_per_unit, True)
+        curve = line_curves.new_curve(name, chains, 0.0, here.metres_per_unit, True)
         curve.materials.append(paint.line_paint(group.kind, here, in_water))
         here.add_scenery(name, curve).visible_shadow = False
+
+
+def draw_thin(here, picture_width):
+    """Makes the lines as thin as they should be in a picture so many units wide at the hull."""
+    render = here.scene.render
+    points = max(render.resolution_x, render.resolution_y) * render.resolution_percentage / 100.0
+    radius = max(_RADIUS, 0.5 * _LEAST_POINTS / points)
+    for obj in here.collection.objects:
+        if obj.type == "CURVE" and obj.get(place.MARK):
+            obj.data.bevel_depth = radius * picture_width

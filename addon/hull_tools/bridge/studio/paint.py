@@ -10,7 +10,7 @@ from ..shader_nodes import Nodes, rgba
 from . import place, water_look
 
 _INSIDE = (0.30, 0.31, 0.32)
-_DECK = (0.36, 0.37, 0.35)
+_DECK = (0.12, 0.17, 0.15)
 _ROUGHNESS = 0.3
 # Of the hull's height, where the height of the boot top is not given.
 _BOOT_TOP_PART = 0.035

@@ -10,17 +10,17 @@ from math import log
 
 # The colour of deep water by the sine of the elevation to which one looks.
 _DEPTH = (
-    (-1.0, (0.003, 0.030, 0.060)),
-    (-0.30, (0.010, 0.095, 0.150)),
+    (-1.0, (0.008, 0.070, 0.115)),
+    (-0.30, (0.012, 0.100, 0.155)),
     (0.0, (0.045, 0.260, 0.340)),
     (0.6, (0.14, 0.50, 0.60)),
     (1.0, (0.25, 0.65, 0.72)),
 )
 
 # What is left of the keel, seen from above by one who looks down this steeply.
-_CLEAR_AT_KEEL, _STEEPNESS = 0.5, 0.28
+_CLEAR_AT_KEEL, _STEEPNESS = 0.7, 0.15
 # The same of what is one length of the hull away from an eye in the water.
-_CLEAR_AT_LENGTH = 0.72
+_CLEAR_AT_LENGTH = 0.84
 
 # Who looks more level than this from above the water sees a drawing, without water.
 LEVEL = 0.01
@@ -37,11 +37,11 @@ def veiled(nodes, shader, draft, length):
     The material's object has the hull's coordinates and is upright.
     """
     height = nodes.split(nodes.add("ShaderNodeTexCoord").outputs["Object"])[2]
+    eye = nodes.split(nodes.eye())[2]
     towards_eye = nodes.split(nodes.add("ShaderNodeNewGeometry").outputs["Incoming"])[2]
     distance = nodes.add("ShaderNodeCameraData").outputs["View Distance"]
     depth = nodes.math("SUBTRACT", draft, height)
-    rise = nodes.math("MULTIPLY", towards_eye, distance)
-    is_above = nodes.math("GREATER_THAN", nodes.math("SUBTRACT", rise, depth), 0.0)
+    is_above = nodes.math("GREATER_THAN", eye, draft)
     from_above = nodes.math("DIVIDE", depth, nodes.math("MAXIMUM", towards_eye, LEVEL))
     from_above = nodes.math("MULTIPLY", from_above, -log(_CLEAR_AT_KEEL) * _STEEPNESS / draft)
     is_steep = nodes.math("GREATER_THAN", towards_eye, LEVEL)
