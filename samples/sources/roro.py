@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A fast RoRo vessel: twin screws under a pram stern with a skeg, bulbous bow, knuckled side.
+
+Eight rows of points run along the ship, from the centre plane to the deck edge: three that are the
+flat bottom amidships, the bulb forward and the skeg aft; two round the bilge; two up the side, the
+upper one the knuckle; the deck edge, which climbs to the forecastle.
+"""
+
+from .mesh import Mesh
+
+LENGTH, HALF_BEAM, DRAFT, DEPTH = 190.0, 14.5, 7.0, 15.5
+
+# Sections from the transom to the last one before the stem, closer where the ends turn.
+STATIONS = (-4.0, 7.0, 19.0, 33.0, 49.0, 66.0, 85.0, 105.0, 124.0, 142.0, 158.0, 171.5, 182.0)
+# The section where the bulb's neck meets the stem: its points lean forward from the fourth on.
+NECK = (188.5, 188.5, 188.5, 188.6, 190.2, 192.0, 194.2, 195.6)
+# How far the points of the two sections before it lean with the stem.
+RAKE = {-2: (0.0, 0.0, 0.0, 0.0, 0.2, 0.6, 1.2, 1.6), -1: (0.0, 0.0, 0.0, 0.0, 0.5, 1.5, 3.0, 4.0)}
+# The bulb's nose: two points of valence 3 on each side close it, where its two rows end.
+NOSE = ((195.5, 0.0, 1.9), (195.5, 1.3, 1.9), (195.5, 1.3, 5.4), (195.5, 0.0, 5.4))
+
+# y and z of the eight rows at the sections; made fair row by row, with the flats held.
+# fmt: off
+BREADTHS = [
+    [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+    [1.2, 0.85, 0.51, 0.58, 1.31, 3.83, 7.36, 7.79, 5.62, 3.5, 2.2, 1.6, 1.55, 1.55],
+    [3.21, 2.28, 1.21, 1.39, 3.85, 8.57, 11.6, 11.19, 8.32, 5.4, 3.4, 2.3, 1.94, 1.75],
+    [7.66, 6.8, 6.35, 7.22, 9.74, 12.29, 13.56, 12.81, 10.32, 7.16, 4.53, 2.72, 1.35, 0],
+    [12.21, 12.77, 13.2, 13.62, 14.12, 14.5, 14.5, 13.99, 12.12, 9.09, 6.05, 3.59, 1.68, 0],
+    [13.21, 13.9, 14.33, 14.5, 14.5, 14.5, 14.5, 14.5, 13.48, 11.06, 8.06, 5.19, 2.71, 0],
+    [13.61, 14.21, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 13.02, 9.95, 6.07, 0],
+    [13.81, 14.29, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 13.65, 11.18, 7.4, 0],
+]
+HEIGHTS = [
+    [6.64, 5.62, 0.85, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5],
+    [6.65, 5.76, 1.69, 0.12, 0, 0, 0, 0, 0, 0, 0, 0, 0.2, 0.5],
+    [6.66, 6.06, 5.09, 3.29, 1.11, 0, 0, 0, 0, 0, 0.41, 1.59, 3.21, 5],
+    [6.75, 6.23, 5.31, 3.84, 2.18, 1.14, 0.81, 0.9, 1.21, 1.93, 3.13, 4.57, 5.76, 6.4],
+    [7.41, 6.9, 6.1, 4.97, 3.7, 2.75, 2.37, 2.58, 3.31, 4.52, 6, 7.39, 8.38, 9],
+    [8.81, 8.4, 7.8, 6.98, 6.01, 5.21, 4.78, 4.98, 5.96, 7.69, 9.56, 11.03, 11.86, 12.2],
+    [11.81, 11.48, 11.03, 10.48, 9.82, 9.2, 8.74, 8.76, 9.82, 12.09, 14.32, 15.73, 16.42, 16.8],
+    [15.5, 15.5, 15.5, 15.5, 15.5, 15.5, 15.5, 15.5, 15.79, 16.89, 18.49, 19.66, 20.16, 20.3],
+]
+# fmt: on
+# Sections, by number: the first whose knuckle is a crease. Its points below the knuckle are in the
+# plane of the side up to the next section, so that the knuckle begins without an angle.
+KNUCKLE_FROM = 6
+
+FEATURES = {
+    "bulbous bow": "three rows run out to the nose past the neck, a stem point of valence 4",
+    "skeg": "the lower rows come together on the centre plane aft, to 0.6 m of half breadth",
+    "pram-type stern": "outside of the skeg the rows of the bottom rise straight to the transom",
+    "forecastle knuckle": "the seventh row is a crease to the stem, the side above it steeper",
+    "flat-side knuckle": "the same crease bounds the flat side and fades out amidships",
+    "flat bottom": "the lowest three rows in the base plane",
+    "transom": "plane, a layer of its own with a creased rim",
+}
+MOST_POINTS = 117
+WANTED = []
+
+
+def sections():
+    """The rows of points from the keel to the deck edge, section by section."""
+    for k in range(len(STATIONS) + 1):
+        last = k == len(STATIONS)
+        lean = RAKE.get(k - len(STATIONS), (0.0,) * 8)
+        along = NECK if last else [STATIONS[k] + part for part in lean]
+        yield [(along[j], BREADTHS[j][k], HEIGHTS[j][k]) for j in range(8)]
+
+
+def make(hull_io):
+    mesh = Mesh()
+    rows = [mesh.row(section) for section in sections()]
+    mesh.strips(rows)
+    nose = mesh.row(NOSE)
+    mesh.strip(rows[-1][:4], nose)
+    mesh.face(*nose)
+    _add_transom(mesh, rows[0])
+    mesh.crease([row[6] for row in rows[KNUCKLE_FROM:]])
+    mesh.deck([row[7] for row in rows])
+    mesh.flat((0, 1, 0), HALF_BEAM)
+    mesh.flat((0, 0, 1), 0.0)
+    mesh.flat((-1, 0, 0), -STATIONS[0], layer=1)
+    return mesh.hull(
+        hull_io,
+        "RoRo vessel",
+        "designed for this project, after the fast RoRo vessels of the 1990s and later",
+        length_pp=LENGTH,
+        beam=2.0 * HALF_BEAM,
+        draft=DRAFT,
+        depth=DEPTH,
+        water_density=1.025,
+    )
+
+
+def _add_transom(mesh, rim):
+    """The transom: strips across from the side to the bottom, a crease round it."""
+    x, _, z = mesh.points[rim[7]]
+    ring = [*rim, mesh.point((x, 0.0, z))]
+    for face in ((1, 0, 8, 7), (2, 1, 7, 6), (3, 2, 6, 5), (5, 4, 3)):
+        mesh.face(*(ring[k] for k in face), layer=1)
+    mesh.crease(rim)
