@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Labels of lines in a drawing: above their upper ends, or on the lines, where there is room."""
+
+import numpy as np
+
+from . import paper
+
+# Over the letters' height: the room around a label, and how near lines may come to it.
+_ROOM, _NEAR = 0.35, 0.1
+# Where along a line a label may stand.
+_PLACES = np.linspace(0.06, 0.94, 45)
+# Labels of ends that are so near, over the letters' height, are one.
+_TOGETHER = 1.0
+
+
+class Labels:
+    """Finds places for labels as they are added, and paints them."""
+
+    def __init__(self, context, height):
+        self.context, self.height = context, height
+        # Of `ends` first, in their order, then those of `on_lines`.
+        self.boxes = []
+        self.ends = []
+        self.on_lines = []
+
+    def add(self, label, side, points, others):
+        """A label of a line through points (n, 2), to be right (side 1) or left of its upper end;
+        others (n, 2): the points of lines that it must not cover. Where there is no room, none."""
+        end = points[np.argmin(points[:, 1] - 1e-3 * side * points[:, 0])]
+        if self._joins(label, side, end) or self._stands_above([label], side, end):
+            return
+        width = paper.text_width_of(self.context, label, self.height)
+        for middle in self._along(points):
+            box = self._box(middle, width)
+            if self._is_free(box) and not _covers(self._box(middle, width, _NEAR), others):
+                self.on_lines.append((label, middle))
+                self.boxes.append(box)
+                return
+
+    def _joins(self, label, side, end):
+        """Whether a label could be made one with another at the same place."""
+        for i, (names, of, at) in enumerate(self.ends):
+            if of == side and np.hypot(*(at - end)) < _TOGETHER * self.height:
+                before = self.ends.pop(i), self.boxes.pop(i)
+                if self._stands_above([*names, label], side, at, i):
+                    return True
+                self.ends.insert(i, before[0])
+                self.boxes.insert(i, before[1])
+        return False
+
+    def _stands_above(self, names, side, end, place=None):
+        """Whether there is room for one label of these names at the end of a line."""
+        width = paper.text_width_of(self.context, _together(names, side), self.height)
+        middle = end + [side * (0.5 * width + 0.45 * self.height), -0.95 * self.height]
+        box = self._box(middle, width)
+        if not self._is_free(box):
+            return False
+        place = len(self.ends) if place is None else place
+        self.ends.insert(place, (names, side, end))
+        self.boxes.insert(place, box)
+        return True
+
+    def _along(self, points):
+        """Places on a line, the upper ones first."""
+        lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+        at = _PLACES if points[0, 1] < points[-1, 1] else _PLACES[::-1]
+        return [[np.interp(a * lengths[-1], lengths, points[:, i]) for i in (0, 1)] for a in at]
+
+    def _box(self, middle, width, room=_ROOM):
+        half = np.array([0.5 * width, 0.5 * self.height]) + room * self.height
+        return np.asarray(middle) - half, np.asarray(middle) + half
+
+    def _is_free(self, box):
+        low, high = box
+        return not any((low < top).all() and (bottom < high).all() for bottom, top in self.boxes)
+
+    def paint(self, colour):
+        for label, middle in self.on_lines:
+            width = paper.text_width_of(self.context, label, self.height)
+            low, high = self._box(middle, width, _NEAR)
+            self.context.set_source_rgb(1.0, 1.0, 1.0)
+            self.context.rectangle(*low, *(high - low))
+            self.context.fill()
+            at = [middle[0], middle[1] + 0.36 * self.height]
+            paper.text(self.context, at, label, self.height, colour)
+        for names, side, end in self.ends:
+            at = end + [side * 0.45 * self.height, -0.6 * self.height]
+            align = 0.0 if side > 0.0 else 1.0
+            paper.text(self.context, at, _together(names, side), self.height, colour, align)
+
+
+def _covers(box, points):
+    low, high = box
+    return bool(((points > low) & (points < high)).all(axis=1).any())
+
+
+def _together(names, side):
+    """One name for names that were added from the ends of the ship to the middle."""
+    if len(names) == 1:
+        return names[0]
+    aft, fore = (names[-1], names[0]) if side > 0.0 else (names[0], names[-1])
+    return f"{aft}–{fore}"
