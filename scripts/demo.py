@@ -16,11 +16,8 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import demo_scene  # noqa: E402
 from enabled_addon import part  # noqa: E402
-
-# Fine enough that a facet of the surface shows nowhere in the picture.
-RENDER_SAMPLES_PER_CELL = 8
+from quiet_output import quiet_output  # noqa: E402
 
 PLOTS = {
     "sectional_areas.svg": "sectional_areas",
@@ -47,7 +44,7 @@ class Progress:
 
 def load(path):
     bpy.ops.wm.read_homefile(use_empty=True)
-    with demo_scene.quiet_output():
+    with quiet_output():
         bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
     state = part("bridge.hull_state").state_of(hull)
@@ -93,18 +90,15 @@ def draw_lines(hull, folder):
 
 
 def render(hull, path):
-    hull.hull.samples = RENDER_SAMPLES_PER_CELL
-    part("bridge.hull_state").refresh(hull, bpy.context.scene)
-    with demo_scene.quiet_output():
-        bpy.ops.hull.lines_as_curves()
-    demo_scene.set_up(hull)
+    """The hull in its studio, seen over the bow quarter."""
+    part("bridge.studio").make(hull, bpy.context.scene)
     bpy.context.scene.render.filepath = str(path)
-    with demo_scene.quiet_output():
+    with quiet_output():
         bpy.ops.render.render(write_still=True)
 
 
 def save(path):
-    with demo_scene.quiet_output():
+    with quiet_output():
         bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True)
 
 

@@ -68,6 +68,10 @@ def _with_opening(hull):
         bpy.ops.hull.add_flooding_point()
 
 
+def _with_studio(hull):
+    part("bridge.studio").make(hull, bpy.context.scene)
+
+
 PANELS = {
     "panels/hull": PanelShot(hull_panels("hull", "check")),
     "panels/surface": PanelShot(hull_panels("surface")),
@@ -92,6 +96,7 @@ PANELS = {
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
     "panels/export": PanelShot(hull_panels("export", "patches", "cad_file")),
+    "panels/presentation": PanelShot(hull_panels("presentation"), _with_studio),
 }
 
 

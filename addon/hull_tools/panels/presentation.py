@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge import hull_objects, studio
-from .shared import HullPanel, label_wrapped
+from .shared import HullPanel, label_wrapped, text_field
 
 
 class HULL_PT_presentation(HullPanel, bpy.types.Panel):
@@ -21,8 +21,9 @@ class HULL_PT_presentation(HullPanel, bpy.types.Panel):
         layout.prop(settings, "paint")
         if settings.paint:
             column = layout.column(align=True)
-            for name in ("topside", "boot_top", "antifouling", "boot_top_height"):
-                column.prop(settings, name)
+            for name in ("topside", "antifouling", "boot_top"):
+                text_field(column, settings, name)
+            column.prop(settings, "boot_top_height")
         row = layout.row(align=True)
         row.operator("hull.make_studio", icon="OUTLINER_OB_LIGHT")
         row.operator("hull.remove_studio", text="", icon="TRASH")
@@ -39,9 +40,9 @@ class HULL_PT_presentation(HullPanel, bpy.types.Panel):
         for name, view in studio.VIEWS.items():
             if name != studio.TURNTABLE:
                 flow.operator("hull.studio_view", text=view.label).view = name
-        row = layout.row(align=True)
-        row.prop(settings, "turntable_frames")
-        row.operator("hull.studio_turntable")
+        column = layout.column(align=True)
+        column.prop(settings, "turntable_frames")
+        column.operator("hull.studio_turntable")
 
 
 CLASSES = (HULL_PT_presentation,)

@@ -53,9 +53,9 @@ class HullStudio(bpy.types.PropertyGroup):
     )
     topside: _colour("Topsides", "Paint above the boot top", (0.34, 0.40, 0.46))
     boot_top: _colour("Boot top", "Paint of the stripe at the waterline", (0.80, 0.80, 0.78))
-    antifouling: _colour("Antifouling", "Paint under water", (0.38, 0.045, 0.025))
+    antifouling: _colour("Antifouling", "Paint under water", (0.33, 0.028, 0.014))
     boot_top_height: length(
-        "Boot top", "Height of the stripe above the water; 0: a small part of the hull's height"
+        "Height", "Of the boot top above the water; 0: a small part of the freeboard"
     )
     engine: EnumProperty(
         name="Renderer",

@@ -13,7 +13,7 @@ from . import place, water_look
 # In lengths of the hull.
 _TO_THE_HORIZON = 400.0
 _FLOOR = 60.0
-_HAZE = 45.0
+_HAZE = 30.0
 _FLOOR_SEEN = (1.0, 6.0)
 _CALM_FROM = 1.2
 
@@ -22,7 +22,7 @@ _CALM_FROM = 1.2
 _WAVE = 0.16
 _REFRACTION = 1.333
 # Less than a mirror, so that the underwater body is seen.
-_MIRRORING = 0.75
+_MIRRORING = 0.68
 _TINT = (0.80, 0.93, 0.95)
 
 _WINDOW = (0.35, 0.85)  # sines between which the surface is seen from below as a mirror, and open

@@ -12,8 +12,8 @@ from . import place, water_look
 _INSIDE = (0.30, 0.31, 0.32)
 _DECK = (0.12, 0.17, 0.15)
 _ROUGHNESS = 0.3
-# Of the hull's height, where the height of the boot top is not given.
-_BOOT_TOP_PART = 0.035
+# Of the freeboard, where the height of the boot top is not given.
+_BOOT_TOP_PART = 0.08
 
 _LINE_COLOURS = {"waterline": (0.010, 0.022, 0.090), "draft": (0.85, 0.87, 0.88)}
 _OTHER_LINES = (0.008, 0.008, 0.010)
@@ -23,7 +23,7 @@ def hull_paint(here, settings, in_water):
     """The material of the hull's surface; `settings`: an Object.hull.studio."""
     material = place.new_material("Studio hull paint", settings.topside)
     nodes = Nodes(material)
-    boot_top = settings.boot_top_height or _BOOT_TOP_PART * (here.high[2] - here.low[2])
+    boot_top = settings.boot_top_height or _BOOT_TOP_PART * max(here.high[2] - here.draft, 0.0)
     height = nodes.split(nodes.add("ShaderNodeTexCoord").outputs["Object"])[2]
     colour = nodes.mix_colour(
         nodes.math("GREATER_THAN", height, here.draft),
