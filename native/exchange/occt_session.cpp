@@ -52,6 +52,8 @@ OcctSession::OcctSession(const CadOptions& options) : lock_(occt_mutex()) {
   set("xstep.cascade.unit", "MM");
   set("write.step.unit", unit_setting(options.unit));
   set("write.step.schema", options.schema == StepSchema::kAp242 ? "AP242DIS" : "AP214IS");
+  // Several bodies in one product, not an assembly of products at places of their own.
+  set("write.step.assembly", 0);
   // No lines in (u, v): readers find them again, on borders of patches at once, which is twice as
   // fast as reading and checking them.
   set("write.surfacecurve.mode", 0);

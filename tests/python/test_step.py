@@ -109,6 +109,19 @@ def test_exact_patches_of_a_ship(name, tmp_path):
     assert report["free_edge_length"] == pytest.approx(real_border_length(surface), rel=2e-3)
 
 
+def test_bodies_are_solids_of_one_product(tmp_path):
+    _, surface = surface_of("sailing_yacht.hull.json")
+    path = tmp_path / "yacht.step"
+    hn.write_step(surface, path, mirrored=True, solid=True)
+    report = hn.read_cad_report(path)
+    assert (report["solids"], report["closed"], report["valid"]) == (3, True, True)
+    sunk = hn.upright_hydrostatics(surface, draft=10.0, mirrored=True)
+    assert report["volume"] == pytest.approx(sunk.displaced_volume, rel=1e-6)
+    # Each body's faces are found again by their regions.
+    assert sum(region["area"] for region in report["regions"]) == pytest.approx(report["area"])
+    assert path.read_text().count("PRODUCT('") == 1
+
+
 def test_conversion_must_be_known(tmp_path):
     _, surface = surface_of(NAMES[0])
     with pytest.raises(ValueError, match="per_cell"):
