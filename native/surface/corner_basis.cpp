@@ -61,6 +61,7 @@ CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
   // In second derivatives the rest grows by 4 a level, the leading terms by at least 4 · 1/4.
   const double decay = std::max(spectrum_->rest, 0.126);
   rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
+  find_rest_powers();
   if (key.kind != VertexKind::kCone) tangent_ = hull::tangent_rule(*spectrum_);
   if (tangent_.defined) {
     tangent_rows_.resize(2, spectrum_->left.rows());
@@ -96,6 +97,17 @@ void CornerBasis::extend_eigenvectors() {
     }
   }
   right_.col(0).setOnes();
+}
+
+// What A does to the rest only: its powers shrink as the rest does and so keep the last digits of
+// derivatives, which powers of A would drown.
+void CornerBasis::find_rest_powers() {
+  Eigen::MatrixXd power = A_;
+  power.leftCols(spectrum_->left.rows()) -= A_ * right_ * spectrum_->left.transpose();
+  for (int steps = 1; steps <= rest_levels_; steps *= 2) {
+    rest_powers_.push_back(power);
+    power = power * power;
+  }
 }
 
 void CornerBasis::place_segments() {
@@ -161,7 +173,10 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
   if (steps > rest_levels_) {
     coordinates.rest.setZero();
   } else {
-    for (int k = 0; k < steps; ++k) coordinates.rest = A_.lazyProduct(coordinates.rest).eval();
+    for (std::size_t k = 0; k < rest_powers_.size(); ++k) {
+      if ((steps >> k & 1) == 0) continue;
+      coordinates.rest = rest_powers_[k].lazyProduct(coordinates.rest).eval();
+    }
   }
 }
 

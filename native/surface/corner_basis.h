@@ -87,6 +87,7 @@ class CornerBasis {
   friend class CornerRing;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
   void extend_eigenvectors();
+  void find_rest_powers();
   void place_segments();
   void evaluate_deep(const CornerPoints& points, int level, double u, double v, int order,
                      SurfaceJet& jet) const;
@@ -101,6 +102,7 @@ class CornerBasis {
   std::vector<std::array<int, 16>> segment_rows_;  // … and the segments' points
   std::array<std::array<int, 4>, 4> segment_at_;   // by quarter of v, of u; -1 at the corner
   int rest_levels_;                                // beyond these the rest is below rounding
+  std::vector<Eigen::MatrixXd> rest_powers_;       // advance the rest by 1, 2, 4, ... levels
   TangentRule tangent_;
   Eigen::Matrix<double, 2, Eigen::Dynamic> tangent_rows_;  // its two vectors from ring points
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/exact/seam_fit.h"
 
-#include <ceres/tiny_solver.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -10,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "conversion/exact/least_squares.h"
 #include "conversion/exact/seam_samples.h"
 
 namespace hull {
@@ -33,13 +32,11 @@ Vector3d unit_slope(const Vector3d& vector, const Vector3d& axis) {
   return (axis - unit.dot(axis) * unit) / length;
 }
 
-// The seams' residuals as TinySolver wants them. Unknowns are moves of the points that may be
-// chosen, in units of the mean first leg of the seams' control polygons.
+// The sum of squares of the angles at samples of the seams and of what moves weigh. Unknowns are
+// moves of the points that may be chosen, in units of the mean first leg of the seams' control
+// polygons.
 class SeamProblem {
  public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
-
   SeamProblem(const SquareFan& fan, double sine, double stiffness, double normal_stiffness)
       : fan_(fan), normal_stiffness_(normal_stiffness / sine) {
     unknowns_.resize(fan.count());
@@ -51,46 +48,70 @@ class SeamProblem {
     if (!seams_.empty()) unit_ /= static_cast<double>(seams_.size());
   }
 
-  int NumResiduals() const { return static_cast<int>(across_.size()) + NumParameters(); }
-  int NumParameters() const { return 3 * static_cast<int>(stiffness_.size()); }
+  int unknown_count() const { return 3 * point_count(); }
   bool is_empty() const { return seams_.empty() || !(unit_ > 0.0); }
 
-  SquareFan moved(const double* moves) const {
+  SquareFan moved(const Eigen::VectorXd& moves) const {
     SquareFan fan = fan_;
     for (int i = 0; i < fan.count(); ++i) {
       for (std::size_t k = 0; k < unknowns_[i].size(); ++k) {
         if (unknowns_[i][k] < 0) continue;
         const int a = static_cast<int>(k) / width(i), b = static_cast<int>(k) % width(i);
-        fan.nets[i].at(a, b) += unit_ * Eigen::Map<const Vector3d>(moves + 3 * unknowns_[i][k]);
+        fan.nets[i].at(a, b) += unit_ * moves.segment<3>(3 * unknowns_[i][k]);
       }
     }
     return fan;
   }
 
-  bool operator()(const double* moves, double* residuals, double* jacobian) const {
-    const SquareFan fan = moved(moves);
-    const int rows = NumResiduals(), columns = NumParameters();
-    Eigen::Map<Eigen::VectorXd> values(residuals, rows);
-    Eigen::Map<Eigen::MatrixXd> slopes(jacobian, jacobian ? rows : 0, columns);
-    slopes.setZero();
-    int row = 0;
-    for (std::size_t s = 0; s < seams_.size(); ++s) {
-      for (int k = 0; k < samples_[s].count(); ++k, ++row) {
-        const int before = seams_[s], after = fan.after(before);
-        const SeamVectors v = samples_[s].vectors(k, fan.nets[before], fan.nets[after]);
-        values(row) = across_[row].dot(v.before.cross(v.along).normalized() -
-                                       v.along.cross(v.after).normalized());
-        if (jacobian) add_slopes(s, k, v, across_[row], slopes.row(row));
+  double squares(const Eigen::VectorXd& moves) const {
+    double sum = 0.0;
+    for_each_sample(moves, [&](double residual, const Sample&) { sum += residual * residual; });
+    for (int k = 0; k < point_count(); ++k) {
+      sum += (stiffness_[k] * moves.segment<3>(3 * k)).squaredNorm();
+    }
+    return sum;
+  }
+
+  NormalEquations linearised(const Eigen::VectorXd& moves) const {
+    NormalEquations equations(point_count());
+    std::vector<PointSlope> slopes;
+    for_each_sample(moves, [&](double residual, const Sample& sample) {
+      find_slopes(sample, slopes);
+      equations.add(residual, slopes);
+    });
+    for (int k = 0; k < point_count(); ++k) {
+      const Vector3d weighed = stiffness_[k] * moves.segment<3>(3 * k);
+      for (int c = 0; c < 3; ++c) {
+        const PointSlope slope{k, stiffness_[k].row(c)};
+        equations.add(weighed[c], {&slope, 1});
       }
     }
-    for (int c = 0; c < columns; c += 3, row += 3) {
-      values.segment<3>(row) = stiffness_[c / 3] * Eigen::Map<const Vector3d>(moves + c);
-      if (jacobian) slopes.block<3, 3>(row, c) = stiffness_[c / 3];
-    }
-    return true;
+    return equations;
   }
 
  private:
+  // A place on a seam, by its number among all seams' too, and what is there.
+  struct Sample {
+    int seam, place, number;
+    SeamVectors vectors;
+  };
+
+  template <class Visit>
+  void for_each_sample(const Eigen::VectorXd& moves, const Visit& visit) const {
+    const SquareFan fan = moved(moves);
+    int number = 0;
+    for (int s = 0; s < static_cast<int>(seams_.size()); ++s) {
+      const CornerNet &before = fan.nets[seams_[s]], &after = fan.nets[fan.after(seams_[s])];
+      for (int k = 0; k < samples_[s].count(); ++k, ++number) {
+        const SeamVectors v = samples_[s].vectors(k, before, after);
+        visit(across_[number].dot(v.before.cross(v.along).normalized() -
+                                  v.along.cross(v.after).normalized()),
+              Sample{s, k, number, v});
+      }
+    }
+  }
+
+  int point_count() const { return static_cast<int>(stiffness_.size()); }
   int width(int i) const { return fan_.nets[i].inner + 1; }
   // Of point (a, b) of net i, -1: it stays.
   int unknown(int i, int a, int b) const { return unknowns_[i][a * width(i) + b]; }
@@ -131,12 +152,12 @@ class SeamProblem {
     for (int b = 1; b < width(i); ++b) unknowns_[after][b * width(after)] = unknown(i, 0, b);
   }
 
-  // The derivatives of one sample's residual by the moves that it depends on.
-  template <class Row>
-  void add_slopes(std::size_t s, int k, const SeamVectors& v, const Vector3d& across,
-                  Row row) const {
-    const SeamPoint& point = samples_[s].point(k);
-    const int before = seams_[s], after = fan_.after(before);
+  // The derivatives of a sample's residual by the moves that it depends on.
+  void find_slopes(const Sample& sample, std::vector<PointSlope>& slopes) const {
+    const SeamPoint& point = samples_[sample.seam].point(sample.place);
+    const SeamVectors& v = sample.vectors;
+    const Vector3d& across = across_[sample.number];
+    const int before = seams_[sample.seam], after = fan_.after(before);
     const double first = first_slope(fan_.nets[before].inner);
     const Vector3d one = unit_slope(v.before.cross(v.along), across),
                    two = unit_slope(v.along.cross(v.after), across);
@@ -144,16 +165,15 @@ class SeamProblem {
     const Vector3d by_along = unit_ * (one.cross(v.before) + two.cross(v.after));
     const Vector3d by_before = unit_ * first * v.along.cross(one);
     const Vector3d by_after = unit_ * first * v.along.cross(two);
-    const auto add = [&](int unknown, double weight, const Vector3d& slope) {
-      if (unknown >= 0) row.template segment<3>(3 * unknown) += weight * slope.transpose();
+    const auto add = [&](int unknown, const Vector3d& slope) {
+      if (unknown >= 0) slopes.push_back({unknown, slope});
     };
+    slopes.clear();
     for (int b = 0; b < width(before); ++b) {
       const double f = point.before.value[b], g = point.after.value[b];
-      add(unknown(before, 0, b), point.before.slope[b], by_along);
-      add(unknown(before, 0, b), -f, by_before);
-      add(unknown(before, 0, b), -g, by_after);
-      add(unknown(before, 1, b), f, by_before);
-      add(unknown(after, b, 1), g, by_after);
+      add(unknown(before, 0, b), point.before.slope[b] * by_along - f * by_before - g * by_after);
+      add(unknown(before, 1, b), f * by_before);
+      add(unknown(after, b, 1), g * by_after);
     }
   }
 
@@ -185,17 +205,12 @@ bool move_points(SquareFan& fan, double angle, double enough, double stiffness,
                  double normal_stiffness) {
   const SeamProblem problem(fan, std::sin(std::min(angle, 1.5)), stiffness, normal_stiffness);
   if (problem.is_empty()) return false;
-  ceres::TinySolver<SeamProblem> solver;
-  const double size = kManyUnknowns / std::max<double>(problem.NumParameters(), kManyUnknowns);
-  solver.options.max_num_iterations =
-      std::max(static_cast<int>(kMostSteps * size * size), kLeastSteps);
-  solver.options.function_tolerance = kLeastGain * std::pow(enough / angle, 2);
-  solver.options.cost_threshold = 0.0;
-  solver.options.gradient_tolerance = 0.0;
-  Eigen::VectorXd moves = Eigen::VectorXd::Zero(problem.NumParameters());
-  solver.Solve(problem, &moves);
+  const double size = kManyUnknowns / std::max<double>(problem.unknown_count(), kManyUnknowns);
+  const int steps = std::max(static_cast<int>(kMostSteps * size * size), kLeastSteps);
+  Eigen::VectorXd moves = Eigen::VectorXd::Zero(problem.unknown_count());
+  minimise(problem, {steps, kLeastGain * std::pow(enough / angle, 2)}, moves);
   if (!moves.allFinite()) return false;
-  fan = problem.moved(moves.data());
+  fan = problem.moved(moves);
   return true;
 }
 
