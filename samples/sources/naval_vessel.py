@@ -26,48 +26,44 @@ WANTED = [
         "station",
         "inflection",
         1,
-        {"x": (104.0, 144.0), "z": (0.5, 7.0)},
+        {"x": (103.0, 144.0), "z": (0.5, 7.0)},
         "bilge or dome, then flare",
     ),
-    (
-        "station",
-        "dip",
-        1,
-        {"x": (90.0, 104.0), "z": (0.0, 1.5)},
-        "deadrise, straight before the bilge",
-    ),
-    ("waterline", "dip", 2, {"x": (120.0, 136.0), "z": (-2.0, 3.0)}, "sides of the dome"),
+    ("station", "dip", 1, {"x": (90.0, 103.0), "z": (0.0, 1.5)}, "deadrise, straight to the bilge"),
+    ("waterline", "dip", 2, {"x": (120.0, 136.0), "z": (-2.4, 3.0)}, "sides of the dome"),
     (
         "waterline",
         "inflection",
         2,
-        {"x": (80.0, 105.0), "z": (0.3, 1.1)},
+        {"x": (75.0, 105.0), "z": (0.2, 1.3)},
         "bottom runs into the dome",
     ),
-    (
-        "waterline",
-        "inflection",
-        2,
-        {"x": (126.0, 136.0), "z": (1.1, 2.6)},
-        "neck abaft the dome's nose",
-    ),
-    ("waterline", "dip", 1, {"x": (95.0, 108.0), "z": (1.1, 3.2)}, "bottom runs into the dome"),
+    ("waterline", "dip", 1, {"x": (90.0, 108.0), "z": (1.1, 3.6)}, "bottom runs into the dome"),
+    ("waterline", "inflection", 2, {"x": (126.0, 137.0), "z": (1.1, 2.6)}, "neck above the dome"),
+    ("waterline", "inflection", 1, {"x": (134.0, 139.0), "z": (3.0, 6.0)}, "neck above the dome"),
     (
         "waterline",
         "dip",
         1,
-        {"x": (30.0, 50.0), "z": (3.2, 6.5)},
+        {"x": (25.0, 50.0), "z": (3.2, 6.9)},
         "from the transom's corner to midship",
     ),
     (
         "buttock",
         "inflection",
         1,
-        {"x": (70.0, 90.0), "z": (-0.1, 0.5)},
+        {"x": (75.0, 90.0), "z": (-0.1, 0.5)},
         "keel turns down to the dome",
     ),
-    ("buttock", "inflection", 1, {"x": (108.0, 128.0), "z": (-1.7, 0.3)}, "dome's bottom"),
-    ("buttock", "inflection", 1, {"x": (124.0, 143.0), "z": (0.5, 2.5)}, "dome, then flare"),
+    ("buttock", "inflection", 1, {"x": (100.0, 128.0), "z": (-2.0, 0.6)}, "the dome's bottom"),
+    ("buttock", "inflection", 1, {"x": (126.0, 143.0), "z": (0.4, 2.5)}, "dome, then flare"),
+    (
+        "buttock",
+        "inflection",
+        2,
+        {"x": (119.0, 127.0), "z": (2.0, 5.0)},
+        "the dome's back, then flare",
+    ),
     (
         "buttock",
         "inflection",
@@ -98,13 +94,13 @@ WANTED = [
         {"x": (80.0, 95.0), "z": (-0.1, 0.1)},
         "keel turns down to the dome",
     ),
-    ("feature", "inflection", 1, {"x": (110.0, 120.0), "z": (-2.0, 0.0)}, "dome's bottom"),
+    ("feature", "inflection", 1, {"x": (110.0, 120.0), "z": (-2.0, 0.0)}, "the dome's bottom"),
     (
         "feature",
         "inflection",
         1,
         {"x": (141.0, 145.0), "z": (1.0, 3.0)},
-        "dome's nose, then the stem",
+        "the dome's nose, then the stem",
     ),
 ]
 
@@ -126,12 +122,12 @@ BREADTHS = {
     25.0: (1.5, 3.45, 5.4, 6.95, 7.95, 8.48, 8.74, 8.88, 8.15),
     50.0: (1.5, 3.6, 5.7, 7.35, 8.4, 8.86, 9.07, 9.18, 8.42),
     75.0: (1.5, 3.55, 5.6, 7.3, 8.38, 8.86, 9.07, 9.2, 8.45),
-    98.0: (1.35, 2.9, 4.4, 5.83, 6.87, 7.62, 8.27, 8.73, 8.15),
-    108.0: (1.2, 2.55, 3.72, 4.75, 5.6, 6.47, 7.30, 8.05, 7.57),
-    117.0: (1.1, 2.3, 3.1, 3.6, 4.2, 4.92, 5.88, 7.02, 6.7),
-    125.0: (1.1, 2.2, 2.7, 2.55, 2.75, 3.32, 4.28, 5.62, 5.45),
-    131.5: (1.15, 2.2, 2.5, 1.9, 1.55, 1.97, 2.70, 3.98, 3.97),
-    136.5: (1.15, 2.1, 2.3, 1.4, 0.75, 0.98, 1.40, 2.12, 2.2),
+    98.0: (1.35, 2.88, 4.36, 5.75, 6.76, 7.50, 8.15, 8.66, 8.08),
+    108.0: (1.22, 2.57, 3.7, 4.65, 5.45, 6.30, 7.15, 7.95, 7.47),
+    117.0: (1.15, 2.4, 3.18, 3.62, 4.1, 4.78, 5.76, 6.94, 6.62),
+    125.0: (1.15, 2.35, 2.85, 2.65, 2.75, 3.32, 4.28, 5.62, 5.45),
+    131.5: (1.25, 2.5, 2.85, 2.1, 1.55, 1.97, 2.70, 3.98, 3.97),
+    136.5: (1.3, 2.45, 2.7, 1.65, 0.75, 0.98, 1.40, 2.12, 2.2),
 }
 # Heights of the rows between keel and knuckle, in parts of the way. The first two are alike: the
 # bottom is level at the centre plane.
@@ -147,17 +143,17 @@ STIFF_BREADTHS, STIFF_HEIGHTS = (4.0, 30.0), 2.0
 # The dome's section next to the stem. Its points are abreast of those in the centre plane, so that
 # the dome is round in front; the first is the foot, where keel and stem are joined.
 NOSE = (
-    (138.5, 0.0, -2.0),
-    (138.5, 1.1, -2.0),
-    (141.8, 1.4, -1.3),
-    (143.6, 1.35, 0.1),
-    (141.2, 1.0, 1.7),
+    (138.8, 0.0, -2.4),
+    (138.8, 1.25, -2.4),
+    (142.3, 1.65, -1.6),
+    (144.0, 1.6, 0.0),
+    (141.3, 1.15, 1.75),
 )
 # The stem from above the foot: round the dome, in to the neck below the water, out to the deck.
 STEM = (
-    (143.4, 0.0, -1.2),
-    (144.9, 0.0, 0.1),
-    (143.2, 0.0, 1.75),
+    (144.0, 0.0, -1.5),
+    (145.5, 0.0, 0.0),
+    (143.5, 0.0, 1.8),
     (141.1, 0.0, 3.35),
     (141.55, 0.0, 5.1),
     (144.3, 0.0, 7.95),
@@ -168,10 +164,10 @@ STEM = (
 
 def keel(x):
     """Height of the keel: up to the transom's foot, bent least at its ends; down to the dome."""
-    aft = np.clip((72.0 - x) / 75.0, 0.0, None)
+    aft = np.clip((70.0 - x) / 73.0, 0.0, None)
     fore = np.clip((x - 98.0) / 36.0, 0.0, 1.0)
     run = 4.85 * (1.75 * aft**2.5 - 0.75 * aft**3.5)
-    return run - 2.0 * fore**3 * (10.0 - 15.0 * fore + 6.0 * fore**2)
+    return run - 2.4 * fore**3 * (10.0 - 15.0 * fore + 6.0 * fore**2)
 
 
 def knuckle(x):
