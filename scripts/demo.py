@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Everything that the add-on makes of one hull file, into a folder.
 
-blender --background --python-exit-code 1 --python demo.py -- FILE FOLDER
+blender --background --python-exit-code 1 --python demo.py -- FILE FOLDER PERCENT
 
 Makes hydrostatics.csv, plots of sectional areas, hydrostatic curves and righting levers,
-lines.pdf, lines.svg and lines.dxf, offsets.csv, hull.step, render.png and hull.blend.
+lines.pdf, lines.svg and lines.dxf, offsets.csv, hull.step, render.png and hull.blend. The picture's
+sides are PERCENT of 1600 and 900 dots.
 """
 
 import math
@@ -89,9 +90,10 @@ def draw_lines(hull, folder):
         part("bridge.exports").export_lines_drawing(hull, bpy.context.scene, path)
 
 
-def render(hull, path):
+def render(hull, path, percent):
     """The hull in its studio, seen over the bow quarter."""
     part("bridge.studio").make(hull, bpy.context.scene)
+    bpy.context.scene.render.resolution_percentage = percent
     bpy.context.scene.render.filepath = str(path)
     with quiet_output():
         bpy.ops.render.render(write_still=True)
@@ -102,7 +104,7 @@ def save(path):
         bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True)
 
 
-def make(source, folder):
+def make(source, folder, percent):
     exports = part("bridge.exports")
     step = Progress(8)
     hull = step(f"reading {source.name}", lambda: load(source))
@@ -117,15 +119,16 @@ def make(source, folder):
     step("offsets.csv", lambda: exports.export_table(hull, scene, "offset_table", offsets))
     written = step("hull.step", lambda: part("bridge.cad_files").export(hull, scene, solid))
     describe_patches(written.converted.quality)
-    step("render.png", lambda: render(hull, folder / "render.png"))
+    step("render.png", lambda: render(hull, folder / "render.png", percent))
     step("hull.blend", lambda: save(folder / "hull.blend"))
 
 
 def main():
-    source, folder = (Path(text) for text in sys.argv[sys.argv.index("--") + 1 :])
+    source, folder, percent = sys.argv[sys.argv.index("--") + 1 :]
+    source, folder = Path(source), Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     try:
-        make(source, folder)
+        make(source, folder, int(percent))
     except (ValueError, OSError, RuntimeError) as error:
         message = str(error).removeprefix("Error: ").strip()
         print(f"\nhull: {message}", file=sys.stderr)

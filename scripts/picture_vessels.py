@@ -13,9 +13,9 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import demo_scene  # noqa: E402
 from enabled_addon import part  # noqa: E402
 from figures import reflection_scene  # noqa: E402
+from quiet_output import quiet_output  # noqa: E402
 
 # Of the studio: whole hulls, from below the bow and over the stern.
 VIEWS = {"bow": "UNDERWATER", "stern": "STERN"}
@@ -28,7 +28,7 @@ SAMPLES_PER_CELL = 16
 
 def load(path):
     bpy.ops.wm.read_homefile(use_empty=True)
-    with demo_scene.quiet_output():
+    with quiet_output():
         bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
     hull.hull.samples = SAMPLES_PER_CELL
@@ -40,18 +40,18 @@ def load(path):
 
 def render(path):
     bpy.context.scene.render.filepath = str(path)
-    with demo_scene.quiet_output():
+    with quiet_output():
         bpy.ops.render.render(write_still=True)
 
 
 def paint(path, folder):
     hull = load(path)
     hull.hull.studio.ground, hull.hull.studio.light = "NONE", "STUDIO"
-    with demo_scene.quiet_output():
+    with quiet_output():
         bpy.ops.hull.make_studio()
     bpy.context.scene.render.dither_intensity = 0.0
     for name, view in VIEWS.items():
-        with demo_scene.quiet_output():
+        with quiet_output():
             bpy.ops.hull.studio_view(view=view)
         bpy.context.scene.camera.data.lens *= WIDER
         render(folder / f"rendering_{name}.png")
