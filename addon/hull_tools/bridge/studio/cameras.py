@@ -36,15 +36,15 @@ class View:
 
 
 VIEWS = {
-    "BOW": View("Bow quarter", "From off the starboard bow", -40.0, 8.0, 55.0),
-    "STERN": View("Stern quarter", "From off the starboard quarter", -140.0, 8.5, 55.0),
+    "BOW": View("Bow quarter", "From off the starboard bow", -37.0, 8.5, 55.0),
+    "STERN": View("Stern quarter", "From off the starboard quarter", -142.0, 9.0, 55.0),
     "PROFILE": View("Profile", "From starboard, level, to scale", -90.0, 0.0),
     "PLAN": View("Plan", "From above, to scale", -90.0, 90.0),
     "BODY": View("Body", "From ahead, level, to scale", 0.0, 0.0),
     "UNDERWATER": View(
-        "Underwater", "What is under water, from there", -52.0, -16.0, 40.0, below=True
+        "Underwater", "What is under water, from there", -36.0, -15.0, 34.0, below=True
     ),
-    "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 8.0, 85.0),
+    "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 7.5, 60.0),
 }
 FIRST, TURNTABLE = "BOW", "TURNTABLE"
 _PIVOT = "Studio turntable"

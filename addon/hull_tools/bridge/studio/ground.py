@@ -5,13 +5,15 @@ from math import sqrt
 
 import bmesh
 import bpy
+from mathutils import Vector
 
 from .. import blender_versions
 from ..shader_nodes import Nodes, rgba
 from . import place, water_look
 
 # In lengths of the hull.
-_TO_THE_HORIZON = 400.0
+_NEAR, _TO_THE_HORIZON = 6.0, 400.0
+_WALL = 5.0
 _FLOOR = 60.0
 _HAZE = 30.0
 _FLOOR_SEEN = (1.0, 6.0)
@@ -35,45 +37,51 @@ _FLOOR_COLOUR = (0.48, 0.485, 0.49)
 def add_water(here, waterlines, backdrop):
     """Water at the draft, with none inside the hull's closed `waterlines`, polylines (k, 3) of both
     sides in Blender's units. backdrop: see light.backdrop_of."""
-    size = _TO_THE_HORIZON * here.length
-    x, y = here.centre[:2]
-    outline = [
-        (x - size, y - size),
-        (x + size, y - size),
-        (x + size, y + size),
-        (x - size, y + size),
-    ]
-    outline = [(*corner, 0.0) for corner in outline]
-    mesh = bpy.data.meshes.new("Studio water")
+    near, far = (_square(here, size) for size in (_NEAR, _TO_THE_HORIZON))
     lines = [[(float(p[0]), float(p[1]), 0.0) for p in line] for line in waterlines]
-    if not _fill_around(mesh, outline, lines, 1e-5 * here.length):
-        mesh.from_pydata(outline, [], [(0, 1, 2, 3)])
-    mesh.materials.append(_water(here, backdrop))
-    water = here.add_scenery("Studio water", mesh, (0.0, 0.0, here.draft))
-    water.visible_shadow = False
-    water.visible_diffuse = False
-
-
-def _fill_around(mesh, outline, polylines, weld_distance):
-    """Fills a mesh between an outline and closed lines in it; False where these do not close."""
+    mesh = bpy.data.meshes.new("Studio water")
     bm = bmesh.new()
     try:
-        for polyline in (outline + outline[:1], *polylines):
-            vertices = [bm.verts.new(point) for point in polyline]
-            for ends in zip(vertices, vertices[1:]):
-                bm.edges.new(ends)
-        bmesh.ops.remove_doubles(bm, verts=bm.verts, dist=weld_distance)
-        if any(len(vertex.link_edges) != 2 for vertex in bm.verts):
-            return False
-        bmesh.ops.triangle_fill(bm, edges=bm.edges)
-        for face in bm.faces:
-            face.normal_update()
-            if face.normal.z < 0.0:
-                face.normal_flip()
+        if not _fill_around(bm, near, lines, 1e-5 * here.length):
+            bm.clear()
+            _fill_around(bm, near, [], 1e-5 * here.length)
+        # Apart from the near water, of which the waves would suffer by the size of its faces.
+        inner = [min(bm.verts, key=lambda v: (v.co - Vector(corner)).length) for corner in near]
+        outer = [bm.verts.new(corner) for corner in far]
+        # What is below the horizon is water to those who look level, too.
+        under = [bm.verts.new((x, y, -_WALL * here.length)) for x, y, _ in far]
+        for i in range(4):
+            bm.faces.new((inner[i - 1], outer[i - 1], outer[i], inner[i]))
+            bm.faces.new((outer[i - 1], under[i - 1], under[i], outer[i]))
         bm.to_mesh(mesh)
-        return bool(mesh.polygons)
     finally:
         bm.free()
+    mesh.materials.append(_water(here, backdrop))
+    water = here.add_scenery("Studio water", mesh, (0.0, 0.0, here.draft))
+    water.visible_shadow = water.visible_diffuse = False
+
+
+def _square(here, size):
+    """Corners of a square around the hull, so many lengths to each side."""
+    (x, y), half = here.centre[:2], size * here.length
+    return [(x + i * half, y + j * half, 0.0) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+
+
+def _fill_around(bm, outline, polylines, weld_distance):
+    """Fills a BMesh between an outline and closed lines in it; False where these do not close."""
+    for polyline in (outline + outline[:1], *polylines):
+        vertices = [bm.verts.new(point) for point in polyline]
+        for ends in zip(vertices, vertices[1:]):
+            bm.edges.new(ends)
+    bmesh.ops.remove_doubles(bm, verts=bm.verts, dist=weld_distance)
+    if any(len(vertex.link_edges) != 2 for vertex in bm.verts):
+        return False
+    bmesh.ops.triangle_fill(bm, edges=bm.edges)
+    for face in bm.faces:
+        face.normal_update()
+        if face.normal.z < 0.0:
+            face.normal_flip()
+    return bool(bm.faces)
 
 
 def _water(here, backdrop):
