@@ -104,6 +104,15 @@ def test_the_hull_fills_the_picture(factor, size):
         assert (high - low).max() == pytest.approx(1.0 / 1.08, abs=0.02), view
 
 
+def test_without_water_all_of_the_hull_is_seen_from_below():
+    hull = add_hull()
+    set_up(hull, ground="FLOOR")
+    assert bpy.ops.hull.studio_view(view="UNDERWATER") == {"FINISHED"}
+    bpy.context.view_layer.update()
+    places = seen(surface_points(hull), scene().camera)[:, :2]
+    assert (places > 0.0).all() and (places < 1.0).all()
+
+
 def test_the_turntable_shows_the_hull_from_all_sides():
     hull = add_hull()
     set_up(hull)

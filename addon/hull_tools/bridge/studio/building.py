@@ -39,7 +39,11 @@ def make(hull, scene):
     groups = lines_on_hull.find(hull, state, settings.lines, scale)
 
     collection = bpy.data.collections.new(f"Studio of {hull.name}")
-    collection[MARK] = {"hull": hull, "samples": hull.hull.samples}
+    collection[MARK] = {
+        "hull": hull,
+        "samples": hull.hull.samples,
+        "in water": settings.ground == "WATER",
+    }
     scene.collection.children.link(collection)
     keeping.keep(collection, scene)
     hull.hull.samples = max(hull.hull.samples, _SAMPLES)
@@ -47,19 +51,18 @@ def make(hull, scene):
 
     surface_object = shown_objects.surface_of(hull)
     here = _place(hull, scene, collection)
-    in_water = settings.ground == "WATER" and here.draft > 0.0
     if settings.paint:
-        _paint(collection, surface_object, paint.hull_paint(here, settings, in_water))
+        _paint(collection, surface_object, paint.hull_paint(here, settings))
     if settings.deck:
-        deck.add_deck(here, surface_object.data, paint.deck_paint(here, in_water))
+        deck.add_deck(here, surface_object.data, paint.deck_paint(here))
     backdrop = light.backdrop_of(settings.light)
-    if in_water:
+    if here.in_water:
         lines = lines_on_hull.waterlines(hull, state, scale)
         ground.add_water(here, [line / scale for line in lines], backdrop)
     elif settings.ground == "FLOOR":
         ground.add_floor(here, backdrop)
-    lines_on_hull.add_lines(here, state.surface, groups, in_water)
-    scene.world = light.add_light(here, settings.light, in_water)
+    lines_on_hull.add_lines(here, state.surface, groups)
+    scene.world = light.add_light(here, settings.light)
     collection["own world"] = scene.world
     rendering.set_renderer(scene, settings.engine)
     cameras.add_cameras(here)
@@ -73,7 +76,9 @@ def _place(hull, scene, collection):
     points = points_of(shown_objects.surface_of(hull).data)
     draft = units.as_typed(hull.hull.draft)
     draft = draft if draft > points[:, 2].min() else 0.0
-    return Place(hull, scene, collection, points, draft, units.metres_per_unit(scene))
+    in_water = bool(collection[MARK]["in water"]) and draft > 0.0
+    scale = units.metres_per_unit(scene)
+    return Place(hull, scene, collection, points, draft, scale, in_water)
 
 
 def _paint(collection, surface_object, material):

@@ -25,7 +25,8 @@ _TURNS, _LEVELS = 48, 64
 @dataclass(frozen=True)
 class View:
     """Where from a camera looks: degrees from ahead to port, and above the horizon. lens: mm; 0
-    for an orthographic one. below: whether it shows only what is below the water."""
+    for an orthographic one. below: whether it shows only what is below the water, if there is any.
+    """
 
     label: str
     description: str
@@ -42,7 +43,7 @@ VIEWS = {
     "PLAN": View("Plan", "From above, to scale", -90.0, 90.0),
     "BODY": View("Body", "From ahead, level, to scale", 0.0, 0.0),
     "UNDERWATER": View(
-        "Underwater", "What is under water, from there", -36.0, -15.0, 34.0, below=True
+        "Underwater", "From below the bow, what is under water", -36.0, -15.0, 34.0, below=True
     ),
     "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 7.5, 60.0),
 }
@@ -85,7 +86,7 @@ def frame(here, camera, name):
     it, for the turntable's."""
     view = VIEWS[name]
     points = _swept(here) if name == TURNTABLE else here.points
-    if view.below and here.draft:
+    if view.below and here.in_water:
         wet = points[points[:, 2] <= here.draft]
         points = wet if len(wet) else points
     place_of = _perspective if view.lens else _orthographic

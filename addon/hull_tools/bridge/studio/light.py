@@ -59,7 +59,7 @@ _LAMPS = {
 _BORDER = -1e-3
 
 
-def add_light(here, kind, in_water):
+def add_light(here, kind):
     """The lamp of a kind, "SUN" or "STUDIO"; returns the World."""
     wanted = _LAMPS[kind]
     lamp = bpy.data.lights.new(wanted.name, "SUN")
@@ -68,7 +68,7 @@ def add_light(here, kind, in_water):
     outwards = _outwards(wanted.bearing, wanted.elevation)
     shown.location = Vector(here.centre) + 1.5 * here.length * outwards
     shown.rotation_euler = outwards.to_track_quat("Z", "Y").to_euler()
-    return _world(kind, in_water)
+    return _world(kind, here.in_water)
 
 
 def _outwards(bearing, elevation):

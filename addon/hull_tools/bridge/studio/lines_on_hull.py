@@ -53,14 +53,14 @@ def _even_waterlines(draft_cuts, points):
     return tuple(lines.Cut((0.0, 0.0, 1.0, z)) for z in heights if abs(z - top) > 1e-3 * step)
 
 
-def add_lines(here, surface, groups, in_water):
+def add_lines(here, surface, groups):
     for group in groups:
         chains = line_curves.chains_of(surface, group, True)
         if not chains:
             continue
         name = f"Studio {line_curves.LAYER_NAMES[group.kind]}"
         curve = line_curves.new_curve(name, chains, 0.0, here.metres_per_unit, True)
-        curve.materials.append(paint.line_paint(group.kind, here, in_water))
+        curve.materials.append(paint.line_paint(group.kind, here))
         here.add_scenery(name, curve).visible_shadow = False
 
 

@@ -19,7 +19,7 @@ _LINE_COLOURS = {"waterline": (0.010, 0.022, 0.090), "draft": (0.85, 0.87, 0.88)
 _OTHER_LINES = (0.008, 0.008, 0.010)
 
 
-def hull_paint(here, settings, in_water):
+def hull_paint(here, settings):
     """The material of the hull's surface; `settings`: an Object.hull.studio."""
     material = place.new_material("Studio hull paint", settings.topside)
     nodes = Nodes(material)
@@ -35,30 +35,30 @@ def hull_paint(here, settings, in_water):
     is_inside = nodes.add("ShaderNodeNewGeometry").outputs["Backfacing"]
     colour = nodes.mix_colour(is_inside, colour, rgba(_INSIDE))
     shader = nodes.add("ShaderNodeBsdfPrincipled", Base_Color=colour, Roughness=_ROUGHNESS)
-    _finish(nodes, shader, here, in_water)
+    _finish(nodes, shader, here)
     return material
 
 
-def deck_paint(here, in_water):
+def deck_paint(here):
     material = place.new_material("Studio deck paint", _DECK)
     nodes = Nodes(material)
     shader = nodes.add("ShaderNodeBsdfDiffuse", Color=rgba(_DECK))
-    _finish(nodes, shader, here, in_water)
+    _finish(nodes, shader, here)
     return material
 
 
-def line_paint(kind, here, in_water):
+def line_paint(kind, here):
     """Of the lines of one of lines.KINDS; without gloss, as a pencil's."""
     colour = _LINE_COLOURS.get(kind, _OTHER_LINES)
     material = place.new_material(f"Studio {kind} lines", colour)
     nodes = Nodes(material)
     shader = nodes.add("ShaderNodeBsdfDiffuse", Color=rgba(colour))
-    _finish(nodes, shader, here, in_water)
+    _finish(nodes, shader, here)
     return material
 
 
-def _finish(nodes, shader, here, in_water):
+def _finish(nodes, shader, here):
     seen = shader.outputs[0]
-    if in_water:
+    if here.in_water:
         seen = water_look.veiled(nodes, seen, here.draft, here.length)
     nodes.finish(seen)

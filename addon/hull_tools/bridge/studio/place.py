@@ -14,7 +14,7 @@ MARK = "hull_studio"
 class Place:
     """A hull and its studio's collection. points: the surface's, both sides, in the hull's
     coordinates and Blender's units, as `draft` and `length`, the greatest extent. draft: 0 for a
-    hull that the water does not reach."""
+    hull that the water does not reach. in_water: whether it floats, as it was set up."""
 
     hull: object
     scene: object
@@ -22,6 +22,7 @@ class Place:
     points: np.ndarray
     draft: float
     metres_per_unit: float
+    in_water: bool
 
     @property
     def low(self):
