@@ -228,6 +228,7 @@ def test_colours_of_curvature_come_back():
 
 def test_a_hull_that_is_faulty_has_no_studio():
     hull = add_hull()
+    set_up(hull)
     before = blocks()
     bm = bmesh.new()
     bm.from_mesh(hull.data)
@@ -238,6 +239,7 @@ def test_a_hull_that_is_faulty_has_no_studio():
     hull.data.update()
     with pytest.raises(RuntimeError):
         bpy.ops.hull.make_studio()
+    # The studio of before stays.
     assert blocks() == before
 
 
@@ -325,6 +327,35 @@ def test_lines_are_on_the_surface():
         assert y.min() < -1.9 and y.max() > 1.9
     set_up(hull, lines="NONE")
     assert not [obj for obj in collection().objects if obj.type == "CURVE"]
+
+
+def test_it_is_kept_in_the_file(tmp_path):
+    hull = add_hull()
+    before = blocks(), scene_settings()
+    set_up(hull)
+    path = str(tmp_path / "studio.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    assert studio().hull_of(scene()).name == "box"
+    assert bpy.ops.hull.studio_view(view="STERN") == {"FINISHED"}
+    assert bpy.ops.hull.remove_studio() == {"FINISHED"}
+    assert (blocks(), scene_settings()) == before
+
+
+def test_a_ship_in_millimetres_looks_the_same():
+    hull = add_hull()
+    set_up(hull)
+    stations = next(obj for obj in collection().objects if obj.name == "Studio stations")
+    size, thin = stations.dimensions[:], stations.data.bevel_depth
+    place = scene().camera.matrix_world.translation[:]
+    bpy.ops.hull.remove_studio()
+    scene().unit_settings.system, scene().unit_settings.scale_length = "METRIC", 0.001
+    bpy.context.view_layer.update()
+    set_up(hull)
+    stations = next(obj for obj in collection().objects if obj.name == "Studio stations")
+    assert stations.dimensions[:] == pytest.approx(size, rel=1e-5)
+    assert stations.data.bevel_depth == pytest.approx(thin, rel=1e-6)
+    assert scene().camera.matrix_world.translation[:] == pytest.approx(place, rel=1e-5)
 
 
 def test_set_up_and_removal_are_one_step_of_undo_each():

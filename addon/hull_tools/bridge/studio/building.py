@@ -28,15 +28,13 @@ def hull_of(scene):
 def make(hull, scene):
     """Sets up the studio that Object.hull.studio of a hull asks for, in place of one that there is;
     returns its collection. ValueError when the hull has no surface as it is."""
-    remove(scene)
-    if shown_objects.surface_of(hull) is None:
-        shown_objects.ensure(hull)
     state = hull_state.refresh(hull, scene)
     if state.status:
         raise ValueError(state.status)
     scale = units.metres_per_unit(scene)
     settings = hull.hull.studio
     groups = lines_on_hull.find(hull, state, settings.lines, scale)
+    remove(scene)
 
     collection = bpy.data.collections.new(f"Studio of {hull.name}")
     collection[MARK] = {
@@ -46,30 +44,35 @@ def make(hull, scene):
     }
     scene.collection.children.link(collection)
     keeping.keep(collection, scene)
+    shown_objects.ensure(hull)
     hull.hull.samples = max(hull.hull.samples, _SAMPLES)
     hull_state.refresh(hull, scene)
 
-    surface_object = shown_objects.surface_of(hull)
     here = _place(hull, scene, collection)
-    if settings.paint:
-        _paint(collection, surface_object, paint.hull_paint(here, settings))
-    if settings.deck:
-        deck.add_deck(here, surface_object.data, paint.deck_paint(here))
-    backdrop = light.backdrop_of(settings.light)
-    if here.in_water:
-        lines = lines_on_hull.waterlines(hull, state, scale)
-        ground.add_water(here, [line / scale for line in lines], backdrop)
-    elif settings.ground == "FLOOR":
-        ground.add_floor(here, backdrop)
+    _furnish(here, settings, state)
     lines_on_hull.add_lines(here, state.surface, groups)
-    scene.world = light.add_light(here, settings.light)
-    collection["own world"] = scene.world
     rendering.set_renderer(scene, settings.engine)
     cameras.add_cameras(here)
     cameras.turn(here, settings.turntable_frames)
     look_from(scene, cameras.FIRST)
-    keeping.show_only(collection, scene, _seen(hull, collection, surface_object))
+    keeping.show_only(collection, scene, _seen(hull, collection))
     return collection
+
+
+def _furnish(here, settings, state):
+    """Paint, deck, water or floor, and light."""
+    surface_object = shown_objects.surface_of(here.hull)
+    if settings.paint:
+        _paint(here.collection, surface_object, paint.hull_paint(here, settings))
+    if settings.deck:
+        deck.add_deck(here, surface_object.data, paint.deck_paint(here))
+    backdrop = light.backdrop_of(settings.light)
+    if here.in_water:
+        lines = lines_on_hull.waterlines(here.hull, state, here.metres_per_unit)
+        ground.add_water(here, [line / here.metres_per_unit for line in lines], backdrop)
+    elif settings.ground == "FLOOR":
+        ground.add_floor(here, backdrop)
+    here.scene.world = here.collection["own world"] = light.add_light(here, settings.light)
 
 
 def _place(hull, scene, collection):
@@ -102,10 +105,11 @@ def _unpaint(collection):
     slot.link = was["link"]
 
 
-def _seen(hull, collection, surface_object):
+def _seen(hull, collection):
     """What pictures show: the studio, the hull's surface, and what the user has put on the hull."""
     curves = hull.hull.lines.curves
     lines = set(curves.objects) if curves is not None else set()
+    surface_object = shown_objects.surface_of(hull)
     return {surface_object, *collection.objects, *hull.children_recursive} - lines
 
 
@@ -122,9 +126,11 @@ def look_from(scene, view):
 
 
 def turn(scene, frames):
-    """Has the turntable turn once in so many frames, and pictures be taken from it."""
+    """Has the turntable turn once in so many frames, and the film be taken from it."""
     look_from(scene, cameras.TURNTABLE)
     cameras.turn(_studio_of(scene), frames)
+    # The last frame is the one before the first comes again.
+    scene.frame_start, scene.frame_end = 1, frames
 
 
 def _studio_of(scene):

@@ -43,7 +43,7 @@ VIEWS = {
     "PLAN": View("Plan", "From above, to scale", -90.0, 90.0),
     "BODY": View("Body", "From ahead, level, to scale", 0.0, 0.0),
     "UNDERWATER": View(
-        "Underwater", "From below the bow, what is under water", -36.0, -15.0, 34.0, below=True
+        "Underwater", "From below the bow, what is under water", -38.0, -15.0, 45.0, below=True
     ),
     "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 7.5, 60.0),
 }
@@ -129,8 +129,6 @@ def turn(here, frames):
     for curve in pivot.animation_data.action.fcurves:
         for key in curve.keyframe_points:
             key.interpolation = "LINEAR"
-    # The last frame is the one before the first comes again.
-    here.scene.frame_start, here.scene.frame_end = 1, frames
 
 
 def _axes(view):
