@@ -14,7 +14,7 @@ LENGTH, HALF_BEAM, DRAFT, DEPTH = 110.0, 11.5, 7.5, 11.5
 # The side leans in by this above the upper knuckle and out below the lower one, tangents.
 TUMBLEHOME, FLARE = tan(radians(8.0)), tan(radians(15.0))
 # Heights of the knuckles amidships.
-LOWER, UPPER = 4.6, 9.0
+LOWER, UPPER = 5.0, 9.0
 
 # Where the sections cross the keel.
 STATIONS = (-4.0, 5.0, 14.0, 24.0, 34.0, 46.0, 58.0, 69.0, 78.5, 86.0, 92.0)
@@ -39,22 +39,22 @@ FOREFOOT = ((99.5, 0.0, 2.2), (100.3, 0.0, 3.5), (97.3, 0.9, 1.9), (98.6, 1.2, 3
 # fmt: off
 BREADTHS = (
     (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0),
-    (2.4, 2.09, 1.9, 2.81, 5, 6.99, 7.01, 6.2, 4.8, 3.4, 2.2),
-    (5.6, 5.39, 5.2, 6.03, 8.17, 9.08, 9.07, 8.6, 7.3, 5.4, 3),
+    (2.4, 2.09, 1.9, 3.02, 5.58, 7.4, 7.41, 6.4, 4.9, 3.4, 2.2),
+    (5.6, 5.39, 5.2, 6.02, 8.07, 9.05, 9.04, 8.5, 7.2, 5.4, 3),
     (8.8, 9, 9.2, 9.81, 10.58, 10.58, 10.58, 10.5, 9.21, 7, 3.9),
     (10.6, 10.89, 11.01, 11.09, 11.1, 11.1, 11.1, 11.1, 10.43, 8.59, 5.16),
-    (11, 11.3, 11.45, 11.5, 11.5, 11.5, 11.5, 11.5, 11.21, 9.7, 6.13),
-    (11.1, 11.4, 11.5, 11.5, 11.5, 11.5, 11.5, 11.5, 11.4, 10.14, 6.68),
-    (10.75, 11.05, 11.15, 11.15, 11.15, 11.15, 11.15, 11.15, 11.42, 11.15, 8.29),
-    (None, None, None, None, None, None, 10.95, 10.7, 11.12, 11.18, 8.56),
+    (11, 11.3, 11.45, 11.5, 11.5, 11.5, 11.5, 11.5, 11, 9.51, 6.1),
+    (11.1, 11.4, 11.5, 11.5, 11.5, 11.5, 11.5, 11.5, 11.2, 10.04, 6.75),
+    (10.75, 11.05, 11.15, 11.15, 11.15, 11.15, 11.15, 11.15, 11.15, 10.82, 8.16),
+    (None, None, None, None, None, None, 10.95, 10.7, 10.8, 10.8, 8.42),
 )
 HEIGHTS = (
     (5.8, 4.19, 2, 0.31, 0, 0, 0, 0, 0, 0, 0),
     (6, 4.49, 2.4, 0.61, 0, 0, 0, 0, 0, 0, 0.3),
-    (6.95, 7.01, 6.08, 3.2, 0.62, 0, 0, 0, 0.19, 0.62, 1.48),
+    (6.95, 7.01, 5.88, 2.69, 0, 0, 0, 0, 0, 0.52, 1.48),
     (6.3, 5, 3.7, 2.29, 1.16, 1.16, 1.16, 1.16, 1.5, 2.41, 3.79),
-    (6.9, 6.31, 5.4, 4.09, 2.9, 2.9, 2.9, 2.9, 3.43, 4.64, 5.8),
-    (8.01, 7.19, 6.2, 5.19, 4.6, 4.6, 4.6, 4.8, 5.6, 6.85, 7.81),
+    (6.9, 6.3, 5.31, 3.86, 2.5, 2.5, 2.5, 2.5, 3.15, 4.61, 5.82),
+    (8.01, 7.18, 6.25, 5.4, 5, 5, 5, 5, 5.62, 6.84, 7.81),
     (9, 9, 9, 9, 9, 9, 9, 9, 9.31, 9.8, 10.07),
     (11.5, 11.5, 11.5, 11.5, 11.5, 11.5, 11.5, 11.61, 11.9, 12.29, 12.61),
     (None, None, None, None, None, None, 13.02, 14.76, 15.42, 15.61, 15.7),
@@ -79,7 +79,56 @@ FEATURES = {
     "transom": "plane, a layer of its own with a creased rim",
 }
 MOST_POINTS = 119
-WANTED = []
+WANTED = [
+    # Stern: from the centre plane up into the tunnel and down to its outer lip.
+    ("station", "inflection", 2, {"x": (-4, 34), "y": (2.5, 9), "z": (0.5, 7)}, "tunnel"),
+    ("station", "dip", 1, {"x": (4, 16), "y": (10, 11), "z": (5, 6.5)}, "up to the straight side"),
+    ("station", "dip", 1, {"x": (31, 37), "y": (7, 9), "z": (0.5, 1)}, "the tunnel's end"),
+    ("waterline", "inflection", 2, {"x": (1, 34), "y": (2, 9), "z": (0.5, 6.5)}, "tunnel"),
+    ("waterline", "dip", 1, {"x": (31, 35), "y": (4, 6), "z": (0, 0.6)}, "the tunnel's end"),
+    ("buttock", "inflection", 1, {"x": (7, 28), "z": (2, 5)}, "bottom to the straight run"),
+    ("buttock", "inflection", 2, {"x": (7, 20), "y": (11, 11.2)}, "along the side above the bilge"),
+    ("feature", "inflection", 2, {"x": (-4, -4)}, "the tunnel in the transom"),
+    ("feature", "inflection", 1, {"x": (6, 12), "y": (0, 0)}, "bottom to the straight run"),
+    # Midship: flat bottom, sides of three planes.
+    ("waterline", "dip", 1, {"x": (38, 70), "y": (9, 11.5)}, "flat side between two shoulders"),
+    ("buttock", "dip", 1, {"x": (47, 65), "z": (0, 3.3)}, "flat bottom and flare"),
+    ("feature", "dip", 1, {"x": (45, 70)}, "flat bottom and straight knuckles"),
+    # Bow: steep forefoot, spoon, flare.
+    ("station", "inflection", 2, {"x": (90, 102), "z": (1.5, 4.8)}, "forefoot to spoon"),
+    ("station", "dip", 1, {"x": (74, 92), "z": (0.8, 3)}, "straight frames of the ice belt"),
+    (
+        "waterline",
+        "inflection",
+        1,
+        {"x": (90, 99), "y": (1, 4), "z": (0, 4)},
+        "shoulder to forefoot",
+    ),
+    ("waterline", "dip", 1, {"x": (85, 90), "y": (3, 4), "z": (0, 0.6)}, "bottom to forefoot"),
+    ("waterline", "dip", 1, {"x": (79, 84), "z": (5.5, 6.5)}, "where the lower knuckle ends"),
+    ("waterline", "dip", 1, {"x": (12, 16), "z": (6, 7)}, "where the lower knuckle ends"),
+    ("waterline", "inflection", 1, {"x": (70, 76), "z": (12, 14)}, "tumblehome to flare"),
+    (
+        "buttock",
+        "inflection",
+        2,
+        {"x": (90, 105), "y": (0, 5.5), "z": (1.5, 6)},
+        "forefoot to spoon",
+    ),
+    ("buttock", "dip", 1, {"x": (78, 96), "y": (6, 10.1), "z": (2.5, 5)}, "straight spoon"),
+    (
+        "buttock",
+        "inflection",
+        2,
+        {"x": (79, 103), "y": (8, 11.1), "z": (6.5, 11.2)},
+        "spoon to flare",
+    ),
+    ("buttock", "dip", 1, {"x": (100, 104), "y": (7, 8), "z": (9, 11)}, "straight flare"),
+    ("buttock", "inflection", 1, {"x": (70, 77), "y": (10.9, 11.1)}, "tumblehome to flare"),
+    ("feature", "inflection", 2, {"x": (98, 106), "y": (0, 0)}, "forefoot to raked stem"),
+    ("feature", "inflection", 1, {"x": (56, 62), "z": (12.5, 14)}, "sweep up to the forecastle"),
+    ("feature", "inflection", 1, {"x": (78, 83), "z": (14.5, 15.5)}, "tumblehome to flare"),
+]
 
 
 def place(row, section):
