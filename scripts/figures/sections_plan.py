@@ -106,7 +106,7 @@ class _Plan:
         for _, _, midship, lines in sections:
             for line in lines:
                 paper.line(context, line, 0.5 if midship else 0.25, SECTION)
-        labels = Labels(context, LABEL)
+        names = Labels(context, LABEL)
         for side in (-1.0, 1.0):
             own = [
                 (label, [_dense(line) for line in lines])
@@ -117,8 +117,8 @@ class _Plan:
             for label, lines in own if side < 0 else own[::-1]:
                 others = [line for name, of_name in own if name != label for line in of_name]
                 longest = max(lines, key=len)
-                labels.add(label, side, longest, np.concatenate([*others, np.empty((0, 2))]))
-        labels.paint(SECTION)
+                names.add(label, side, longest, np.concatenate([*others, np.empty((0, 2))]))
+        names.paint(SECTION)
 
     def paint_foot(self, context):
         base = self.height - 6.0
