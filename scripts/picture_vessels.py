@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of vessels with paint, sections and waterlines, and as mirrors of light lines.
 
-blender --background --python-exit-code 1 --python scripts/picture_vessels.py -- FOLDER NAME ...
+blender --background --python-exit-code 1 --python picture_vessels.py -- FOLDER PERCENT NAME ...
 
-into FOLDER/NAME/, as rendering_*.png and reflection_*.png, from two sides each.
+into FOLDER/NAME/, as rendering_*.png and reflection_*.png, from two sides each, with PERCENT of
+the full width of 1600 dots.
 """
 
 import sys
@@ -17,10 +18,6 @@ from enabled_addon import part  # noqa: E402
 from figures import reflection_scene  # noqa: E402
 from quiet_output import quiet_output  # noqa: E402
 
-# Of the studio: whole hulls, from below the bow and over the stern.
-VIEWS = {"bow": "UNDERWATER", "stern": "STERN"}
-# Room beside the hull.
-WIDER = 0.95
 SAMPLES = Path(__file__).resolve().parents[1] / "samples"
 # Fine enough that a facet of the surface shows nowhere in a picture.
 SAMPLES_PER_CELL = 16
@@ -38,42 +35,43 @@ def load(path):
     return hull
 
 
-def render(path):
+def render(path, percent):
+    bpy.context.scene.render.resolution_percentage = percent
     bpy.context.scene.render.filepath = str(path)
     with quiet_output():
         bpy.ops.render.render(write_still=True)
 
 
-def paint(path, folder):
+def paint(path, folder, percent):
     hull = load(path)
     hull.hull.studio.ground, hull.hull.studio.light = "NONE", "STUDIO"
     with quiet_output():
         bpy.ops.hull.make_studio()
     bpy.context.scene.render.dither_intensity = 0.0
-    for name, view in VIEWS.items():
-        with quiet_output():
-            bpy.ops.hull.studio_view(view=view)
-        bpy.context.scene.camera.data.lens *= WIDER
-        render(folder / f"rendering_{name}.png")
+    take_views(hull, folder / "rendering", percent)
 
 
-def mirror(path, folder):
+def mirror(path, folder, percent):
     hull = load(path)
     reflection_scene.set_up(hull.hull.surface_object)
+    take_views(hull, folder / "reflection", percent)
+
+
+def take_views(hull, stem, percent):
     for view in reflection_scene.VIEWS:
         reflection_scene.look_from(hull.hull.surface_object, view)
-        render(folder / f"reflection_{view}.png")
+        render(f"{stem}_{view}.png", percent)
 
 
 def main():
-    folder, *names = sys.argv[sys.argv.index("--") + 1 :]
+    folder, percent, *names = sys.argv[sys.argv.index("--") + 1 :]
     for name in names:
         path = SAMPLES / f"{name}.hull.json"
         target = Path(folder) / name
         target.mkdir(parents=True, exist_ok=True)
         print(f"Pictures of {name}", flush=True)
-        paint(path, target)
-        mirror(path, target)
+        paint(path, target, int(percent))
+        mirror(path, target, int(percent))
 
 
 main()

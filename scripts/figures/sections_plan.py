@@ -6,7 +6,7 @@ import numpy as np
 
 from . import paper
 from .labels import Labels
-from .lines_plan import stations
+from .lines_plan import round_spacing, stations
 
 # The drawing in mm; around it is room for labels.
 LARGEST = (210.0, 140.0)
@@ -52,14 +52,16 @@ class _Plan:
 
     def paint_grid(self, context):
         draft, beam = self.given.draft, self.half_beam
-        step = draft / 4.0
+        step = round_spacing(draft / 4.0)
         heights = np.arange(np.ceil(self.bottom / step - 1e-6), self.top / step + 1e-6) * step
+        apart = LABEL / self.mm
+        heights = [*(z for z in heights if abs(z - draft) > apart), draft]
         for z in heights:
             is_draft, is_base = abs(z - draft) < 1e-9, abs(z) < 1e-9
             ends = self.at([-beam, beam], [z, z]) + [[-13.0, 0.0], [13.0, 0.0]]
             colour = WATER if is_draft else paper.BLACK if is_base else GRID
             paper.line(context, ends, 0.3 if is_draft or is_base else 0.15, colour)
-            name = f"DWL {z:.2f} m" if is_draft else "BL" if is_base else f"{z:.2f} m"
+            name = f"DWL {z:g} m" if is_draft else "BL" if is_base else f"{z:g} m"
             for end, align in ((ends[0] - [1.0, 0.0], 1.0), (ends[1] + [1.0, 0.0], 0.0)):
                 paper.text(
                     context,
@@ -69,12 +71,13 @@ class _Plan:
                     colour if colour is not GRID else paper.GREY,
                     align,
                 )
-        for part in range(-4, 5):
-            y = part / 4.0 * 0.5 * self.given.beam
-            if abs(y) <= beam + 1e-9:
-                ends = self.at([y, y], [self.bottom, self.top]) + [[0.0, 2.0], [0.0, -2.0]]
-                dashes = (4.0, 1.0, 0.8, 1.0) if part == 0 else ()
-                paper.line(context, ends, 0.15, paper.GREY if part == 0 else GRID, dashes)
+        spacing = round_spacing(self.given.beam / 8.0)
+        last = int(beam / spacing)
+        for part in range(-last, last + 1):
+            y = part * spacing
+            ends = self.at([y, y], [self.bottom, self.top]) + [[0.0, 2.0], [0.0, -2.0]]
+            dashes = (4.0, 1.0, 0.8, 1.0) if part == 0 else ()
+            paper.line(context, ends, 0.15, paper.GREY if part == 0 else GRID, dashes)
 
     def paint_features(self, context):
         """Knuckles and the deck edge, each half of the ship on its side."""

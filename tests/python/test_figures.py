@@ -55,7 +55,7 @@ def test_labels_leave_each_other_room(name, tmp_path, monkeypatch):
     assert (tmp_path / "plan.pdf").read_bytes().startswith(b"%PDF")
 
 
-@pytest.mark.parametrize("name", vessels.names())
+@pytest.mark.parametrize("name", ["barge", "sailing_yacht"])
 def test_lines_plans_fit_their_sheet(name, tmp_path):
     lines_plan.draw(vessels.vessel(name), tmp_path / "lines")
     assert {path.name for path in tmp_path.iterdir()} == {"lines.pdf", "lines.png"}
