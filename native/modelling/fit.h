@@ -13,7 +13,8 @@ namespace hull {
 // Points that a surface is to go through.
 struct FitTarget {
   std::vector<Vector3d> points;   // m
-  std::vector<Vector3d> normals;  // none, or one a point, turned as the surface's are
+  std::vector<Vector3d> normals;  // none, or one a point: it counts where the
+                                  // surface's normal is within 60° of it
   std::vector<double> weights;    // none, or one a point, not negative
 };
 

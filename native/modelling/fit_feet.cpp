@@ -15,6 +15,8 @@ constexpr double kOnSurface = 1e-13;
 // Cosine of the angle between p - foot and the normal: below, a target beyond the border is there
 // because the surface ends too early, not because it lies off the surface.
 constexpr double kAcross = 0.7;
+// Cosine of the largest angle between the normals of target and surface.
+constexpr double kSameSide = 0.5;
 
 bool is_on_border(const LimitSurface& surface, const ClosestPoint& at) {
   const Topology& cells = surface.cells();
@@ -29,7 +31,7 @@ Foot foot_of(const LimitSurface& surface, const ClosestPoint& at, const Vector3d
              const Vector3d* normal, double on_surface, bool draw_border) {
   if (at.cell < 0) return {};
   const Vector3d own = surface.normal(at.cell, at.u, at.v);
-  if (normal && own.dot(*normal) < 0.0) return {};
+  if (normal && own.dot(*normal) < kSameSide * normal->norm()) return {};
   Foot foot{at.cell, at.u, at.v, at.point, own, 0.0};
   const Vector3d off = target - at.point;
   foot.distance = off.dot(own);

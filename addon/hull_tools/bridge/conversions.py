@@ -145,7 +145,8 @@ def begin(obj, scene):
 
 
 def clear_way(obj):
-    """Cancels a conversion of a hull that runs; ValueError when a file of it is being written."""
+    """Cancels a conversion of a hull that runs; ValueError when a file of it is being written, or
+    it is being fitted."""
     task = running(obj)
     if isinstance(task, Conversion):
         task.cancel()

@@ -51,7 +51,8 @@ class HullState:
     moves.Moves of the surface. memory: see ship.Ship. shown_points: the hull_native.ShownPoints of
     the surface, None before they are shown.
     analyses: see bridge.analyses. task, conversion: what is converted or written, and what came of
-    the last conversion: see bridge.conversions. worst_spot: the one of patches.SPOTS that is marked
+    the last conversion: see bridge.conversions. fit: the fitting.Report of the last fit, or None.
+    worst_spot: the one of patches.SPOTS that is marked
     in the 3D view, or "". keys: what each result was computed from. flat_memory: see
     bridge.flat_keeping. held: what points were kept from in the last edit that moved any, for the
     user, or "". is_placed: undo or numbers have put the points where they are. name: the object's.
@@ -78,6 +79,7 @@ class HullState:
     analyses: dict = field(default_factory=dict)
     task: object = None
     conversion: object = None
+    fit: object = None
     worst_spot: str = ""
     keys: dict = field(default_factory=dict)
     flat_memory: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)

@@ -11,13 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import flats, hull_objects, lines, mesh_arrays, mesh_points, native, point_locks, units
+from . import held_points, hull_objects, lines, mesh_arrays, mesh_points, native, point_locks, units
 from .single_rounding import rounded
 
 # How many times as far as the surface control points may be moved, to spare creases or at all.
 _FAR = 8.0
-# Of the size: what counts as on the centre plane.
-_ON_CENTRE = 1e-6
 _UNREACHABLE = (
     "The surface cannot be pulled this way here: control points around are locked, of creases, or "
     "kept flat. Pull along the flat, let creases move, or unlock points"
@@ -69,21 +67,11 @@ class SurfacePull:
         self._moved = np.empty(0, dtype=np.int64)
         self._is_crease = (mesh.vertex_kinds > 0) & hold_creases
         self._is_locked = np.isin(self._ids, point_locks.locked_points(obj.data))
-        self._held_points, self._held_normals = self._held(control.points)
+        self._held_points, self._held_normals = held_points.held_points(
+            obj, self._ids, control.points, lines.size_of(self.surface)
+        )
         self._is_free = np.ones((len(self._ids), 3), dtype=bool)
         np.logical_and.at(self._is_free, self._held_points, self._held_normals == 0.0)
-
-    def _held(self, points):
-        """(control points (h,), normals (h, 3)) of what stays in planes."""
-        found = [(np.array(part), plane[:3]) for part, plane in flats.flat_planes(self.obj)]
-        pairs = [(np.flatnonzero(np.isin(self._ids, part)), normal) for part, normal in found]
-        if self.is_half:
-            size = lines.size_of(self.surface)
-            on_centre = np.flatnonzero(np.abs(points[:, 1]) <= _ON_CENTRE * size)
-            pairs.append((on_centre, (0.0, 1.0, 0.0)))
-        points = [np.empty(0, dtype=np.int64)] + [part for part, _ in pairs]
-        normals = [np.empty((0, 3))] + [np.tile(normal, (len(part), 1)) for part, normal in pairs]
-        return np.concatenate(points), np.concatenate(normals)
 
     # Taking hold
 

@@ -22,6 +22,7 @@ from .hull_data import (
 )
 from .hull_file import read_hull_file, write_hull_file
 from .reading import read_hull, stored_sections
+from .stl import read_stl
 
 __all__ = [
     "LINE_KINDS",
@@ -38,6 +39,7 @@ __all__ = [
     "ShellArrays",
     "read_hull",
     "read_hull_file",
+    "read_stl",
     "shell_arrays",
     "shell_face_indices",
     "stored_sections",

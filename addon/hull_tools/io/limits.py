@@ -22,3 +22,6 @@ MAX_LOADING_ENTRIES = 1000
 # Planes to cut a hull by, and spaces between stations.
 MAX_CUT_PLANES = 1000
 MAX_LINE_SPACES = 200
+# Triangles of a shape to fit to: 50 bytes each; a text takes twenty times its size in memory.
+MAX_STL_BYTES = 256 * 2**20
+MAX_STL_TEXT_BYTES = 64 * 2**20

@@ -7,10 +7,10 @@ from bpy.props import EnumProperty, StringProperty
 from ..bridge import conversions, exports, hull_objects, worst_spots
 from .export_hull import ExportHull
 from .shared import HullReader
-from .tasks import TaskOperator
+from .tasks import PatchOperator
 
 
-class HULL_OT_convert(bpy.types.Operator, TaskOperator):
+class HULL_OT_convert(bpy.types.Operator, PatchOperator):
     """Convert the surface to B-spline patches and measure how far they are from it. No file is
     written; files are made of these patches until the hull or the settings change"""
 
@@ -20,7 +20,7 @@ class HULL_OT_convert(bpy.types.Operator, TaskOperator):
     def begin(self, hull, scene):
         return conversions.begin(hull, scene)
 
-    def outcome(self, converted):
+    def converted(self, converted):
         return converted, ""
 
 

@@ -7,10 +7,10 @@ from bpy.props import StringProperty
 
 from ..bridge import cad_files, conversions, hull_objects
 from .export_hull import ExportHull
-from .tasks import TaskOperator
+from .tasks import PatchOperator
 
 
-class ExportCad(TaskOperator, ExportHull):
+class ExportCad(PatchOperator, ExportHull):
     """Subclasses give the file_format."""
 
     _task = None
@@ -24,7 +24,7 @@ class ExportCad(TaskOperator, ExportHull):
 
     def cancel(self, context):
         if self._task is not None:
-            TaskOperator.cancel(self, context)
+            PatchOperator.cancel(self, context)
             return
         # The dialog was closed: what began with it ends with it.
         hull = hull_objects.hull_of(context.object)
@@ -38,7 +38,7 @@ class ExportCad(TaskOperator, ExportHull):
     def begin(self, hull, scene):
         return cad_files.Export(hull, scene, self.filepath, self.file_format)
 
-    def outcome(self, written):
+    def converted(self, written):
         return written.converted, f"{self.file_format} written: "
 
 

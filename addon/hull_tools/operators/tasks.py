@@ -11,7 +11,7 @@ _LOOK_SECONDS = 0.1
 
 class TaskOperator(HullReader):
     """Subclasses begin a task of bridge.conversions, and tell what came of it:
-    begin(hull, scene) → task, and outcome(result of the task) → (its patches.Converted, text).
+    begin(hull, scene) → task, and outcome(result of the task, scene) → (text, whether it warns).
 
     What is run by a script, or without a window, is done when the operator returns.
     """
@@ -25,7 +25,6 @@ class TaskOperator(HullReader):
 
     def run_on(self, hull, context):
         self._task = self.begin(hull, context.scene)
-        self._asked = patches.asked_of(hull.hull.export)
         if not self._is_in_window:
             return self._finish(context)
         manager = context.window_manager
@@ -54,14 +53,13 @@ class TaskOperator(HullReader):
 
     def _finish(self, context):
         try:
-            converted, text = self.outcome(self._task.result())
+            text, warns = self.outcome(self._task.result(), context.scene)
         except jobs.Cancelled:
             self.report({"INFO"}, f"{self.bl_label}: cancelled, all is as it was")
             return {"CANCELLED"}
         finally:
             conversions.take_finished()
-        summary, warns = patches.summary(converted.quality, self._asked)
-        self.report({"WARNING" if warns else "INFO"}, text + summary)
+        self.report({"WARNING" if warns else "INFO"}, text)
         return {"FINISHED"}
 
     def _show_progress(self, context):
@@ -74,3 +72,17 @@ class TaskOperator(HullReader):
         manager.event_timer_remove(self._timer)
         manager.progress_end()
         context.workspace.status_text_set(None)
+
+
+class PatchOperator(TaskOperator):
+    """What it makes are patches, and how good they are is told. Subclasses also:
+    converted(result of the task) → (its patches.Converted, text before the summary)."""
+
+    def run_on(self, hull, context):
+        self._asked = patches.asked_of(hull.hull.export)
+        return super().run_on(hull, context)
+
+    def outcome(self, result, scene):
+        converted, text = self.converted(result)
+        summary, warns = patches.summary(converted.quality, self._asked)
+        return text + summary, warns

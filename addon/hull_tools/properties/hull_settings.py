@@ -21,6 +21,7 @@ from bpy.props import (
 from . import (
     export_settings,
     fairness_settings,
+    fit_settings,
     flat_settings,
     line_settings,
     output_settings,
@@ -130,6 +131,7 @@ class HullSettings(bpy.types.PropertyGroup):
     plan: PointerProperty(type=output_settings.HullPlan)
     export: PointerProperty(type=export_settings.HullExport)
     studio: PointerProperty(type=studio_settings.HullStudio)
+    fit: PointerProperty(type=fit_settings.HullFit)
 
 
 CLASSES = (
@@ -137,6 +139,7 @@ CLASSES = (
     *tag_settings.CLASSES,
     *line_settings.CLASSES,
     *fairness_settings.CLASSES,
+    *fit_settings.CLASSES,
     *stability_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface fitted to a shape: panel."""
+
+import bpy
+
+from ..bridge import fitting, hull_objects
+from .conversion import draw_task
+from .shared import HullPanel, label_value, label_wrapped
+
+
+class HULL_PT_fit(HullPanel, bpy.types.Panel):
+    """Fit the surface to a mesh, an STL file or points"""
+
+    bl_label = "Fit"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        settings = hull.hull.fit
+        row = layout.row(align=True)
+        row.prop(settings, "target", text="")
+        row.operator("hull.load_stl", text="", icon="FILE_FOLDER")
+        layout.prop(settings, "lines")
+        column = layout.column(align=True)
+        column.prop(settings, "use_edges")
+        if settings.use_edges:
+            column.prop(settings, "edge_angle")
+        column.prop(settings, "draw_border")
+        column = layout.column(align=True)
+        for name in ("fairness", "stiffness", "reach", "samples"):
+            column.prop(settings, name)
+        if not draw_task(layout, hull):
+            layout.operator("hull.fit", icon="MOD_SHRINKWRAP")
+        self._draw_report(context, hull)
+
+    def _draw_report(self, context, hull):
+        layout = self.layout
+        report, is_current = fitting.last_report(hull)
+        if report is None:
+            return
+        if not is_current:
+            label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
+        column = layout.column(align=True)
+        column.active = is_current
+        column.scale_y = 0.8
+        for name, value in fitting.rows(report):
+            label_value(column, name, value)
+        if is_current:
+            layout.operator("hull.show_fit_worst", icon="HIDE_OFF")
+
+
+CLASSES = (HULL_PT_fit,)

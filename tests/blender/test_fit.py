@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fitting a hull: to the surface of another, to an STL file, to points; what is to stay stays."""
+
+import struct
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import add_hull, make_active, part, state_of
+
+SEED = 1122
+
+
+def sample(name="coaster"):
+    bpy.ops.hull.load_sample(name=name)
+    return bpy.context.view_layer.objects.active
+
+
+def points_of(hull):
+    return part("bridge.mesh_points").read(hull.data)
+
+
+def shake(hull, by):
+    """Moves points at random, those of the centre plane within it."""
+    random = np.random.default_rng(SEED)
+    points = points_of(hull)
+    moves = by * random.normal(size=points.shape)
+    moves[np.abs(points[:, 1]) < 1e-6, 1] = 0.0
+    part("bridge.mesh_points").write(hull.data, np.arange(len(points)), points + moves)
+    bpy.context.view_layer.update()
+
+
+def shape_of(surface, name="shape", n=12, both=True):
+    """An object of flat faces between points of a surface, of both sides."""
+    grid = surface.tessellate(n)
+    points, quads = np.array(grid.points), np.array(grid.quads)
+    if both:
+        quads = np.concatenate([quads, quads[:, ::-1] + len(points)])
+        points = np.concatenate([points, points * [1.0, -1.0, 1.0]])
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(points.tolist(), [], quads.tolist())
+    obj = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(obj)
+    return obj
+
+
+def off(hull, surface):
+    """The largest distance of a hull's surface from another."""
+    now = state_of(hull).surface
+    places = now.evaluate_grid(4, 0)[0].reshape(-1, 3)
+    return part("bridge.native").require().SurfaceTree(surface).closest_points(places).distances
+
+
+def wanted(hull):
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    native = part("bridge.native").require()
+    surface = state_of(hull).surface
+    return native.LimitSurface(surface.mesh.with_points(surface.mesh.points), surface.scheme)
+
+
+@pytest.fixture(autouse=True)
+def nothing_left():
+    yield
+    part("bridge.conversions").stop()
+
+
+def test_a_hull_comes_back_to_its_shape():
+    hull = sample()
+    surface = wanted(hull)
+    hull.hull.fit.target = shape_of(surface)
+    hull.hull.fit.fairness = 1e-6
+    shake(hull, 0.05)
+    before = points_of(hull)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    report, is_current = part("bridge.fitting").last_report(hull)
+    assert is_current
+    # The faces are flat between points of the surface: within it by some millimetres.
+    assert report.rms < 0.006 and report.line_rms < 0.05
+    distances = off(hull, surface)
+    assert np.sqrt((distances**2).mean()) < 0.02
+    on_centre = np.abs(before[:, 1]) < 1e-6
+    assert (points_of(hull)[on_centre, 1] == before[on_centre, 1]).all()
+    rows = dict(part("bridge.fitting").rows(report))
+    assert rows["Points"] == str(report.counted)
+    bpy.context.scene.cursor.location = (0.0, 0.0, 0.0)
+    assert bpy.ops.hull.show_fit_worst() == {"FINISHED"}
+    np.testing.assert_allclose(bpy.context.scene.cursor.location, report.place, atol=1e-4)
+    shake(hull, 0.01)
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    assert part("bridge.fitting").last_report(hull) == (report, False)
+    with pytest.raises(RuntimeError, match="press Fit"):
+        bpy.ops.hull.show_fit_worst()
+
+
+def test_the_target_counts_where_it_stands():
+    hull = sample("barge")
+    surface = wanted(hull)
+    target = shape_of(surface)
+    hull.location = (3.0, 4.0, 5.0)
+    target.location = (3.0, 4.0, 5.5)
+    target.data.flip_normals()  # which side of the faces is out does not matter
+    hull.hull.fit.target = target
+    bpy.context.view_layer.update()
+    low = points_of(hull)[:, 2].min()
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    assert points_of(hull)[:, 2].min() == pytest.approx(low + 0.5, abs=0.05)
+
+
+def test_locked_points_stay():
+    hull = sample("barge")
+    hull.hull.fit.target = shape_of(wanted(hull))
+    shake(hull, 0.1)
+    attribute = hull.data.attributes.new(part("bridge.point_locks").ATTRIBUTE, "INT", "POINT")
+    locked = [3, 7, 11]
+    for index in locked:
+        attribute.data[index].value = 1
+    before = points_of(hull)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    moved = np.abs(points_of(hull) - before).max(axis=1)
+    assert (moved[locked] == 0.0).all() and moved.max() > 0.05
+
+
+def test_points_alone_are_a_target():
+    hull = sample("barge")
+    surface = wanted(hull)
+    places = surface.evaluate_grid(3, 0)[0].reshape(-1, 3)
+    mesh = bpy.data.meshes.new("cloud")
+    mesh.from_pydata(places.tolist(), [], [])
+    cloud = bpy.data.objects.new("cloud", mesh)
+    bpy.context.collection.objects.link(cloud)
+    hull.hull.fit.target = cloud
+    hull.hull.fit.fairness = 0.0
+    shake(hull, 0.02)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    assert part("bridge.fitting").last_report(hull)[0].rms < 0.004
+
+
+def test_creases_go_along_lines():
+    hull = add_hull()
+    box = [(x, y, z) for x in (0.0, 10.0) for y in (0.0, 2.0) for z in (0.0, 3.0)]
+    ends = [(2, 6), (3, 7)]  # bilge and deck edge
+    mesh = bpy.data.meshes.new("lines")
+    mesh.from_pydata([(x, y + 0.2, z) for x, y, z in box], ends, [])
+    edges = bpy.data.objects.new("lines", mesh)
+    bpy.context.collection.objects.link(edges)
+    hull.hull.fit.lines = edges
+    hull.hull.fit.target = shape_of(wanted(hull), both=False)
+    hull.hull.fit.use_edges = False
+    before = part("bridge.fitting").last_report(hull)
+    assert before == (None, False)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    report = part("bridge.fitting").last_report(hull)[0]
+    assert 0.0 < report.line_rms < 0.19
+
+
+def stl_of(points, triangles):
+    corners = np.asarray(points, dtype="<f4")[np.asarray(triangles)]
+    records = b"".join(bytes(12) + part.tobytes() + bytes(2) for part in corners)
+    return bytes(80) + struct.pack("<I", len(corners)) + records
+
+
+def test_a_hull_is_fitted_to_an_stl_file(tmp_path):
+    hull = sample("barge")
+    grid = wanted(hull).tessellate(6)
+    quads = np.array(grid.quads)
+    triangles = np.concatenate([quads[:, :3], quads[:, [0, 2, 3]]])
+    path = tmp_path / "barge.stl"
+    path.write_bytes(stl_of(np.array(grid.points) * 1000.0, triangles))
+    assert bpy.ops.hull.load_stl(filepath=str(path), metres=0.001) == {"FINISHED"}
+    assert bpy.context.view_layer.objects.active == hull
+    target = hull.hull.fit.target
+    assert target.name == "barge" and len(target.data.polygons) > 0.9 * len(triangles)
+    shake(hull, 0.05)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    assert part("bridge.fitting").last_report(hull)[0].rms < 0.02
+    (tmp_path / "broken.stl").write_bytes(path.read_bytes()[:-7])
+    with pytest.raises(RuntimeError, match="broken.stl"):
+        bpy.ops.hull.load_stl(filepath=str(tmp_path / "broken.stl"))
+
+
+def test_what_is_missing_is_said():
+    hull = add_hull()
+    with pytest.raises(RuntimeError, match="Choose what the hull is fitted to"):
+        bpy.ops.hull.fit()
+    far = shape_of(wanted(hull))
+    far.location.x = 1e4
+    hull.hull.fit.target = far
+    bpy.context.view_layer.update()
+    with pytest.raises(RuntimeError, match="No target counts"):
+        bpy.ops.hull.fit()
+    far.data.clear_geometry()
+    with pytest.raises(RuntimeError, match="no points"):
+        bpy.ops.hull.fit()
+
+
+def test_it_is_cancelled_or_given_up_when_the_hull_changes():
+    hull = sample("barge")
+    hull.hull.fit.target = shape_of(wanted(hull))
+    before = points_of(hull)
+    fitting, jobs = part("bridge.fitting"), part("bridge.jobs")
+    task = fitting.Fitting(hull, bpy.context.scene)
+    task.cancel()
+    with pytest.raises(jobs.Cancelled):
+        task.write(bpy.context.scene)
+    assert (points_of(hull) == before).all()
+    task = fitting.Fitting(hull, bpy.context.scene)
+    with pytest.raises(ValueError, match="under way"):
+        part("bridge.conversions").begin(hull, bpy.context.scene)
+    shake(hull, 0.01)
+    changed = points_of(hull)
+    with pytest.raises(ValueError, match="changed meanwhile"):
+        task.write(bpy.context.scene)
+    assert (points_of(hull) == changed).all()
+    other = add_hull("other")
+    make_active(other)
+    assert fitting.last_report(other) == (None, False)
