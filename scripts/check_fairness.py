@@ -44,10 +44,12 @@ def check(name, is_all):
         f"{vessel.name}: {len(lines)} lines; seen from {1e3 * fair_lines.LEAST_DEPTH * beam:.1f} mm"
         f" depth on: {counts([mark for line in lines for mark in line.found])}; {unwanted} unwanted"
     )
-    for kind in fair_lines.KINDS:
-        of_kind = [line for line in lines if line.kind == kind]
-        for line in of_kind:
-            tell(line, is_all)
+    for line in lines:
+        tell(line, is_all)
+    used = {(line.kind, mark.mark, mark.reason) for line in lines for mark in line.found}
+    for kind, mark, _, _, why in vessel.wanted:
+        if (kind, mark, why) not in used:
+            print(f"  wanted but nowhere found: {kind}, {mark}: {why}")
     return unwanted
 
 

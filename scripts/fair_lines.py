@@ -53,6 +53,9 @@ class Line:
 
 def judged(surface, beam, wanted=()):
     """Every Line of a surface; beam in m."""
+    for kind, mark, *_ in wanted:
+        if kind not in KINDS or mark not in (fair_marks.INFLECTION, fair_marks.DIP):
+            raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see fair_lines.py")
     least = LEAST_DEPTH * beam
     lines = []
     for kind, name, curves in _all_curves(surface, _STEP * beam):

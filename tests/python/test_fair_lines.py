@@ -83,6 +83,11 @@ def test_a_mark_is_wanted_once_in_its_box():
     assert reasons("waterline", inside) == [None]
 
 
+def test_what_is_no_mark_is_refused():
+    with pytest.raises(ValueError, match="'peak' of a 'station'"):
+        fair_lines.judged(None, 1.0, [("station", "peak", 1, {}, "")])
+
+
 def marks_by_line(data):
     lines = fair_lines.judged(vessels.surface_of(data), data.particulars.beam)
     return [len(line.found) for line in lines]
