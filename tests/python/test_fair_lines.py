@@ -93,13 +93,17 @@ def marks_by_line(data):
     return [len(line.found) for line in lines]
 
 
+@pytest.fixture(scope="module")
+def marks_of_the_coaster():
+    return marks_by_line(vessels.vessel("coaster").data)
+
+
 # Points of the coaster where it is gently bent.
-@pytest.mark.parametrize("point", [30, 53, 62, 70, 78])
+@pytest.mark.parametrize("point", [30, 62, 78])
 @pytest.mark.parametrize("mille", [4.0, -4.0])
-def test_a_dent_and_a_bump_are_found(point, mille):
+def test_a_dent_and_a_bump_are_found(point, mille, marks_of_the_coaster):
     data = vessels.vessel("coaster").data
-    before = marks_by_line(data)
     dented = copy.deepcopy(data)
     dented.points[point, 1] -= mille * 1e-3 * data.particulars.beam
     after = marks_by_line(dented)
-    assert max(b - a for a, b in zip(before, after)) >= 1
+    assert max(b - a for a, b in zip(marks_of_the_coaster, after)) >= 1
