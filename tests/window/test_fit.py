@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fitting in the window: Blender stays at work meanwhile, Esc cancels, and Ctrl-Z takes it back."""
+
+import bpy
+import numpy as np
+from addon_under_test import part
+from editing import editing_a_hull, hull_at_hand
+from expect import are_equal, assert_follows, edited_points, snapshot
+
+
+def begin(window):
+    """A hull in edit mode beside its own surface, to which it is fitted, moved up by 0.3."""
+    hull = editing_a_hull(window)
+    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    grid = part("bridge.hull_state").state_of(hull).surface.tessellate(8)
+    mesh = bpy.data.meshes.new("target")
+    mesh.from_pydata(np.array(grid.points).tolist(), [], np.array(grid.quads).tolist())
+    target = bpy.data.objects.new("target", mesh)
+    bpy.context.collection.objects.link(target)
+    target.location.z = 0.3
+    hull.hull.fit.target = target
+    bpy.context.view_layer.update()
+    bpy.ops.ed.undo_push(message="target")
+    return hull
+
+
+def is_done():
+    return part("bridge.conversions").running(hull_at_hand()) is None
+
+
+def test_a_fit_is_made_and_taken_back(window):
+    hull = begin(window)
+    before = snapshot(hull)
+    low = edited_points(hull)[:, 2].min()
+    yield
+    with window.in_view():
+        assert bpy.ops.hull.fit("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    assert part("bridge.conversions").running(hull) is not None
+    yield is_done
+    yield
+    hull = hull_at_hand()
+    assert abs(edited_points(hull)[:, 2].min() - low - 0.3) < 0.05
+    assert_follows(hull)
+    assert part("bridge.fitting").last_report(hull)[1]
+    window.undo()
+    yield
+    assert are_equal(snapshot(hull_at_hand()), before)
+
+
+def test_esc_cancels(window):
+    hull = begin(window)
+    hull.hull.fit.samples = 500000
+    before = snapshot(hull)
+    yield
+    with window.in_view():
+        assert bpy.ops.hull.fit("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    window.press("ESC")
+    yield is_done
+    yield
+    assert are_equal(snapshot(hull_at_hand()), before)
+    assert part("bridge.fitting").last_report(hull_at_hand()) == (None, False)
