@@ -29,8 +29,7 @@ WANTED = [
         {"x": (103.0, 144.0), "z": (0.5, 7.0)},
         "bilge or dome, then flare",
     ),
-    ("station", "dip", 1, {"x": (90.0, 103.0), "z": (0.0, 1.5)}, "deadrise, straight to the bilge"),
-    ("waterline", "dip", 2, {"x": (120.0, 136.0), "z": (-2.4, 3.0)}, "sides of the dome"),
+    ("waterline", "dip", 1, {"x": (120.0, 136.0), "z": (-2.4, 3.0)}, "sides of the dome"),
     (
         "waterline",
         "inflection",
@@ -56,7 +55,7 @@ WANTED = [
         "keel turns down to the dome",
     ),
     ("buttock", "inflection", 1, {"x": (100.0, 128.0), "z": (-2.0, 0.6)}, "the dome's bottom"),
-    ("buttock", "inflection", 1, {"x": (126.0, 143.0), "z": (0.4, 2.5)}, "dome, then flare"),
+    ("buttock", "inflection", 1, {"x": (126.0, 143.0), "z": (0.2, 2.5)}, "dome, then flare"),
     (
         "buttock",
         "inflection",
@@ -91,7 +90,7 @@ WANTED = [
         "feature",
         "inflection",
         1,
-        {"x": (80.0, 95.0), "z": (-0.1, 0.1)},
+        {"x": (75.0, 95.0), "z": (-0.1, 0.1)},
         "keel turns down to the dome",
     ),
     ("feature", "inflection", 1, {"x": (110.0, 120.0), "z": (-2.0, 0.0)}, "the dome's bottom"),
@@ -122,8 +121,8 @@ BREADTHS = {
     25.0: (1.5, 3.45, 5.4, 6.95, 7.95, 8.48, 8.74, 8.88, 8.15),
     50.0: (1.5, 3.6, 5.7, 7.35, 8.4, 8.86, 9.07, 9.18, 8.42),
     75.0: (1.5, 3.55, 5.6, 7.3, 8.38, 8.86, 9.07, 9.2, 8.45),
-    98.0: (1.35, 2.88, 4.36, 5.75, 6.76, 7.50, 8.15, 8.66, 8.08),
-    108.0: (1.22, 2.57, 3.7, 4.65, 5.45, 6.30, 7.15, 7.95, 7.47),
+    98.0: (1.35, 2.82, 4.22, 5.55, 6.58, 7.50, 8.15, 8.66, 8.08),
+    108.0: (1.22, 2.54, 3.62, 4.5, 5.3, 6.30, 7.15, 7.95, 7.47),
     117.0: (1.15, 2.4, 3.18, 3.62, 4.1, 4.78, 5.76, 6.94, 6.62),
     125.0: (1.15, 2.35, 2.85, 2.65, 2.75, 3.32, 4.28, 5.62, 5.45),
     131.5: (1.25, 2.5, 2.85, 2.1, 1.55, 1.97, 2.70, 3.98, 3.97),
@@ -137,8 +136,10 @@ HEIGHTS = {
     100.0: (0, 0.006, 0.050, 0.138, 0.275, 0.435, 0.61, 0.80, 1),
     131.5: (0, 0, 0.058, 0.17, 0.298, 0.43, 0.58, 0.775, 1),
 }
-# How much the rows' half-breadths and heights are faired, in and above the dome.
+# How much the rows' half-breadths, in and above the dome, and heights above the keel are faired.
 STIFF_BREADTHS, STIFF_HEIGHTS = (4.0, 30.0), 2.0
+# How far heights of the lowest rows are faired as heights above the keel, which stays as it is.
+KEEL_PART = {1: 1.0, 2: 0.8, 3: 0.4}
 
 # The dome's section next to the stem. Its points are abreast of those in the centre plane, so that
 # the dome is round in front; the first is the foot, where keel and stem are joined.
@@ -165,7 +166,7 @@ STEM = (
 def keel(x):
     """Height of the keel: up to the transom's foot, bent least at its ends; down to the dome."""
     aft = np.clip((70.0 - x) / 73.0, 0.0, None)
-    fore = np.clip((x - 98.0) / 36.0, 0.0, 1.0)
+    fore = np.clip((x - 92.0) / 42.0, 0.0, 1.0)
     run = 4.85 * (1.75 * aft**2.5 - 0.75 * aft**3.5)
     return run - 2.4 * fore**3 * (10.0 - 15.0 * fore + 6.0 * fore**2)
 
@@ -201,7 +202,8 @@ def points():
         line = grid[:, row] if above else grid[:-2, row]
         line[:, 1] = faired(line[:, 1], STIFF_BREADTHS[above])
         if row < KNUCKLE:
-            line[:, 2] = faired(line[:, 2], STIFF_HEIGHTS)
+            bottom = KEEL_PART.get(row, 0.0) * keel(np.append(STATIONS, STEM_X))[: len(line)]
+            line[:, 2] = bottom + faired(line[:, 2] - bottom, STIFF_HEIGHTS)
     grid[:, FIRST_ABOVE_DOME:, 1] *= 0.5 * BEAM / largest(grid[:, KNUCKLE, 1])
     return np.round(grid, 4)
 

@@ -25,7 +25,6 @@ WANTED = [
         "dip",
         1,
         {"x": (7.2, 8.8), "z": (1.8, 2.1)},
-        "straighter between centre and bilge",
     ),
     ("waterline", "dip", 1, _BULB, "the bulb's side between nose and tail"),
     ("waterline", "dip", 1, {"x": (6.0, 10.5), "z": (1.9, 2.6)}, "fine bow, straight to the stem"),
@@ -37,7 +36,6 @@ WANTED = [
         "from the transom's corner to midship",
     ),
     ("buttock", "dip", 3, _BULB, "the bulb's back and bottom between nose and tail"),
-    ("buttock", "dip", 1, {"x": (5.0, 5.2), "z": (0.3, 0.5)}, "the bulb's back abaft the fin"),
     (
         "buttock",
         "inflection",
@@ -45,16 +43,13 @@ WANTED = [
         {"x": (6.2, 6.7), "z": (0.3, 0.5)},
         "the bulb's back before the fin",
     ),
-    ("buttock", "dip", 1, {"x": (6.5, 8.0), "z": (1.8, 1.9)}, "bottom, straight to the forefoot"),
     ("buttock", "dip", 1, {"x": (1.5, 3.0), "z": (2.5, 3.2)}, "side, straight to the transom"),
-    ("feature", "dip", 1, {"x": (6.5, 8.5), "z": (1.7, 2.0)}, "bottom, straight to the forefoot"),
     ("feature", "dip", 1, _BULB, "the bulb's bottom between nose and tail"),
     (
         "feature",
         "inflection",
         1,
         {"x": (5.0, 5.3), "z": (0.5, 1.7)},
-        "the fin's edge runs into the bulb",
     ),
 ]
 
@@ -75,15 +70,15 @@ ROUND = {
     ),
     4.0: (
         (0, 0.19, 0.44, 0.665, 0.825, 0.918, 0.972, 1),
-        (0, 0.0, 0.045, 0.145, 0.30, 0.505, 0.745, 1),
+        (0, 0.008, 0.050, 0.146, 0.30, 0.505, 0.745, 1),
     ),
     8.0: (
         (0, 0.185, 0.412, 0.622, 0.782, 0.887, 0.96, 1),
-        (0, 0.007, 0.063, 0.167, 0.32, 0.52, 0.755, 1),
+        (0, 0.014, 0.070, 0.170, 0.32, 0.52, 0.755, 1),
     ),
     10.85: (
         (0, 0.155, 0.34, 0.51, 0.662, 0.795, 0.91, 1),
-        (0, 0.0, 0.11, 0.24, 0.40, 0.58, 0.785, 1),
+        (0, 0.02, 0.12, 0.245, 0.40, 0.58, 0.785, 1),
     ),
 }
 # The stem from above its foot to the deck: nearly plumb.
@@ -101,17 +96,17 @@ STIFFNESS = 40.0
 # Half a section of a foil from the leading edge aft: parts of the chord, and of half the thickness.
 # The first two are abreast: the nose is round.
 FOIL = ((0.0, 0.0), (0.0, 0.42), (0.14, 0.98), (0.38, 1.10), (0.68, 0.66), (1.0, 0.0))
-# Leading edge, chord, half thickness and height of the fin's foils, the lowest at the bulb, and of
-# the rudder's.
+# Leading edge, chord, half thickness and height of the fin's foils, from a little within the canoe
+# body down to the bulb, and of the rudder's, whose top runs along the bottom close below it.
 FIN = (
-    (6.35, 1.35, 0.095, 1.79),
-    (6.31, 1.25, 0.089, 1.45),
-    (6.26, 1.12, 0.082, 1.05),
-    (6.22, 1.01, 0.076, 0.70),
+    (6.35, 1.35, 0.095, 1.83),
+    (6.308, 1.238, 0.089, 1.45),
+    (6.265, 1.122, 0.082, 1.05),
+    (6.226, 1.022, 0.076, 0.70),
     (6.20, 0.95, 0.072, None),
 )
 BLADE = (
-    (0.72, 0.56, 0.050, 2.17),
+    (0.72, 0.56, 0.050, 2.184, 0.079),
     (0.69, 0.51, 0.044, 1.70),
     (0.66, 0.46, 0.038, 1.15),
     (0.63, 0.41, 0.032, 0.62),
@@ -147,11 +142,13 @@ def canoe_body_points():
     y = parts[:, 0] * np.array(SHEER)[:, None]
     z = bottom + parts[:, 1] * (top - bottom)
     grid = np.stack([x, y, z], axis=-1)
-    stem = np.array([grid[-1, 0], grid[-1, 0], *STEM])
-    for row in range(1, grid.shape[1]):
-        line = np.vstack([grid[:, row], stem[row]])
-        for axis in (1, 2):
-            grid[:, row, axis] = faired(line[:, axis], STIFFNESS)[:-1]
+    for axis in (1, 2):
+        # The two lowest rows end at the stem's foot and beside it.
+        for row in (0, 1):
+            grid[:, row, axis] = faired(grid[:, row, axis], STIFFNESS)
+        for row, end in enumerate(STEM, start=2):
+            line = [*grid[:, row, axis], end[axis]]
+            grid[:, row, axis] = faired(line, STIFFNESS)[:-1]
     grid[:, :, 1] *= 0.5 * BEAM / largest([*grid[:, -1, 1], 0.0])
     return np.round(grid, 4)
 
@@ -167,8 +164,9 @@ def add_canoe_body(mesh):
     mesh.flat((-1, 0, 0), -STATIONS[0], layer=1)
 
 
-def foil(leading_edge, chord, half_thickness, z):
-    return [(leading_edge - a * chord, t * half_thickness, z) for a, t in FOIL]
+def foil(leading_edge, chord, half_thickness, z, rise=0.0):
+    """Places of a foil's points. rise: from the leading edge to the trailing one."""
+    return [(leading_edge - a * chord, t * half_thickness, z + a * rise) for a, t in FOIL]
 
 
 def add_keel(mesh):
