@@ -20,12 +20,6 @@ MOST_POINTS = 200
 _BULB = {"x": (4.3, 7.0), "z": (0.0, 0.5)}
 WANTED = [
     ("station", "dip", 1, _BULB, "bulb, less round where the fin's foot is"),
-    (
-        "station",
-        "dip",
-        1,
-        {"x": (7.2, 8.8), "z": (1.8, 2.1)},
-    ),
     ("waterline", "dip", 1, _BULB, "the bulb's side between nose and tail"),
     ("waterline", "dip", 1, {"x": (6.0, 10.5), "z": (1.9, 2.6)}, "fine bow, straight to the stem"),
     (
@@ -45,12 +39,6 @@ WANTED = [
     ),
     ("buttock", "dip", 1, {"x": (1.5, 3.0), "z": (2.5, 3.2)}, "side, straight to the transom"),
     ("feature", "dip", 1, _BULB, "the bulb's bottom between nose and tail"),
-    (
-        "feature",
-        "inflection",
-        1,
-        {"x": (5.0, 5.3), "z": (0.5, 1.7)},
-    ),
 ]
 
 LENGTH, BEAM, DRAFT, DEPTH = 11.2, 3.9, 2.3, 3.45
