@@ -166,7 +166,7 @@ def make(hull_io):
     mesh.face(before_low, behind_low, low, stem[2])
     mesh.face(behind_low, behind_high, high, low)
     mesh.face(behind_high, before_high, stem[3], high)
-    _add_transom(mesh, rows[0])
+    mesh.transom(rows[0])
     for row, (first, last) in ((5, LOWER_KNUCKLE), (6, UPPER_KNUCKLE)):
         mesh.crease([rows[k][row] for k in range(first, last + 1)])
     mesh.crease([row[7] for row in rows[FORECASTLE:]] + [stem[7]])
@@ -186,12 +186,3 @@ def make(hull_io):
         depth=DEPTH,
         water_density=1.025,
     )
-
-
-def _add_transom(mesh, rim):
-    """The transom: strips across from the side to the bottom, a crease round it."""
-    x, _, z = mesh.points[rim[7]]
-    ring = [*rim, mesh.point((x, 0.0, z))]
-    for face in ((1, 0, 8, 7), (2, 1, 7, 6), (3, 2, 6, 5), (5, 4, 3)):
-        mesh.face(*(ring[k] for k in face), layer=1)
-    mesh.crease(rim)

@@ -141,7 +141,7 @@ def make(hull_io):
     nose = mesh.row(NOSE)
     mesh.strip(rows[-1][:4], nose)
     mesh.face(*nose)
-    _add_transom(mesh, rows[0])
+    mesh.transom(rows[0])
     mesh.crease([row[6] for row in rows[KNUCKLE_FROM:]])
     mesh.deck([row[7] for row in rows])
     mesh.flat((0, 1, 0), HALF_BEAM)
@@ -157,12 +157,3 @@ def make(hull_io):
         depth=DEPTH,
         water_density=1.025,
     )
-
-
-def _add_transom(mesh, rim):
-    """The transom: strips across from the side to the bottom, a crease round it."""
-    x, _, z = mesh.points[rim[7]]
-    ring = [*rim, mesh.point((x, 0.0, z))]
-    for face in ((1, 0, 8, 7), (2, 1, 7, 6), (3, 2, 6, 5), (5, 4, 3)):
-        mesh.face(*(ring[k] for k in face), layer=1)
-    mesh.crease(rim)
