@@ -31,26 +31,8 @@ CENTRE, HALF_BREADTH = 4.05, 1.45
 
 STATIONS = np.array([0.0, 3.2, 6.4, 9.6, 12.8, 16.0, 19.2, 22.3, 25.1, 27.5, 29.4])
 # Half-breadth of the deck and height of the bottom in the demihull's middle, by x.
-DECK = {
-    0.0: 1.38,
-    6.0: 1.44,
-    12.0: 1.45,
-    18.0: 1.40,
-    22.0: 1.24,
-    25.1: 0.99,
-    27.5: 0.69,
-    29.4: 0.37,
-}
-BOTTOM = {
-    0.0: 1.02,
-    4.0: 0.58,
-    8.0: 0.23,
-    12.0: 0.05,
-    16.0: 0.0,
-    22.0: 0.015,
-    27.5: 0.09,
-    29.4: 0.21,
-}
+DECK = {0: 1.38, 6: 1.44, 12: 1.45, 18: 1.40, 22: 1.24, 25.1: 0.99, 27.5: 0.69, 29.4: 0.37}
+BOTTOM = {0: 1.02, 4: 0.58, 8: 0.24, 12: 0.066, 16: 0.015, 22: 0.03, 27.5: 0.1, 29.4: 0.22}
 DECK_Z = {0.0: 3.6, 12.0: 3.62, 22.0: 3.86, 29.4: 4.28}
 # Half-breadths and heights of the rows, in parts of the deck's, by x: a flat run, a round bilge
 # amidships, V forward.
