@@ -48,7 +48,8 @@ def test_labels_leave_each_other_room(name, tmp_path, monkeypatch):
     )
     sections_plan.draw(vessels.vessel(name), tmp_path / "plan")
     placed = made[0]
-    assert len(placed.boxes) == len(placed.ends) + len(placed.on_lines) >= 4
+    # Three, where the sections of a slender demihull leave little room.
+    assert len(placed.boxes) == len(placed.ends) + len(placed.on_lines) >= 3
     for i, (low, high) in enumerate(placed.boxes):
         for bottom, top in placed.boxes[:i]:
             assert not ((low < top).all() and (bottom < high).all())
