@@ -17,11 +17,11 @@ DOCS = vessels.ROOT / "docs"
 IMAGES = DOCS / "images" / "vessels"
 # Name, width of the small copy in dots, what it shows.
 FIGURES = {
-    "rendering": (720, "{} with sections and waterlines"),
-    "reflection": (720, "Reflection lines of {}, from ahead and from astern"),
-    "control_mesh": (720, "Control mesh of {}: creases bold, hidden edges faded"),
-    "lines_plan": (1100, "Lines plan of {}"),
-    "sections_plan": (720, "Sections plan of {}"),
+    "rendering": (600, "{} with sections and waterlines"),
+    "reflection": (600, "Reflection lines of {}, from ahead and from astern"),
+    "control_mesh": (600, "Control mesh of {}: creases bold, hidden edges faded"),
+    "lines_plan": (960, "Lines plan of {}"),
+    "sections_plan": (600, "Sections plan of {}"),
 }
 HEAD = """# The sample vessels
 
