@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A coaster: pram stern, flat bottom and flat of side, a raked stem; the port half.
 
-Thirteen sections of eight rows and the stem. The rows: keel, the flat bottom's edge and the end of
-the bilge's circle in it, the bilge, the circle's end in the side and the flat side's edge, the side's
-middle, the deck edge.
+Thirteen sections of eight rows and the stem. The rows: keel, the flat bottom's edge, the end of the
+bilge in it, the bilge's middle, its end in the side, the flat side's edge, the side's middle, the
+deck edge.
 """
 
 from .mesh import SHELL, TRANSOM, Mesh
