@@ -6,7 +6,11 @@ import numpy as np
 
 # Sheets in mm, the smallest first; the scale is the largest that the last one takes.
 SHEETS = sorted(
-    ((width, width / ratio) for width in range(240, 421, 20) for ratio in (2.0, 1.7, 2.0**0.5)),
+    (
+        (width, round(width / ratio))
+        for width in range(240, 421, 20)
+        for ratio in (2.0, 1.7, 2.0**0.5)
+    ),
     key=lambda sheet: sheet[0] * sheet[1],
 )
 SCALES = [factor * 10.0**power for power in (1, 2) for factor in (1, 1.25, 2, 2.5, 3, 4, 5, 7.5)]
