@@ -103,7 +103,9 @@ def _features(surface, step, size):
 
 def _plane_frame(points, tolerance):
     """Two directions (2, 3) of the plane that points lie in, or None."""
-    _, spread, axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    # A further row, so that a line of two points has three axes as well.
+    offsets = np.vstack([points - points.mean(axis=0), np.zeros(3)])
+    _, spread, axes = np.linalg.svd(offsets, full_matrices=False)
     return axes[:2] if spread[2] / np.sqrt(len(points)) <= tolerance else None
 
 
