@@ -69,6 +69,7 @@ def test_a_hull_comes_back_to_its_shape():
     surface = wanted(hull)
     hull.hull.fit.target = shape_of(surface)
     hull.hull.fit.fairness = 1e-6
+    hull.hull.fit.use_edges, hull.hull.fit.draw_border = True, False
     shake(hull, 0.05)
     before = points_of(hull)
     assert bpy.ops.hull.fit() == {"FINISHED"}

@@ -36,8 +36,7 @@ class HullFit(bpy.types.PropertyGroup):
     use_edges: BoolProperty(
         name="Creases to edges",
         description="Creases and borders are drawn to the target's sharp edges and borders, and "
-        "the stem to its centre line",
-        default=True,
+        "the stem to its centre line: for surfaces that are near already",
     )
     edge_angle: angle(
         "Sharp from",
@@ -73,6 +72,7 @@ class HullFit(bpy.types.PropertyGroup):
         name="Draw borders",
         description="Parts of the target beyond the surface's border draw it out to them; "
         "else they are left out",
+        default=True,
     )
     samples: IntProperty(
         name="Points",
