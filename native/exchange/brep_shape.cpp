@@ -129,7 +129,7 @@ class ShapeMaker {
     if (result.edge.IsNull()) {
       builder_.MakeEdge(result.edge, make_curve(curve), kTolerance);
       add_ends(result.edge, vertex(from, curve.points.front()), vertex(to, curve.points.back()));
-      builder_.Range(result.edge, 0.0, 1.0);
+      builder_.Range(result.edge, 0.0, kParameterRange);
     }
     ++faces_of_[number];
     if (first_[number] < 0) {
@@ -196,7 +196,7 @@ class ShapeMaker {
     builder_.MakeEdge(edge);
     builder_.UpdateEdge(edge, side, face, kTolerance);
     add_ends(edge, vertex, vertex);
-    builder_.Range(edge, face, 0.0, 1.0);
+    builder_.Range(edge, face, 0.0, kParameterRange);
     builder_.Degenerated(edge, true);
     return edge;
   }

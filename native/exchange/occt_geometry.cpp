@@ -13,7 +13,8 @@ namespace {
 // Knots as Open CASCADE wants them: each once, with how often it is repeated.
 struct Knots {
   explicit Knots(const std::vector<double>& repeated) {
-    for (double knot : repeated) {
+    for (double unit : repeated) {
+      const double knot = kParameterRange * unit;
       if (values.empty() || knot != values.back()) {
         values.push_back(knot);
         counts.push_back(0);
@@ -70,7 +71,9 @@ Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve) {
 }
 
 Handle(Geom2d_BSplineCurve) make_curve(const ParameterCurve& curve) {
-  const TColgp_Array1OfPnt2d poles(curve.points.front(), 1, static_cast<int>(curve.points.size()));
+  TColgp_Array1OfPnt2d poles(1, static_cast<int>(curve.points.size()));
+  for (size_t i = 0; i < curve.points.size(); ++i)
+    poles(static_cast<int>(i) + 1) = curve.points[i].XY() * kParameterRange;
   const Knots knots(curve.knots);
   return new Geom2d_BSplineCurve(poles, knots.array(), knots.multiplicities(), curve.degree);
 }

@@ -15,13 +15,18 @@ namespace hull {
 // Open CASCADE works in millimetres.
 constexpr double kMillimetresPerMetre = 1000.0;
 
+// Parameters in files run from 0 to this, and not to 1: CAD systems take knots closer together than
+// 1e-9 for one, whatever the range. A power of two, so that no knot is rounded.
+constexpr double kParameterRange = 1024.0;
+
 gp_Pnt in_millimetres(const Vector3d& point);
 Vector3d in_metres(const gp_Pnt& point);
 
+// Curves and patches have parameters from 0 to 1.
 Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch);
 Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve);
 
-// A curve in a surface's parameters.
+// A curve in a surface's parameters, from 0 to 1 as well.
 struct ParameterCurve {
   int degree = 1;
   std::vector<double> knots = {0.0, 0.0, 1.0, 1.0};

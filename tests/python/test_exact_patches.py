@@ -163,13 +163,9 @@ def test_default_tolerance_is_kept(name, scheme):
     assert report.largest_gap <= 1e-13 * report.length
 
 
-# With Catmull-Clark's rules angles at some corners do not shrink with the squares; the others: see
+# With Catmull-Clark's rules angles at some corners do not shrink with the squares: see
 # docs/conversion.md.
 ANGLES_NOT_KEPT = {
-    ("fan16.json", "biermann"),
-    ("fan16.json", "catmull_clark"),
-    ("corner_1_2_3.json", "catmull_clark"),
-    ("FREE!ship demo 4.fbm", "catmull_clark"),
     ("FREE!ship demo 6.fbm", "catmull_clark"),
     ("Parent 22_Oort.fbm", "catmull_clark"),
 }

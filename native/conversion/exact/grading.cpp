@@ -16,8 +16,9 @@ namespace hull {
 namespace {
 
 constexpr int kFirstGrading = 2, kFirstWithInner = 3;
-// CAD systems take knots closer together than 1e-9 for one.
-constexpr double kClosestKnots = 2e-9;
+// CAD systems take knots closer together than 1e-9 for one; in files they are a thousand times
+// farther apart.
+constexpr double kClosestKnots = 1e-10;
 constexpr double kReserve = 0.8;  // of the tolerances: measurements are at samples
 // With more halvings rounding is seen: control points of neighbouring knots are close together.
 constexpr int kManyHalvings = 12;
