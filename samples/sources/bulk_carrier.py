@@ -22,7 +22,7 @@ CONTOUR = [
     (330.362, 10.783), (327.577, 15.254), (320.652, 18.081), (319.596, 21.028),
     (321.535, 24.649), (323.798, 28),
 ]
-# Sections from aft. Four of the counter, from the bar to the deck. Then eight from the boss forward:
+# Sections from aft. Four of the counter, from the bar to the deck. Then eight from the boss on:
 # border of the flat bottom, four round the bilge, border of the flat side, deck edge.
 SECTIONS = [
     [
