@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "surface/progress.h"
 #include "exchange/cad_options.h"
+#include "surface/progress.h"
 
 namespace hull {
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "conversion/patches/patch_set.h"
-#include "surface/progress.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/limit_surface.h"
+#include "surface/progress.h"
 
 namespace hull {
 

@@ -5,8 +5,8 @@
 
 #include "analysis/arithmetic/gauss.h"
 #include "conversion/patches/patch_set.h"
-#include "surface/progress.h"
 #include "conversion/quality/quality_report.h"
+#include "surface/progress.h"
 #include "surface/surface_tree.h"
 
 namespace hull {
