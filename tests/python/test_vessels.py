@@ -19,9 +19,9 @@ EXPECTED = {
 }
 # The most control points that a vessel of its kind takes, of the half hull.
 MOST_POINTS = {
+    "barge": 32,
     "bulk_carrier": 125,
     "container_ship": 136,
-    "inland_barge": 32,
     "naval_vessel": 153,
     "research_vessel": 119,
     "roro": 117,
