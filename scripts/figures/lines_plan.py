@@ -13,7 +13,9 @@ SHEETS = sorted(
     ),
     key=lambda sheet: sheet[0] * sheet[1],
 )
-SCALES = [factor * 10.0**power for power in (1, 2) for factor in (1, 1.25, 2, 2.5, 3, 4, 5, 7.5)]
+SCALES = [
+    factor * 10.0**power for power in (1, 2, 3) for factor in (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5)
+]
 # Stations in Lpp; about how many waterlines in the draft and buttocks in the beam, the first that
 # a sheet takes.
 STATIONS = 20
@@ -47,7 +49,7 @@ def draw(vessel, stem):
     """Writes `stem`.pdf and .png."""
     path = f"{stem}.pdf"
     spacing = next(s for s in SPACINGS if _fits(vessel, path, s, SHEETS[-1], None))
-    scale = next((s for s in SCALES if _fits(vessel, path, spacing, SHEETS[-1], s)), None)
+    scale = next(s for s in SCALES if _fits(vessel, path, spacing, SHEETS[-1], s))
     sheet = next(sheet for sheet in SHEETS if _fits(vessel, path, spacing, sheet, scale))
     _write(vessel, f"{stem}.png", spacing, sheet, scale)
 
