@@ -19,6 +19,7 @@ def begin(window):
     bpy.context.collection.objects.link(target)
     target.location.z = 0.3
     hull.hull.fit.target = target
+    hull.hull.fit.use_edges, hull.hull.fit.draw_border = True, False
     bpy.context.view_layer.update()
     bpy.ops.ed.undo_push(message="target")
     return hull
