@@ -11,7 +11,7 @@ import importlib
 from pathlib import Path
 
 # Modules that hold what the vessels share.
-SHARED = ("mesh",)
+SHARED = ("barred", "mesh")
 
 
 def names():

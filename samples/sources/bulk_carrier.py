@@ -7,7 +7,7 @@ it, lower rows of points run from the stern aperture forward and end on the bulb
 at the transom. The coordinates are those of a fit to that surface, rounded to millimetres.
 """
 
-from .mesh import Mesh
+from .barred import BarredShip
 
 LENGTH, HALF_BEAM, DRAFT, DEPTH = 320.0, 29.0, 20.8, 28.0
 BAR = 0.25
@@ -80,12 +80,19 @@ SECTIONS = [
     ],
 ]
 # fmt: on
-# Which of the bar's points begin the rows of the counter, the aperture, the keel, and the stem.
-COUNTER, APERTURE, KEEL, STEM = slice(0, 4), slice(6, 2, -1), slice(6, 15), slice(15, 23)
-# Sections between which the border of the flat bottom is a knuckle line.
-FLAT_BOTTOM = slice(2, 8)
-# Those between which the border of the flat side is one, and the ends of the parallel middle body.
-FLAT_SIDE = slice(7, 11)
+SHIP = BarredShip(
+    CONTOUR,
+    SECTIONS,
+    BAR,
+    HALF_BEAM,
+    counter=slice(0, 4),
+    aperture=slice(6, 2, -1),
+    keel=slice(6, 15),
+    stem=slice(15, 23),
+    flat_bottom=slice(2, 8),
+    flat_side=slice(7, 11),
+)
+# The ends of the parallel middle body, among the sections.
 MIDDLE_BODY = (8, 9)
 
 FEATURES = {
@@ -129,29 +136,9 @@ WANTED = [
 
 
 def make(hull_io):
-    mesh = Mesh()
-    bar = mesh.row([(x, BAR, z) for x, z in CONTOUR[:-1]])
-    x, z = CONTOUR[-1]
-    head = mesh.point((x, 0.0, z))  # the bar ends in one point
-    bar.append(head)
-    middle = mesh.row([(x, 0.0, z) for x, z in CONTOUR[:-1]]) + [head]
-    rows = [mesh.row(section) for section in SECTIONS]
-    counter = [[start, *row] for start, row in zip(bar[COUNTER], rows[:4])]
-    mesh.strips(counter)
-    aperture = [*bar[APERTURE], *rows[3]]
-    after = [[start, *row] for start, row in zip(bar[KEEL][1:], rows[4:])]
-    mesh.strips([aperture, *after, bar[STEM]])
-    mesh.strip(bar, middle)
-    mesh.crease(bar)
-    mesh.transom([middle[0], *counter[0]])
-    mesh.crease([row[1] for row in after][FLAT_BOTTOM])
-    mesh.crease([row[-2] for row in rows[FLAT_SIDE]])
+    mesh, middle, after = SHIP.mesh()
     for section in MIDDLE_BODY:
         mesh.crease([middle[section + 3], *after[section - 4]])
-    mesh.deck([row[-1] for row in rows] + [head])
-    mesh.flat((0, 1, 0), HALF_BEAM)
-    mesh.flat((0, 0, 1), 0.0)
-    mesh.flat((-1, 0, 0), -CONTOUR[0][0], layer=1)
     return mesh.hull(
         hull_io,
         "Bulk carrier",

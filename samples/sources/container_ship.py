@@ -4,10 +4,11 @@
 A flat bar, two rows of points 0.22 m apart, runs round the whole centre plane: from the transom
 under the counter, round the propeller boss, along the keel, round the bulb and up the stem. Within
 it, lower rows of points run from the stern aperture forward and end on the bulb; upper ones begin
-at the transom. The coordinates are those scripts/fit_samples.py found, rounded to millimetres.
+at the transom. The coordinates were fitted as scripts/fit_samples.py does, and rounded to
+millimetres.
 """
 
-from .mesh import Mesh
+from .barred import BarredShip
 
 LENGTH, HALF_BEAM, DRAFT, DEPTH = 355.0, 25.5, 14.5, 34.0
 BAR = 0.22
@@ -94,10 +95,17 @@ SECTIONS = [
     ],
 ]
 # fmt: on
-# Which of the bar's points begin the rows of the counter, the aperture, the keel, and the stem.
-COUNTER, APERTURE, KEEL, STEM = slice(0, 4), slice(6, 2, -1), slice(6, 17), slice(17, 25)
-# Sections between which the border of the flat bottom is a knuckle line.
-FLAT_BOTTOM = slice(2, 9)
+SHIP = BarredShip(
+    CONTOUR,
+    SECTIONS,
+    BAR,
+    HALF_BEAM,
+    counter=slice(0, 4),
+    aperture=slice(6, 2, -1),
+    keel=slice(6, 17),
+    stem=slice(17, 25),
+    flat_bottom=slice(2, 9),
+)
 
 FEATURES = {
     "bulbous bow": "four rows end on the contour of the bulb, whose lowest point has valence 2",
@@ -151,27 +159,7 @@ WANTED = [
 
 
 def make(hull_io):
-    mesh = Mesh()
-    bar = mesh.row([(x, BAR, z) for x, z in CONTOUR[:-1]])
-    x, z = CONTOUR[-1]
-    head = mesh.point((x, 0.0, z))  # the bar ends in one point
-    bar.append(head)
-    middle = mesh.row([(x, 0.0, z) for x, z in CONTOUR[:-1]]) + [head]
-    rows = [mesh.row(section) for section in SECTIONS]
-    counter = [[start, *row] for start, row in zip(bar[COUNTER], rows[:4])]
-    mesh.strips(counter)
-    aperture = [*bar[APERTURE], *rows[3]]
-    after = [[start, *row] for start, row in zip(bar[KEEL][1:], rows[4:])]
-    mesh.strips([aperture, *after, bar[STEM]])
-    mesh.strip(bar, middle)
-    mesh.crease(bar)
-    mesh.transom([middle[0], *counter[0]])
-    mesh.crease([row[1] for row in after][FLAT_BOTTOM])
-    mesh.crease([row[-2] for row in rows])
-    mesh.deck([row[-1] for row in rows] + [head])
-    mesh.flat((0, 1, 0), HALF_BEAM)
-    mesh.flat((0, 0, 1), 0.0)
-    mesh.flat((-1, 0, 0), -CONTOUR[0][0], layer=1)
+    mesh, _, _ = SHIP.mesh()
     return mesh.hull(
         hull_io,
         "Container ship",
