@@ -5,6 +5,8 @@ They lie beside the project, in ../shared/hulls/reference, and are no part of it
 """
 
 import gzip
+import tempfile
+from pathlib import Path
 
 import numpy as np
 import vessels
@@ -21,13 +23,13 @@ def triangles(name):
     """(n, 3, 3): the corners of the triangles of a sample's target."""
     file_name, scale = FILES[name]
     path = FOLDER / file_name
-    data = gzip.open(path).read() if path.suffix == ".gz" else path.read_bytes()
-    count = int.from_bytes(data[80:84], "little")
-    if len(data) == 84 + 50 * count:
-        record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("flags", "<u2")])
-        return scale * np.frombuffer(data[84:], record)["corners"].astype(float)
-    corners = [line.split()[1:] for line in data.splitlines() if line.lstrip()[:6] == b"vertex"]
-    return scale * np.array(corners, dtype=float).reshape(-1, 3, 3)
+    with tempfile.TemporaryDirectory() as folder:
+        if path.suffix == ".gz":
+            plain = Path(folder) / path.stem
+            plain.write_bytes(gzip.decompress(path.read_bytes()))
+            path = plain
+        points, corners = vessels.hull_io.read_stl(path)
+    return scale * points[corners]
 
 
 def samples(corners, count, seed=1):
