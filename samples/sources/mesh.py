@@ -60,6 +60,18 @@ class Mesh:
         for aft, forward in zip(rows, rows[1:]):
             self.strip(aft, forward, layer)
 
+    def round_stem_body(self, sections, stem):
+        """Strips from the transom over sections to the stem, and the transom; the rows of points.
+
+        Keel and stem are one line: the lowest point of the last section is its foot, which stands
+        for the stem's two lowest points, too; `stem` has those above."""
+        rows = [self.row(section) for section in sections]
+        foot = rows[-1][0]
+        rows.append([foot, foot, *self.row(stem)])
+        self.strips(rows)
+        self.transom(rows[0])
+        return rows
+
     def transom(self, rim, layer=1):
         """A plane transom within its rim, which runs up from the centre plane: the rim a knuckle,
         strips across, a further point in the centre plane at the height of the rim's end."""

@@ -211,12 +211,7 @@ def points():
 def make(hull_io):
     mesh = Mesh()
     grid = points()
-    rows = [mesh.row(section) for section in grid[:-1]]
-    # Keel and stem are one line: three places of the grid are one point, the foot.
-    foot = rows[-1][0]
-    rows.append([foot, foot, *mesh.row(grid[-1, 2:])])
-    mesh.strips(rows)
-    mesh.transom(rows[0])
+    rows = mesh.round_stem_body(grid[:-1], grid[-1, 2:])
     mesh.crease([row[KNUCKLE] for row in rows])
     mesh.deck([row[DECK] for row in rows])
     mesh.flat((-1, 0, 0), -TRANSOM_X, layer=1)

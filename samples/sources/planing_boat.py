@@ -102,12 +102,7 @@ def points():
 def make(hull_io):
     mesh = Mesh()
     grid = points()
-    rows = [mesh.row(section) for section in grid[:-1]]
-    # Keel and stem are one line: three places of the grid are one point, the foot.
-    foot = rows[-1][0]
-    rows.append([foot, foot, *mesh.row(grid[-1, 2:])])
-    mesh.strips(rows)
-    mesh.transom(rows[0])
+    rows = mesh.round_stem_body(grid[:-1], grid[-1, 2:])
     mesh.crease([row[CHINE] for row in rows])
     mesh.deck([row[DECK] for row in rows])
     size = np.hypot(1.0, TRANSOM_RAKE)

@@ -142,12 +142,7 @@ def canoe_body_points():
 
 
 def add_canoe_body(mesh):
-    rows = [mesh.row(section) for section in canoe_body_points()]
-    # Keel line and stem are one: three places of the grid are one point, the stem's foot.
-    foot = rows[-1][0]
-    rows.append([foot, foot, *mesh.row(STEM)])
-    mesh.strips(rows)
-    mesh.transom(rows[0])
+    rows = mesh.round_stem_body(canoe_body_points(), STEM)
     mesh.deck([row[-1] for row in rows])
     mesh.flat((-1, 0, 0), -STATIONS[0], layer=1)
 
