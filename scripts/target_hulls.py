@@ -5,11 +5,14 @@ They lie beside the project, in ../shared/hulls/reference, and are no part of it
 """
 
 import gzip
+import importlib
 import tempfile
 from pathlib import Path
 
 import numpy as np
 import vessels
+
+spread_points = importlib.import_module(f"{vessels.hull_io.__name__}.triangles").spread_points
 
 FOLDER = vessels.ROOT.parent / "shared" / "hulls" / "reference"
 # File and metres per unit of it.
@@ -32,17 +35,9 @@ def triangles(name):
     return scale * points[corners]
 
 
-def samples(corners, count, seed=1):
-    """Points (count, 3) evenly by area, with the triangles' normals (count, 3)."""
-    rng = np.random.default_rng(seed)
-    crosses = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = np.linalg.norm(crosses, axis=1)
-    chosen = rng.choice(len(corners), count, p=areas / areas.sum())
-    a, b = rng.random((2, count))
-    a, b = np.where(a + b > 1.0, 1.0 - a, a), np.where(a + b > 1.0, 1.0 - b, b)
-    first, second, third = np.moveaxis(corners[chosen], 1, 0)
-    points = first + a[:, None] * (second - first) + b[:, None] * (third - first)
-    return points, crosses[chosen] / areas[chosen, None]
+def samples(corners, count):
+    """`count` points or a few less, evenly by area, with the triangles' normals (k, 3)."""
+    return spread_points(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3), count)
 
 
 def section(corners, axis, place):
