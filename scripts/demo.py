@@ -48,7 +48,7 @@ def load(path):
     with quiet_output():
         bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
-    state = part("bridge.hull_state").state_of(hull)
+    state = part("bridge.hull.hull_state").state_of(hull)
     if state.status:
         raise ValueError(state.status)
     return hull
@@ -56,7 +56,7 @@ def load(path):
 
 def describe(hull):
     """The hull's main numbers on the terminal."""
-    state = part("bridge.hull_state").state_of(hull)
+    state = part("bridge.hull.hull_state").state_of(hull)
     found, check = state.hydrostatics, state.check
     print(f"      {hull.name}: {check.face_count} faces, {check.irregular_count} irregular points")
     if found is not None:
@@ -79,7 +79,7 @@ def draw_plots(hull, folder):
     for file_name, analysis in PLOTS.items():
         path = str(folder / file_name)
         try:
-            part("bridge.exports").export_plot(hull, bpy.context.scene, analysis, path)
+            part("bridge.exchange.exports").export_plot(hull, bpy.context.scene, analysis, path)
         except ValueError as error:
             print(f"no {file_name}: {error} ", end="")
 
@@ -87,7 +87,7 @@ def draw_plots(hull, folder):
 def draw_lines(hull, folder):
     for ending in ("pdf", "svg", "dxf"):
         path = str(folder / f"lines.{ending}")
-        part("bridge.exports").export_lines_drawing(hull, bpy.context.scene, path)
+        part("bridge.exchange.exports").export_lines_drawing(hull, bpy.context.scene, path)
 
 
 def render(hull, path, percent):
@@ -105,7 +105,7 @@ def save(path):
 
 
 def make(source, folder, percent):
-    exports = part("bridge.exports")
+    exports = part("bridge.exchange.exports")
     step = Progress(8)
     hull = step(f"reading {source.name}", lambda: load(source))
     describe(hull)
@@ -117,7 +117,9 @@ def make(source, folder, percent):
     step("plots", lambda: draw_plots(hull, folder))
     step("lines.pdf, .svg, .dxf", lambda: draw_lines(hull, folder))
     step("offsets.csv", lambda: exports.export_table(hull, scene, "offset_table", offsets))
-    written = step("hull.step", lambda: part("bridge.cad_files").export(hull, scene, solid))
+    written = step(
+        "hull.step", lambda: part("bridge.exchange.cad_files").export(hull, scene, solid)
+    )
     describe_patches(written.converted.quality)
     step("render.png", lambda: render(hull, folder / "render.png", percent))
     step("hull.blend", lambda: save(folder / "hull.blend"))

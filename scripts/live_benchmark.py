@@ -37,15 +37,15 @@ WARM_UP = 10
 # Functions whose time is told apart: (module, name, what for). Those that call one another count
 # without what they call.
 STEPS = (
-    ("bridge.mesh_arrays", "read_mesh", "control mesh read"),
-    ("bridge.flat_keeping", "keep", "flats kept"),
-    ("bridge.hull_state", "_update_ship", "surface and body moved"),
-    ("bridge.shown_surface", "follow", "surface object computed"),
-    ("bridge.surface_object", "move_surface", "surface object written"),
-    ("bridge.hull_state", "_update_hydrostatics", "hydrostatics"),
-    ("bridge.hull_state", "_update_lines", "lines"),
-    ("bridge.hull_state", "_update_fairness", "combs"),
-    ("bridge.live_analyses", "show_plots", "sectional areas, plots"),
+    ("bridge.mesh.mesh_arrays", "read_mesh", "control mesh read"),
+    ("bridge.constraints.flat_keeping", "keep", "flats kept"),
+    ("bridge.hull.hull_state", "_update_ship", "surface and body moved"),
+    ("bridge.display.shown_surface", "follow", "surface object computed"),
+    ("bridge.display.surface_object", "move_surface", "surface object written"),
+    ("bridge.hull.hull_state", "_update_hydrostatics", "hydrostatics"),
+    ("bridge.hull.hull_state", "_update_lines", "lines"),
+    ("bridge.hull.hull_state", "_update_fairness", "combs"),
+    ("bridge.analyses.live_analyses", "show_plots", "sectional areas, plots"),
     ("overlays.lines", "_batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
@@ -109,7 +109,7 @@ def make_hull(options):
     points, faces, creases = half_hull(stations, girth)
     mesh = bpy.data.meshes.new("benchmark")
     mesh.from_pydata(points, [], faces)
-    part("bridge.mesh_arrays").write_tags(mesh, creases, [])
+    part("bridge.mesh.mesh_arrays").write_tags(mesh, creases, [])
     hull = bpy.data.objects.new("benchmark", mesh)
     bpy.context.scene.collection.objects.link(hull)
     bpy.context.view_layer.objects.active = hull
@@ -209,7 +209,7 @@ class Benchmark:
         self.report(moves)
 
     def report(self, moves):
-        state = part("bridge.hull_state").state_of(self.hull)
+        state = part("bridge.hull.hull_state").state_of(self.hull)
         if state.status or state.hydrostatics is None:
             raise RuntimeError(f"no results: {state.status} {state.hydrostatics_status}")
         shown = self.hull.hull.surface_object.data

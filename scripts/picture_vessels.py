@@ -29,7 +29,7 @@ def load(path):
         bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
     hull.hull.samples = SAMPLES_PER_CELL
-    state = part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    state = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
     if state.status:
         raise ValueError(f"{path}: {state.status}")
     return hull

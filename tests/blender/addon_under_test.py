@@ -19,7 +19,7 @@ def module_name():
 
 
 def part(path):
-    """A module of the add-on's inner package, such as `bridge.hull_state`."""
+    """A module of the add-on's inner package, such as `bridge.hull.hull_state`."""
     return importlib.import_module(f"{module_name()}.hull_tools.{path}")
 
 
@@ -33,7 +33,7 @@ def add_box(name="box"):
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(points, [], [side, bottom, aft, forward])
     edges = range(len(mesh.edges))
-    part("bridge.blender_versions").set_creases(mesh, edges, [])
+    part("bridge.blender.blender_versions").set_creases(mesh, edges, [])
     box = bpy.data.objects.new(name, mesh)
     bpy.context.collection.objects.link(box)
     make_active(box)
@@ -54,12 +54,12 @@ def make_active(obj):
 
 
 def state_of(obj):
-    return part("bridge.hull_state").state_of(obj)
+    return part("bridge.hull.hull_state").state_of(obj)
 
 
 def compute(wanted):
     """Has pairs (name of a hull, analysis) computed in the thread, and waits for all of them."""
-    live, worker = part("bridge.live_analyses"), part("bridge.worker")
+    live, worker = part("bridge.analyses.live_analyses"), part("bridge.background.worker")
     live.begin(wanted)
     worker.finish()
     live.take_finished()

@@ -19,11 +19,11 @@ def edit(hull, mode=(True, False, False)):
 
 
 def select(hull, kind, elements):
-    part("bridge.selection").select(bpy.context, hull, kind, elements)
+    part("bridge.mesh.selection").select(bpy.context, hull, kind, elements)
 
 
 def selected(hull, kind):
-    return part("bridge.selection").selected(hull, kind)
+    return part("bridge.mesh.selection").selected(hull, kind)
 
 
 def keys(edges):
@@ -61,4 +61,4 @@ def at(i, j, rows=5):
 
 
 def tags_of(hull):
-    return part("bridge.tags").of_hull(hull, bpy.context.scene)
+    return part("bridge.hull.tags").of_hull(hull, bpy.context.scene)

@@ -20,16 +20,16 @@ def hull_with_levers(name="box"):
 
 
 def latest(hull):
-    return part("bridge.live_analyses").latest(hull, bpy.context.scene, NAME)
+    return part("bridge.analyses.live_analyses").latest(hull, bpy.context.scene, NAME)
 
 
 def begin(hull):
-    part("bridge.live_analyses").begin([(hull.name, NAME)])
+    part("bridge.analyses.live_analyses").begin([(hull.name, NAME)])
 
 
 def take_finished():
-    part("bridge.worker").finish()
-    return part("bridge.live_analyses").take_finished()
+    part("bridge.background.worker").finish()
+    return part("bridge.analyses.live_analyses").take_finished()
 
 
 def threads():
@@ -46,7 +46,7 @@ def move(hull, by):
 @pytest.fixture(autouse=True)
 def nothing_left():
     yield
-    part("bridge.live_analyses").stop()
+    part("bridge.analyses.live_analyses").stop()
     assert not threads()
 
 
@@ -113,7 +113,7 @@ def test_edits_do_not_reach_what_is_being_computed(gate):
     )
     begin(hull)
     assert gate.begun.acquire(timeout=30.0)
-    part("bridge.live_analyses").begin([(hull.name, "criteria")])
+    part("bridge.analyses.live_analyses").begin([(hull.name, "criteria")])
     for _ in range(20):
         move(hull, 0.05)
     gate.set()
@@ -160,7 +160,7 @@ def test_a_hull_deleted_meanwhile_is_no_matter(gate):
     bpy.context.view_layer.update()
     gate.set()
     assert take_finished()
-    assert not part("bridge.hull_state")._states
+    assert not part("bridge.hull.hull_state")._states
 
 
 def test_an_export_does_not_wait_for_the_thread(gate, tmp_path):
@@ -169,7 +169,7 @@ def test_an_export_does_not_wait_for_the_thread(gate, tmp_path):
     assert gate.begun.acquire(timeout=30.0)
     path = tmp_path / "table.csv"
     assert bpy.ops.hull.export_table(analysis="criteria", filepath=str(path)) == {"FINISHED"}
-    assert path.exists() and part("bridge.worker").is_busy()
+    assert path.exists() and part("bridge.background.worker").is_busy()
 
 
 def test_a_reason_comes_as_a_message():
@@ -191,8 +191,8 @@ def test_nothing_runs_after_a_file_was_loaded(gate):
     assert gate.begun.acquire(timeout=30.0) and threads()
     open_soon(gate)
     bpy.ops.wm.read_homefile(use_empty=True)
-    assert not threads() and not part("bridge.worker").is_busy()
-    assert not part("bridge.live_analyses").take_finished()
+    assert not threads() and not part("bridge.background.worker").is_busy()
+    assert not part("bridge.analyses.live_analyses").take_finished()
 
 
 def test_nothing_runs_after_the_addon_was_disabled(gate):

@@ -35,7 +35,7 @@ def midbody(section, creased, starboard=False):
     mesh = bpy.data.meshes.new("midbody")
     mesh.from_pydata(points, [], faces)
     keys = {tuple(sorted(e.vertices)): e.index for e in mesh.edges}
-    part("bridge.blender_versions").set_creases(mesh, [keys[c] for c in creases], [])
+    part("bridge.blender.blender_versions").set_creases(mesh, [keys[c] for c in creases], [])
     hull = bpy.data.objects.new("midbody", mesh)
     bpy.context.collection.objects.link(hull)
     make_active(hull)
@@ -50,7 +50,7 @@ def select_rows(hull, k, first, last):
 
 def deviation(hull, radius, x=12.0, sign=1.0):
     """Of the surface's section from bottom, circle and side, in m."""
-    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
+    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
     (curve,) = native.sections(surface, [native.plane_across("x", x)], 1e-6)[0]
@@ -70,16 +70,16 @@ def test_a_bilge_between_creases_is_as_round_as_can_be(count, move_borders):
     select_rows(hull, len(section), 1, count + 2)
     assert bpy.ops.hull.round_bilge(radius=2.5, move_borders=move_borders) == {"FINISHED"}
     assert deviation(hull, 2.5) == pytest.approx(2.5 * BEST[count][move_borders], rel=5e-3)
-    assert part("bridge.hull_state").state_of(hull).status == ""
+    assert part("bridge.hull.hull_state").state_of(hull).status == ""
 
 
 def test_the_radius_that_is_there_is_offered():
     section = [*FLAT[::2], *bilge_points(4), *SIDE[::2]]
     hull = midbody(section, (1, 6))
     select_rows(hull, len(section), 1, 6)
-    assert part("bridge.bilge").present_radius(hull, bpy.context.scene) == 2.0
+    assert part("bridge.modelling.bilge").present_radius(hull, bpy.context.scene) == 2.0
     bpy.ops.hull.round_bilge(radius=2.75)
-    assert part("bridge.bilge").present_radius(hull, bpy.context.scene) == 2.75
+    assert part("bridge.modelling.bilge").present_radius(hull, bpy.context.scene) == 2.75
 
 
 def test_a_bilge_between_smooth_borders():
@@ -87,15 +87,15 @@ def test_a_bilge_between_smooth_borders():
     hull = midbody(section, ())
     # The borders are the last but one of the flats; those beyond may move.
     hull.data.update()
-    before = part("bridge.mesh_points").read(hull.data)
+    before = part("bridge.mesh.mesh_points").read(hull.data)
     select_rows(hull, len(section), 2, 7)
-    rounded = part("bridge.bilge").round_selected(hull, bpy.context.scene, 1.5, False)
+    rounded = part("bridge.modelling.bilge").round_selected(hull, bpy.context.scene, 1.5, False)
     assert len(rounded) == len(X) and rounded[0].count == 4
     middle = rounded[3]
     assert middle.found == pytest.approx(middle.best, rel=5e-3)
     assert deviation(hull, 1.5) == pytest.approx(middle.best, rel=5e-3)
     assert middle.best < 1.5 * 1e-3
-    after = part("bridge.mesh_points").read(hull.data)
+    after = part("bridge.mesh.mesh_points").read(hull.data)
     assert (after[:, 0] == before[:, 0]).all()
     assert (after[:: len(section)] == before[:: len(section)]).all()  # the centre line
     assert (after[9 :: len(section)] == before[9 :: len(section)]).all()  # the rim
@@ -105,7 +105,7 @@ def test_whole_rows_are_cut_at_the_flats():
     section = [*FLAT, *bilge_points(4), *SIDE]
     hull = midbody(section, (2, 7))
     select_rows(hull, len(section), 0, 9)
-    (first, *_) = part("bridge.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
+    (first, *_) = part("bridge.modelling.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
     assert first.count == 4 and deviation(hull, 2.0) == pytest.approx(2 * 8.43e-4, rel=5e-3)
 
 
@@ -123,11 +123,11 @@ def test_a_bottom_with_deadrise():
     section += [(y, z + 0.6) for y, z in bilge_points(4)] + SIDE[::2]
     hull = midbody(section, (1, 6))
     select_rows(hull, len(section), 1, 6)
-    rounded = part("bridge.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
+    rounded = part("bridge.modelling.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
     native = part("bridge.native").require()
     assert rounded[3].best == pytest.approx(2 * native.bilge_arc(4, np.radians(80)).deviation)
     assert rounded[3].found == pytest.approx(rounded[3].best, rel=1e-2)
-    points = part("bridge.mesh_points").read(hull.data).reshape(len(X), -1, 3)
+    points = part("bridge.mesh.mesh_points").read(hull.data).reshape(len(X), -1, 3)
     np.testing.assert_allclose(points[:, :3, 2], rise * points[:, :3, 1], atol=1e-6)
 
 
@@ -142,11 +142,11 @@ def test_a_bottom_with_deadrise():
 def test_what_cannot_be_is_said(rows, radius, match):
     section = [*FLAT[::2], *bilge_points(4), *SIDE[::2]]
     hull = midbody(section, (1, 6))
-    before = part("bridge.mesh_points").read(hull.data)
+    before = part("bridge.mesh.mesh_points").read(hull.data)
     select_rows(hull, len(section), *rows)
     with pytest.raises(RuntimeError, match=match):
         bpy.ops.hull.round_bilge(radius=radius)
-    assert (part("bridge.mesh_points").read(hull.data) == before).all()
+    assert (part("bridge.mesh.mesh_points").read(hull.data) == before).all()
 
 
 def test_locked_points_and_nothing_selected():
@@ -172,6 +172,6 @@ def test_flats_that_are_kept_stay_flat():
     select_rows(hull, len(section), 1, 6)
     bpy.ops.hull.round_bilge(radius=2.5)
     assert deviation(hull, 2.5) == pytest.approx(2.5 * 8.43e-4, rel=5e-3)
-    (region,) = part("bridge.flats").regions(hull)
-    points = part("bridge.mesh_points").read(hull.data, region.points)
+    (region,) = part("bridge.constraints.flats").regions(hull)
+    points = part("bridge.mesh.mesh_points").read(hull.data, region.points)
     assert (points[:, 2] == 0.0).all() and np.isclose(points[:, 1], 3.5).any()

@@ -21,7 +21,7 @@ from addon_under_test import (
 
 
 def surface(hull):
-    return part("bridge.shown_objects").surface_of(hull)
+    return part("bridge.objects.shown_objects").surface_of(hull)
 
 
 def scene_objects():
@@ -145,7 +145,7 @@ def test_joined_hulls_are_one():
 
 def test_joining_keeps_tags():
     first, second = add_hull("first"), add_box("second")
-    creases = part("bridge.blender_versions").edge_creases
+    creases = part("bridge.blender.blender_versions").edge_creases
     make_active(first)
     second.select_set(True)
     bpy.ops.object.join()
@@ -271,7 +271,7 @@ def test_an_excluded_collection_does_no_harm():
     bpy.context.view_layer.update()
     layer.exclude = False
     bpy.context.view_layer.update()
-    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
     assert_shows(hull, (LENGTH + 1.0, 4.0, DEPTH))
 
 
@@ -366,7 +366,7 @@ def test_modifiers_are_told_of_where_they_mislead():
 def flat_box(name="box"):
     """A box whose bottom and side are kept flat."""
     hull = add_hull(name)
-    flats = part("bridge.flats")
+    flats = part("bridge.constraints.flats")
     for index in (0, 1):
         normal = (0.0, 1.0, 0.0) if index == 0 else (0.0, 0.0, -1.0)
         reach = 2.0 if index == 0 else 0.0
@@ -376,7 +376,7 @@ def flat_box(name="box"):
 
 
 def flat_kinds(hull):
-    return sorted(region.kind for region in part("bridge.flats").regions(hull))
+    return sorted(region.kind for region in part("bridge.constraints.flats").regions(hull))
 
 
 def test_flats_go_with_applied_scale():
@@ -388,7 +388,7 @@ def test_flats_go_with_applied_scale():
     bpy.context.view_layer.update()
     wanted = mesh_points(hull)
     assert np.ptp(wanted, axis=0)[2] == pytest.approx(0.5 * DEPTH)
-    regions = part("bridge.flats").regions(hull)
+    regions = part("bridge.constraints.flats").regions(hull)
     assert len(regions) == 2
     for region in regions:
         heights = wanted[region.points] @ region.plane[:3] - region.plane[3]
@@ -447,9 +447,9 @@ def test_hulls_of_another_scene(kind, count):
     bpy.context.view_layer.update()
     bpy.ops.scene.new(type=kind)
     bpy.context.view_layer.update()
-    hulls = part("bridge.hull_objects").hulls(bpy.data.objects)
+    hulls = part("bridge.objects.hull_objects").hulls(bpy.data.objects)
     assert len(hulls) == count
-    (here,) = part("bridge.hull_objects").hulls(bpy.context.scene.objects)
+    (here,) = part("bridge.objects.hull_objects").hulls(bpy.context.scene.objects)
     assert (here == hull) == (count == 1)
     here.data.vertices[0].co.x -= 1.0
     here.data.update()

@@ -15,11 +15,11 @@ from addon_under_test import add_hull, make_active, module_name, part, state_of
 
 
 def outcome_of(hull):
-    return part("bridge.conversions").last_outcome(hull)
+    return part("bridge.conversion.conversions").last_outcome(hull)
 
 
 def begin(hull):
-    return part("bridge.conversions").begin(hull, bpy.context.scene)
+    return part("bridge.conversion.conversions").begin(hull, bpy.context.scene)
 
 
 def move(hull, by):
@@ -36,7 +36,7 @@ def threads():
 @pytest.fixture(autouse=True)
 def nothing_left():
     yield
-    part("bridge.conversions").stop()
+    part("bridge.conversion.conversions").stop()
     assert not threads()
 
 
@@ -44,7 +44,7 @@ def nothing_left():
 def gate(monkeypatch):
     """Holds conversions up in the thread until it is opened, or they are cancelled; counts those
     that began."""
-    module = part("bridge.patches")
+    module = part("bridge.conversion.patches")
     original = module.convert
     opened, begun = threading.Event(), threading.Semaphore(0)
 
@@ -176,12 +176,12 @@ def test_the_tolerance_in_millimetres_is_kept_as_a_part_of_the_length():
     settings.tolerance_mm = 0.5
     assert settings.tolerance == pytest.approx(5e-5)
     # Given as typed, though Blender keeps single precision.
-    choice = part("bridge.patches").choice_of(settings)
+    choice = part("bridge.conversion.patches").choice_of(settings)
     assert dict(choice.options)["tolerance"] == 5e-5
 
 
 def test_what_is_not_kept_is_warned_of():
-    patches = part("bridge.patches")
+    patches = part("bridge.conversion.patches")
     settings = add_hull().hull.export
     asked = patches.asked_of(settings)
     assert degrees(asked.seam_angle) == pytest.approx(0.02)
@@ -202,7 +202,7 @@ def test_what_is_not_kept_is_warned_of():
 
 
 def test_numbers_are_for_people():
-    units = part("bridge.units")
+    units = part("bridge.blender.units")
     assert units.format_mm(0.0) == "0 mm" and units.format_mm(8.3456e-5) == "0.0835 mm"
     assert units.format_mm(1e-12) == "below 1e-06 mm" and units.format_mm(2.3456) == "2346 mm"
     assert units.format_small_angle(radians(0.0123)) == "0.0123°"
@@ -230,7 +230,7 @@ def test_asked_for_twice_it_is_converted_once(gate):
     assert other is not task
     gate.set()
     other.result()
-    with pytest.raises(part("bridge.jobs").Cancelled):
+    with pytest.raises(part("bridge.background.jobs").Cancelled):
         task.result()
     assert outcome_of(hull)[1]
 
@@ -245,7 +245,7 @@ def test_a_cancelled_conversion_leaves_the_last_one(gate):
     task = begin(hull)
     assert bpy.ops.hull.cancel_task.poll()
     assert bpy.ops.hull.cancel_task() == {"FINISHED"}
-    with pytest.raises(part("bridge.jobs").Cancelled):
+    with pytest.raises(part("bridge.background.jobs").Cancelled):
         task.result()
     assert outcome_of(hull) == (first, False)
     assert not bpy.ops.hull.cancel_task.poll()
@@ -268,7 +268,7 @@ def test_progress_is_told(gate):
 def test_progress_never_goes_back():
     shares = []
     hull = add_hull()
-    patches = part("bridge.patches")
+    patches = part("bridge.conversion.patches")
     source = state_of(hull).source
     for conversion in ("EXACT", "PER_CELL"):
         hull.hull.export.conversion = conversion
@@ -280,7 +280,11 @@ def test_progress_never_goes_back():
 @pytest.mark.parametrize("share", [0.05, 0.5])
 def test_converting_and_measuring_end_when_cancelled(freeship_folder, share):
     bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
-    hull, patches, cancelled = bpy.context.object, part("bridge.patches"), part("bridge.jobs")
+    hull, patches, cancelled = (
+        bpy.context.object,
+        part("bridge.conversion.patches"),
+        part("bridge.background.jobs"),
+    )
     surface, told = state_of(hull).source.new_surface(), []
 
     def tell(done):
@@ -301,7 +305,7 @@ def test_a_hull_deleted_meanwhile_is_no_matter(gate):
     bpy.context.view_layer.update()
     gate.set()
     assert task.result().quality.patch_count == 4
-    part("bridge.conversions").take_finished()
+    part("bridge.conversion.conversions").take_finished()
 
 
 def test_nothing_runs_after_a_file_was_loaded(gate):
@@ -339,7 +343,7 @@ def test_nothing_is_converted_unasked(gate):
     move(hull, 0.5)
     hull.hull.export.tolerance = 1e-7
     bpy.context.view_layer.update()
-    part("bridge.conversions").request(hull)  # no window: nobody looks
+    part("bridge.conversion.conversions").request(hull)  # no window: nobody looks
     assert not gate.begun.acquire(blocking=False) and not threads()
 
 
@@ -359,7 +363,7 @@ def test_a_reason_comes_as_a_message(monkeypatch):
     def refuse(*unused):
         raise ValueError("Face 3 cannot be")
 
-    monkeypatch.setattr(part("bridge.patches"), "convert", refuse)
+    monkeypatch.setattr(part("bridge.conversion.patches"), "convert", refuse)
     hull = add_hull()
     with pytest.raises(RuntimeError, match="Face 3 cannot be"):
         bpy.ops.hull.convert()
@@ -376,7 +380,7 @@ def test_a_reason_comes_as_a_message(monkeypatch):
     ],
 )
 def test_the_worst_spot_is_marked(freeship_folder, kind, attribute):
-    scene, spots = bpy.context.scene, part("bridge.worst_spots")
+    scene, spots = bpy.context.scene, part("bridge.conversion.worst_spots")
     bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
     hull = bpy.context.object
     with pytest.raises(RuntimeError, match="Convert first"):
@@ -414,7 +418,7 @@ def test_a_spot_that_is_not_there_is_a_message():
     bpy.ops.hull.convert()
     with pytest.raises(RuntimeError, match="knuckles"):
         bpy.ops.hull.show_worst_spot(kind="ANGLE")
-    assert part("bridge.worst_spots").shown_spot(hull, bpy.context.scene) is None
+    assert part("bridge.conversion.worst_spots").shown_spot(hull, bpy.context.scene) is None
 
 
 def test_the_report_is_written_as_text_and_json(tmp_path):

@@ -26,7 +26,7 @@ def add_bulwark_box(name="bulwarks"):
         ]
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(points, [], faces)
-    part("bridge.blender_versions").set_creases(mesh, range(len(mesh.edges)), [])
+    part("bridge.blender.blender_versions").set_creases(mesh, range(len(mesh.edges)), [])
     box = bpy.data.objects.new(name, mesh)
     bpy.context.collection.objects.link(box)
     make_active(box)
@@ -56,7 +56,7 @@ def mark(hull, *pairs):
 
 
 def marked(hull):
-    marks = part("bridge.edge_marks").stored_marks(hull.data)
+    marks = part("bridge.mesh.edge_marks").stored_marks(hull.data)
     return {tuple(sorted(hull.data.edges[i].vertices)) for i in np.flatnonzero(marks)}
 
 

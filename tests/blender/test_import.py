@@ -31,7 +31,7 @@ def check_imported(hull, wanted):
     assert len(hull.material_slots) == len(wanted.layers)
     assert [polygon.material_index for polygon in hull.data.polygons] == list(wanted.face_layers)
     assert crease_pairs(hull) == {tuple(sorted(pair)) for pair in wanted.creases}
-    corners = np.flatnonzero(part("bridge.blender_versions").vertex_creases(hull.data))
+    corners = np.flatnonzero(part("bridge.blender.blender_versions").vertex_creases(hull.data))
     assert corners.tolist() == sorted(wanted.corners)
     assert hull.hull.half == wanted.half
     assert hull.hull.draft == pytest.approx(wanted.particulars.draft or hull.hull.draft)
@@ -42,7 +42,7 @@ def check_imported(hull, wanted):
 
 
 def crease_pairs(hull):
-    values = part("bridge.blender_versions").edge_creases(hull.data)
+    values = part("bridge.blender.blender_versions").edge_creases(hull.data)
     return {tuple(sorted(hull.data.edges[i].vertices)) for i in np.flatnonzero(values)}
 
 
@@ -96,7 +96,7 @@ def test_import_is_one_undo_step(freeship_folder):
 
 
 def test_every_sample_loads():
-    names = part("bridge.samples").sample_files()
+    names = part("bridge.hull.samples").sample_files()
     assert len(names) >= 2
     for name in names:
         assert bpy.ops.hull.load_sample(name=name) == {"FINISHED"}

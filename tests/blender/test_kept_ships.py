@@ -19,22 +19,26 @@ def coaster():
 
 def fresh_body(hull):
     """The live HullBody of a hull as it is now, made of nothing that was kept."""
-    arrays, scale = part("bridge.mesh_arrays"), bpy.context.scene.unit_settings.scale_length
-    excluded = part("bridge.hull_objects").excluded_slots(hull)
+    arrays, scale = part("bridge.mesh.mesh_arrays"), bpy.context.scene.unit_settings.scale_length
+    excluded = part("bridge.objects.hull_objects").excluded_slots(hull)
     control = arrays.control_arrays(arrays.read_mesh(hull.data), scale, excluded)
     settings = hull.hull
     openings = "closed" if settings.deck_closed else "open"
-    source = part("bridge.ship").ShipSource(control, settings.scheme, settings.half, openings, ())
+    source = part("bridge.flotation.ship").ShipSource(
+        control, settings.scheme, settings.half, openings, ()
+    )
     return source.live_body(source.new_surface())
 
 
 def assert_is_fresh(hull):
     state = state_of(hull)
     assert not state.status
-    where = part("bridge.afloat").afloat(hull.hull, bpy.context.scene.unit_settings.scale_length)
+    where = part("bridge.flotation.afloat").afloat(
+        hull.hull, bpy.context.scene.unit_settings.scale_length
+    )
     body = fresh_body(hull)
-    ship = part("bridge.ship").Ship(body, ())
-    assert state.hydrostatics == part("bridge.hydrostatics").at(ship, where)
+    ship = part("bridge.flotation.ship").Ship(body, ())
+    assert state.hydrostatics == part("bridge.flotation.hydrostatics").at(ship, where)
     assert np.array_equal(state.surface.mesh.points, body.surface.mesh.points)
     assert (state.body.openings, state.body.mirrored) == (body.openings, body.mirrored)
     assert state.body.shell_area == body.shell_area
@@ -105,7 +109,7 @@ def test_settings_make_anew_what_depends_on_them():
     move(hull, choice)
     assert_is_fresh(hull)
     bpy.context.scene.unit_settings.scale_length = 0.5
-    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
     assert_is_fresh(hull)
 
 
@@ -121,8 +125,8 @@ def test_undo_and_redo_of_moves_and_tags():
     push()
     move(hull, choice)
     push()
-    part("bridge.edge_marks").store_marks(hull.data, np.ones(len(hull.data.edges), dtype=bool))
-    part("bridge.blender_versions").set_creases(hull.data, range(len(hull.data.edges)), [])
+    part("bridge.mesh.edge_marks").store_marks(hull.data, np.ones(len(hull.data.edges), dtype=bool))
+    part("bridge.blender.blender_versions").set_creases(hull.data, range(len(hull.data.edges)), [])
     hull.data.update_tag()
     bpy.context.view_layer.update()
     push()
@@ -164,12 +168,12 @@ def test_renamed_hulls_keep_what_is_theirs():
     bpy.context.view_layer.update()
     assert (state_of(first), state_of(second)) == states
     for hull in (first, second):
-        part("bridge.hull_state").refresh(hull, bpy.context.scene)
+        part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
         assert_is_fresh(hull)
 
 
 def test_nothing_is_kept_of_what_is_no_hull_any_longer():
-    kept = part("bridge.hull_state")._states
+    kept = part("bridge.hull.hull_state")._states
     kept.clear()
     first, second = add_hull("first"), add_hull("second")
     assert len(kept) == 2

@@ -21,7 +21,7 @@ def with_plot(name="sectional_areas"):
 @pytest.fixture(autouse=True)
 def nothing_shown():
     yield
-    part("bridge.live_analyses").stop()
+    part("bridge.analyses.live_analyses").stop()
 
 
 def test_a_switch_shows_a_plot_and_hides_it():
@@ -87,18 +87,18 @@ def test_a_new_file_shows_none():
 def test_an_addon_that_is_off_shows_none():
     with_plot()
     name = module_name()
-    viewers = part("bridge.live_analyses").plot_viewers
+    viewers = part("bridge.analyses.live_analyses").plot_viewers
     addon_utils.disable(name)
     try:
         assert not viewers
     finally:
         addon_utils.enable(name, default_set=True)
-    assert len(part("bridge.live_analyses").plot_viewers) == 1
+    assert len(part("bridge.analyses.live_analyses").plot_viewers) == 1
 
 
 def test_what_was_asked_for_is_computed_and_shown():
     hull = with_plot("cross_curves")
-    live, scene = part("bridge.live_analyses"), bpy.context.scene
+    live, scene = part("bridge.analyses.live_analyses"), bpy.context.scene
     assert live.latest(hull, scene, "cross_curves") == (None, False)
     compute([(hull.name, "cross_curves"), ("a hull that was deleted", "criteria")])
     outcome, is_current = live.latest(hull, scene, "cross_curves")

@@ -13,7 +13,7 @@ FILES = Path(__file__).resolve().parent / "files"
 
 
 def surface(hull):
-    return part("bridge.shown_objects").surface_of(hull)
+    return part("bridge.objects.shown_objects").surface_of(hull)
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def test_a_hull_of_an_old_file_is_brought_up_to_date():
     bpy.ops.wm.open_mainfile(filepath=str(FILES / "format_0.blend"))
     hull, second = bpy.data.objects["old box"], bpy.data.objects["second"]
     lines = hull.hull.lines
-    assert hull.hull.format == second.hull.format == part("bridge.migration").FORMAT
+    assert hull.hull.format == second.hull.format == part("bridge.objects.migration").FORMAT
     assert (lines.station_count, lines.stations, lines.stations_in) == (8, "0 2.5 7.5", "FRAMES")
     assert lines.waterline_spacing == pytest.approx(0.6)
     assert lines.buttock_spacing == pytest.approx(0.4)
@@ -78,7 +78,7 @@ def test_a_hull_appended_from_an_old_file_is_brought_up_to_date():
 
 def test_new_hulls_have_the_stamp_and_newer_ones_are_told_of():
     hull = add_hull()
-    assert hull.hull.format == part("bridge.migration").FORMAT
+    assert hull.hull.format == part("bridge.objects.migration").FORMAT
     hull.hull.format = 99
     hull.data.update_tag()
     bpy.context.view_layer.update()

@@ -148,7 +148,7 @@ def test_a_load_that_sinks_is_a_quiet_line(hull):
 
 
 def test_panels_of_a_hull_of_which_nothing_is_known(hull):
-    part("bridge.hull_state").forget_all()
+    part("bridge.hull.hull_state").forget_all()
     assert "HULL_PT_hydrostatics" in texts()
 
 

@@ -15,10 +15,10 @@ def chosen():
 
 
 def test_all_has_its_default(chosen):
-    preferences = part("bridge.preferences")
+    preferences = part("bridge.blender.preferences")
     for name, value in preferences.DEFAULTS.items():
         assert preferences.value(name) == pytest.approx(value), name
-    for group, (_, inks) in part("bridge.palette").GROUPS.items():
+    for group, (_, inks) in part("bridge.blender.palette").GROUPS.items():
         on_light, on_dark = (preferences.colours(group, light) for light in (True, False))
         for kind, ink in inks.items():
             assert on_light[kind] == pytest.approx(ink.on_light)
@@ -50,7 +50,7 @@ def test_files_go_before_preferences(chosen, tmp_path):
 
 
 def test_colours_and_listeners(chosen):
-    preferences = part("bridge.preferences")
+    preferences = part("bridge.blender.preferences")
     told = []
     listener = lambda: told.append(preferences.colour("lines", "station", True))  # noqa: E731
     preferences.listeners.append(listener)
@@ -63,7 +63,7 @@ def test_colours_and_listeners(chosen):
 
 
 def test_the_addon_works_without_an_entry_in_the_preferences(monkeypatch):
-    preferences = part("bridge.preferences")
+    preferences = part("bridge.blender.preferences")
     monkeypatch.setattr(preferences, "ADDON", "no such add-on")
     assert preferences.value("samples") == 4
     assert preferences.colour("lines", "draft", False) == (0.30, 0.84, 1.00)

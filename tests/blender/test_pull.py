@@ -12,17 +12,17 @@ SEED = 1122
 
 
 def edited_points(hull):
-    return part("bridge.mesh_points").read(hull.data)
+    return part("bridge.mesh.mesh_points").read(hull.data)
 
 
 def pull_of(hull, **options):
-    return part("bridge.pulling").SurfacePull(hull, bpy.context.scene, **options)
+    return part("bridge.modelling.pulling").SurfacePull(hull, bpy.context.scene, **options)
 
 
 def place_now(hull, grip):
     """Where the place of a grip is on the surface of the mesh as it is now, computed anew, in m."""
-    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
-    scale = part("bridge.units").metres_per_unit(bpy.context.scene)
+    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
+    scale = part("bridge.blender.units").metres_per_unit(bpy.context.scene)
     control = arrays.control_arrays(arrays.read_mesh(hull.data), scale)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()), hull.hull.scheme)
     return surface.positions([grip.cell], grip.uv[None])[0]
@@ -99,21 +99,25 @@ def test_locked_points_stay():
     locked = [at(2, 2), at(3, 1)]
     select(hull, "vertex", locked)
     assert bpy.ops.hull.lock_points() == {"FINISHED"}
-    assert part("bridge.point_locks").locked_points(hull.data).tolist() == sorted(locked)
+    assert part("bridge.constraints.point_locks").locked_points(hull.data).tolist() == sorted(
+        locked
+    )
     before = edited_points(hull)
     grip = pull_of(hull).nearest((2.6, 1.9, 1.7))
     bpy.ops.hull.pull_surface(point=grip.point, target=grip.point + (0.0, 0.5, 0.0))
     after = edited_points(hull)
     assert (after[locked] == before[locked]).all() and (after != before).any()
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert part("bridge.point_locks").locked_points(hull.data).tolist() == sorted(locked)
+    assert part("bridge.constraints.point_locks").locked_points(hull.data).tolist() == sorted(
+        locked
+    )
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="DESELECT")
     bpy.ops.hull.select_locked()
     chosen = [v.index for v in bmesh.from_edit_mesh(hull.data).verts if v.select]
     assert chosen == sorted(locked)
     bpy.ops.hull.unlock_points()
-    assert not len(part("bridge.point_locks").locked_points(hull.data))
+    assert not len(part("bridge.constraints.point_locks").locked_points(hull.data))
 
 
 def test_flats_stay_flat():
@@ -123,7 +127,7 @@ def test_flats_stay_flat():
     chosen = [f.index for f in bm.faces if 1 <= f.calc_center_median().x <= 4]
     select(hull, "face", chosen)
     bpy.ops.hull.make_flat(kind="SIDE", place="POSITION", position=2.25)
-    (region,) = part("bridge.flats").regions(hull)
+    (region,) = part("bridge.constraints.flats").regions(hull)
     grip = pull_of(hull).nearest((2.5, 2.25, 2.0))
     with pytest.raises(RuntimeError, match="cannot be pulled this way"):
         bpy.ops.hull.pull_surface(point=grip.point, target=grip.point + (0.0, 0.5, 0.0))
@@ -259,12 +263,12 @@ def eye_from_port(hull, size=(800, 600), width=20.0):
             [0, 0, 0, 1],
         ]
     )
-    return part("bridge.pull_lines").Eye(to_clip, size)
+    return part("bridge.modelling.pull_lines").Eye(to_clip, size)
 
 
 def test_the_eyes_ray_goes_through_what_is_seen():
     hull = grid_hull()
-    eye, drags = eye_from_port(hull), part("bridge.drags")
+    eye, drags = eye_from_port(hull), part("bridge.modelling.drags")
     random = np.random.default_rng(SEED)
     for point in random.uniform(-3, 3, (20, 3)):
         (mouse,) = drags.in_picture(eye.to_clip, eye.size, point[None])
@@ -282,21 +286,21 @@ def test_the_eyes_ray_goes_through_what_is_seen():
 
 def test_the_surface_is_held_where_the_eye_sees_it():
     hull = grid_hull()
-    eye, drags = eye_from_port(hull), part("bridge.drags")
+    eye, drags = eye_from_port(hull), part("bridge.modelling.drags")
     pull = pull_of(hull)
     (mouse,) = drags.in_picture(eye.to_clip, eye.size, np.array([[2.6, 1.9, 1.7]]))
-    grip = part("bridge.pull_lines").grip_at(pull, eye, mouse)
+    grip = part("bridge.modelling.pull_lines").grip_at(pull, eye, mouse)
     assert grip.plane is None and not grip.is_image
     assert grip.point[[0, 2]] == pytest.approx((2.6, 1.7))
-    assert part("bridge.pull_lines").grip_at(pull, eye, (1.0, 1.0)) is None
+    assert part("bridge.modelling.pull_lines").grip_at(pull, eye, (1.0, 1.0)) is None
 
 
 def test_a_section_line_is_held_exactly():
     hull = grid_hull()
-    for kind, switch in part("bridge.lines").SWITCHES.items():
+    for kind, switch in part("bridge.lines.lines").SWITCHES.items():
         setattr(hull.hull.lines, switch, kind == "station")
-    part("bridge.hull_state").refresh(hull, bpy.context.scene)
-    eye, drags = eye_from_port(hull), part("bridge.drags")
+    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    eye, drags = eye_from_port(hull), part("bridge.modelling.drags")
     pull = pull_of(hull)
     for section in state_of(hull).lines["station"].sections:
         for curve in section.curves:
@@ -304,9 +308,9 @@ def test_a_section_line_is_held_exactly():
             for mouse in drags.in_picture(eye.to_clip, eye.size, points)[
                 :: max(1, len(points) // 5)
             ]:
-                grip = part("bridge.pull_lines").grip_at(pull, eye, mouse + (2.0, 1.0))
+                grip = part("bridge.modelling.pull_lines").grip_at(pull, eye, mouse + (2.0, 1.0))
                 assert grip.plane is not None
-                surface = part("bridge.pull_lines").grip_at(
+                surface = part("bridge.modelling.pull_lines").grip_at(
                     pull, eye, mouse + (2.0, 1.0), takes_lines=False
                 )
                 assert surface is None or surface.plane is None
@@ -314,7 +318,7 @@ def test_a_section_line_is_held_exactly():
 
 
 def test_rounding_keeps_the_sum():
-    rounded = part("bridge.single_rounding").rounded
+    rounded = part("bridge.mesh.single_rounding").rounded
     random = np.random.default_rng(SEED)
     weights = random.uniform(0.0, 1.0, 16) ** 4
     weights /= weights.sum()

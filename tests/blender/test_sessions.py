@@ -42,7 +42,7 @@ class Session:
         self.depth += 1
 
     def hulls(self):
-        return part("bridge.hull_objects").hulls(bpy.context.scene.objects)
+        return part("bridge.objects.hull_objects").hulls(bpy.context.scene.objects)
 
     def step(self):
         in_edit_mode = bpy.context.mode == "EDIT_MESH"
@@ -117,7 +117,7 @@ class Session:
 
 
 def fresh_points(hull):
-    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
+    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
     return shown_points(surface, hull)

@@ -17,13 +17,13 @@ def sample(name):
 
 
 def numbers(hull):
-    found = part("bridge.hull_state").refresh(hull, bpy.context.scene).hydrostatics
+    found = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
     return {name: getattr(found, name) for name in NUMBERS}
 
 
 def surface_points(hull):
     """Points of the surface object, both sides, sorted to be compared."""
-    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
     return mesh_points(hull.hull.surface_object)
 
 
@@ -57,7 +57,7 @@ def test_a_whole_hull_is_the_same_ship(name):
 
 def test_the_mesh_comes_back_with_its_tags():
     hull = sample("coaster")
-    arrays = part("bridge.mesh_arrays")
+    arrays = part("bridge.mesh.mesh_arrays")
     before = arrays.read_mesh(hull.data)
     bpy.ops.hull.make_whole()
     whole = arrays.read_mesh(hull.data)
@@ -97,7 +97,7 @@ def faces_in(hull, plane):
 
 @pytest.mark.parametrize("side", ["PORT", "STARBOARD"])
 def test_flat_regions_come_along(side):
-    hull, flats = add_hull(), part("bridge.flats")
+    hull, flats = add_hull(), part("bridge.constraints.flats")
     planes = [(0.0, 1.0, 0.0, HALF_BREADTH), (0.0, 0.0, 1.0, 0.0)]
     for plane in planes:
         flats.mark(hull, faces_in(hull, plane), plane)
@@ -115,7 +115,7 @@ def test_flat_regions_come_along(side):
 
 def test_the_deck_edge_comes_along():
     hull = add_hull()
-    marks = part("bridge.edge_marks")
+    marks = part("bridge.mesh.edge_marks")
     marked = np.arange(len(hull.data.edges)) == 2
     marks.store_marks(hull.data, marked)
     bpy.ops.hull.make_whole()
@@ -169,14 +169,14 @@ def test_what_differs_is_told():
     bpy.ops.hull.make_whole()
     starboard = int(np.argmin(mesh_points(hull)[:, 1]))
     edit(hull, lambda bm: setattr(bm.verts[starboard].co, "y", -2.5))
-    made = part("bridge.mirroring").to_half(hull, bpy.context.scene)
+    made = part("bridge.modelling.mirroring").to_half(hull, bpy.context.scene)
     assert made.difference == pytest.approx(0.5) and made.smooth_edges == 0
 
 
 def test_a_smooth_keel_is_told():
     hull = add_hull()
     bpy.ops.hull.make_whole()
-    blender_versions = part("bridge.blender_versions")
+    blender_versions = part("bridge.blender.blender_versions")
 
     def smooth(bm):
         layer, _ = blender_versions.ensure_crease_layers(bm)
@@ -185,7 +185,7 @@ def test_a_smooth_keel_is_told():
                 edge[layer] = 0.0
 
     edit(hull, smooth)
-    assert part("bridge.mirroring").to_half(hull, bpy.context.scene).smooth_edges == 3
+    assert part("bridge.modelling.mirroring").to_half(hull, bpy.context.scene).smooth_edges == 3
 
 
 def test_twice_is_refused_and_shared_meshes_are():
@@ -228,10 +228,10 @@ def test_faces_are_turned_outwards_each_part_by_itself(in_edit_mode):
     edit(hull, flip_some)
     if in_edit_mode:
         bpy.ops.object.mode_set(mode="EDIT")
-    turned = part("bridge.face_turning").turn_outwards(hull)
+    turned = part("bridge.modelling.face_turning").turn_outwards(hull)
     assert turned
     bpy.ops.object.mode_set(mode="OBJECT")
     again = [tuple(polygon.vertices) for polygon in hull.data.polygons]
     assert all(b in {a[k:] + a[:k] for k in range(len(a))} for a, b in zip(good, again))
     assert numbers(hull) == pytest.approx(before, rel=1e-12)
-    assert part("bridge.face_turning").turn_outwards(hull) == 0
+    assert part("bridge.modelling.face_turning").turn_outwards(hull) == 0

@@ -288,7 +288,7 @@ def test_each_hull_of_a_catamaran_has_its_deck():
     bmesh.ops.translate(bm, verts=bm.verts, vec=(0.0, 3.0, 0.0))
     bm.to_mesh(box.data)
     bm.free()
-    part("bridge.blender_versions").set_creases(box.data, range(len(box.data.edges)), [])
+    part("bridge.blender.blender_versions").set_creases(box.data, range(len(box.data.edges)), [])
     assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
     assert not state_of(box).status
     set_up(box)

@@ -12,7 +12,7 @@ from addon_under_test import LENGTH, add_hull, mesh_points, part, shown_points, 
 
 def fresh_surface_points(hull):
     """The hull's surface points in metres, computed anew from its mesh; both sides."""
-    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
+    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
     return shown_points(surface, hull)
@@ -63,7 +63,7 @@ def test_a_tag_changes_the_surface():
 
 def test_edit_mode_reads_the_same_arrays_as_object_mode():
     hull = add_hull()
-    read_mesh = part("bridge.mesh_arrays").read_mesh
+    read_mesh = part("bridge.mesh.mesh_arrays").read_mesh
     stored = read_mesh(hull.data)
     bpy.ops.object.mode_set(mode="EDIT")
     edited = read_mesh(hull.data)
@@ -123,7 +123,7 @@ def test_nothing_is_done_when_nothing_changed(monkeypatch):
     bpy.context.view_layer.update()
     written = []
     monkeypatch.setattr(
-        part("bridge.surface_object"), "move_surface", lambda *arguments: written.append(1)
+        part("bridge.display.surface_object"), "move_surface", lambda *arguments: written.append(1)
     )
     hull.data.update_tag()
     bpy.context.view_layer.update()
@@ -142,7 +142,7 @@ def test_normals_are_the_surface_normals():
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.update()
     tessellation = state_of(hull).surface.tessellate(hull.hull.samples)
-    surface_object = part("bridge.surface_object")
+    surface_object = part("bridge.display.surface_object")
     shared = state_of(hull).shown_points.shared
     normals = surface_object.surface_faces(tessellation, shared)[1].reshape(-1, 3)
     mesh = hull.hull.surface_object.data
@@ -178,16 +178,16 @@ def pull_a_point(hull, by):
 
 def test_normals_wait_while_points_move_and_come_at_a_pause(monkeypatch):
     hull = add_hull()
-    surface_object, written = part("bridge.surface_object"), []
+    surface_object, written = part("bridge.display.surface_object"), []
     write = surface_object.write_normals
     monkeypatch.setattr(surface_object, "write_normals", lambda *a: (written.append(1), write(*a)))
     bpy.ops.object.mode_set(mode="EDIT")
     for _ in range(3):
         pull_a_point(hull, 0.1)
     assert not written
-    part("bridge.live_normals")._write()
+    part("bridge.hull.live_normals")._write()
     assert written == [1]
-    part("bridge.live_normals")._write()
+    part("bridge.hull.live_normals")._write()
     assert written == [1], "they are there"
     bpy.context.view_layer.update()
     assert_surface_is_fresh(hull)

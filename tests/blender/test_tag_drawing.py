@@ -131,10 +131,10 @@ def drawing_of(hull, is_refreshed=True, zoom=1.0):
     drawing = part("overlays.tag_drawing")
     scene = bpy.context.scene
     if is_refreshed:
-        part("bridge.hull_state").refresh(hull, scene)
+        part("bridge.hull.hull_state").refresh(hull, scene)
     to_clip = np.diag([0.05 * zoom, 0.05 * zoom, 0.01, 1.0])
     picture = drawing.Picture(
-        to_clip, LARGE_VIEWPORT, 1.0, part("bridge.units").metres_per_unit(scene)
+        to_clip, LARGE_VIEWPORT, 1.0, part("bridge.blender.units").metres_per_unit(scene)
     )
     return drawing.drawing_of(hull, state_of(hull), scene, picture)
 
@@ -142,7 +142,7 @@ def drawing_of(hull, is_refreshed=True, zoom=1.0):
 def counts(drawing):
     """How many segments are drawn in each colour of tags; corners have that of knuckles."""
     names = {}
-    for name, colour in part("bridge.preferences").colours("tags").items():
+    for name, colour in part("bridge.blender.preferences").colours("tags").items():
         names.setdefault(tuple(colour), name)
     found = {}
     for colour, _, corners in drawing.lines:
@@ -162,7 +162,7 @@ def test_a_box_is_drawn_by_kinds():
 def test_borders_on_the_centre_plane_of_a_half_hull_are_fine():
     hull = add_hull()
     edit(hull)
-    colour = part("bridge.preferences").colour("tags", "border")
+    colour = part("bridge.blender.preferences").colour("tags", "border")
 
     def border_widths():
         return {
@@ -200,7 +200,7 @@ def test_each_switch_takes_its_kind_away(switch, missing):
     bpy.ops.hull.tag_corner()  # without creases: a warning, and irregular
     select(hull, "edge", [(at(2, 4), at(3, 4))])
     bpy.ops.hull.mark_deck_edge()
-    part("bridge.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
+    part("bridge.constraints.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
     bpy.ops.hull.lock_points()
     before = counts(drawing_of(hull))
     assert set(before) == {
@@ -222,7 +222,7 @@ def test_locks_are_where_their_points_are():
     select(hull, "vertex", [find(hull, *place), find(hull, 10, 0, 3)])
     bpy.ops.hull.lock_points()
     points = state_of(hull).surface.mesh.points
-    locked = points[part("bridge.tags").locked_points(hull, tags)]
+    locked = points[part("bridge.hull.tags").locked_points(hull, tags)]
     assert {tuple(point) for point in locked} == {place, (10.0, 0.0, 3.0)}
     assert counts(drawing_of(hull))["locked"] == 2 * 4
 
@@ -295,7 +295,7 @@ def test_a_mesh_that_is_not_known_yet_is_drawn_as_it_is():
     edit(hull)
     select(hull, "vertex", [at(2, 2)])  # without creases: a problem that lists it
     bpy.ops.hull.tag_corner()
-    part("bridge.hull_state").refresh(hull, bpy.context.scene)
+    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
     bm = bmesh.from_edit_mesh(hull.data)
     bm.faces.ensure_lookup_table()
     bmesh.ops.delete(bm, geom=bm.faces[2:], context="FACES")
@@ -313,7 +313,7 @@ def test_tags_stand_where_the_points_are_in_any_unit():
     rings = [
         corners
         for colour, width, corners in drawing_of(hull).lines
-        if tuple(colour) == part("bridge.preferences").colour("tags", "problem")
+        if tuple(colour) == part("bridge.blender.preferences").colour("tags", "problem")
     ]
     assert len(rings) == 1
     assert rings[0].mean(axis=0)[:2] == pytest.approx(0.05 * middle[:2], abs=1e-6)
@@ -324,7 +324,7 @@ def test_marks_are_smaller_where_there_is_no_room():
     edit(hull)
     select(hull, "vertex", [at(3, 3)])
     bpy.ops.hull.tag_corner()
-    colour = part("bridge.preferences").colour("tags", "irregular")
+    colour = part("bridge.blender.preferences").colour("tags", "irregular")
 
     def marks(zoom):
         drawing = drawing_of(hull, zoom=zoom)
@@ -337,7 +337,7 @@ def test_marks_are_smaller_where_there_is_no_room():
 
 
 def test_sizes_are_those_of_the_preferences():
-    chosen = part("bridge.preferences").of_addon()
+    chosen = part("bridge.blender.preferences").of_addon()
     hull = add_hull()
     edit(hull)
     usual = {width for _, width, _ in drawing_of(hull).lines}

@@ -99,4 +99,4 @@ def test_preferences_say_what_they_are():
 
 def test_every_preference_has_its_property():
     rna = type(bpy.context.preferences.addons[module_name()].preferences).bl_rna
-    assert set(part("bridge.preferences").DEFAULTS) <= set(rna.properties.keys())
+    assert set(part("bridge.blender.preferences").DEFAULTS) <= set(rna.properties.keys())

@@ -7,7 +7,7 @@ from addon_under_test import mesh_points, part, shown_points, state_of
 
 def edited_points(hull):
     """Control points (n, 3) as they are now, in edit mode or not, in Blender's units."""
-    return part("bridge.mesh_arrays").read_mesh(hull.data).points.copy()
+    return part("bridge.mesh.mesh_arrays").read_mesh(hull.data).points.copy()
 
 
 def assert_follows(hull):
@@ -23,14 +23,14 @@ def assert_follows(hull):
     # Blender keeps points in single precision.
     assert np.abs(shown - wanted).max() <= 1e-6 * size
 
-    where = part("bridge.afloat").afloat(settings, 1.0)
-    fresh = part("bridge.hydrostatics").particulars(source.live_body(surface), where)
+    where = part("bridge.flotation.afloat").afloat(settings, 1.0)
+    fresh = part("bridge.flotation.hydrostatics").particulars(source.live_body(surface), where)
     volume = state.hydrostatics.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
 
-    lines = part("bridge.lines")
+    lines = part("bridge.lines.lines")
     cuts = lines.wanted_cuts(settings, surface.mesh.points, 1.0)
-    nothing_known = part("bridge.moves").Moves(None, None, None)
+    nothing_known = part("bridge.mesh.moves").Moves(None, None, None)
     groups = lines.groups({}, surface, cuts, settings.half, nothing_known)
     assert groups.keys() == state.lines.keys()
     for kind, group in groups.items():
@@ -39,13 +39,13 @@ def assert_follows(hull):
 
 def _fresh(hull):
     """(ship.ShipSource, LimitSurface) of the mesh as it is now; the scene is in metres."""
-    arrays, native = part("bridge.mesh_arrays"), part("bridge.native").require()
+    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
     data, settings = arrays.read_mesh(hull.data), hull.hull
-    excluded = part("bridge.hull_objects").excluded_slots(hull)
+    excluded = part("bridge.objects.hull_objects").excluded_slots(hull)
     control = arrays.control_arrays(data, 1.0, excluded)
     openings = "closed" if settings.deck_closed else "open"
     deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
-    source = part("bridge.ship").ShipSource(
+    source = part("bridge.flotation.ship").ShipSource(
         control, settings.scheme, settings.half, openings, deck_edge
     )
     mesh = native.ControlMesh(*control.arguments())

@@ -31,7 +31,7 @@ def midbody_rows(hull):
 
 def test_a_bilge_is_rounded_in_one_step(window):
     hull = new_hull(window)
-    part("bridge.selection").select(bpy.context, hull, "vertex", midbody_rows(hull))
+    part("bridge.mesh.selection").select(bpy.context, hull, "vertex", midbody_rows(hull))
     bpy.ops.ed.undo_push(message="select")
     before = snapshot(hull)
     yield

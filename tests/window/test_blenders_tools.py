@@ -21,11 +21,11 @@ def a_hull(window):
 
 
 def surface(hull):
-    return part("bridge.shown_objects").surface_of(hull)
+    return part("bridge.objects.shown_objects").surface_of(hull)
 
 
 def hulls():
-    return part("bridge.hull_objects").hulls(bpy.context.scene.objects)
+    return part("bridge.objects.hull_objects").hulls(bpy.context.scene.objects)
 
 
 def assert_in_step():

@@ -55,6 +55,6 @@ def test_every_panel_is_drawn_to_its_end(window):
     yield
     with window.in_view():
         bpy.ops.object.mode_set(mode="EDIT")
-    yield lambda: not part("bridge.worker").is_busy()
+    yield lambda: not part("bridge.background.worker").is_busy()
     bpy.context.preferences.view.ui_scale = 1.0
     assert drawn == wanted

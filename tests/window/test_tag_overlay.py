@@ -27,18 +27,18 @@ def seen(window, name):
         bpy.data.images.remove(image)
     region = window.region()
     view = pixels[region.y : region.y + region.height, region.x : region.x + region.width]
-    colour = np.array(part("bridge.preferences").colour("tags", name))
+    colour = np.array(part("bridge.blender.preferences").colour("tags", name))
     return int((np.abs(view - colour).max(axis=2) <= _NEAR / 255.0).sum())
 
 
 def editing_without_lines(window):
     """Only control mesh, surface and tags are to be seen; tags are large."""
-    chosen = part("bridge.preferences").of_addon()
+    chosen = part("bridge.blender.preferences").of_addon()
     chosen.tag_width, chosen.mark_size = 9.0, 15.0
     hull = editing_a_hull(window)
     window.space.overlay.show_edge_crease = False
     window.space.region_3d.view_distance *= 0.6
-    lines = part("bridge.lines")
+    lines = part("bridge.lines.lines")
     for switch in lines.SWITCHES.values():
         setattr(hull.hull.lines, switch, False)
     return hull

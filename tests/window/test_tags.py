@@ -14,13 +14,13 @@ LEFT, RIGHT, DOWN, UP = (-120, 0), (120, 0), (0, -120), (0, 120)
 
 def crease_values(hull):
     bm = bmesh.from_edit_mesh(hull.data)
-    layer, _ = part("bridge.blender_versions").find_crease_layers(bm)
+    layer, _ = part("bridge.blender.blender_versions").find_crease_layers(bm)
     return np.array([edge[layer] if layer else 0.0 for edge in bm.edges])
 
 
 def corner_values(hull):
     bm = bmesh.from_edit_mesh(hull.data)
-    _, layer = part("bridge.blender_versions").find_crease_layers(bm)
+    _, layer = part("bridge.blender.blender_versions").find_crease_layers(bm)
     return np.array([vertex[layer] if layer else 0.0 for vertex in bm.verts])
 
 
@@ -102,13 +102,13 @@ def test_the_deck_edge_from_the_search(window):
     yield
     window.search("mark as deck edge")
     yield
-    data = part("bridge.mesh_arrays").read_mesh(hull.data)
+    data = part("bridge.mesh.mesh_arrays").read_mesh(hull.data)
     assert data.deck_edges[rail] and np.ptp(points[data.edges[data.deck_edges], 0]) > 50.0
     assert are_equal(snapshot(hull), before)
     assert_follows(hull)
     window.undo()
     yield
-    assert not part("bridge.mesh_arrays").read_mesh(hull_at_hand().data).deck_edges.any()
+    assert not part("bridge.mesh.mesh_arrays").read_mesh(hull_at_hand().data).deck_edges.any()
 
 
 def test_faces_are_made_flat_from_the_context_menu(window):

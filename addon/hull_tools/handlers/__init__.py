@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge import upkeep
+from ..bridge.objects import upkeep
 from . import follow, keep
 
 _HANDLERS = (

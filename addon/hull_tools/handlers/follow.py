@@ -4,14 +4,11 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import (
-    colour_views,
-    conversions,
-    hull_objects,
-    hull_state,
-    live_analyses,
-    live_normals,
-)
+from ..bridge.analyses import live_analyses
+from ..bridge.conversion import conversions
+from ..bridge.display import colour_views
+from ..bridge.hull import hull_state, live_normals
+from ..bridge.objects import hull_objects
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False

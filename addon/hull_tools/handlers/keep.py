@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Blender's own tools did to hulls is made good; see bridge.upkeep.
+"""What Blender's own tools did to hulls is made good; see bridge.objects.upkeep.
 
 These come after the handlers of `follow`: what they change is brought up to date here.
 """
@@ -7,7 +7,8 @@ These come after the handlers of `follow`: what they change is brought up to dat
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import hull_objects, hull_state, shown_objects, upkeep
+from ..bridge.hull import hull_state
+from ..bridge.objects import hull_objects, shown_objects, upkeep
 
 
 def _refresh(hulls):

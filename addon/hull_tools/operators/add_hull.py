@@ -4,7 +4,8 @@
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
-from ..bridge import hull_creation, units
+from ..bridge.blender import units
+from ..bridge.hull import hull_creation
 from ..io import new_hulls
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 

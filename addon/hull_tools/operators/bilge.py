@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import BoolProperty, FloatProperty
 
-from ..bridge import bilge, hull_objects, units
+from ..bridge.blender import units
+from ..bridge.modelling import bilge
+from ..bridge.objects import hull_objects
 from .shape import ShapeOperator
 
 

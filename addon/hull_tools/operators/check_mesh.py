@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import IntProperty
 
-from ..bridge import face_turning, hull_state, selection
+from ..bridge.hull import hull_state
+from ..bridge.mesh import selection
+from ..bridge.modelling import face_turning
 from .shared import HullOperator, HullReader
 
 

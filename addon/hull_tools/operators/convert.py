@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import EnumProperty, StringProperty
 
-from ..bridge import conversions, exports, hull_objects, worst_spots
+from ..bridge.conversion import conversions, worst_spots
+from ..bridge.exchange import exports
+from ..bridge.objects import hull_objects
 from .export_hull import ExportHull
 from .shared import HullReader
 from .tasks import PatchOperator

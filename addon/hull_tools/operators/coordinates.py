@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import BoolProperty, CollectionProperty, FloatVectorProperty
 
-from ..bridge import hull_objects, point_places, units
+from ..bridge.blender import units
+from ..bridge.modelling import point_places
+from ..bridge.objects import hull_objects
 from .shape import ShapeOperator
 
 _MOST_ROWS = 40

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge import deck_edge
+from ..bridge.hull import deck_edge
 from .shared import HullOperator, in_mesh_edit_mode
 
 

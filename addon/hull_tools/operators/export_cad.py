@@ -5,7 +5,9 @@ far the patches are from the surface before anything is written."""
 import bpy
 from bpy.props import StringProperty
 
-from ..bridge import cad_files, conversions, hull_objects
+from ..bridge.conversion import conversions
+from ..bridge.exchange import cad_files
+from ..bridge.objects import hull_objects
 from .export_hull import ExportHull
 from .tasks import PatchOperator
 

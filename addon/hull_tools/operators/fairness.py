@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import FloatProperty
 
-from ..bridge import flat_check, hull_state, selection
+from ..bridge.hull import hull_state
+from ..bridge.mesh import selection
+from ..bridge.modelling import flat_check
 from .shared import HullOperator, in_3d_view, in_mesh_edit_mode
 
 

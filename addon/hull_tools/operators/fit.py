@@ -8,7 +8,9 @@ from bpy.props import FloatProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from .. import io
-from ..bridge import fitting, hull_objects, units
+from ..bridge.blender import units
+from ..bridge.fitting import fitting
+from ..bridge.objects import hull_objects
 from .shared import HullOperator, HullReader, can_change
 from .tasks import TaskOperator
 

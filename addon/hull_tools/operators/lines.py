@@ -4,7 +4,10 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ..bridge import cut_planes, hull_objects, hull_state, line_curves, units
+from ..bridge.blender import units
+from ..bridge.hull import hull_state
+from ..bridge.lines import cut_planes, line_curves
+from ..bridge.objects import hull_objects
 from .shared import HullOperator, in_object_mode
 
 

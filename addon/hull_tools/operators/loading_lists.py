@@ -3,7 +3,8 @@
 
 import bpy
 
-from ..bridge import hull_objects, loading
+from ..bridge.hull import loading
+from ..bridge.objects import hull_objects
 from .shared import HullOperator
 
 

@@ -3,7 +3,8 @@
 
 import bpy
 
-from ..bridge import point_locks, selection
+from ..bridge.constraints import point_locks
+from ..bridge.mesh import selection
 from .shape import ShapeOperator
 
 

@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import BoolProperty
 
-from ..bridge import hull_creation, hull_objects, hull_state, mesh_arrays, modifiers, shown_objects
+from ..bridge.hull import hull_creation, hull_state
+from ..bridge.mesh import mesh_arrays
+from ..bridge.objects import hull_objects, modifiers, shown_objects
 from .shared import BaseOperator, HullOperator, native_is_there
 
 

@@ -6,7 +6,10 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
 from mathutils import Matrix
 
-from ..bridge import drags, hull_objects, hull_state, pull_lines, pulling, units
+from ..bridge.blender import units
+from ..bridge.hull import hull_state
+from ..bridge.modelling import drags, pull_lines, pulling
+from ..bridge.objects import hull_objects
 from .shared import HullOperator
 
 _AXES = {"X": 0, "Y": 1, "Z": 2}

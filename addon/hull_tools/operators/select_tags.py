@@ -4,7 +4,8 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty
 
-from ..bridge import hull_state, selection, tags
+from ..bridge.hull import hull_state, tags
+from ..bridge.mesh import selection
 from .shared import HullOperator, in_mesh_edit_mode
 
 

@@ -4,7 +4,9 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ..bridge import flat_making, hull_state, point_places, units, valence
+from ..bridge.blender import units
+from ..bridge.hull import hull_state
+from ..bridge.modelling import flat_making, point_places, valence
 from .shared import HullOperator, in_mesh_edit_mode
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the operators have in common: what they work on, and how they say no."""
 
-from ..bridge import hull_objects, native
+from ..bridge import native
+from ..bridge.objects import hull_objects
 
 
 def native_is_there(cls, context):

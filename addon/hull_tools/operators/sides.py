@@ -4,7 +4,8 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..bridge import mirroring, units
+from ..bridge.blender import units
+from ..bridge.modelling import mirroring
 from .shared import HullOperator, can_change, in_object_mode
 
 

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from bpy.props import FloatProperty
 
-from ..bridge import blender_versions
+from ..bridge.blender import blender_versions
 from .shared import BaseOperator, in_mesh_edit_mode
 
 

@@ -3,14 +3,15 @@
 
 import bpy
 
-from ..bridge import conversions, jobs, patches
+from ..bridge.background import jobs
+from ..bridge.conversion import conversions, patches
 from .shared import HullReader
 
 _LOOK_SECONDS = 0.1
 
 
 class TaskOperator(HullReader):
-    """Subclasses begin a task of bridge.conversions, and tell what came of it:
+    """Subclasses begin a task of bridge.conversion.conversions, and tell what came of it:
     begin(hull, scene) → task, and outcome(result of the task, scene) → (text, whether it warns).
 
     What is run by a script, or without a window, is done when the operator returns.

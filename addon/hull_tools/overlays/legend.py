@@ -6,7 +6,10 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import blender_versions, colours, hull_objects, hull_state
+from ..bridge.blender import blender_versions
+from ..bridge.display import colours
+from ..bridge.hull import hull_state
+from ..bridge.objects import hull_objects
 from .legend_arrays import HEIGHT_MM, LegendArrays, arrays_of
 from .plots import DOTS_PER_MM, free_room
 from .view import Handler

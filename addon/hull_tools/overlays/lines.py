@@ -11,7 +11,7 @@ from contextlib import contextmanager
 import gpu
 from gpu.types import GPUBatch, GPUIndexBuf, GPUVertBuf
 
-from ..bridge import blender_versions, preferences
+from ..bridge.blender import blender_versions, preferences
 from .line_arrays import comb_strokes, strokes_of
 from .view import Handler, hulls_in_view
 

@@ -6,7 +6,7 @@ import numpy as np
 from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
-from ..bridge import blender_versions, preferences
+from ..bridge.blender import blender_versions, preferences
 from .mark_arrays import SHAPES, in_picture, symbols
 from .view import Handler, hulls_in_view
 

@@ -12,7 +12,7 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import blender_versions, preferences
+from ..bridge.blender import blender_versions, preferences
 from .plot_arrays import arrays_of
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.

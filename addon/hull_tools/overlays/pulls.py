@@ -8,7 +8,8 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from gpu_extras.batch import batch_for_shader
 from mathutils import Vector
 
-from ..bridge import blender_versions, pull_lines, units
+from ..bridge.blender import blender_versions, units
+from ..bridge.modelling import pull_lines
 from .spots import ring
 from .view import Handler
 

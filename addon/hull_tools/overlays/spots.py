@@ -7,7 +7,8 @@ import numpy as np
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import blender_versions, worst_spots
+from ..bridge.blender import blender_versions
+from ..bridge.conversion import worst_spots
 from .view import Handler, hulls_in_view
 
 _PAPER = (0.97, 0.97, 0.96, 0.96)

@@ -7,7 +7,9 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import blender_versions, hull_objects, hull_state
+from ..bridge.blender import blender_versions
+from ..bridge.hull import hull_state
+from ..bridge.objects import hull_objects
 from .plots import free_room
 from .view import Handler
 

@@ -7,7 +7,9 @@ import bmesh
 import numpy as np
 from mathutils import Vector
 
-from ..bridge import mesh_check, preferences, selection, tags
+from ..bridge.blender import preferences
+from ..bridge.hull import tags
+from ..bridge.mesh import mesh_check, selection
 from . import tag_arrays
 
 # Of each kind of points: its switch, colour, outline, and radius and width of the outline in dots

@@ -6,7 +6,7 @@ import numpy as np
 from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
-from ..bridge import blender_versions
+from ..bridge.blender import blender_versions
 from .tag_drawing import Picture, drawing_of
 from .view import Handler, hulls_in_view
 

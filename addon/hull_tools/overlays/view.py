@@ -5,7 +5,10 @@ from what is behind them."""
 import bpy
 from mathutils import Matrix, Vector
 
-from ..bridge import hull_state, lines, shown_objects, units
+from ..bridge.blender import units
+from ..bridge.hull import hull_state
+from ..bridge.lines import lines
+from ..bridge.objects import shown_objects
 
 # What lies on the surface is drawn nearer to the eye by this part of the hull's size, lest the
 # surface object's flat faces hide it.

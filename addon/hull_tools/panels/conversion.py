@@ -2,7 +2,9 @@
 """How the surface becomes patches and how good these are, in the sidebar and beside the file
 dialog."""
 
-from ..bridge import conversions, hull_state, patches, units, worst_spots
+from ..bridge.blender import units
+from ..bridge.conversion import conversions, patches, worst_spots
+from ..bridge.hull import hull_state
 from .shared import label_value, label_wrapped
 
 

@@ -3,8 +3,10 @@
 
 import bpy
 
-from ..bridge import combs, hull_objects, hull_state
-from ..bridge.units import format_value
+from ..bridge.blender.units import format_value
+from ..bridge.hull import hull_state
+from ..bridge.lines import combs
+from ..bridge.objects import hull_objects
 from .shared import HullPanel, label_value, label_wrapped
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}

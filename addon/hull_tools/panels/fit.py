@@ -3,7 +3,8 @@
 
 import bpy
 
-from ..bridge import fitting, hull_objects
+from ..bridge.fitting import fitting
+from ..bridge.objects import hull_objects
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped
 

@@ -3,7 +3,9 @@
 
 import bpy
 
-from ..bridge import hull_objects, hull_state, native
+from ..bridge import native
+from ..bridge.hull import hull_state
+from ..bridge.objects import hull_objects
 from .shared import HullPanel, HullTab, label_value, label_wrapped
 
 

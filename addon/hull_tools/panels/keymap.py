@@ -5,7 +5,7 @@ changed."""
 
 import bpy
 
-from ..bridge import preferences
+from ..bridge.blender import preferences
 
 KEY = {"type": "Q", "value": "PRESS", "shift": True}
 

@@ -3,7 +3,8 @@
 
 import bpy
 
-from ..bridge import hull_objects, studio
+from ..bridge import studio
+from ..bridge.objects import hull_objects
 from .shared import HullPanel, label_wrapped, text_field
 
 

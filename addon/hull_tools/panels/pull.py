@@ -4,7 +4,7 @@ search of operators finds it."""
 
 import bpy
 
-from ..bridge import hull_objects
+from ..bridge.objects import hull_objects
 from .shared import HullPanel
 
 

@@ -3,8 +3,10 @@
 
 import bpy
 
-from ..bridge import hull_objects, hull_state, hydrostatics
-from ..bridge.units import format_value
+from ..bridge.blender.units import format_value
+from ..bridge.flotation import hydrostatics
+from ..bridge.hull import hull_state
+from ..bridge.objects import hull_objects
 from .shared import HullPanel, export_buttons, label_value, label_wrapped, text_field
 
 # Open from the start; the others unfold.

@@ -3,7 +3,9 @@
 
 import bpy
 
-from ..bridge import hull_objects, hull_state, lines
+from ..bridge.hull import hull_state
+from ..bridge.lines import lines
+from ..bridge.objects import hull_objects
 from .shared import HullPanel, label_wrapped
 
 

@@ -3,7 +3,9 @@
 
 import bpy
 
-from ..bridge import flat_making, flats, hull_objects
+from ..bridge.constraints import flats
+from ..bridge.modelling import flat_making
+from ..bridge.objects import hull_objects
 from .shared import HullPanel, label_value
 
 _KINDS = {

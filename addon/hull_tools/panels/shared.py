@@ -3,7 +3,8 @@
 
 import textwrap
 
-from ..bridge import analyses, hull_objects
+from ..bridge import analyses
+from ..bridge.objects import hull_objects
 
 # What the tabs, the margins of panel and box and an icon leave of the sidebar's width, in points,
 # and the width of a letter of the interface's font on average.

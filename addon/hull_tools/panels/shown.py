@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge import hull_objects, shown_objects
+from ..bridge.objects import hull_objects, shown_objects
 from .shared import HullPanel
 
 

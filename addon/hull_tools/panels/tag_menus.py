@@ -4,7 +4,7 @@ Blender's own menus of points, edges and faces have besides."""
 
 import bpy
 
-from ..bridge import hull_objects
+from ..bridge.objects import hull_objects
 
 
 class HULL_MT_pie(bpy.types.Menu):

@@ -3,7 +3,8 @@
 
 import bpy
 
-from ..bridge import hull_objects, hull_state, tags
+from ..bridge.hull import hull_state, tags
+from ..bridge.objects import hull_objects
 from .shared import HullTab
 
 # Of a switch what of tags.Tags it shows.

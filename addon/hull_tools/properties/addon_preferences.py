@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge import palette, preferences
+from ..bridge.blender import palette, preferences
 
 _GROUNDS = ("on light grounds", "on dark grounds")
 

@@ -6,7 +6,10 @@ from math import radians
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from ..bridge import conversions, hull_state, lines, units
+from ..bridge.blender import units
+from ..bridge.conversion import conversions
+from ..bridge.hull import hull_state
+from ..bridge.lines import lines
 from .shared import angle
 
 

@@ -6,7 +6,7 @@ from math import radians
 import bpy
 from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty
 
-from ..bridge import hull_objects
+from ..bridge.objects import hull_objects
 from .shared import angle, length
 
 

@@ -2,7 +2,7 @@
 """Object.hull: what makes a mesh object a hull, saved with the file.
 
 Lengths are in Blender's units, like the mesh: the scene's unit scale makes metres of both.
-Only what the user decides is here; results are kept by bridge.hull_state.
+Only what the user decides is here; results are kept by bridge.hull.hull_state.
 """
 
 from math import radians
@@ -52,7 +52,7 @@ class HullSettings(bpy.types.PropertyGroup):
     )
     format: IntProperty(
         name="Format",
-        description="How the settings are stored: see bridge.migration",
+        description="How the settings are stored: see bridge.objects.migration",
         options={"HIDDEN"},
     )
     half: BoolProperty(

@@ -13,7 +13,8 @@ What a user can get wrong raises ValueError in `inputs` and `compute`.
 
 from dataclasses import dataclass
 
-from .. import hull_state, units
+from ..blender import units
+from ..hull import hull_state
 from . import (
     bonjean_curves,
     criteria,

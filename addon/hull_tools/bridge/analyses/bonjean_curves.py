@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import afloat, native
-from ..units import as_typed
+from .. import native
+from ..blender.units import as_typed
+from ..flotation import afloat
 
 LABEL = "Bonjean curves"
 IS_LIVE = False

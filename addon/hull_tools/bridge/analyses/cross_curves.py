@@ -7,8 +7,8 @@ from math import degrees
 import numpy as np
 
 from .. import native
-from ..afloat import as_typed_angle
-from ..units import as_typed
+from ..blender.units import as_typed
+from ..flotation.afloat import as_typed_angle
 from . import loads
 from .ranges import stepped
 

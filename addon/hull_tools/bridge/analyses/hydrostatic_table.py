@@ -7,8 +7,9 @@ from math import degrees
 import numpy as np
 
 from ...io.number_lists import numbers
-from .. import afloat, hydrostatics, native
-from ..units import as_typed
+from .. import native
+from ..blender.units import as_typed
+from ..flotation import afloat, hydrostatics
 from .ranges import stepped
 
 LABEL = "Hydrostatics"

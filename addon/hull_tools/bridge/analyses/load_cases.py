@@ -4,8 +4,9 @@
 from dataclasses import dataclass
 from math import degrees
 
-from .. import afloat, native
-from ..units import as_typed
+from .. import native
+from ..blender.units import as_typed
+from ..flotation import afloat
 from . import loads
 
 LABEL = "Load cases"

@@ -4,8 +4,9 @@
 from dataclasses import dataclass
 from math import cos, tan
 
-from .. import afloat, hydrostatics, native
-from ..units import as_typed
+from .. import native
+from ..blender.units import as_typed
+from ..flotation import afloat, hydrostatics
 
 
 @dataclass(frozen=True)

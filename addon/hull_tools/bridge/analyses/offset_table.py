@@ -3,7 +3,8 @@
 
 import numpy as np
 
-from .. import line_places, native
+from .. import native
+from ..lines import line_places
 
 LABEL = "Table of offsets"
 IS_LIVE = False

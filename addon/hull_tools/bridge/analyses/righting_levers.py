@@ -4,8 +4,9 @@
 from dataclasses import dataclass
 from math import degrees, radians
 
-from .. import deck_edge, native
-from ..afloat import as_typed_angle
+from .. import native
+from ..flotation.afloat import as_typed_angle
+from ..hull import deck_edge
 from . import loads
 from .ranges import stepped
 

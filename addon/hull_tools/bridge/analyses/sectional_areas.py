@@ -5,7 +5,9 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from .. import afloat, lines, native
+from .. import native
+from ..flotation import afloat
+from ..lines import lines
 
 LABEL = "Sectional areas"
 IS_LIVE = True

@@ -3,7 +3,9 @@
 
 import bpy
 
-from .. import hull_state, shown_objects, units
+from ..blender import units
+from ..hull import hull_state
+from ..objects import shown_objects
 from . import cameras, deck, ground, keeping, light, lines_on_hull, paint, rendering
 from .place import MARK, Place, points_of
 

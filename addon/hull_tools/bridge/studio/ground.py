@@ -7,9 +7,9 @@ import bmesh
 import bpy
 from mathutils import Vector
 
-from .. import blender_versions
-from ..shader_nodes import Nodes, rgba
+from ..blender import blender_versions
 from . import place, water_look
+from .shader_nodes import Nodes, rgba
 
 # In lengths of the hull.
 _NEAR, _TO_THE_HORIZON = 6.0, 400.0

@@ -11,8 +11,8 @@ from math import cos, radians, sin
 import bpy
 from mathutils import Vector
 
-from ..shader_nodes import Nodes, rgba
 from . import place, water_look
+from .shader_nodes import Nodes, rgba
 
 _HORIZON = (0.60, 0.74, 0.86)
 # By the sine of the elevation.

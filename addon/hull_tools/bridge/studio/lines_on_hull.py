@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sections and waterlines drawn on the hull as thin tubes."""
 
-from .. import line_curves, lines
+from ..lines import line_curves, lines
 from . import paint, place
 
 # Of the picture's width: a line of one and a half points of one that has 1600.

@@ -6,8 +6,8 @@ The height decides for each point of the picture by itself, so that the border i
 waterline, whatever the faces are.
 """
 
-from ..shader_nodes import Nodes, rgba
 from . import place, water_look
+from .shader_nodes import Nodes, rgba
 
 _INSIDE = (0.30, 0.31, 0.32)
 _DECK = (0.12, 0.17, 0.15)

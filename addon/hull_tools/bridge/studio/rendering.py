@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The renderers, set so that the picture is clean and does not take long."""
 
-from .. import blender_versions
+from ..blender import blender_versions
 from . import keeping
 
 WIDTH, HEIGHT = 1600, 900

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender meshes as arrays, and arrays as Blender meshes.
+
+Reading takes the mesh as it is now: from the edit mesh while the object is in edit mode. Creases
+are edges with crease value 1, corners are vertices with crease value 1; anything between 0 and 1
+is no tag of a hull and is told apart so that it can be reported.
+"""
+
+import hashlib
+from dataclasses import dataclass, replace
+from itertools import chain
+
+import bmesh
+import numpy as np
+
+from ..blender import blender_versions
+from . import edge_marks
+
+
+@dataclass(frozen=True)
+class MeshData:
+    """A whole Blender mesh; indices are Blender's.
+
+    points (n, 3) float32 in Blender's units; edges (e, 2); edge_creases (e,); vertex_creases (n,);
+    face_sizes (f,); face_vertices (sum of face_sizes,); face_slots (f,) material slots;
+    deck_edges (e,) whether an edge is marked as deck edge.
+    """
+
+    points: np.ndarray
+    edges: np.ndarray
+    edge_creases: np.ndarray
+    vertex_creases: np.ndarray
+    face_sizes: np.ndarray
+    face_vertices: np.ndarray
+    face_slots: np.ndarray
+    deck_edges: np.ndarray
+
+    def topology_digest(self):
+        """Equal for meshes that differ by the places of their points, and by marks, only."""
+        return _digest(
+            np.array(len(self.points)),
+            self.edges,
+            self.edge_creases,
+            self.vertex_creases,
+            self.face_sizes,
+            self.face_vertices,
+            self.face_slots,
+        )
+
+    def points_digest(self):
+        """Equal for equal points."""
+        return _digest(self.points)
+
+
+def _digest(*arrays):
+    state = hashlib.blake2b(digest_size=16)
+    for array in arrays:
+        state.update(array.size.to_bytes(8, "little"))
+        state.update(np.ascontiguousarray(array).data)
+    return state.digest()
+
+
+@dataclass(frozen=True)
+class ControlArrays:
+    """The shell of a hull as hull_native.ControlMesh takes it, points in metres.
+
+    vertex_ids (n,) and face_ids (f,) are the Blender indices of its points and faces. A vertex
+    without a face of the shell is left out, and so are crease and mark of an edge without one.
+    deck_edge (k, 2): the points of the edges that are marked as deck edge.
+    """
+
+    points: np.ndarray
+    face_sizes: np.ndarray
+    face_vertices: np.ndarray
+    creases: np.ndarray
+    corners: np.ndarray
+    vertex_ids: np.ndarray
+    face_ids: np.ndarray
+    deck_edge: np.ndarray
+
+    def arguments(self):
+        return self.points, self.face_sizes, self.face_vertices, self.creases, self.corners
+
+
+def read_mesh(mesh):
+    """MeshData of a Blender mesh, in edit mode or not."""
+    return _read_edit_mesh(mesh) if mesh.is_editmode else _read_stored_mesh(mesh)
+
+
+def _read_stored_mesh(mesh):
+    points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
+    mesh.vertices.foreach_get("co", points.reshape(-1))
+    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges.reshape(-1))
+    face_sizes = np.empty(len(mesh.polygons), dtype=np.int32)
+    mesh.polygons.foreach_get("loop_total", face_sizes)
+    face_slots = np.empty(len(mesh.polygons), dtype=np.int32)
+    mesh.polygons.foreach_get("material_index", face_slots)
+    face_vertices = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("vertex_index", face_vertices)
+    return MeshData(
+        points,
+        edges,
+        blender_versions.edge_creases(mesh),
+        blender_versions.vertex_creases(mesh),
+        face_sizes,
+        face_vertices,
+        face_slots,
+        edge_marks.stored_marks(mesh),
+    )
+
+
+def _read_edit_mesh(mesh):
+    bm = bmesh.from_edit_mesh(mesh)
+    bm.verts.index_update()
+    edge_layer, vertex_layer = blender_versions.find_crease_layers(bm)
+    # NumPy reads plain numbers much faster than Blender's vectors.
+    points = np.fromiter(chain.from_iterable([v.co for v in bm.verts]), np.float32)
+    edges = np.fromiter([v.index for e in bm.edges for v in e.verts], np.int32)
+    edge_creases = [e[edge_layer] for e in bm.edges] if edge_layer else [0.0] * len(bm.edges)
+    vertex_creases = [v[vertex_layer] for v in bm.verts] if vertex_layer else [0.0] * len(bm.verts)
+    face_loops = [[v.index for v in face.verts] for face in bm.faces]
+    return MeshData(
+        points.reshape(-1, 3),
+        edges.reshape(-1, 2),
+        np.array(edge_creases, dtype=np.float32),
+        np.array(vertex_creases, dtype=np.float32),
+        np.array([len(loop) for loop in face_loops], dtype=np.int32),
+        np.fromiter(chain.from_iterable(face_loops), np.int32),
+        np.array([face.material_index for face in bm.faces], dtype=np.int32),
+        edge_marks.edited_marks(bm),
+    )
+
+
+def control_arrays(data, metres_per_unit, excluded_slots=()):
+    """ControlArrays of the faces whose material slot is not among `excluded_slots`."""
+    in_shell = ~np.isin(data.face_slots, np.array(sorted(excluded_slots), dtype=np.int32))
+    corners_in_shell = np.repeat(in_shell, data.face_sizes)
+    face_sizes = data.face_sizes[in_shell]
+    face_vertices = data.face_vertices[corners_in_shell]
+
+    vertex_ids = np.unique(face_vertices)
+    new_index = np.full(len(data.points), -1, dtype=np.int32)
+    new_index[vertex_ids] = np.arange(len(vertex_ids), dtype=np.int32)
+
+    shell_edges = _face_edge_keys(face_sizes, face_vertices)
+
+    def on_shell(edges):
+        return new_index[edges[np.isin(edge_keys(edges), shell_edges)]]
+
+    corner_ids = np.flatnonzero(data.vertex_creases >= 1.0)
+    corners = new_index[corner_ids]
+    return ControlArrays(
+        data.points[vertex_ids].astype(np.float64) * metres_per_unit,
+        face_sizes,
+        new_index[face_vertices],
+        on_shell(data.edges[data.edge_creases >= 1.0]),
+        corners[corners >= 0],
+        vertex_ids,
+        np.flatnonzero(in_shell),
+        on_shell(data.edges[data.deck_edges]),
+    )
+
+
+def moved_arrays(control, data, metres_per_unit):
+    """The ControlArrays `control` with the points of a mesh that differs by their places only."""
+    points = data.points[control.vertex_ids].astype(np.float64) * metres_per_unit
+    return replace(control, points=points)
+
+
+def fractional_creases(data):
+    """(edges (k, 2) as vertex pairs, vertices (m,)) whose crease lies strictly between 0 and 1."""
+    edges = data.edges[(data.edge_creases > 0.0) & (data.edge_creases < 1.0)]
+    vertices = np.flatnonzero((data.vertex_creases > 0.0) & (data.vertex_creases < 1.0))
+    return edges, vertices
+
+
+def edges_of_faces(data):
+    """(e,) which edges belong to a face."""
+    shell_edges = _face_edge_keys(data.face_sizes, data.face_vertices)
+    return np.isin(edge_keys(data.edges), shell_edges)
+
+
+def border_edges(control):
+    """(b, 2) the edges of ControlArrays that one face has."""
+    keys, counts = np.unique(
+        _face_edge_keys(control.face_sizes, control.face_vertices), return_counts=True
+    )
+    keys = keys[counts == 1]
+    return np.stack([keys >> 32, keys & 0xFFFFFFFF], axis=1)
+
+
+def edge_keys(pairs):
+    """One number for each undirected edge of (k, 2) vertex indices."""
+    pairs = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1)
+    return (pairs[:, 0] << 32) | pairs[:, 1]
+
+
+def _face_edge_keys(face_sizes, face_vertices):
+    """Keys of the edges of all faces, one for each corner: from it to the next of its face."""
+    following = np.roll(face_vertices, -1)
+    ends = np.cumsum(face_sizes)
+    following[ends - 1] = face_vertices[ends - face_sizes]
+    return edge_keys(np.stack([face_vertices, following], axis=1))
+
+
+def write_faces(mesh, points, face_sizes, face_vertices):
+    """Replaces a mesh's geometry by these faces; points (n, 3) in Blender's units."""
+    mesh.clear_geometry()
+    mesh.vertices.add(len(points))
+    mesh.vertices.foreach_set("co", np.ascontiguousarray(points, dtype=np.float32).reshape(-1))
+    mesh.loops.add(len(face_vertices))
+    mesh.loops.foreach_set("vertex_index", np.ascontiguousarray(face_vertices, dtype=np.int32))
+    mesh.polygons.add(len(face_sizes))
+    blender_versions.set_face_ranges(mesh, np.asarray(face_sizes, dtype=np.int32))
+    mesh.update(calc_edges=True)
+
+
+def write_tags(mesh, creases, corners, deck_edge=()):
+    """Tags creases (k, 2) vertex pairs, corners (m,) vertices and the deck edge (l, 2) of a mesh
+    without tags.
+
+    What is between two vertices that no edge joins is left out: files may name such.
+    """
+    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges.reshape(-1))
+    keys = edge_keys(edges)
+    crease_edges = np.flatnonzero(np.isin(keys, edge_keys(creases)))
+    if len(crease_edges) or len(corners):
+        blender_versions.set_creases(mesh, crease_edges, corners)
+    if len(deck_edge):
+        edge_marks.store_marks(mesh, np.isin(keys, edge_keys(deck_edge)))

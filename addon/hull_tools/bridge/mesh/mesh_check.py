@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is wrong with a hull's control mesh, in words, with the elements to select."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import native
+from . import mesh_arrays
+
+# Points nearer to the centre plane than this part of the hull's size are on it.
+_CENTRE_PLANE_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True)
+class Problem:
+    """severity "error" or "warning"; kind "mesh", "vertex", "edge" or "face".
+
+    elements are Blender's indices: vertices, faces, or for edges pairs of vertices.
+    """
+
+    severity: str
+    kind: str
+    elements: tuple
+    message: str
+
+
+@dataclass(frozen=True)
+class MeshCheck:
+    vertex_count: int = 0
+    edge_count: int = 0
+    face_count: int = 0
+    irregular_count: int = 0
+    problems: tuple = ()
+
+    @property
+    def errors(self):
+        return [problem for problem in self.problems if problem.severity == "error"]
+
+
+def check_control_mesh(data, control, half):
+    """(MeshCheck, hull_native.ControlMesh or None when there are errors).
+
+    `data` is the MeshData that the ControlArrays `control` were taken from.
+    """
+    hull_native = native.require()
+    problems = [_from_native(found, control) for found in _native_problems(hull_native, control)]
+    problems += _shell_errors(control) + _tag_warnings(data)
+    if any(problem.severity == "error" for problem in problems):
+        return MeshCheck(len(control.points), 0, len(control.face_sizes), 0, tuple(problems)), None
+    mesh = hull_native.ControlMesh(*control.arguments())
+    problems += _side_warnings(control, half)
+    check = MeshCheck(
+        mesh.vertex_count,
+        mesh.edge_count,
+        mesh.face_count,
+        len(mesh.irregular_vertices),
+        tuple(problems),
+    )
+    return check, mesh
+
+
+def _native_problems(hull_native, control):
+    if not len(control.face_sizes):
+        return []
+    return hull_native.check_mesh(*control.arguments())
+
+
+def _from_native(found, control):
+    ids = control.face_ids if found.kind == "face" else control.vertex_ids
+    elements = ids[np.asarray(found.elements, dtype=np.int64)].tolist()
+    return Problem(
+        found.severity,
+        found.kind,
+        tuple(tuple(e) if isinstance(e, list) else e for e in elements),
+        found.message,
+    )
+
+
+def _shell_errors(control):
+    if len(control.face_sizes):
+        return []
+    message = "The shell has no faces: add some, or tick a layer as shell"
+    return [Problem("error", "mesh", (), message)]
+
+
+def _tag_warnings(data):
+    edges, vertices = mesh_arrays.fractional_creases(data)
+    problems = []
+    if len(edges):
+        message = f"{len(edges)} edges are creased between 0 and 1: make them crease or smooth"
+        problems.append(Problem("warning", "edge", tuple(map(tuple, edges.tolist())), message))
+    if len(vertices):
+        message = f"{len(vertices)} points are creased between 0 and 1: make them corner or smooth"
+        problems.append(Problem("warning", "vertex", tuple(vertices.tolist()), message))
+    return problems
+
+
+def _side_warnings(control, half):
+    problems = []
+    starboard = np.flatnonzero(control.points[:, 1] < -_dust(control.points))
+    if half and len(starboard):
+        elements = tuple(control.vertex_ids[starboard].tolist())
+        message = f"{len(starboard)} points of the half hull are to starboard (y < 0)"
+        problems.append(Problem("warning", "vertex", elements, message))
+    if outward_flux(control) < 0.0:
+        elements = tuple(control.face_ids.tolist())
+        problems.append(Problem("warning", "face", elements, "The faces are turned inwards"))
+    return problems
+
+
+def _dust(points):
+    return _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max() if len(points) else 0.0
+
+
+def on_centre_plane(points):
+    """(n,) which of these points, (n, 3), lie on the centre plane."""
+    return np.abs(points[:, 1]) <= _dust(points)
+
+
+def outward_flux(control):
+    """The sum over the control faces of y times the y part of their area: the volume they enclose.
+
+    An open deck and the open centre plane of a half hull add nothing to it, so that its sign tells
+    which way the faces are turned even though the mesh is open.
+    """
+    ends = np.cumsum(control.face_sizes)
+    starts = ends - control.face_sizes
+    following = np.arange(1, len(control.face_vertices) + 1)
+    following[ends - 1] = starts
+    corners = control.points[control.face_vertices]
+    area_y = 0.5 * np.cross(corners, corners[following])[:, 1]
+    mean_y = np.add.reduceat(corners[:, 1], starts) / control.face_sizes
+    return float(np.sum(mean_y * np.add.reduceat(area_y, starts)))
