@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What fit() makes least, made least by another method: Ceres' BFGS on the cost as fit.h defines
+// it, by public functions alone, with differences for the slopes of the energies.
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "modelling/fit.h"
+#include "modelling/thin_plate.h"
+#include "surface/closest_point.h"
+#include "surface/point_weights.h"
+#include "test_meshes.h"
+
+namespace hull {
+namespace {
+
+constexpr unsigned kSeed = 22112026;
+
+class Cost : public ceres::FirstOrderFunction {
+ public:
+  Cost(const LimitSurface& start, const std::vector<Vector3d>& targets, const FitOptions& options)
+      : start_(start),
+        targets_(targets),
+        fairness_(std::pow(options.fairness * start.mesh().size(), 2)),
+        stiffness_(std::pow(options.stiffness * start.mesh().size(), 2)) {}
+
+  double at(const std::vector<Vector3d>& points) const {
+    double cost = 0.0;
+    Evaluate(points.front().data(), &cost, nullptr);
+    return cost;
+  }
+
+  int NumParameters() const override { return static_cast<int>(3 * start_.mesh().points().size()); }
+
+  bool Evaluate(const double* values, double* cost, double* slopes) const override {
+    LimitSurface surface = start_;
+    surface.set_points(points(values));
+    const std::vector<ClosestPoint> feet = closest_points(SurfaceTree(surface), targets_);
+    PointWeights weights(surface);
+    if (slopes) std::fill_n(slopes, NumParameters(), 0.0);
+    *cost = energies(values);
+    const double share = 1.0 / static_cast<double>(feet.size());
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      const Vector3d off = feet[i].point - targets_[i];
+      *cost += share * off.squaredNorm();
+      if (!slopes) continue;
+      // The foot's own way along the surface costs nothing, to first order.
+      for (const PointWeight& one : weights.at(feet[i].cell, feet[i].u, feet[i].v)) {
+        Eigen::Map<Vector3d>(slopes + 3 * one.point) += 2.0 * share * one.weight * off;
+      }
+    }
+    if (slopes) add_energy_slopes(values, slopes);
+    return true;
+  }
+
+ private:
+  std::vector<Vector3d> points(const double* values) const {
+    std::vector<Vector3d> points;
+    for (int i = 0; i < NumParameters(); i += 3) points.emplace_back(values + i);
+    return points;
+  }
+
+  double energies(const double* values) const {
+    LimitSurface surface = start_;
+    surface.set_points(points(values));
+    std::vector<Vector3d> moves = points(values);
+    for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= start_.mesh().points()[i];
+    return fairness_ * thin_plate_energy(surface, pieces_, points(values)) +
+           stiffness_ * thin_plate_energy(start_, pieces_, moves);
+  }
+
+  void add_energy_slopes(const double* values, double* slopes) const {
+    constexpr double kStep = 1e-5;
+    std::vector<double> moved(values, values + NumParameters());
+    for (int i = 0; i < NumParameters(); ++i) {
+      moved[i] = values[i] + kStep;
+      const double above = energies(moved.data());
+      moved[i] = values[i] - kStep;
+      slopes[i] += (above - energies(moved.data())) / (2.0 * kStep);
+      moved[i] = values[i];
+    }
+  }
+
+  const LimitSurface& start_;
+  const std::vector<Vector3d>& targets_;
+  PieceWeights pieces_{start_};
+  double fairness_, stiffness_;
+};
+
+double made_least(const Cost& cost, const std::vector<Vector3d>& from) {
+  std::vector<double> values;
+  for (const Vector3d& p : from) values.insert(values.end(), p.begin(), p.end());
+  ceres::GradientProblemSolver::Options options;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = 200;
+  options.line_search_direction_type = ceres::BFGS;
+  options.function_tolerance = 1e-12;
+  options.gradient_tolerance = 1e-14;
+  options.parameter_tolerance = 1e-14;
+  ceres::GradientProblemSolver::Summary summary;
+  ceres::GradientProblem problem(new Cost(cost));
+  ceres::Solve(options, problem, values.data(), &summary);
+  return summary.final_cost;
+}
+
+TEST(FitMinimum, NoOtherMethodFindsLess) {
+  std::mt19937 random(kSeed);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  MeshArrays mesh = testing::grid(3, 2);
+  mesh.creases = {{4, 5}, {5, 6}};
+  const LimitSurface start{ControlMesh(mesh)};
+  // A bulge that the sheet can't follow wholly.
+  std::vector<Vector3d> targets;
+  for (int i = 0; i <= 10; ++i) {
+    for (int j = 0; j <= 8; ++j) {
+      const double x = 0.2 + 0.26 * i, y = 0.2 + 0.2 * j;
+      targets.emplace_back(x, y, 0.3 * std::sin(1.3 * x) + 0.1 * y * y + noise(random));
+    }
+  }
+  FitOptions options;
+  options.fairness = 0.03;
+  options.stiffness = 0.02;
+  options.draw_border = true;
+  const Fit found = fit(start, {targets, {}, {}}, {}, options);
+  EXPECT_TRUE(found.settled);
+
+  const Cost cost(start, targets, options);
+  const double here = cost.at(found.points);
+  const double least = made_least(cost, start.mesh().points());
+  EXPECT_LT(least, 0.1 * cost.at(start.mesh().points()));
+  // Steps of fit() that gain less than 1e-7 of the cost end it.
+  EXPECT_NEAR(here, least, 1e-6 * least);
+}
+
+}  // namespace
+}  // namespace hull
