@@ -7,10 +7,10 @@ from bpy.props import BoolProperty, FloatProperty
 from ..bridge.blender import units
 from ..bridge.modelling import bilge
 from ..bridge.objects import hull_objects
-from .shape import ShapeOperator
+from .shared import EditModeOperator
 
 
-class HULL_OT_round_bilge(bpy.types.Operator, ShapeOperator):
+class HULL_OT_round_bilge(bpy.types.Operator, EditModeOperator):
     """Place the points of the selected sections so that the bilge is nearest to a circle. Select
     each section from the border of the flat bottom to that of the flat side"""
 

@@ -7,7 +7,7 @@ from bpy.props import BoolProperty, CollectionProperty, FloatVectorProperty
 from ..bridge.blender import units
 from ..bridge.modelling import point_places
 from ..bridge.objects import hull_objects
-from .shape import ShapeOperator
+from .shared import EditModeOperator
 
 _MOST_ROWS = 40
 
@@ -25,7 +25,7 @@ class HullPoint(bpy.types.PropertyGroup):
     )
 
 
-class HULL_OT_set_coordinates(bpy.types.Operator, ShapeOperator):
+class HULL_OT_set_coordinates(bpy.types.Operator, EditModeOperator):
     """Type the exact coordinates of the selected points in a table"""
 
     bl_idname = "hull.set_coordinates"

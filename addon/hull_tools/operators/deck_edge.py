@@ -4,14 +4,10 @@
 import bpy
 
 from ..bridge.hull import deck_edge
-from .shared import HullOperator, in_mesh_edit_mode
+from .shared import EditModeOperator
 
 
-class DeckEdgeOperator(HullOperator):
-    needs = (in_mesh_edit_mode, *HullOperator.needs)
-
-
-class HULL_OT_mark_deck_edge(bpy.types.Operator, DeckEdgeOperator):
+class HULL_OT_mark_deck_edge(bpy.types.Operator, EditModeOperator):
     """Make the creases and borders of the selected edges, from end to end, the deck edge: the angle
     at which it comes under water is told with the righting levers"""
 
@@ -23,7 +19,7 @@ class HULL_OT_mark_deck_edge(bpy.types.Operator, DeckEdgeOperator):
         self.report({"INFO"}, f"The deck edge has {count} edges")
 
 
-class HULL_OT_clear_deck_edge(bpy.types.Operator, DeckEdgeOperator):
+class HULL_OT_clear_deck_edge(bpy.types.Operator, EditModeOperator):
     """Take the marks of the deck edge away: it is the borders along the ship again"""
 
     bl_idname = "hull.clear_deck_edge"
@@ -33,7 +29,7 @@ class HULL_OT_clear_deck_edge(bpy.types.Operator, DeckEdgeOperator):
         deck_edge.clear(hull)
 
 
-class HULL_OT_select_deck_edge(bpy.types.Operator, DeckEdgeOperator):
+class HULL_OT_select_deck_edge(bpy.types.Operator, EditModeOperator):
     """Select the edges that are marked as deck edge, and no others"""
 
     bl_idname = "hull.select_deck_edge"

@@ -7,7 +7,7 @@ from bpy.props import FloatProperty
 from ..bridge.hull import hull_state
 from ..bridge.mesh import selection
 from ..bridge.modelling import flat_check
-from .shared import HullOperator, in_3d_view, in_mesh_edit_mode
+from .shared import EditModeOperator, HullOperator, in_3d_view
 
 
 class HULL_OT_eye_from_view(bpy.types.Operator, HullOperator):
@@ -24,7 +24,7 @@ class HULL_OT_eye_from_view(bpy.types.Operator, HullOperator):
         hull_state.refresh(hull, context.scene)
 
 
-class HULL_OT_check_flat(bpy.types.Operator, HullOperator):
+class HULL_OT_check_flat(bpy.types.Operator, EditModeOperator):
     """How far the surface of the selected faces is from the plane that fits it best; the control
     points at fault are selected"""
 
@@ -40,8 +40,6 @@ class HULL_OT_check_flat(bpy.types.Operator, HullOperator):
         subtype="DISTANCE",
         precision=5,
     )
-
-    needs = (in_mesh_edit_mode, *HullOperator.needs)
 
     def run_on(self, hull, context):
         found = flat_check.check_selected(hull, context.scene, self.tolerance)

@@ -5,10 +5,10 @@ import bpy
 
 from ..bridge.constraints import point_locks
 from ..bridge.mesh import selection
-from .shape import ShapeOperator
+from .shared import EditModeOperator
 
 
-class HULL_OT_lock_points(bpy.types.Operator, ShapeOperator):
+class HULL_OT_lock_points(bpy.types.Operator, EditModeOperator):
     """Lock the selected points: they stay when the surface is pulled or a bilge is rounded"""
 
     bl_idname = "hull.lock_points"
@@ -19,7 +19,7 @@ class HULL_OT_lock_points(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, f"{count} points locked")
 
 
-class HULL_OT_unlock_points(bpy.types.Operator, ShapeOperator):
+class HULL_OT_unlock_points(bpy.types.Operator, EditModeOperator):
     """Let the selected points move again when the surface is pulled"""
 
     bl_idname = "hull.unlock_points"
@@ -30,7 +30,7 @@ class HULL_OT_unlock_points(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, f"{count} points unlocked")
 
 
-class HULL_OT_select_locked(bpy.types.Operator, ShapeOperator):
+class HULL_OT_select_locked(bpy.types.Operator, EditModeOperator):
     """Select the locked points, and no others"""
 
     bl_idname = "hull.select_locked"

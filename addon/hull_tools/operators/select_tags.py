@@ -6,14 +6,12 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 
 from ..bridge.hull import hull_state, tags
 from ..bridge.mesh import selection
-from .shared import HullOperator, in_mesh_edit_mode
+from .shared import EditModeOperator
 
 
-class SelectOperator(HullOperator):
+class SelectOperator(EditModeOperator):
     """Subclasses: found(hull, context) returns (kind of elements, elements), and nothing_found says
     that there are none."""
-
-    needs = (in_mesh_edit_mode, *HullOperator.needs)
 
     extend: BoolProperty(name="Extend", description="Keep what is selected", default=False)
 

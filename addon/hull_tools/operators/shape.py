@@ -7,11 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge.blender import units
 from ..bridge.hull import hull_state
 from ..bridge.modelling import flat_making, point_places, valence
-from .shared import HullOperator, in_mesh_edit_mode
-
-
-class ShapeOperator(HullOperator):
-    needs = (in_mesh_edit_mode, *HullOperator.needs)
+from .shared import EditModeOperator
 
 
 def _position(description):
@@ -25,7 +21,7 @@ def _position(description):
     )
 
 
-class HULL_OT_make_flat(bpy.types.Operator, ShapeOperator):
+class HULL_OT_make_flat(bpy.types.Operator, EditModeOperator):
     """Bring the points of the selected faces into one plane and keep them there"""
 
     bl_idname = "hull.make_flat"
@@ -85,7 +81,7 @@ class HULL_OT_make_flat(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, made.message)
 
 
-class HULL_OT_select_flat(bpy.types.Operator, ShapeOperator):
+class HULL_OT_select_flat(bpy.types.Operator, EditModeOperator):
     """Select all faces of the flat regions that selected faces are of; of all regions if none is"""
 
     bl_idname = "hull.select_flat"
@@ -99,7 +95,7 @@ class HULL_OT_select_flat(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, f"{count} flat regions selected")
 
 
-class HULL_OT_release_flat(bpy.types.Operator, ShapeOperator):
+class HULL_OT_release_flat(bpy.types.Operator, EditModeOperator):
     """Faces that are selected, or else those at selected points, are not kept flat any longer;
     their points stay where they are"""
 
@@ -112,7 +108,7 @@ class HULL_OT_release_flat(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, f"{count} faces are not kept flat any longer")
 
 
-class HULL_OT_put_in_plane(bpy.types.Operator, ShapeOperator):
+class HULL_OT_put_in_plane(bpy.types.Operator, EditModeOperator):
     """Move the selected points along one axis into a plane of the ship"""
 
     bl_idname = "hull.put_in_plane"
@@ -159,7 +155,7 @@ class HULL_OT_put_in_plane(bpy.types.Operator, ShapeOperator):
         self.report({"INFO"}, f"{count} points at {self.plane.lower()} {metres}")
 
 
-class HULL_OT_reduce_valence(bpy.types.Operator, ShapeOperator):
+class HULL_OT_reduce_valence(bpy.types.Operator, EditModeOperator):
     """Make fewer faces meet at the selected points: join triangles, or part points in two. The
     surface is smoothest where four faces meet"""
 

@@ -102,3 +102,9 @@ class HullOperator(HullReader):
     """Changes the hull at hand. Subclasses: run_on(hull, context)."""
 
     needs = (*HullReader.needs, can_change)
+
+
+class EditModeOperator(HullOperator):
+    """Changes the hull whose mesh is being edited. Subclasses: run_on(hull, context)."""
+
+    needs = (in_mesh_edit_mode, *HullOperator.needs)
