@@ -8,26 +8,30 @@ from ..bridge.mesh import selection
 from .shared import EditModeOperator
 
 
-class HULL_OT_lock_points(bpy.types.Operator, EditModeOperator):
+class SetLocks(EditModeOperator):
+    """Subclasses: is_locked, what the selected points are afterwards; done, the word for that."""
+
+    def run_on(self, hull, context):
+        count = point_locks.set_selected(hull, self.is_locked)
+        self.report({"INFO"}, f"{count} points {self.done}")
+
+
+class HULL_OT_lock_points(bpy.types.Operator, SetLocks):
     """Lock the selected points: they stay when the surface is pulled or a bilge is rounded"""
 
     bl_idname = "hull.lock_points"
     bl_label = "Lock Points"
 
-    def run_on(self, hull, context):
-        count = point_locks.set_selected(hull, True)
-        self.report({"INFO"}, f"{count} points locked")
+    is_locked, done = True, "locked"
 
 
-class HULL_OT_unlock_points(bpy.types.Operator, EditModeOperator):
+class HULL_OT_unlock_points(bpy.types.Operator, SetLocks):
     """Let the selected points move again when the surface is pulled"""
 
     bl_idname = "hull.unlock_points"
     bl_label = "Unlock Points"
 
-    def run_on(self, hull, context):
-        count = point_locks.set_selected(hull, False)
-        self.report({"INFO"}, f"{count} points unlocked")
+    is_locked, done = False, "unlocked"
 
 
 class HULL_OT_select_locked(bpy.types.Operator, EditModeOperator):
