@@ -6,11 +6,16 @@ from bpy.props import BoolProperty, EnumProperty
 
 from ..bridge.blender import units
 from ..bridge.modelling import mirroring
-from .shared import HullOperator, can_change, in_object_mode
+from .shared import HullOperator, in_object_mode
 
 
 class SidesOperator(HullOperator):
-    needs = (in_object_mode, *HullOperator.needs, can_change)
+    """Subclasses end by telling what the hull consists of."""
+
+    needs = (in_object_mode, *HullOperator.needs)
+
+    def tell_faces(self, hull, which):
+        self.report({"INFO"}, f"{hull.name}: {len(hull.data.polygons)} faces, {which}")
 
 
 class HULL_OT_make_whole(bpy.types.Operator, SidesOperator):
@@ -22,7 +27,7 @@ class HULL_OT_make_whole(bpy.types.Operator, SidesOperator):
 
     def run_on(self, hull, context):
         mirroring.to_whole(hull, context.scene)
-        self.report({"INFO"}, f"{hull.name}: {len(hull.data.polygons)} faces, both sides")
+        self.tell_faces(hull, "both sides")
 
 
 class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
@@ -63,7 +68,7 @@ class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
         if notes:
             self.report({"WARNING"}, ". ".join(note[0].upper() + note[1:] for note in notes))
         else:
-            self.report({"INFO"}, f"{hull.name}: {len(hull.data.polygons)} faces, one side")
+            self.tell_faces(hull, "one side")
 
 
 CLASSES = (HULL_OT_make_whole, HULL_OT_make_half)
