@@ -18,6 +18,15 @@ def edit(hull, mode=(True, False, False)):
     return bmesh.from_edit_mesh(hull.data)
 
 
+def edit_to_twice_the_depth(hull):
+    """In edit mode, which goes on; everything has followed."""
+    bm = edit(hull)
+    for vertex in bm.verts:
+        vertex.co.z *= 2.0
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+
+
 def select(hull, kind, elements):
     part("bridge.mesh.selection").select(bpy.context, hull, kind, elements)
 

@@ -3,11 +3,11 @@
 
 from pathlib import Path
 
-import bmesh
 import bpy
 import numpy as np
 import pytest
 from addon_under_test import DEPTH, LENGTH, add_hull, make_active, mesh_points, part, state_of
+from edited_hulls import edit_to_twice_the_depth
 
 FILES = Path(__file__).resolve().parent / "files"
 
@@ -162,12 +162,7 @@ def test_copy_and_paste_between_files():
 
 def test_saving_in_edit_mode_keeps_what_is_edited(tmp_path):
     hull = add_hull()
-    bpy.ops.object.mode_set(mode="EDIT")
-    bm = bmesh.from_edit_mesh(hull.data)
-    for vertex in bm.verts:
-        vertex.co.z *= 2.0
-    bmesh.update_edit_mesh(hull.data)
-    bpy.context.view_layer.update()
+    edit_to_twice_the_depth(hull)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "edited.blend"))
     assert bpy.context.mode == "EDIT_MESH" and not state_of(hull).status
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "edited.blend"))

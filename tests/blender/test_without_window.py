@@ -4,10 +4,10 @@
 import re
 from pathlib import Path
 
-import bmesh
 import bpy
 import pytest
 from addon_under_test import DEPTH, ROOT, add_hull, mesh_points, state_of
+from edited_hulls import edit_to_twice_the_depth
 
 
 def test_the_script_of_the_docs(tmp_path):
@@ -33,12 +33,7 @@ def test_a_mesh_that_a_script_made_is_a_hull_in_one_call():
 def test_what_is_saved_for_recovery_is_the_edited_hull(tmp_path):
     """Blender's copy for recovery is a copy of its memory, as is that of Save Copy."""
     hull = add_hull()
-    bpy.ops.object.mode_set(mode="EDIT")
-    bm = bmesh.from_edit_mesh(hull.data)
-    for vertex in bm.verts:
-        vertex.co.z *= 2.0
-    bmesh.update_edit_mesh(hull.data)
-    bpy.context.view_layer.update()
+    edit_to_twice_the_depth(hull)
     path = Path(tmp_path) / "copy.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
     assert bpy.context.mode == "EDIT_MESH"
