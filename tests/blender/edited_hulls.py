@@ -4,7 +4,7 @@
 import bmesh
 import bpy
 import numpy as np
-from addon_under_test import make_active, part, state_of
+from addon_under_test import make_active, mesh_points, part, state_of
 
 # Of the box: port side, bottom and both ends, open above and on the centre plane.
 KNUCKLES, BORDERS = 5, 6
@@ -42,6 +42,16 @@ def keys(edges):
 def find(hull, *place):
     points = np.array([vertex.co for vertex in bmesh.from_edit_mesh(hull.data).verts])
     return int(np.abs(points - place).sum(axis=1).argmin())
+
+
+def faces_in(hull, plane):
+    """Faces whose points are all in a plane (nx, ny, nz, d), in object mode."""
+    points, plane = mesh_points(hull), np.array(plane)
+    return [
+        polygon.index
+        for polygon in hull.data.polygons
+        if np.abs(points[list(polygon.vertices)] @ plane[:3] - plane[3]).max() < 1e-5
+    ]
 
 
 def grid_hull(columns=6, rows=5):

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import HALF_BREADTH, LENGTH, add_hull, mesh_points, part
+from edited_hulls import faces_in
 
 SIDE, BOTTOM, AFT = (0.0, 1.0, 0.0, 2.0), (0.0, 0.0, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0)
 GENERAL = (0.6, 0.0, 0.8, 1.2)
@@ -24,16 +25,6 @@ def divided_hull():
 
 def update():
     bpy.context.view_layer.update()
-
-
-def faces_in(hull, plane):
-    """Faces whose points are all in a plane."""
-    points, plane = mesh_points(hull), np.array(plane)
-    return [
-        polygon.index
-        for polygon in hull.data.polygons
-        if np.abs(points[list(polygon.vertices)] @ plane[:3] - plane[3]).max() < 1e-5
-    ]
 
 
 def mark(hull, plane):

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import HALF_BREADTH, LENGTH, add_hull, mesh_points, part, state_of
+from edited_hulls import faces_in
 
 NUMBERS = ("displaced_volume", "wetted_surface", "waterplane_area", "lcb", "kb", "kmt", "lcf")
 ALIKE = 1e-7  # live numbers are integrated to 1e-8
@@ -84,15 +85,6 @@ def test_starboard_may_be_kept():
     assert mesh_points(hull)[:, 1].min() == 0.0
     assert numbers(hull) == pytest.approx(before, rel=ALIKE)
     assert not state_of(hull).check.problems
-
-
-def faces_in(hull, plane):
-    points, plane = mesh_points(hull), np.array(plane)
-    return [
-        polygon.index
-        for polygon in hull.data.polygons
-        if np.abs(points[list(polygon.vertices)] @ plane[:3] - plane[3]).max() < 1e-5
-    ]
 
 
 @pytest.mark.parametrize("side", ["PORT", "STARBOARD"])
