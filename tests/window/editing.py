@@ -43,6 +43,14 @@ def select(hull, *indices, kind="verts"):
     bpy.ops.ed.undo_push(message="select")
 
 
+def editing_a_bilge_point(window):
+    """A sample hull in edit mode with only its bilge point selected: (hull, index, place)."""
+    hull = editing_a_hull(window)
+    index, place = bilge_point(hull)
+    select(hull, index)
+    return hull, index, place
+
+
 def selected_indices(hull):
     return [v.index for v in bmesh.from_edit_mesh(hull.data).verts if v.select]
 

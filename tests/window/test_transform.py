@@ -3,14 +3,18 @@
 
 import numpy as np
 from addon_under_test import state_of
-from editing import bilge_point, editing_a_hull, hull_at_hand, select, selected_indices
+from editing import (
+    bilge_point,
+    editing_a_bilge_point,
+    editing_a_hull,
+    hull_at_hand,
+    selected_indices,
+)
 from expect import are_equal, assert_follows, edited_points, snapshot
 
 
 def test_all_follows_while_the_mouse_moves(window):
-    hull = editing_a_hull(window)
-    index, _ = bilge_point(hull)
-    select(hull, index)
+    hull, index, _ = editing_a_bilge_point(window)
     yield
     before = snapshot(hull)
     window.press("G")
@@ -30,8 +34,7 @@ def test_all_follows_while_the_mouse_moves(window):
 
 
 def test_escape_leaves_all_as_it_was(window):
-    hull = editing_a_hull(window)
-    select(hull, bilge_point(hull)[0])
+    hull, _, _ = editing_a_bilge_point(window)
     yield
     before = snapshot(hull)
     window.press("G")
@@ -46,9 +49,7 @@ def test_escape_leaves_all_as_it_was(window):
 
 
 def test_one_move_is_one_undo_step(window):
-    hull = editing_a_hull(window)
-    index, _ = bilge_point(hull)
-    select(hull, index)
+    hull, index, _ = editing_a_bilge_point(window)
     yield
     before = snapshot(hull)
     window.press("G")
@@ -71,9 +72,7 @@ def test_one_move_is_one_undo_step(window):
 
 
 def test_numbers_typed_during_a_move_are_exact(window):
-    hull = editing_a_hull(window)
-    index, place = bilge_point(hull)
-    select(hull, index)
+    hull, index, place = editing_a_bilge_point(window)
     yield
     volume = state_of(hull).hydrostatics.displaced_volume
     window.press("G")
@@ -110,8 +109,7 @@ def test_a_point_picked_by_click_is_moved(window):
 
 
 def test_leaving_edit_mode_keeps_what_was_modelled(window):
-    hull = editing_a_hull(window)
-    select(hull, bilge_point(hull)[0])
+    hull, _, _ = editing_a_bilge_point(window)
     yield
     window.press("G")
     window.move_by(40, 40)
