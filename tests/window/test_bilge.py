@@ -29,17 +29,22 @@ def midbody_rows(hull):
     return np.flatnonzero((x > 0.3) & (x < 0.65))
 
 
+def run_with_dialog(window, name, to_ok):
+    """Finds an operator by the search, and takes what its dialog offers."""
+    window.search(name)
+    yield
+    window.move_by(*to_ok)
+    window.click()
+    yield
+
+
 def test_a_bilge_is_rounded_in_one_step(window):
     hull = new_hull(window)
     part("bridge.mesh.selection").select(bpy.context, hull, "vertex", midbody_rows(hull))
     bpy.ops.ed.undo_push(message="select")
     before = snapshot(hull)
     yield
-    window.search("Bilge Radius")
-    yield
-    window.move_by(*TO_OK_OF_BILGE)
-    window.click()
-    yield
+    yield from run_with_dialog(window, "Bilge Radius", TO_OK_OF_BILGE)
     assert_follows(hull)
     moved = np.abs(edited_points(hull) - before["points"]).max(axis=1) > 0.0
     assert moved.any() and moved[midbody_rows(hull)].sum() == moved.sum()
@@ -60,21 +65,13 @@ def test_a_coordinate_is_taken_from_the_cursor(window):
     bpy.ops.ed.undo_push(message="cursor")
     before = snapshot(hull)
     yield
-    window.search("Surface to Coordinate")
-    yield
-    window.move_by(*TO_OK)
-    window.click()
-    yield
+    yield from run_with_dialog(window, "Surface to Coordinate", TO_OK)
     assert_follows(hull)
     assert not are_equal(snapshot(hull), before)
     assert_has(hull, x, 6.25)
     bpy.context.scene.cursor.location = (x + 9.0, 6.125, 3.0)
     window.move_to_middle()
-    window.search("Surface to Coordinate")
-    yield
-    window.move_by(*TO_OK)
-    window.click()
-    yield
+    yield from run_with_dialog(window, "Surface to Coordinate", TO_OK)
     assert_has(hull, x + 9.0, 6.125)
 
 
