@@ -105,6 +105,6 @@ class HullOperator(HullReader):
 
 
 class EditModeOperator(HullOperator):
-    """Changes the hull whose mesh is being edited. Subclasses: run_on(hull, context)."""
+    """Works on the hull whose mesh is being edited. Subclasses: run_on(hull, context)."""
 
     needs = (in_mesh_edit_mode, *HullOperator.needs)
