@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Counts the inflections and flat spots of hulls' lines, and tells those that no design calls for.
+"""Counts what is not fair on hulls' lines and reflection lines, and tells what no design calls for.
 
 PYTHONPATH=build/release/python python3 scripts/check_fairness.py [--all] [HULL ...]
 
 HULL is a sample's name or a hull file; without any: every sample. What the design calls for is
-WANTED in samples/sources/NAME.py; fair_lines.py tells its form, fair_marks.py what is seen. Ends
-with 1 where something is unwanted. --all shows the lines that are as wanted, too.
+WANTED in samples/sources/NAME.py; fair_lines.py tells its form, fair_marks.py and fair_turns.py
+what is seen. Ends with 1 where something is unwanted. --all shows lines that are as wanted, too.
 """
 
 import argparse
@@ -31,7 +31,7 @@ def tell(line, is_all):
         place = "({:.2f}, {:.2f}, {:.2f})".format(*mark.point)
         why = f"wanted: {mark.reason}" if mark.reason is not None else "UNWANTED"
         if mark.reason is None or is_all:
-            print(f"    {mark.mark} at {place}, {1e3 * mark.depth:.1f} mm deep, {why}")
+            print(f"    {mark.mark} at {place}, {mark.size}, {why}")
 
 
 def check(name, is_all):

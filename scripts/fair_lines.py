@@ -1,23 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Inflections and dips of a hull's lines, found and wanted.
+"""What is not fair on a hull's lines, found and wanted.
 
 Lines are stations, waterlines and buttocks of the exact surface at even distances, and its creases
-and borders: those that lie in a plane judged there, others in plan and in profile. WANTED lists
-what the design calls for, entries of
+and borders: those that lie in a plane judged there, others in plan and in profile; they have
+inflections and dips. Reflection lines are the borders of the reflection pictures' bands; they have
+kinks and waves. WANTED lists what the design calls for, entries of
 
     (kind of line, mark, how many a line, {"x": (from, to), ...}, why)
 
-with the kinds of KINDS, the marks of fair_marks, and the box in m that the mark is in; a letter
-left out is everywhere.
+with the kinds and marks of MARKS, and the box in m that the mark is in; a letter left out is
+everywhere.
 """
 
 from dataclasses import dataclass
 
 import fair_marks
+import fair_reflections
+import fair_turns
 import hull_native as hn
 import numpy as np
 
-KINDS = ("station", "waterline", "buttock", "feature")
+_BENDS = (fair_marks.INFLECTION, fair_marks.DIP)
+# The marks that a line of each kind may have.
+MARKS = {
+    **dict.fromkeys(("station", "waterline", "buttock", "feature"), _BENDS),
+    "reflection": (fair_turns.KINK, fair_turns.WAVE),
+}
 # How many planes there are along each axis.
 PLANES = {"station": ("x", 48), "waterline": ("z", 20), "buttock": ("y", 12)}
 # Of the beam: what is less deep is not seen.
@@ -30,11 +38,12 @@ _STEP, _IN_PLANE = 1.0 / 200.0, 1e-6
 
 @dataclass(frozen=True)
 class Found:
-    """A mark on a line: its kind, place (3,) and depth in m, and why it is wanted or None."""
+    """A mark on a line: its kind and place (3,), how much it is, such as "3.1 mm deep", and why it
+    is wanted or None."""
 
     mark: str
     point: tuple
-    depth: float
+    size: str
     reason: object = None
 
 
@@ -54,13 +63,16 @@ class Line:
 def judged(surface, beam, wanted=()):
     """Every Line of a surface; beam in m."""
     for kind, mark, *_ in wanted:
-        if kind not in KINDS or mark not in (fair_marks.INFLECTION, fair_marks.DIP):
+        if mark not in MARKS.get(kind, ()):
             raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see fair_lines.py")
     least = LEAST_DEPTH * beam
     lines = []
     for kind, name, curves in _all_curves(surface, _STEP * beam):
         found = [mark for curve in curves for mark in _marks(*curve, least)]
         lines.append(Line(kind, name, _with_reasons(kind, found, wanted)))
+    for name, parts in fair_reflections.reflection_lines(surface, beam):
+        found = [mark for part in parts for mark in _turns(part, beam)]
+        lines.append(Line("reflection", name, _with_reasons("reflection", found, wanted)))
     return lines
 
 
@@ -125,7 +137,14 @@ def _marks(flat, points, curvatures, starts, least):
         if lengths[-1] < least:
             continue
         for mark in fair_marks.marks(lengths, curvatures[first:last], least):
-            yield Found(mark.kind, tuple(points[first + mark.index]), mark.depth)
+            size = f"{1e3 * mark.depth:.1f} mm deep"
+            yield Found(mark.kind, tuple(points[first + mark.index]), size)
+
+
+def _turns(part, beam):
+    for turn in fair_turns.turns(part, beam):
+        size = f"turned by {np.degrees(turn.angle):.0f}°"
+        yield Found(turn.kind, tuple(part.points[turn.index]), size)
 
 
 def _parts(flat, starts):
@@ -142,7 +161,7 @@ def _parts(flat, starts):
 
 def _with_reasons(kind, marks, wanted):
     left = [[entry, entry[2]] for entry in wanted if entry[0] == kind]
-    return [Found(found.mark, found.point, found.depth, _reason(found, left)) for found in marks]
+    return [Found(found.mark, found.point, found.size, _reason(found, left)) for found in marks]
 
 
 def _reason(found, left):

@@ -16,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from enabled_addon import part  # noqa: E402
 from figures import reflection_scene  # noqa: E402
+from figures.lights import VIEWS  # noqa: E402
 from quiet_output import quiet_output  # noqa: E402
 
 SAMPLES = Path(__file__).resolve().parents[1] / "samples"
@@ -58,7 +59,7 @@ def mirror(path, folder, percent):
 
 
 def take_views(hull, stem, percent):
-    for view in reflection_scene.VIEWS:
+    for view in VIEWS:
         reflection_scene.look_from(hull.hull.surface_object, view)
         render(f"{stem}_{view}.png", percent)
 

@@ -7,14 +7,12 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-# Pairs of a light and a dark band all around the ship.
-BANDS = 32
+from .lights import BANDS, VIEWS
+
 LIGHT, DARK, AROUND = (0.94, 0.95, 0.96, 1.0), (0.035, 0.05, 0.075, 1.0), (0.62, 0.64, 0.66, 1.0)
 RENDER_SAMPLES = 32
 WIDTH, HEIGHT = 1600, 800
 FOCAL_LENGTH_MM, MARGIN = 70.0, 1.03
-# Where the eye is, from the bow to starboard, and above the hull.
-VIEWS = {"bow": (-42.0, -14.0), "stern": (-138.0, -14.0)}
 
 
 def set_up(surface_object):

@@ -75,7 +75,7 @@ def test_a_mark_is_wanted_once_in_its_box():
     inside, outside = (3.0, 0.0, 1.5), (3.0, 0.0, 2.5)
 
     def reasons(kind, *points):
-        marks = [fair_lines.Found("dip", point, 0.1) for point in points]
+        marks = [fair_lines.Found("dip", point, "1.0 mm deep") for point in points]
         return [m.reason for m in fair_lines._with_reasons(kind, marks, wanted)]
 
     assert reasons("station", inside, inside) == ["the chine", None]
