@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parts that are plane: bottom, side, transom, bar; and the parallel middle body."""
+
+import numpy as np
+
+from .form import IN_PLANE, SAME
+
+
+def flat(form, normal, offset, along, across=(0.0, 0.0), upright=(0.0, 0.0)):
+    """A plane part of the surface, exactly: as long as that part of the length at least, and that
+    reaches from one to the other half breadth (parts of half the beam) and height (of the depth).
+    """
+    given = form.given
+    regions = form.in_plane(normal, offset)
+    assert regions, f"nothing is in the plane {normal} at {offset:.3f} m"
+    normals = np.array([region.plane[:3] for region in regions])
+    assert (normals @ np.array(normal) > 0.0).all(), f"a flat looks away from {normal}"
+    points = np.vstack([border.points(16) for region in regions for border in region.borders])
+    low, high = points.min(axis=0), points.max(axis=0)
+    length = (high[0] - low[0]) / given.length_pp
+    assert length >= along, f"the flat is {length:.2f} of the length"
+    for column, (first, last), unit in (
+        (1, across, 0.5 * given.beam),
+        (2, upright, given.depth),
+    ):
+        margin = SAME * form.size
+        reaches = low[column] <= first * unit + margin and high[column] >= last * unit - margin
+        assert reaches or first == last, f"from {low[column]:.2f} to {high[column]:.2f} m"
+
+
+def flat_bottom(form, along, outwards):
+    """In the base plane, from the centre plane or the bar outwards."""
+    flat(form, (0.0, 0.0, -1.0), 0.0, along, across=(0.05, outwards))
+
+
+def flat_side(form, along, low, high):
+    """In the plane of the largest half breadth, between heights as parts of the depth."""
+    flat(form, (0.0, 1.0, 0.0), 0.5 * form.given.beam, along, upright=(low, high))
+
+
+def sides_of_three_planes(form, along):
+    """Flare below, vertical, tumblehome above, each plane, between two knuckles."""
+    leans = []
+    for part in form.data.flats:
+        normal = np.array(part.normal)
+        if normal[1] > 0.5:
+            flat(form, part.normal, part.offset, along)
+            leans.append(np.degrees(np.arcsin(normal[2])))
+    assert len(leans) == 3, f"{len(leans)} planes at the side"
+    low, middle, high = sorted(leans)
+    assert low < -3.0 and abs(middle) < 1e-9 and high > 3.0, f"they lean by {leans} degrees"
+
+
+def mostly_flat(form, least):
+    """That part of the surface, or more, is flat: its radii of curvature exceed ten beams."""
+    surface = form.surface
+    places = (np.stack(np.meshgrid(range(4), range(4)), axis=-1).reshape(-1, 2) + 0.5) / 4
+    cells = np.repeat(np.arange(surface.cell_count), len(places))
+    uv = np.tile(places, (surface.cell_count, 1))
+    _, along_u, along_v = surface.evaluate(cells, uv, 1)
+    areas = np.linalg.norm(np.cross(along_u, along_v), axis=1)
+    bent = surface.curvature(cells, uv)
+    plane = np.maximum(np.abs(bent.maximum), np.abs(bent.minimum)) < 0.1 / form.given.beam
+    share = areas[plane].sum() / areas.sum()
+    assert share > least, f"{share:.2f} of the surface is flat"
+
+
+def transom(form, layer="Transom", forward=False, rake=0.0, least=20.0):
+    """A plane layer of its own, square or raked by those degrees at most, within a knuckle."""
+    faces = form.faces_of(layer)
+    size = form.size
+    cells = np.flatnonzero(np.isin(form.cell_faces(np.arange(form.surface.cell_count)), faces))
+    grid = form.surface.evaluate_grid(4)[0][cells].reshape(-1, 3)
+    at_end = (grid[:, 0] > 0.5 * form.given.length_pp) == forward
+    points = grid[at_end]
+    assert len(points), f"nothing of layer {layer} is there"
+    corners = points - points.mean(axis=0)
+    _, _, axes = np.linalg.svd(corners, full_matrices=False)
+    normal = axes[2]
+    away = np.abs(corners @ normal).max()
+    assert away <= 2.0 * IN_PLANE * size, f"{away:.1e} m from a plane"
+    lean = np.degrees(np.arcsin(abs(normal[2])))
+    assert lean <= rake + 1e-9 and abs(normal[1]) < 1e-9, f"the transom leans by {lean:.1f}"
+    rim = _rim(form, faces)
+    assert rim, "the transom meets nothing"
+    tagged = {tuple(sorted(edge)) for edge in form.mesh.creases.tolist()}
+    assert rim <= tagged, f"no crease along {sorted(rim - tagged)}"
+    for knuckle in form.knuckles:
+        chain = zip(knuckle.curve.vertices, knuckle.curve.vertices[1:])
+        if all(tuple(sorted(map(int, edge))) in rim for edge in chain):
+            assert knuckle.angles.min() > least, f"{knuckle.angles.min():.1f} degrees at the rim"
+
+
+def _rim(form, faces):
+    """Edges that the faces share with others."""
+    inside, outside = set(), set()
+    chosen = set(faces.tolist())
+    for number, face in enumerate(form.data.faces):
+        edges = {tuple(sorted(edge)) for edge in zip(face, [*face[1:], face[0]])}
+        if number in chosen:
+            inside |= edges
+        else:
+            outside |= edges
+    return inside & outside
+
+
+def flat_bar(form, half_width):
+    """A strip about the whole centre plane of one half width within a knuckle, from the transom to
+    the stem's head; there it may end in one point, over two control edges."""
+    chains = [knuckle for knuckle in form.knuckles if _runs_along_bar(knuckle, half_width)]
+    assert chains, "no knuckle beside the centre plane"
+    points = np.vstack([knuckle.points for knuckle in chains])
+    assert np.ptp(points[:, 0]) > form.given.length_pp, f"{np.ptp(points[:, 0]):.1f} m long"
+    assert points[:, 0].min() - form.low[0] < SAME * form.size, "the bar ends before the transom"
+    for knuckle in chains:
+        start, end = form.on_centre(knuckle.points[[0, -1]])
+        kept = (knuckle.t >= 2 * start) & (knuckle.t <= knuckle.curve.edge_count - 2 * end)
+        away = np.abs(knuckle.points[kept, 1] - half_width).max()
+        assert away < SAME, f"the bar's half width differs by {away:.1e} m"
+
+
+def _runs_along_bar(knuckle, half_width):
+    """Whether it keeps beside the centre plane; a chain across the bar does not."""
+    return np.mean(np.abs(knuckle.points[:, 1] - half_width) < 0.01 * half_width) > 0.5
+
+
+def parallel_middle_body(form, first, last, within):
+    """Stations that differ by less than that part of the beam, between two parts of the length."""
+    given = form.given
+    heights = np.linspace(1e-4, 0.999, 120) * given.depth
+    offsets = np.linspace(1e-4, 0.95, 60) * 0.5 * given.beam
+    stations = np.linspace(first, last, 7) * given.length_pp
+    found = np.array([np.r_[form.breadths(x, heights), form.bottoms(x, offsets)] for x in stations])
+    away = np.abs(found - found[0]).max()
+    assert away < within * given.beam, f"stations differ by {away:.3f} m"

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Knuckles along the ship: to the stem, fading, chines; and what is above them."""
+
+import numpy as np
+
+
+def knuckle_to_stem(form, least=5.0, abaft=0.9):
+    """A knuckle above the water that begins abaft that part of the length and runs to the stem; the
+    side above it steeper. The largest angle is `least` degrees or more. The one found."""
+    given = form.given
+    found = [
+        knuckle
+        for knuckle in form.knuckles
+        if knuckle.points[:, 2].min() > given.draft
+        and knuckle.points[:, 0].min() < abaft * given.length_pp
+        and _ends_at_stem(form, knuckle)
+    ]
+    assert len(found) == 1, f"{len(found)} knuckles run to the stem above the water"
+    (knuckle,) = found
+    assert knuckle.angles.max() > least, f"its angle is {knuckle.angles.max():.1f} degrees at most"
+    at = knuckle.points[knuckle.angles.argmax()]
+    above, below = (_lean(form, at, side) for side in (1.0, -1.0))
+    assert above < below, f"the side above leans out by {above:.1f}, below by {below:.1f} degrees"
+    return knuckle
+
+
+def _ends_at_stem(form, knuckle):
+    ends = knuckle.points[[0, -1]]
+    return (form.on_centre(ends) & (ends[:, 0] > 0.95 * form.given.length_pp)).any()
+
+
+def _lean(form, place, side):
+    """Degrees by which the station leans out just above (side 1) or below (-1) a place on it."""
+    x, _, z = place
+    heights = z + side * np.array([0.005, 0.02]) * form.given.depth
+    breadths = form.breadths(x, heights)
+    return np.degrees(np.arctan(np.diff(breadths)[0] / np.diff(heights)[0]))
+
+
+def fading(form, most_height, x=(0.0, 1.0), on_side=False):
+    """A knuckle above the bilge that fades: a dart ends it, to which its angle falls evenly. The
+    end is between those parts of the length, no higher than that part of the depth; and in the
+    plane of the side, if asked for."""
+    given = form.given
+    ends = []
+    for knuckle in form.knuckles:
+        for first, step in zip((0, -1), (1, -1)):
+            place = knuckle.points[first]
+            if knuckle.fades[first] and x[0] <= place[0] / given.length_pp <= x[1]:
+                if 0.4 * given.draft < place[2] <= most_height * given.depth:
+                    ends.append((place, knuckle.points[::step], knuckle.angles[::step]))
+    if on_side:
+        ends = [end for end in ends if 0.5 * given.beam - end[0][1] < 1e-3 * given.beam]
+    assert ends, "no knuckle fades there"
+    for place, points, angles in ends:
+        # From the end to the first place where the angle falls again: all that rises evenly.
+        rising = np.flatnonzero(np.diff(angles) < 0.0)
+        peak = rising[0] if len(rising) else len(angles) - 1
+        assert angles[0] < 0.1, f"{angles[0]:.3f} degrees at its end {place}"
+        assert angles[peak] > 2.0, f"{angles[peak]:.1f} degrees at most near {place}"
+        length = np.linalg.norm(points[peak] - points[0])
+        assert length > 0.02 * given.length_pp, f"fades within {length:.1f} m at {place}"
+
+
+def tumblehome(form, stations, least=3.0):
+    """Above the widest place of a station, or the end of its upright side, the half breadth falls
+    up to the deck, by that many degrees."""
+    given = form.given
+    for part in stations:
+        heights = np.linspace(given.draft, form.high[2], 400)
+        breadths = form.breadths(part * given.length_pp, heights)
+        heights, breadths = heights[~np.isnan(breadths)], breadths[~np.isnan(breadths)]
+        widest = len(breadths) - 1 - np.argmax(breadths[::-1] > breadths.max() - 1e-9 * form.size)
+        rise, fall = heights[-1] - heights[widest], breadths[widest] - breadths[-1]
+        assert rise > 0.1 * given.depth, f"widest {rise:.2f} m below the deck at {part}"
+        assert (np.diff(breadths[widest:]) < 0.0).all(), f"no steady tumblehome at {part}"
+        lean = np.degrees(np.arctan2(fall, rise))
+        assert lean > least, f"leans in by {lean:.1f} degrees at {part}"
+
+
+def along_ship(form, least=20.0, over=0.6):
+    """A knuckle from the transom to the stem, of that many degrees from aft over a part of the
+    length. The ones found."""
+    found = [
+        knuckle
+        for knuckle in form.knuckles
+        if _ends_at_stem(form, knuckle) and knuckle.points[:, 0].min() < 0.05 * form.given.length_pp
+    ]
+    assert found, "no knuckle runs from the transom to the stem"
+    for knuckle in found:
+        aft = knuckle.points[:, 0] < over * form.given.length_pp
+        assert knuckle.angles[aft].min() > least, f"{knuckle.angles[aft].min():.1f} degrees aft"
+    return found
+
+
+def across_ship(form, x, least=3.0):
+    """A knuckle in the plane of a station, from the centre plane to the deck edge."""
+    found = [
+        knuckle
+        for knuckle in form.knuckles
+        if np.abs(knuckle.points[:, 0] - x).max() < 1e-9 * form.size
+    ]
+    assert len(found) == 1, f"{len(found)} knuckles at x = {x} m"
+    (knuckle,) = found
+    assert form.on_centre(knuckle.points).any(), "the knuckle does not come to the centre plane"
+    # The deck is further up.
+    assert knuckle.points[:, 2].max() > 0.95 * form.given.depth, "it does not run up to the deck"
+    bottom = knuckle.angles[knuckle.points[:, 1] < 0.25 * form.given.beam]
+    assert bottom.min() > least, f"{bottom.min():.1f} degrees in the bottom"

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every sample vessel has what its list of features tells of: by its tags and exact surface."""
+
+import sys
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import vessels  # noqa: E402
+from features.form import Form  # noqa: E402
+from features.spoils import SPOILS  # noqa: E402
+from features.table import BY_EYE, CHECKS  # noqa: E402
+
+CASES = [(name, feature) for name, checks in CHECKS.items() for feature in checks]
+
+
+@lru_cache(maxsize=None)
+def form(name):
+    return Form(vessels.vessel(name).data)
+
+
+@pytest.mark.parametrize("name", vessels.sources.names())
+def test_every_feature_has_its_check(name):
+    told = set(vessels.sources.source(name).FEATURES)
+    checked = {feature for feature in CHECKS[name] if not feature.isupper()}
+    by_eye = BY_EYE.get(name, {})
+    assert checked | set(by_eye) == told
+    assert not checked & set(by_eye) and all(by_eye.values())
+
+
+@pytest.mark.parametrize("name, feature", CASES, ids=lambda part: part)
+def test_feature(name, feature):
+    CHECKS[name][feature](form(name))
+
+
+@pytest.mark.parametrize(
+    "name, feature, spoil", SPOILS, ids=lambda part: getattr(part, "__name__", part)
+)
+def test_feature_is_missed_where_it_is_not(name, feature, spoil):
+    spoilt = Form(spoil(vessels.vessel(name).data))
+    with pytest.raises(AssertionError):
+        CHECKS[name][feature](spoilt)
