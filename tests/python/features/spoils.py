@@ -85,8 +85,8 @@ def waved(x, y, z, given):
 
 
 def tapered(x, y, z, given):
-    """Narrower forward, by a part in ten thousand."""
-    return x, y * (1.0 - 1e-4 * x / given.length_pp), z
+    """Narrower forward, by a tenth."""
+    return x, y * (1.0 - 0.1 * x / given.length_pp), z
 
 
 def flared(x, y, z, given):
@@ -101,7 +101,7 @@ def narrowed(x, y, z, given):
 
 def bulged_ends(x, y, z, given):
     """What is plane at the ends is round."""
-    return x * (1.0 + 0.01 * y / given.beam), y, z
+    return x + 0.1 * y * y / given.beam, y, z
 
 
 def flat_bottomed(x, y, z, given):
@@ -183,7 +183,7 @@ SPOILS = [
     ("container_ship", "flat bar", moved(tapered)),
     ("bulk_carrier", "displacement bulb", moved(plumb_forebody)),
     ("bulk_carrier", "stern bulb", moved(full_stern)),
-    ("bulk_carrier", "parallel middle body", moved(bulged_ends)),
+    ("bulk_carrier", "parallel middle body", moved(tapered)),
     ("bulk_carrier", "FULL", moved(slender)),
     ("roro", "bulbous bow", moved(plumb_forebody)),
     ("roro", "skeg", moved(level_stern)),
