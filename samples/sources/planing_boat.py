@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A fast motor boat: hard chine, warped bottom from a fine bow to a deadrise of 14 degrees aft.
+"""A fast motor boat: chine flat and spray rail, warped bottom from a fine bow to 15 degrees aft.
 
-Nine sections and the stem, seven rows of points along the ship: keel, two in the bottom, the chine,
-two in the side, the deck edge. Keel and stem are one curve, chine and deck edge one each; what is
-between them is nearly straight, a little round forward.
+Nine sections and the stem, eight rows of points along the ship: keel, one in the bottom, the level
+strips of spray rail and chine with two each, one in the side, the deck edge. Keel and stem are one
+curve, chine and deck edge one each; what is between them is nearly straight, a little round
+forward.
 """
 
 import numpy as np
@@ -11,33 +12,30 @@ import numpy as np
 from .mesh import Mesh, largest
 
 FEATURES = {
-    "hard chine": "a crease along the fourth row, from the transom to the stem",
+    "chine flat": "a level strip between two creases, 0.12 m wide aft, from transom to stem",
+    "spray rail": "a level strip between two creases halfway from keel to chine",
     "deadrise": "keel and chine run straight aft, the bottom between them straight across",
     "fine bow": "the chine rises, the rows of the bottom draw in to the stem",
     "raked transom": "plane faces in a layer of their own, within a crease",
 }
-MOST_POINTS = 69
+MOST_POINTS = 77
 
-WANTED = [
-    (
-        "waterline",
-        "dip",
-        1,
-        {"x": (7.0, 9.0), "y": (0.7, 1.4), "z": (0.3, 0.55)},
-        "from the run, along the nearly level bottom, to a straight entrance",
-    ),
-]
+WANTED = []
 
 LENGTH, BEAM, DRAFT, DEPTH = 11.4, 3.9, 0.7, 1.75
 # The transom: x at the base line, and how far it leans, x over z.
 TRANSOM_X, TRANSOM_RAKE = 0.14, -0.2
 # Keel points of the sections, closer where the keel turns up.
 STATIONS = np.array([0.0, 1.45, 2.9, 4.35, 5.8, 7.2, 8.5, 9.65, 10.65])
-# The rows of the bottom and of the side, in parts of the way from keel to chine to deck edge.
-BOTTOM, SIDE = np.array([1, 2]) / 3, np.array([1, 2]) / 3
-CHINE, DECK = 3, 6
-# Where the widest sections are, and where chine and deck edge end at the stem: heights.
-WIDEST, CHINE_Z, DECK_Z = 4.4, 1.2, 2.05
+# Where the first row of the bottom, the rail, and the row of the side are, in parts of the way from
+# keel to chine and from chine to deck edge.
+FIRST, RAIL, SIDE = 0.25, 0.5, 0.5
+# Inner and outer edges of the level strips, and the deck edge, by their rows.
+RAIL_EDGES, CHINE_EDGES, DECK = (2, 3), (4, 5), 7
+# How wide the strips of rail and chine are aft; they narrow towards the stem.
+RAIL_WIDTH, CHINE_WIDTH = 0.06, 0.12
+# Where the widest sections are, and where rail, chine and deck edge end at the stem: heights.
+WIDEST, RAIL_Z, CHINE_Z, DECK_Z = 4.4, 0.82, 1.2, 2.05
 # The keel is straight up to the first, the stem's head is at the second.
 FOREFOOT, STEM_X = 5.6, 13.19
 # How round the sections of the bow are: parts of the half-breadth of the chine.
@@ -84,14 +82,22 @@ def lines():
 def points():
     """Points (sections, rows, 3); the stem is the last section."""
     keel, chine, deck = lines()
-    bow = np.clip((STATIONS - WIDEST) / (STATIONS[-1] - WIDEST), 0.0, 1.0) ** 1.5
-    bulge = ROUND * (bow * chine[:, 1])[:, None] * (0.0, 1.0, -0.6)
-    bottom = [keel + a * (chine - keel) + 4.0 * a * (1.0 - a) * bulge for a in BOTTOM]
-    side = [chine + a * (deck - chine) for a in SIDE]
-    grid = np.stack([keel, *bottom, chine, *side, deck], axis=1)
+    bow = np.clip((STATIONS - WIDEST) / (STATIONS[-1] - WIDEST), 0.0, 1.0)
+    inward = (1.0 - 0.6 * bow**2)[:, None] * (0.0, -1.0, 0.0)
+    inner = chine + CHINE_WIDTH * inward
+    rail = RAIL_WIDTH * inward
+    bulge = ROUND * (bow**1.5 * chine[:, 1])[:, None] * (0.0, 1.0, -0.6)
+
+    def across(part):
+        return keel + part * (inner + rail - keel) + 4.0 * part * (1.0 - part) * bulge
+
+    side = chine + SIDE * (deck - chine)
+    at_rail = across(RAIL)
+    rows = [keel, across(FIRST), at_rail, at_rail - rail, inner, chine, side, deck]
+    grid = np.stack(rows, axis=1)
     foot = grid[-1, 0, 2]
-    heights = np.array([foot, foot, foot + 0.5 * (CHINE_Z - foot), CHINE_Z, 0, 0, DECK_Z])
-    heights[CHINE + 1 : DECK] = CHINE_Z + SIDE * (DECK_Z - CHINE_Z)
+    heights = np.array([foot, foot, *[RAIL_Z] * 2, *[CHINE_Z] * 2, 0.0, DECK_Z])
+    heights[DECK - 1] = CHINE_Z + SIDE * (DECK_Z - CHINE_Z)
     stem = np.stack([stem_x(heights), 0.0 * heights, heights], axis=-1)
     grid = np.concatenate([grid, stem[None]])
     grid[0, :, 0] = TRANSOM_X + TRANSOM_RAKE * grid[0, :, 2]
@@ -102,15 +108,18 @@ def points():
 def make(hull_io):
     mesh = Mesh()
     grid = points()
-    rows = mesh.round_stem_body(grid[:-1], grid[-1, 2:])
-    mesh.crease([row[CHINE] for row in rows])
+    rail, chine, side, deck = (mesh.point(grid[-1, row]) for row in (2, 4, 6, 7))
+    # Both edges of a level strip end in one point of the stem.
+    rows = mesh.round_stem_body(grid[:-1], [rail, rail, chine, chine, side, deck])
+    for edge in (*RAIL_EDGES, *CHINE_EDGES):
+        mesh.crease([row[edge] for row in rows])
     mesh.deck([row[DECK] for row in rows])
     size = np.hypot(1.0, TRANSOM_RAKE)
     mesh.flat((-1.0, 0.0, TRANSOM_RAKE), -TRANSOM_X / size, layer=1)
     return mesh.hull(
         hull_io,
         "Planing boat",
-        "designed for this project: a motor boat with hard chines and a warped bottom",
+        "designed for this project: a motor boat with hard chines and spray rails",
         length_pp=LENGTH,
         beam=BEAM,
         draft=DRAFT,

@@ -43,7 +43,7 @@ class _Plan:
         self.mm = 1e3 / self.scale
         self.width = size[0] * self.mm + 2 * SIDE
         self.height = size[1] * self.mm + TOP + FOOT
-        self.middle = 0.5 * (points[:, 0].min() + points[:, 0].max())
+        self.middle = 0.5 * self.given.length_pp
 
     def at(self, y, z):
         """Places (n, 2) on the page of breadths, to the right, and heights in m."""
@@ -100,7 +100,7 @@ class _Plan:
             midship = label == "10"
             curves = [c.points for c in hn.section(self.vessel.surface, "x", x)]
             for side in (-1.0, 1.0):
-                if curves and (midship or (x - 0.5 * self.given.length_pp) * side > 0.0):
+                if curves and (midship or (x - self.middle) * side > 0.0):
                     lines = [self.at(side * points[:, 1], points[:, 2]) for points in curves]
                     yield label, side, midship, lines
 
