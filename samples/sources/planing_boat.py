@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A fast motor boat: chine flat and spray rail, warped bottom from a fine bow to 15 degrees aft.
+"""A fast motor boat: chine flat and spray rail, warped bottom from a fine bow to 20 degrees aft.
 
 Nine sections and the stem, eight rows of points along the ship: keel, one in the bottom, the level
 strips of spray rail and chine with two each, one in the side, the deck edge. Keel and stem are one
@@ -35,7 +35,7 @@ RAIL_EDGES, CHINE_EDGES, DECK = (2, 3), (4, 5), 7
 # How wide the strips of rail and chine are aft; they narrow towards the stem.
 RAIL_WIDTH, CHINE_WIDTH = 0.06, 0.12
 # Where the widest sections are, and where rail, chine and deck edge end at the stem: heights.
-WIDEST, RAIL_Z, CHINE_Z, DECK_Z = 4.4, 0.82, 1.2, 2.05
+WIDEST, RAIL_Z, CHINE_Z, DECK_Z = 4.4, 0.86, 1.3, 2.05
 # The keel is straight up to the first, the stem's head is at the second.
 FOREFOOT, STEM_X = 5.6, 13.19
 # How round the sections of the bow are: parts of the half-breadth of the chine.
@@ -70,7 +70,7 @@ def lines():
     end = stem_x(CHINE_Z)
     x = STATIONS + 0.5 * along**1.8
     chine = np.stack(
-        [x, breadth(x, 1.7, 0.05, end, 2.3), rise(x, 0.42, CHINE_Z, 4.0, end, 2.2)], axis=-1
+        [x, breadth(x, 1.7, 0.05, end, 2.3), rise(x, 0.56, CHINE_Z, 4.0, end, 2.2)], axis=-1
     )
     x = STATIONS + 1.1 * along**1.8
     deck = np.stack(

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labels of lines in a drawing: above their upper ends, or on the lines, where there is room."""
+"""Labels of lines in a drawing: above their upper ends, on the lines, or beside the ends, where
+there is room."""
 
 import numpy as np
 
@@ -11,6 +12,9 @@ _ROOM, _NEAR = 0.35, 0.1
 _PLACES = np.linspace(0.06, 0.94, 45)
 # Labels of ends that are so near, over the letters' height, are one.
 _TOGETHER = 1.0
+# From the end of a line, over the letters' height, outwards and upwards to the near end of its
+# label's middle line.
+_ABOVE, _BESIDE = (0.45, 0.95), (0.7, -0.9)
 
 
 class Labels:
@@ -27,7 +31,7 @@ class Labels:
         """A label of a line through points (n, 2), to be right (side 1) or left of its upper end;
         others (n, 2): the points of lines that it must not cover. Where there is no room, none."""
         end = points[np.argmin(points[:, 1] - 1e-3 * side * points[:, 0])]
-        if self._joins(label, side, end) or self._stands_above([label], side, end):
+        if self._joins(label, side, end) or self._stands([label], side, end, _ABOVE):
             return
         width = paper.text_width_of(self.context, label, self.height)
         for middle in self._along(points):
@@ -36,29 +40,34 @@ class Labels:
                 self.on_lines.append((label, middle))
                 self.boxes.append(box)
                 return
+        self._stands([label], side, end, _BESIDE)
 
     def _joins(self, label, side, end):
         """Whether a label could be made one with another at the same place."""
-        for i, (names, of, at) in enumerate(self.ends):
+        for i, (names, of, at, way) in enumerate(self.ends):
             if of == side and np.hypot(*(at - end)) < _TOGETHER * self.height:
                 before = self.ends.pop(i), self.boxes.pop(i)
-                if self._stands_above([*names, label], side, at, i):
+                outer = way is _BESIDE and side * (end - at)[0] > 0.0
+                if self._stands([*names, label], side, end if outer else at, way, i):
                     return True
                 self.ends.insert(i, before[0])
                 self.boxes.insert(i, before[1])
         return False
 
-    def _stands_above(self, names, side, end, place=None):
-        """Whether there is room for one label of these names at the end of a line."""
+    def _stands(self, names, side, end, way, place=None):
+        """Whether there is room for one label of these names on that way from the end of a line."""
         width = paper.text_width_of(self.context, _together(names, side), self.height)
-        middle = end + [side * (0.5 * width + 0.45 * self.height), -0.95 * self.height]
+        middle = self._start(side, end, way) + [side * 0.5 * width, 0.0]
         box = self._box(middle, width)
         if not self._is_free(box):
             return False
         place = len(self.ends) if place is None else place
-        self.ends.insert(place, (names, side, end))
+        self.ends.insert(place, (names, side, end, way))
         self.boxes.insert(place, box)
         return True
+
+    def _start(self, side, end, way):
+        return end + np.array([side * way[0], -way[1]]) * self.height
 
     def _along(self, points):
         """Places on a line, the upper ones first."""
@@ -83,8 +92,8 @@ class Labels:
             self.context.fill()
             at = [middle[0], middle[1] + 0.36 * self.height]
             paper.text(self.context, at, label, self.height, colour)
-        for names, side, end in self.ends:
-            at = end + [side * 0.45 * self.height, -0.6 * self.height]
+        for names, side, end, way in self.ends:
+            at = self._start(side, end, way) + [0.0, 0.35 * self.height]
             align = 0.0 if side > 0.0 else 1.0
             paper.text(self.context, at, _together(names, side), self.height, colour, align)
 
