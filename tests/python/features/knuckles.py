@@ -5,8 +5,9 @@ import numpy as np
 
 
 def knuckle_to_stem(form, least=5.0, abaft=0.9):
-    """A knuckle above the water that begins abaft that part of the length and runs to the stem; the
-    side above it steeper. The largest angle is `least` degrees or more. The one found."""
+    """A knuckle above the water that begins abaft that part of the length and runs to the stem, the
+    uppermost of several; the side above it steeper. The largest angle is `least` degrees or more.
+    """
     given = form.given
     found = [
         knuckle
@@ -15,13 +16,12 @@ def knuckle_to_stem(form, least=5.0, abaft=0.9):
         and knuckle.points[:, 0].min() < abaft * given.length_pp
         and _ends_at_stem(form, knuckle)
     ]
-    assert len(found) == 1, f"{len(found)} knuckles run to the stem above the water"
-    (knuckle,) = found
+    assert found, "no knuckle runs to the stem above the water"
+    knuckle = max(found, key=lambda knuckle: knuckle.points[:, 2].max())
     assert knuckle.angles.max() > least, f"its angle is {knuckle.angles.max():.1f} degrees at most"
     at = knuckle.points[knuckle.angles.argmax()]
     above, below = (_lean(form, at, side) for side in (1.0, -1.0))
     assert above < below, f"the side above leans out by {above:.1f}, below by {below:.1f} degrees"
-    return knuckle
 
 
 def _ends_at_stem(form, knuckle):
@@ -80,7 +80,7 @@ def tumblehome(form, stations, least=3.0):
 
 def along_ship(form, least=20.0, over=0.6):
     """A knuckle from the transom to the stem, of that many degrees from aft over a part of the
-    length. The ones found."""
+    length."""
     found = [
         knuckle
         for knuckle in form.knuckles
@@ -90,7 +90,6 @@ def along_ship(form, least=20.0, over=0.6):
     for knuckle in found:
         aft = knuckle.points[:, 0] < over * form.given.length_pp
         assert knuckle.angles[aft].min() > least, f"{knuckle.angles[aft].min():.1f} degrees aft"
-    return found
 
 
 def across_ship(form, x, least=3.0):
