@@ -93,9 +93,10 @@ def fine_bow(form):
     assert angle < 35.0, f"half angle of entrance {angle:.1f} degrees"
 
 
-def rise_of_bottom(form, x):
-    """Degrees by which a station's bottom rises outwards, over its inner half: mean, spread."""
-    offsets = np.linspace(0.05, 0.5, 10) * 0.5 * form.given.beam
+def rise_of_bottom(form, x, out_to=0.5):
+    """Degrees by which a station's bottom rises outwards, to a part of the half breadth: mean,
+    spread."""
+    offsets = np.linspace(0.05, out_to, 10) * 0.5 * form.given.beam
     heights = form.bottoms(x, offsets)
     angles = np.degrees(np.arctan(np.diff(heights) / np.diff(offsets)))
     return angles.mean(), np.ptp(angles)

@@ -92,6 +92,20 @@ def along_ship(form, least=20.0, over=0.6):
         assert knuckle.angles[aft].min() > least, f"{knuckle.angles[aft].min():.1f} degrees aft"
 
 
+def level_strip(form, number, width):
+    """A strip between two knuckles from the transom to the stem, level across, that wide aft, where
+    it has a knuckle of 10 degrees at least on either side; its number from the keel."""
+    found = sorted(along_ship(form, least=10.0), key=lambda knuckle: knuckle.points[:, 1].max())
+    assert len(found) > 2 * number + 1, f"{len(found)} knuckles along the ship"
+    inner, outer = (
+        knuckle.points[np.argsort(knuckle.points[:, 0])]
+        for knuckle in found[2 * number : 2 * number + 2]
+    )
+    across = outer - inner
+    assert np.abs(across[:, 2]).max() < 1e-9 * form.size, "the strip is not level"
+    assert abs(across[0, 1] - width) < 0.05 * width, f"{across[0, 1]:.3f} m wide aft"
+
+
 def across_ship(form, x, least=3.0):
     """A knuckle in the plane of a station, from the centre plane to the deck edge."""
     found = [

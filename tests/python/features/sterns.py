@@ -75,9 +75,11 @@ def tunnel(form):
         ), f"the tunnel is {depth:.2f} m deep at x = {part:.2f} of the length"
 
 
-def steady_deadrise(form, least=8.0, most=25.0):
-    """Aft, the bottom rises outwards by the same angle from the keel to the chine, all along."""
-    found = [rise_of_bottom(form, part * form.given.length_pp) for part in (0.1, 0.2, 0.3, 0.4)]
+def steady_deadrise(form, least, out_to):
+    """Aft, the bottom rises outwards from the keel by the same angle all along, of that many
+    degrees, to that part of the half breadth."""
+    places = (part * form.given.length_pp for part in (0.1, 0.2, 0.3, 0.4))
+    found = [rise_of_bottom(form, x, out_to) for x in places]
     means, spreads = np.transpose(found)
-    assert least < means.min() and means.max() < most, f"deadrise {means} degrees"
+    assert least < means.min() and means.max() < 25.0, f"deadrise {means} degrees"
     assert np.ptp(means) < 2.0 and spreads.max() < 1.0, f"deadrise {means}, spread {spreads}"

@@ -81,8 +81,9 @@ CHECKS = {
         "spade rudder": bodies.spade_rudder,
     },
     "planing_boat": {
-        "hard chine": knuckles.along_ship,
-        "deadrise": sterns.steady_deadrise,
+        "chine flat": lambda form: knuckles.level_strip(form, 1, width=0.12),
+        "spray rail": lambda form: knuckles.level_strip(form, 0, width=0.06),
+        "deadrise": lambda form: sterns.steady_deadrise(form, least=15.0, out_to=0.35),
         "fine bow": bows.fine_bow,
         "raked transom": lambda form: flats.transom(form, rake=15.0),
     },
