@@ -80,7 +80,7 @@ def tumblehome(form, stations, least=3.0):
 
 def along_ship(form, least=20.0, over=0.6):
     """A knuckle from the transom to the stem, of that many degrees from aft over a part of the
-    length."""
+    length. Those found."""
     found = [
         knuckle
         for knuckle in form.knuckles
@@ -90,6 +90,7 @@ def along_ship(form, least=20.0, over=0.6):
     for knuckle in found:
         aft = knuckle.points[:, 0] < over * form.given.length_pp
         assert knuckle.angles[aft].min() > least, f"{knuckle.angles[aft].min():.1f} degrees aft"
+    return found
 
 
 def level_strip(form, number, width):
