@@ -11,6 +11,7 @@ _HANDLERS = (
     ("depsgraph_update_post", keep.after_update),
     ("frame_change_post", follow.after_frame),
     ("frame_change_post", keep.after_update),
+    ("render_pre", follow.before_picture),
     ("undo_post", follow.after_undo),
     ("undo_post", keep.after_undo),
     ("redo_post", follow.after_undo),

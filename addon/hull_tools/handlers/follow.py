@@ -4,6 +4,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
+from ..bridge import studio
 from ..bridge.analyses import live_analyses
 from ..bridge.conversion import conversions
 from ..bridge.display import colour_views
@@ -17,6 +18,7 @@ _is_following = False
 def forget_all():
     live_analyses.stop()
     live_normals.stop()
+    studio.stop()
     conversions.stop()
     hull_state.forget_all()
 
@@ -31,6 +33,7 @@ def _follow(hulls, scene, view_layer):
             hull_state.refresh(hull, scene)
             if hull.mode == "EDIT":
                 live_normals.ask()
+        studio.ask(hulls, scene)
         live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)
     finally:
         _is_following = False
@@ -71,6 +74,7 @@ def after_undo(*unused):
     """Undo restores shown objects from another moment than what was computed last."""
     hull_state.forget_deleted()
     hull_state.forget_shown()
+    studio.forget()
     _follow_all()
     colour_views.follow()
 
@@ -86,3 +90,8 @@ def after_load(*unused):
     forget_all()
     _follow_all()
     colour_views.follow()
+
+
+@persistent
+def before_picture(scene, *unused):
+    studio.before_picture(scene)

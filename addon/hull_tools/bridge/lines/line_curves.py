@@ -70,9 +70,15 @@ def new_curve(name, chains, radius, metres_per_unit, as_splines):
     curve.dimensions = "3D"
     curve.bevel_resolution = 1
     curve.bevel_depth = radius / metres_per_unit
+    write_chains(curve, chains, metres_per_unit, as_splines)
+    return curve
+
+
+def write_chains(curve, chains, metres_per_unit, as_splines):
+    """Gives a curve these chains_of a group in place of what it had."""
+    curve.splines.clear()
     for points in chains:
         _add_chain(curve, points / metres_per_unit, as_splines)
-    return curve
 
 
 def _emptied_collection(obj):

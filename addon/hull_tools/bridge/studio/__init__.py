@@ -5,7 +5,23 @@ All that is made is in one collection, and goes with it; what is changed of the 
 and put back. A scene has one studio at a time.
 """
 
-from .building import find, hull_of, look_from, make, remove, turn
+from .building import look_from, make, remove, turn
 from .cameras import TURNTABLE, VIEWS
+from .following import ask, before_picture, follow, forget, stop
+from .place import find, hull_of
 
-__all__ = ["TURNTABLE", "VIEWS", "find", "hull_of", "look_from", "make", "remove", "turn"]
+__all__ = [
+    "TURNTABLE",
+    "VIEWS",
+    "ask",
+    "before_picture",
+    "find",
+    "follow",
+    "forget",
+    "hull_of",
+    "look_from",
+    "make",
+    "remove",
+    "stop",
+    "turn",
+]

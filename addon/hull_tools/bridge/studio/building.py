@@ -3,28 +3,13 @@
 
 import bpy
 
-from ..blender import units
 from ..hull import hull_state
 from ..objects import shown_objects
-from . import cameras, deck, ground, keeping, light, lines_on_hull, paint, rendering
-from .place import MARK, Place, points_of
+from . import cameras, deck, following, ground, keeping, light, lines_on_hull, paint, rendering
+from .place import MARK, find, hull_of, place_of
 
 # Faces along each side of a cell: fine enough that a facet shows nowhere in the picture.
 _SAMPLES = 12
-
-
-def find(scene):
-    """The collection of the scene's studio; None when it has none."""
-    for collection in scene.collection.children_recursive:
-        if collection.get(MARK) is not None and collection.library is None:
-            return collection
-    return None
-
-
-def hull_of(scene):
-    """The hull that the scene's studio is for; None when there is no studio, or no such hull."""
-    collection = find(scene)
-    return None if collection is None else collection[MARK].get("hull")
 
 
 def make(hull, scene):
@@ -33,9 +18,8 @@ def make(hull, scene):
     state = hull_state.refresh(hull, scene)
     if state.status:
         raise ValueError(state.status)
-    scale = units.metres_per_unit(scene)
     settings = hull.hull.studio
-    groups = lines_on_hull.find(hull, state, settings.lines, scale)
+    plan = following.Plan.of(hull, state, scene, settings.lines)
     remove(scene)
 
     collection = bpy.data.collections.new(f"Studio of {hull.name}")
@@ -43,6 +27,7 @@ def make(hull, scene):
         "hull": hull,
         "samples": hull.hull.samples,
         "in water": settings.ground == "WATER",
+        "lines": settings.lines,
     }
     scene.collection.children.link(collection)
     keeping.keep(collection, scene)
@@ -50,40 +35,31 @@ def make(hull, scene):
     hull.hull.samples = max(hull.hull.samples, _SAMPLES)
     hull_state.refresh(hull, scene)
 
-    here = _place(hull, scene, collection)
-    _furnish(here, settings, state)
-    lines_on_hull.add_lines(here, state.surface, groups)
+    here = place_of(hull, scene)
+    _furnish(here, settings)
+    lines_on_hull.add_lines(here, plan.cuts)
     rendering.set_renderer(scene, settings.engine)
     cameras.add_cameras(here)
+    following.follow(scene)
     cameras.turn(here, settings.turntable_frames)
     look_from(scene, cameras.FIRST)
     keeping.show_only(collection, scene, _seen(hull, collection))
     return collection
 
 
-def _furnish(here, settings, state):
+def _furnish(here, settings):
     """Paint, deck, water or floor, and light."""
     surface_object = shown_objects.surface_of(here.hull)
     if settings.paint:
         _paint(here.collection, surface_object, paint.hull_paint(here, settings))
     if settings.deck:
-        deck.add_deck(here, surface_object.data, paint.deck_paint(here))
+        deck.add_deck(here, paint.deck_paint(here))
     backdrop = light.backdrop_of(settings.light)
     if here.in_water:
-        lines = lines_on_hull.waterlines(here.hull, state, here.metres_per_unit)
-        ground.add_water(here, [line / here.metres_per_unit for line in lines], backdrop)
+        ground.add_water(here, backdrop)
     elif settings.ground == "FLOOR":
         ground.add_floor(here, backdrop)
     here.scene.world = here.collection["own world"] = light.add_light(here, settings.light)
-
-
-def _place(hull, scene, collection):
-    points = points_of(shown_objects.surface_of(hull).data)
-    draft = units.as_typed(hull.hull.draft)
-    draft = draft if draft > points[:, 2].min() else 0.0
-    in_water = bool(collection[MARK]["in water"]) and draft > 0.0
-    scale = units.metres_per_unit(scene)
-    return Place(hull, scene, collection, points, draft, scale, in_water)
 
 
 def _paint(collection, surface_object, material):
@@ -139,7 +115,8 @@ def _studio_of(scene):
     hull = hull_of(scene)
     if hull is None or shown_objects.surface_of(hull) is None:
         raise ValueError("There is no studio: set it up first")
-    return _place(hull, scene, find(scene))
+    following.follow(scene)
+    return place_of(hull, scene)
 
 
 def remove(scene):

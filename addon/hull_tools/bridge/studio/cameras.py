@@ -49,16 +49,25 @@ VIEWS = {
 }
 FIRST, TURNTABLE = "BOW", "TURNTABLE"
 _PIVOT = "Studio turntable"
+# How a camera stood when it was framed; one that the user has moved is his.
+_STANDS = "hull_studio_stands"
 
 
 def add_cameras(here):
-    """Cameras of all VIEWS, framed to the hull; that of the turntable on an empty that turns."""
+    """Cameras of all VIEWS, not framed yet; that of the turntable on an empty that turns."""
     for name, view in VIEWS.items():
         camera = _new_camera(here, view)
         if name == TURNTABLE:
-            camera.parent = here.add(_PIVOT, None, here.centre)
+            camera.parent = here.add(_PIVOT, None)
             camera.parent.empty_display_size = 0.1 * here.length
-        frame(here, camera, name)
+
+
+def follow(here):
+    """Frames those cameras anew that stand where they were put."""
+    for name, view in VIEWS.items():
+        camera = camera_of(here.collection, view)
+        if camera is not None and list(camera.get(_STANDS, _stand(camera))) == _stand(camera):
+            frame(here, camera, name)
 
 
 def _new_camera(here, view):
@@ -69,16 +78,13 @@ def _new_camera(here, view):
     lens.clip_start, lens.clip_end = (part * here.length for part in _CLIP)
     lens.display_size = 0.05 * here.length
     camera = here.add(view.label, lens)
-    camera[place.MARK] = view.label
     return camera
 
 
 def camera_of(collection, view):
     """The camera of one of VIEWS in a studio's collection, None if it is gone."""
-    for obj in collection.objects:
-        if obj.type == "CAMERA" and obj.get(place.MARK) == view.label:
-            return obj
-    return None
+    cameras = (obj for obj in collection.objects if obj.type == "CAMERA")
+    return next((obj for obj in cameras if obj.get(place.MARK) == view.label), None)
 
 
 def frame(here, camera, name):
@@ -91,6 +97,17 @@ def frame(here, camera, name):
         points = wet if len(wet) else points
     place_of = _perspective if view.lens else _orthographic
     camera.matrix_basis = place_of(here, camera.data, points, _axes(view))
+    pivot = here.find(_PIVOT)
+    if pivot is not None and camera.parent == pivot:
+        pivot.location = here.centre
+    camera[_STANDS] = _stand(camera)
+
+
+def _stand(camera):
+    """Numbers of how a camera stands and what it shows."""
+    lens = camera.data
+    places = [part for row in camera.matrix_basis for part in row]
+    return [*places, lens.ortho_scale, lens.shift_y, lens.lens]
 
 
 def width_at(here, camera):

@@ -9,21 +9,28 @@ import bmesh
 import bpy
 import numpy as np
 
+_NAME = "Studio deck"
 
-def add_deck(here, mesh, material):
-    """Closes the openings of the surface's `mesh`, which has both sides."""
+
+def add_deck(here, material):
+    """A deck, still empty."""
+    deck = bpy.data.meshes.new(_NAME)
+    deck.materials.append(material)
+    here.add_scenery(_NAME, deck)
+
+
+def follow(here):
+    """Has the deck, if there is one, close the openings of the surface as it is now."""
+    deck = here.find(_NAME)
+    if deck is None:
+        return
     lids = bmesh.new()
     try:
-        for edges in _openings(mesh):
+        for edges in _openings(here.surface):
             _close(lids, here.points, edges)
-        if not lids.faces:
-            return
-        deck = bpy.data.meshes.new("Studio deck")
-        lids.to_mesh(deck)
+        lids.to_mesh(deck.data)
     finally:
         lids.free()
-    deck.materials.append(material)
-    here.add_scenery("Studio deck", deck)
 
 
 def _openings(mesh):

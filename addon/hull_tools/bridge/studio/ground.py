@@ -27,6 +27,7 @@ _REFRACTION = 1.333
 _MIRRORING = 0.68
 _TINT = (0.80, 0.93, 0.95)
 
+_LEVEL_SINE = 1e-4
 _WINDOW = (0.35, 0.85)  # sines between which the surface is seen from below as a mirror, and open
 _WINDOW_COLOUR = (0.42, 0.80, 0.88)
 _SEEN_FROM_BELOW = 1.6  # lengths
@@ -34,12 +35,32 @@ _SEEN_FROM_BELOW = 1.6  # lengths
 _FLOOR_COLOUR = (0.48, 0.485, 0.49)
 
 
-def add_water(here, waterlines, backdrop):
-    """Water at the draft, with none inside the hull's closed `waterlines`, polylines (k, 3) of both
-    sides in Blender's units. backdrop: see light.backdrop_of."""
+_WATER_NAME, _FLOOR_NAME = "Studio water", "Studio floor"
+
+
+def add_water(here, backdrop):
+    """Water, still empty. backdrop: see light.backdrop_of."""
+    mesh = bpy.data.meshes.new(_WATER_NAME)
+    mesh.materials.append(_water(here, backdrop))
+    water = here.add_scenery(_WATER_NAME, mesh)
+    water.visible_shadow = water.visible_diffuse = False
+
+
+def follow(here, waterlines):
+    """Brings the water to the draft, with none inside the hull's closed `waterlines`, polylines
+    (k, 3) of both sides in m; or the floor under the keel. What is gone stays away."""
+    water, floor = here.find(_WATER_NAME), here.find(_FLOOR_NAME)
+    if water is not None:
+        water.location.z = here.draft
+        _fill_water(here, water.data, waterlines)
+    if floor is not None:
+        floor.location = (*here.centre[:2], here.low[2] - 1e-3 * here.length)
+
+
+def _fill_water(here, mesh, waterlines):
     near, far = (_square(here, size) for size in (_NEAR, _TO_THE_HORIZON))
-    lines = [[(float(p[0]), float(p[1]), 0.0) for p in line] for line in waterlines]
-    mesh = bpy.data.meshes.new("Studio water")
+    scaled = [line / here.metres_per_unit for line in waterlines]
+    lines = [[(float(p[0]), float(p[1]), 0.0) for p in line] for line in scaled]
     bm = bmesh.new()
     try:
         if not _fill_around(bm, near, lines, 1e-5 * here.length):
@@ -56,9 +77,6 @@ def add_water(here, waterlines, backdrop):
         bm.to_mesh(mesh)
     finally:
         bm.free()
-    mesh.materials.append(_water(here, backdrop))
-    water = here.add_scenery("Studio water", mesh, (0.0, 0.0, here.draft))
-    water.visible_shadow = water.visible_diffuse = False
 
 
 def _square(here, size):
@@ -96,7 +114,12 @@ def _water(here, backdrop):
         _from_above(nodes, here, distance, ripples, backdrop),
         _from_below(nodes, here, distance, sine, ripples),
     )
-    nodes.finish(shader)
+    # Level sight alone meets the sides: EEVEE draws them over the sheet, which is before them.
+    upwards = nodes.math("ABSOLUTE", nodes.split(geometry["True Normal"])[2])
+    is_side = nodes.math("LESS_THAN", upwards, 0.5)
+    is_side = nodes.math("MULTIPLY", is_side, nodes.math("GREATER_THAN", sine, _LEVEL_SINE))
+    nothing = nodes.add("ShaderNodeBsdfTransparent").outputs[0]
+    nodes.finish(nodes.mix_shader(is_side, shader, nothing))
     blender_versions.make_see_through(material)
     return material
 
@@ -147,14 +170,13 @@ def _from_below(nodes, here, distance, sine, ripples):
 
 
 def add_floor(here, backdrop):
-    """A floor under the keel that goes over into the backdrop, and is not there from below."""
+    """A floor that goes over into the backdrop, and is not there from below."""
     size = _FLOOR * here.length
     corners = [(-size, -size, 0.0), (size, -size, 0.0), (size, size, 0.0), (-size, size, 0.0)]
-    mesh = bpy.data.meshes.new("Studio floor")
+    mesh = bpy.data.meshes.new(_FLOOR_NAME)
     mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
     mesh.materials.append(_floor(here, backdrop))
-    x, y, _ = here.centre
-    floor = here.add_scenery("Studio floor", mesh, (x, y, here.low[2] - 1e-3 * here.length))
+    floor = here.add_scenery(_FLOOR_NAME, mesh)
     # The bottom is lit through it, and can be looked at from below.
     floor.visible_shadow = floor.visible_diffuse = False
 

@@ -32,6 +32,8 @@ _SETTINGS = (
     "eevee.taa_render_samples",
     "eevee.use_gtao",
     "eevee.use_soft_shadows",
+    "eevee.shadow_pool_size",
+    "eevee.shadow_resolution_scale",
 )
 
 

@@ -12,22 +12,24 @@ _WATERLINES_TO_DRAFT = 4
 _STATIONS = 20
 
 
-def find(hull, state, choice, metres_per_unit):
-    """The lines.Groups to draw: "SECTIONS" for stations and waterlines, "SHOWN" for the kinds that
-    are shown in the 3D view, "NONE"."""
+def wanted_cuts(hull, state, choice, metres_per_unit):
+    """What to draw, as lines.groups takes it: "SECTIONS" for stations and waterlines, "SHOWN" for
+    the kinds that are shown in the 3D view, "NONE"."""
     if choice == "NONE":
-        return []
-    surface = state.surface
-    points = surface.mesh.points
+        return {}
+    points = state.surface.mesh.points
     if choice == "SHOWN":
-        wanted = lines.wanted_cuts(hull.hull, points, metres_per_unit)
-    else:
-        kinds = ("station", "waterline", "draft", "feature")
-        wanted = lines.cuts_of_kinds(hull.hull, points, metres_per_unit, kinds)
-        wanted["station"] = wanted["station"] or _even_stations(points)
-        wanted["waterline"] = wanted["waterline"] or _even_waterlines(wanted["draft"], points)
-    known = state.lines if choice == "SHOWN" else {}
-    return list(lines.groups(known, surface, wanted, hull.hull.half, state.moved).values())
+        return lines.wanted_cuts(hull.hull, points, metres_per_unit)
+    kinds = ("station", "waterline", "draft", "feature")
+    wanted = lines.cuts_of_kinds(hull.hull, points, metres_per_unit, kinds)
+    wanted["station"] = wanted["station"] or _even_stations(points)
+    wanted["waterline"] = wanted["waterline"] or _even_waterlines(wanted["draft"], points)
+    return wanted
+
+
+def find(hull, state, wanted):
+    """The lines.Groups of wanted_cuts."""
+    return list(lines.groups({}, state.surface, wanted, hull.hull.half, state.moved).values())
 
 
 def waterlines(hull, state, metres_per_unit):
@@ -53,15 +55,28 @@ def _even_waterlines(draft_cuts, points):
     return tuple(lines.Cut((0.0, 0.0, 1.0, z)) for z in heights if abs(z - top) > 1e-3 * step)
 
 
-def add_lines(here, surface, groups):
-    for group in groups:
-        chains = line_curves.chains_of(surface, group, True)
-        if not chains:
-            continue
-        name = f"Studio {line_curves.LAYER_NAMES[group.kind]}"
-        curve = line_curves.new_curve(name, chains, 0.0, here.metres_per_unit, True)
-        curve.materials.append(paint.line_paint(group.kind, here))
+def add_lines(here, kinds):
+    """Curves of these of lines.KINDS, still empty."""
+    for kind in kinds:
+        name = _name(kind)
+        curve = line_curves.new_curve(name, [], 0.0, here.metres_per_unit, True)
+        curve.materials.append(paint.line_paint(kind, here))
         here.add_scenery(name, curve).visible_shadow = False
+
+
+def follow(here, surface, groups):
+    """Draws these lines anew; what is gone stays away."""
+    groups = {group.kind: group for group in groups}
+    for kind in line_curves.LAYER_NAMES:
+        drawn = here.find(_name(kind))
+        if drawn is not None:
+            group = groups.get(kind)
+            chains = [] if group is None else line_curves.chains_of(surface, group, True)
+            line_curves.write_chains(drawn.data, chains, here.metres_per_unit, True)
+
+
+def _name(kind):
+    return f"Studio {line_curves.LAYER_NAMES[kind]}"
 
 
 def draw_thin(here, picture_width):

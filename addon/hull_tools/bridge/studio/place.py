@@ -6,6 +6,9 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
+from ..blender import units
+from ..objects import shown_objects
+
 # On all that a studio has made, so that what a user adds to its collection can be told from it.
 MARK = "hull_studio"
 
@@ -23,6 +26,11 @@ class Place:
     draft: float
     metres_per_unit: float
     in_water: bool
+
+    @property
+    def surface(self):
+        """The mesh that shows the hull's surface, both sides."""
+        return self.hull.hull.surface_object.data
 
     @property
     def low(self):
@@ -43,17 +51,46 @@ class Place:
     def add(self, name, data, location=(0.0, 0.0, 0.0)):
         """A new object of the studio, which goes with the hull."""
         obj = bpy.data.objects.new(name, data)
-        obj[MARK] = True
+        obj[MARK] = name
         obj.parent = self.hull
         obj.location = location
         self.collection.objects.link(obj)
         return obj
+
+    def find(self, name):
+        """The object that was added by this name, whatever it is called now; None if it is gone."""
+        return next((obj for obj in self.collection.objects if obj.get(MARK) == name), None)
 
     def add_scenery(self, name, data, location=(0.0, 0.0, 0.0)):
         """The same of one that is there to be seen and lit, and not to be picked."""
         obj = self.add(name, data, location)
         obj.hide_select = True
         return obj
+
+
+def find(scene):
+    """The collection of the scene's studio; None when it has none."""
+    for collection in scene.collection.children_recursive:
+        if collection.get(MARK) is not None and collection.library is None:
+            return collection
+    return None
+
+
+def hull_of(scene):
+    """The hull that the scene's studio is for; None when there is no studio, or no such hull."""
+    collection = find(scene)
+    return None if collection is None else collection[MARK].get("hull")
+
+
+def place_of(hull, scene):
+    """The Place of a hull and its studio, as the hull is shown now."""
+    collection = find(scene)
+    points = points_of(shown_objects.surface_of(hull).data)
+    draft = units.as_typed(hull.hull.draft)
+    draft = draft if draft > points[:, 2].min() else 0.0
+    in_water = bool(collection[MARK]["in water"]) and draft > 0.0
+    scale = units.metres_per_unit(scene)
+    return Place(hull, scene, collection, points, draft, scale, in_water)
 
 
 def points_of(mesh):

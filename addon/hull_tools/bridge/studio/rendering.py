@@ -20,6 +20,8 @@ _EEVEE = {
     "eevee.taa_render_samples": 64,
     "eevee.use_gtao": True,
     "eevee.use_soft_shadows": True,
+    "eevee.shadow_pool_size": "1024",
+    "eevee.shadow_resolution_scale": 0.5,
 }
 
 

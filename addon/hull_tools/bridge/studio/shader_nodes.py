@@ -25,6 +25,15 @@ class Nodes:
         else:
             socket.default_value = value
 
+    def named(self, name, value):
+        """A number that set_named changes later."""
+        node = self._tree.nodes.get(name)
+        if node is None:
+            node = self._tree.nodes.new("ShaderNodeValue")
+            node.name = node.label = name
+        node.outputs[0].default_value = value
+        return node.outputs[0]
+
     def math(self, operation, *values):
         node = self._tree.nodes.new("ShaderNodeMath")
         node.operation = operation
@@ -97,3 +106,10 @@ class Nodes:
 
 def rgba(colour):
     return (*colour[:3], 1.0)
+
+
+def set_named(material, name, value):
+    """Changes a number that Nodes.named has put into a material; one that is not there stays so."""
+    node = material.node_tree.nodes.get(name) if material.use_nodes else None
+    if node is not None:
+        node.outputs[0].default_value = value

@@ -22,6 +22,9 @@ _CLEAR_AT_KEEL, _STEEPNESS = 0.7, 0.15
 # The same of what is one length of the hull away from an eye in the water.
 _CLEAR_AT_LENGTH = 0.84
 
+# The number of that name in materials.
+DRAFT = "Draft"
+
 # Who looks more level than this from above the water sees a drawing, without water.
 LEVEL = 0.01
 
@@ -36,6 +39,7 @@ def veiled(nodes, shader, draft, length):
 
     The material's object has the hull's coordinates and is upright.
     """
+    draft = nodes.named(DRAFT, draft)
     height = nodes.split(nodes.add("ShaderNodeTexCoord").outputs["Object"])[2]
     eye = nodes.split(nodes.eye())[2]
     towards_eye = nodes.split(nodes.add("ShaderNodeNewGeometry").outputs["Incoming"])[2]
@@ -43,7 +47,8 @@ def veiled(nodes, shader, draft, length):
     depth = nodes.math("SUBTRACT", draft, height)
     is_above = nodes.math("GREATER_THAN", eye, draft)
     from_above = nodes.math("DIVIDE", depth, nodes.math("MAXIMUM", towards_eye, LEVEL))
-    from_above = nodes.math("MULTIPLY", from_above, -log(_CLEAR_AT_KEEL) * _STEEPNESS / draft)
+    from_above = nodes.math("MULTIPLY", from_above, -log(_CLEAR_AT_KEEL) * _STEEPNESS)
+    from_above = nodes.math("DIVIDE", from_above, draft)
     is_steep = nodes.math("GREATER_THAN", towards_eye, LEVEL)
     from_above = nodes.math("MULTIPLY", from_above, is_steep)
     from_below = nodes.math("MULTIPLY", distance, -log(_CLEAR_AT_LENGTH) / length)
