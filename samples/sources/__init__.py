@@ -2,9 +2,9 @@
 """Where the sample hulls come from: a module each, with make(hull_io) -> HullData.
 
 `hull_io` is the add-on's io package, loaded without Blender. A module also tells of
-FEATURES (what the vessel shows, and how it is in the mesh), MOST_POINTS (of the half hull's control
-mesh), WANTED (inflections and extrema of curvature that the design calls for) and, where there are
-any, PUBLISHED values.
+FEATURES (what the vessel shows, and how it is in the mesh; tests/python/features/table.py has a
+check of each), MOST_POINTS (of the half hull's control mesh), WANTED (inflections and extrema of
+curvature that the design calls for) and, where there are any, PUBLISHED values.
 """
 
 import importlib

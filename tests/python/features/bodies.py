@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a hull is made of, and its proportions: separate bodies, keels, demihulls, centres."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from .form import SAME
+from .form import SAME, Form
 
 
 def bodies(data):
@@ -29,6 +31,24 @@ def separate(form, *layers):
     return faces
 
 
+def alone(form, faces):
+    """The Form of some faces without the others."""
+    data = form.data
+    used = np.unique(np.concatenate([data.faces[face] for face in faces]))
+    new = {int(vertex): number for number, vertex in enumerate(used)}
+    part = replace(
+        data,
+        points=np.array(data.points)[used],
+        faces=[[new[vertex] for vertex in data.faces[face]] for face in faces],
+        face_layers=[data.face_layers[face] for face in faces],
+        creases=[(new[a], new[b]) for a, b in data.creases if a in new and b in new],
+        corners=[new[vertex] for vertex in data.corners if vertex in new],
+        deck_edge=[],
+        flats=[],
+    )
+    return Form(part)
+
+
 def openings(form, faces):
     """Points of a body's borders that are not in the centre plane, of the exact surface."""
     own = {vertex for face in faces for vertex in form.data.faces[face]}
@@ -45,11 +65,14 @@ def canoe_body(form):
 
 
 def fin_keel_with_bulb(form, layer="Keel"):
-    """A body that is open at its top alone, inside the canoe body; a bulb thicker than the fin, a
-    knuckle where they meet."""
+    """A body that is open at its top alone, which is within the canoe body; a bulb thicker than
+    the fin, a knuckle where they meet."""
     faces = separate(form, layer)
     open_at = openings(form, faces)
     assert np.ptp(open_at[:, 2]) < 0.02 * form.given.draft, "open elsewhere than at its top"
+    canoe = alone(form, separate(form, "Shell", "Transom"))
+    above = open_at[:, 2] - [canoe.bottoms(x, y)[0] for x, y, _ in open_at]
+    assert above.min() > 0.0, f"the fin's top is {-above.min():.3f} m below the canoe body"
     x, top = open_at[:, 0].mean(), open_at[:, 2].min()
     breadths = form.breadths(x, np.linspace(0.01, 0.95, 200) * top)
     half_down = breadths[100:].max()
@@ -75,6 +98,9 @@ def spade_rudder(form, layer="Rudder"):
     span, chord = high[2] - low[2], high[0] - low[0]
     assert span > chord and high[1] < 0.15 * chord, f"span {span:.2f}, half breadth {high[1]:.3f}"
     assert form.in_plane((0.0, 0.0, -1.0), -low[2]), "the rudder's foot is not plane"
+    canoe = alone(form, separate(form, "Shell", "Transom"))
+    gaps = [canoe.bottoms(x, y + 1e-9 * form.size)[0] - z for x, y, z in points]
+    assert 0.0 < min(gaps) < 0.05 * span, f"{min(gaps):.3f} m between rudder and canoe body"
 
 
 def _points_of(form, faces):

@@ -4,6 +4,7 @@
 import numpy as np
 
 from .form import IN_PLANE, SAME
+from .knuckles import between_planes
 
 
 def flat(form, normal, offset, along, across=(0.0, 0.0), upright=(0.0, 0.0)):
@@ -49,6 +50,8 @@ def sides_of_three_planes(form, along):
     assert len(leans) == 3, f"{len(leans)} planes at the side"
     low, middle, high = sorted(leans)
     assert low < -3.0 and abs(middle) < 1e-9 and high > 3.0, f"they lean by {leans} degrees"
+    for angle in (-low, high):
+        between_planes(form, angle, within=0.1)
 
 
 def mostly_flat(form, least):

@@ -5,9 +5,9 @@ import numpy as np
 
 
 def knuckle_to_stem(form, least=5.0, abaft=0.9):
-    """A knuckle above the water that begins abaft that part of the length and runs to the stem, the
-    uppermost of several; the side above it steeper. The largest angle is `least` degrees or more.
-    """
+    """A knuckle above the water from the deck edge, at the break of the forecastle abaft that part
+    of the length, to the stem, the uppermost of several; the side above it steeper. The largest
+    angle is `least` degrees or more."""
     given = form.given
     found = [
         knuckle
@@ -18,6 +18,9 @@ def knuckle_to_stem(form, least=5.0, abaft=0.9):
     ]
     assert found, "no knuckle runs to the stem above the water"
     knuckle = max(found, key=lambda knuckle: knuckle.points[:, 2].max())
+    deck_edge = {vertex for edge in form.data.deck_edge for vertex in edge}
+    ends = zip(knuckle.curve.vertices[[0, -1]], knuckle.points[[0, -1], 0])
+    assert min(ends, key=lambda end: end[1])[0] in deck_edge, "it does not begin at the deck edge"
     assert knuckle.angles.max() > least, f"its angle is {knuckle.angles.max():.1f} degrees at most"
     at = knuckle.points[knuckle.angles.argmax()]
     above, below = (_lean(form, at, side) for side in (1.0, -1.0))
@@ -37,29 +40,62 @@ def _lean(form, place, side):
     return np.degrees(np.arctan(np.diff(breadths)[0] / np.diff(heights)[0]))
 
 
-def fading(form, most_height, x=(0.0, 1.0), on_side=False):
-    """A knuckle above the bilge that fades: a dart ends it, to which its angle falls evenly. The
-    end is between those parts of the length, no higher than that part of the depth; and in the
-    plane of the side, if asked for."""
+def fading(form, aft):
+    """A knuckle that lies in the plane of the side over part of its length, and that fades at its
+    after or forward end: a dart, to which its angle falls evenly over a fiftieth of the length."""
     given = form.given
-    ends = []
+    found = []
     for knuckle in form.knuckles:
         for first, step in zip((0, -1), (1, -1)):
-            place = knuckle.points[first]
-            if knuckle.fades[first] and x[0] <= place[0] / given.length_pp <= x[1]:
-                if 0.4 * given.draft < place[2] <= most_height * given.depth:
-                    ends.append((place, knuckle.points[::step], knuckle.angles[::step]))
-    if on_side:
-        ends = [end for end in ends if 0.5 * given.beam - end[0][1] < 1e-3 * given.beam]
-    assert ends, "no knuckle fades there"
-    for place, points, angles in ends:
-        # From the end to the first place where the angle falls again: all that rises evenly.
-        rising = np.flatnonzero(np.diff(angles) < 0.0)
-        peak = rising[0] if len(rising) else len(angles) - 1
-        assert angles[0] < 0.1, f"{angles[0]:.3f} degrees at its end {place}"
-        assert angles[peak] > 2.0, f"{angles[peak]:.1f} degrees at most near {place}"
-        length = np.linalg.norm(points[peak] - points[0])
-        assert length > 0.02 * given.length_pp, f"fades within {length:.1f} m at {place}"
+            points, angles = knuckle.points[::step], knuckle.angles[::step]
+            above_bilge = points[:, 2].min() > 0.2 * given.draft
+            is_end = (points[0, 0] < points[-1, 0]) == aft
+            if knuckle.fades[first] and is_end and above_bilge and _along_side(form, points):
+                found.append((points, angles))
+    assert len(found) == 1, f"{len(found)} knuckles of the side fade there"
+    ((points, angles),) = found
+    # From the end to the first place where the angle falls again: all that rises evenly.
+    falling = np.flatnonzero(np.diff(angles) < 0.0)
+    peak = falling[0] if len(falling) else len(angles) - 1
+    assert angles[0] < 0.1, f"{angles[0]:.3f} degrees at its end {points[0]}"
+    assert angles[peak] > 2.0, f"{angles[peak]:.1f} degrees at most near {points[0]}"
+    length = np.linalg.norm(points[peak] - points[0])
+    assert length > 0.02 * given.length_pp, f"fades within {length:.1f} m at {points[0]}"
+    return points[0]
+
+
+def _along_side(form, points):
+    """Whether a tenth of the ship's length or more is in the plane of the largest half breadth."""
+    inside = points[0.5 * form.given.beam - points[:, 1] < 1e-9 * form.size]
+    return len(inside) and np.ptp(inside[:, 0]) > 0.1 * form.given.length_pp
+
+
+def fading_before_stem(form):
+    """A knuckle of the side that leaves its plane forward, and fades before the stem."""
+    end = fading(form, aft=False)
+    assert end[1] > 0.1 * form.given.beam, f"it runs on to the stem, {end}"
+    assert 0.5 * form.given.beam - end[1] > 0.01 * form.given.beam, f"it ends in the side, {end}"
+
+
+def fading_to_water(form):
+    """A knuckle of the side that fades aft, within it, no farther from the water than a third of
+    the draft."""
+    end = fading(form, aft=True)
+    assert 0.5 * form.given.beam - end[1] < 1e-3 * form.given.beam, f"not in the side, {end}"
+    away = abs(end[2] - form.given.draft)
+    assert away < form.given.draft / 3.0, f"it ends {away:.2f} m from the water"
+
+
+def between_planes(form, angle, within):
+    """A knuckle of one angle amidships, between two planes of the side."""
+    middle = 0.5 * form.given.length_pp
+    for knuckle in form.knuckles:
+        x = knuckle.points[:, 0]
+        if x.min() < middle < x.max() and knuckle.points[:, 2].min() > 0.2 * form.given.draft:
+            at = np.abs(x - middle).argmin()
+            if abs(knuckle.angles[at] - angle) < within:
+                return
+    raise AssertionError(f"no knuckle of {angle:.1f} degrees amidships")
 
 
 def tumblehome(form, stations, least=3.0):

@@ -147,6 +147,11 @@ def off_centre(x, y, z, given):
     return x, y * (1.0 + 1e-3 * y), z
 
 
+def parted_bodies(x, y, z, given):
+    """What is below four fifths of the draft is further down."""
+    return x, y, np.where(z < 0.81 * given.draft, z - 0.2 * given.draft, z)
+
+
 def thick_aft(x, y, z, given):
     """Four times as wide aft below the water."""
     return x, np.where((z < given.draft) & (x < 0.2 * given.length_pp), 4.0 * y, y), z
@@ -196,6 +201,7 @@ SPOILS = [
     ("research_vessel", "tumblehome", moved(flared)),
     ("research_vessel", "forecastle knuckle", moved(narrowed)),
     ("research_vessel", "flat side in three parts", moved(off_centre)),
+    ("research_vessel", "flat side in three parts", without_creases(upper)),
     ("research_vessel", "flat bottom", moved(waved)),
     ("barge", "flat bottom and side", moved(waved)),
     ("barge", "transoms", without_creases(foremost)),
@@ -208,6 +214,7 @@ SPOILS = [
     ("naval_vessel", "FINE", moved(full_stern)),
     ("sailing_yacht", "canoe body", as_one_layer),
     ("sailing_yacht", "fin keel with bulb", moved(without_bulb)),
+    ("sailing_yacht", "fin keel with bulb", moved(parted_bodies)),
     ("sailing_yacht", "spade rudder", moved(thick_aft)),
     ("planing_boat", "chine flat", without_creases(amidships)),
     ("planing_boat", "spray rail", moved(twisted)),

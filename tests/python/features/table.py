@@ -2,8 +2,7 @@
 """Which check holds which feature of which vessel.
 
 CHECKS: by vessel, by the feature's name in FEATURES of its source, a function of a Form that
-asserts it. Names in capitals: what vessels of the kind have that is not on the list. BY_EYE: by
-vessel, features that no test can tell, and why.
+asserts it. Names in capitals: what vessels of the kind have that is not on the list.
 """
 
 from . import bodies, bows, flats, knuckles, sterns
@@ -14,7 +13,7 @@ CHECKS = {
         "stern bulb": sterns.stern_bulb,
         "flat bottom": lambda form: flats.flat_bottom(form, along=0.5, outwards=0.75),
         "flat side": lambda form: flats.flat_side(form, along=0.6, low=0.2, high=1.0),
-        "flat-side knuckle": lambda form: knuckles.fading(form, most_height=0.9, x=(0.75, 1.02)),
+        "flat-side knuckle": knuckles.fading_before_stem,
         "transom": flats.transom,
         "flat bar": lambda form: flats.flat_bar(form, half_width=0.22),
     },
@@ -35,7 +34,7 @@ CHECKS = {
         "skeg": sterns.skeg,
         "pram-type stern": lambda form: sterns.pram(form, length=0.12),
         "forecastle knuckle": knuckles.knuckle_to_stem,
-        "flat-side knuckle": lambda form: knuckles.fading(form, most_height=0.7, on_side=True),
+        "flat-side knuckle": knuckles.fading_to_water,
         "flat bottom": lambda form: flats.flat_bottom(form, along=0.15, outwards=0.4),
         "transom": flats.transom,
         "BUOYANCY AFT": bodies.buoyancy_aft,
@@ -104,4 +103,3 @@ CHECKS = {
         "transom": flats.transom,
     },
 }
-BY_EYE = {}
