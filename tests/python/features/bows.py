@@ -70,6 +70,14 @@ def forefoot_under_spoon(form):
     assert len(irregular_points(form, forward_of=0.8 * form.given.length_pp)) >= 2
 
 
+def blunt(form):
+    """At the water the ship has more than half its breadth but a twentieth of its length abaft the
+    forward perpendicular."""
+    given = form.given
+    breadth = form.breadths(0.95 * given.length_pp, given.draft)[0] / (0.5 * given.beam)
+    assert breadth > 0.5, f"{breadth:.2f} of the half beam"
+
+
 def flared_bow(form, least=10.0):
     """Forward, sections lean outwards from the water to the deck, by that many degrees."""
     for part in (0.85, 0.9, 0.95):

@@ -34,6 +34,16 @@ def flat_bottom(form, along, outwards):
     flat(form, (0.0, 0.0, -1.0), 0.0, along, across=(0.05, outwards))
 
 
+def flat_bottom_in_knuckle(form, along, outwards):
+    """The same, bounded outwards by a knuckle in the base plane over most of its length."""
+    flat_bottom(form, along, outwards)
+    points = np.vstack([knuckle.points for knuckle in form.knuckles])
+    x, y, z = points.T
+    edge = x[(np.abs(z) < SAME * form.size) & (y > 0.05 * form.given.beam)]
+    length = np.ptp(edge) / form.given.length_pp if len(edge) else 0.0
+    assert length > 0.8 * along, f"a knuckle bounds the flat over {length:.2f} of the length"
+
+
 def flat_side(form, along, low, high):
     """In the plane of the largest half breadth, between heights as parts of the depth."""
     flat(form, (0.0, 1.0, 0.0), 0.5 * form.given.beam, along, upright=(low, high))
@@ -82,6 +92,8 @@ def transom(form, layer="Transom", forward=False, rake=0.0, least=20.0):
     normal = axes[2]
     away = np.abs(corners @ normal).max()
     assert away <= 2.0 * IN_PLANE * size, f"{away:.1e} m from a plane"
+    share = _folded(form, cells, normal)
+    assert share < 1e-3, f"{share:.4f} of the transom is folded over itself"
     lean = np.degrees(np.arcsin(abs(normal[2])))
     assert lean <= rake + 1e-9 and abs(normal[1]) < 1e-9, f"the transom leans by {lean:.1f}"
     rim = _rim(form, faces)
@@ -92,6 +104,14 @@ def transom(form, layer="Transom", forward=False, rake=0.0, least=20.0):
         chain = zip(knuckle.curve.vertices, knuckle.curve.vertices[1:])
         if all(tuple(sorted(map(int, edge))) in rim for edge in chain):
             assert knuckle.angles.min() > least, f"{knuckle.angles.min():.1f} degrees at the rim"
+
+
+def _folded(form, cells, normal):
+    """The part of a plane's area whose normal is turned round; over all that face alike."""
+    _, along_u, along_v = form.surface.evaluate_grid(8, 1)
+    pieces = np.cross(along_u[cells], along_v[cells]) @ normal
+    facing = np.where(pieces.sum(axis=(1, 2)) < 0.0, -1.0, 1.0)[:, None, None] * pieces
+    return -facing[facing < 0.0].sum() / np.abs(pieces).sum()
 
 
 def _rim(form, faces):
@@ -134,5 +154,7 @@ def parallel_middle_body(form, first, last, within):
     offsets = np.linspace(1e-4, 0.95, 60) * 0.5 * given.beam
     stations = np.linspace(first, last, 7) * given.length_pp
     found = np.array([np.r_[form.breadths(x, heights), form.bottoms(x, offsets)] for x in stations])
-    away = np.abs(found - found[0]).max()
+    # Where one has no such point, none has.
+    assert (np.isnan(found) == np.isnan(found[0])).all(), "stations are not of one width"
+    away = np.nanmax(np.abs(found - found[0]))
     assert away < within * given.beam, f"stations differ by {away:.3f} m"

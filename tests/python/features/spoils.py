@@ -89,6 +89,12 @@ def tapered(x, y, z, given):
     return x, y * (1.0 - 0.1 * x / given.length_pp), z
 
 
+def tapered_bow(x, y, z, given):
+    """The bow is a wedge."""
+    wedge = np.clip((given.length_pp - x) / (0.2 * given.length_pp), 0.0, 1.0)
+    return x, np.minimum(y, 0.5 * given.beam * wedge), z
+
+
 def flared(x, y, z, given):
     """Half breadths grow with the height above the water."""
     return x, y * (1.0 + np.clip(z / given.draft - 1.0, 0.0, None)), z
@@ -164,6 +170,10 @@ def upper(x, y, z, given):
     return z > 0.5 * given.draft
 
 
+def in_base_plane(x, y, z, given):
+    return (z == 0.0) & (y > 0.02 * given.beam)
+
+
 def foremost(x, y, z, given):
     return x > 0.98 * given.length_pp
 
@@ -189,7 +199,9 @@ SPOILS = [
     ("bulk_carrier", "displacement bulb", moved(plumb_forebody)),
     ("bulk_carrier", "stern bulb", moved(full_stern)),
     ("bulk_carrier", "parallel middle body", moved(tapered)),
+    ("bulk_carrier", "flat bottom", without_creases(in_base_plane)),
     ("bulk_carrier", "FULL", moved(slender)),
+    ("bulk_carrier", "BLUNT BOW", moved(tapered_bow)),
     ("roro", "bulbous bow", moved(plumb_forebody)),
     ("roro", "skeg", moved(level_stern)),
     ("roro", "pram-type stern", moved(humped_stern)),

@@ -11,7 +11,7 @@ CHECKS = {
     "container_ship": {
         "bulbous bow": lambda form: bows.bow_bulb(form, bar=0.22),
         "stern bulb": sterns.stern_bulb,
-        "flat bottom": lambda form: flats.flat_bottom(form, along=0.5, outwards=0.75),
+        "flat bottom": lambda form: flats.flat_bottom_in_knuckle(form, along=0.5, outwards=0.75),
         "flat side": lambda form: flats.flat_side(form, along=0.6, low=0.2, high=1.0),
         "flat-side knuckle": knuckles.fading_before_stem,
         "transom": flats.transom,
@@ -23,11 +23,12 @@ CHECKS = {
         "parallel middle body": lambda form: flats.parallel_middle_body(
             form, 0.43, 0.68, within=0.005
         ),
-        "flat bottom": lambda form: flats.flat_bottom(form, along=0.6, outwards=0.85),
-        "flat side": lambda form: flats.flat_side(form, along=0.35, low=0.1, high=1.0),
+        "flat bottom": lambda form: flats.flat_bottom_in_knuckle(form, along=0.6, outwards=0.85),
+        "flat side": lambda form: flats.flat_side(form, along=0.25, low=0.1, high=1.0),
         "transom": flats.transom,
         "flat bar": lambda form: flats.flat_bar(form, half_width=0.25),
         "FULL": lambda form: bodies.block(form, 0.78, 0.86),
+        "BLUNT BOW": bows.blunt,
     },
     "roro": {
         "bulbous bow": bows.bow_bulb,
