@@ -16,67 +16,73 @@ BAR = 0.25
 # line is a B-spline: it turns inside these points.
 # fmt: off
 CONTOUR = [
-    (-5.5, 18.866), (0.41, 17.138), (6.702, 15.508), (12.4, 12.992), (9.555, 7.767),
-    (6.104, 6.983), (5.313, 4.712), (8.028, 2.627), (9.34, 0), (31.286, 0), (63.339, 0),
-    (118, 0), (236, 0), (287.527, 0), (315.256, 0), (323.165, 1.168), (327.887, 4.681),
-    (330.362, 10.783), (327.577, 15.254), (320.652, 18.081), (319.596, 21.028),
-    (321.535, 24.649), (323.798, 28),
+    (-5.5, 18.721), (3.289, 16.429), (11.323, 13.7), (9.926, 7.146), (6.901, 6.832),
+    (7.053, 5.094), (10.454, 3.136), (10.586, 0), (24.252, 0), (70.204, 0), (297.795, 0),
+    (311.568, 0), (319.222, 0.192), (326.179, 3.991), (328.651, 9.575), (327.51, 14.729),
+    (320.607, 17.226), (319.351, 21.455), (321.309, 24.665), (323.459, 28),
 ]
-# Sections from aft. Four of the counter, from the bar to the deck. Then eight from the boss on:
+# Between the last section and the stem, round the bulb.
+RING = [
+    (320.924, 2.104, 1.841), (326.514, 3.885, 7.668), (324.376, 4.715, 13.888),
+    (318.374, 4.812, 17.172),
+]
+# Sections from aft. Three of the counter, from the bar to the deck. Then ten from the boss on:
 # border of the flat bottom, four round the bilge, border of the flat side, deck edge.
 SECTIONS = [
     [
-        (-5.5, 4.592, 19.923), (-5.5, 7.676, 21.948), (-5.5, 8.808, 24.458), (-5.5, 9.007, 28),
+        (-5.5, 4.642, 19.78), (-5.5, 7.763, 21.831), (-5.5, 8.9, 24.381), (-5.5, 9.124, 28),
     ],
     [
-        (0.916, 6.103, 18.663), (1.335, 10.707, 21.159), (1.621, 12.289, 24.041),
-        (1.749, 12.386, 28),
+        (4.311, 6.73, 17.947), (5.436, 12.229, 20.514), (6.238, 14.571, 23.642),
+        (4.619, 13.692, 28),
     ],
     [
-        (7.8, 6.714, 17.004), (8.261, 12.79, 19.807), (8.638, 15.298, 23.297),
-        (8.984, 15.614, 28),
+        (14.099, 5.112, 15.054), (16.602, 14.639, 17.36), (18.87, 19.161, 22.363),
+        (15.963, 18.227, 28),
     ],
     [
-        (14.089, 5.347, 15.292), (14.72, 13.968, 17.75), (15.499, 17.857, 22.485),
-        (16.171, 18.214, 28),
+        (10.021, 1.593, 5.134), (12.424, 1.534, 6.976), (16.429, 0.88, 10.562),
+        (20.906, 6.099, 13.365), (24.185, 16.247, 16.33), (27.773, 22.233, 21.402),
+        (29.76, 22.716, 28),
     ],
     [
-        (8.564, 1.233, 5.155), (12.437, 1.285, 7.289), (16.486, 1.053, 10.697),
-        (20.01, 6.273, 13.669), (21.21, 15.139, 16.606), (22.247, 20.361, 21.707),
-        (23.303, 20.617, 28),
+        (12.211, 1.79, 0.921), (15.786, 3.365, 3.286), (22.359, 3.506, 9.158),
+        (28.097, 8.753, 12.316), (33.63, 19.135, 14.516), (38.297, 24.761, 20.719),
+        (45.905, 26.666, 28),
     ],
     [
-        (11.96, 1.732, 1.174), (15.987, 3.59, 4.001), (22.27, 3.393, 9.49),
-        (26.902, 8.469, 12.629), (29.458, 17.319, 15.113), (30.822, 22.973, 20.966),
-        (31.97, 22.829, 28),
+        (30.092, 3.514, 0), (34.65, 6.946, 2.529), (39.239, 9.764, 7.939), (43.491, 17.064, 10.45),
+        (49.422, 26.528, 15.737), (56.102, 29.098, 23.539), (63.035, 28.865, 28),
     ],
     [
-        (32.905, 3.866, 0), (35.904, 7.384, 2.071), (38.24, 9.274, 7.771),
-        (39.573, 15.316, 10.921), (40.742, 23.403, 15.729), (42.086, 26.198, 23.856),
-        (43.083, 25.816, 28),
+        (66.526, 8.617, 0), (68.502, 15.94, 1.423), (69.712, 21.295, 3.747), (70.8, 25.667, 7.555),
+        (71.464, 27.765, 12.175), (78.759, 29, 19.782), (82.621, 29, 28),
     ],
     [
-        (65.452, 8.156, 0), (65.293, 15.466, 2.139), (64.865, 20.689, 5.248),
-        (64.47, 25.168, 9.501), (64.111, 27.383, 14.444), (63.687, 28.669, 19.803),
-        (63.524, 29, 28),
+        (122.486, 27.06, 0), (122.352, 27.49, 0), (122.224, 28.16, 0.266),
+        (122.117, 28.738, 0.857), (122.053, 29, 1.54), (122.032, 29, 1.977),
     ],
     [
-        (118, 26.44, 0), (118, 27.295, 0), (118, 28.127, 0.331), (118, 28.729, 1.005),
-        (118, 29, 1.674), (118, 29, 2.427), (118, 29, 28),
+        (134, 26.475, 0), (134, 27.054, 0), (134, 27.936, 0.319), (134, 28.681, 1.064),
+        (134, 29, 1.946), (134, 29, 2.525), (134, 29, 28),
     ],
     [
-        (236, 26.593, 0), (236, 27.399, 0), (236, 28.187, 0.313), (236, 28.756, 0.943),
-        (236, 29, 1.576), (236, 29, 2.293), (236, 29, 28),
+        (222, 26.475, 0), (222, 27.054, 0), (222, 27.936, 0.319), (222, 28.681, 1.064),
+        (222, 29, 1.946), (222, 29, 2.525), (222, 29, 28),
     ],
     [
-        (284.825, 13.953, 0), (284.463, 18.621, 0.937), (284.332, 22.645, 2.643),
-        (284.303, 25.647, 5.455), (284.427, 27.542, 9.23), (284.49, 28.438, 13.557),
-        (283.281, 29, 28),
+        (240.521, 26.749, 0), (240.284, 27.228, 0), (239.983, 27.989, 0.312),
+        (239.739, 28.672, 0.97), (239.547, 29, 1.709), (239.43, 29, 2.179), (242, 29, 28),
     ],
     [
-        (315.681, 2.875, 0), (315.14, 9.073, 3.389), (313.702, 13.815, 8.159),
-        (312.392, 15.992, 13.284), (310.779, 15.752, 18.128), (309.639, 15.699, 22.457),
-        (310.418, 19.997, 28),
+        (285.285, 14.407, 0), (285.892, 19.16, 1.232), (286.568, 23.087, 3.146),
+        (286.909, 25.748, 6.1), (287.276, 27.32, 10.056), (287.392, 28.261, 14.564),
+        (289.027, 29, 28),
+    ],
+    [
+        (313.049, 2.419, 0), (312.826, 8.365, 2.513), (312.352, 12.717, 6.944),
+        (312.634, 14.733, 12.86), (312.546, 14.431, 18.006), (312.169, 12.618, 22.76),
+        (314.626, 16.007, 28),
     ],
 ]
 # fmt: on
@@ -85,20 +91,20 @@ SHIP = BarredShip(
     SECTIONS,
     BAR,
     HALF_BEAM,
-    counter=slice(0, 4),
-    aperture=slice(6, 2, -1),
-    keel=slice(6, 15),
-    stem=slice(15, 23),
-    flat_bottom=slice(2, 8),
-    flat_side=slice(7, 11),
+    counter=slice(0, 3),
+    aperture=slice(5, 1, -1),
+    keel=(5, 6, 7, 8, 9, 9, 9, 10, 10, 10, 11),
+    stem=slice(12, 20),
+    flat_bottom=slice(2, 10),
+    flat_side=slice(6, 12),
+    short={7: 8},
+    ring=RING,
 )
-# The ends of the parallel middle body, among the sections.
-MIDDLE_BODY = (8, 9)
 
 FEATURES = {
     "displacement bulb": "four rows end on the contour of the stem, which bulges below the water",
     "stern bulb": "three rows end on the aperture; two points of the bar make the propeller boss",
-    "parallel middle body": "two equal sections of creases, no points between them",
+    "parallel middle body": "four equal sections, two at either end, no points between them",
     "flat bottom": "between the bar and a crease, in the base plane",
     "flat side": "above a crease, in the plane of the largest half breadth",
     "transom": "plane, a layer of its own with a creased rim",
@@ -108,37 +114,43 @@ MOST_POINTS = 125
 # Full-scale value published with the design.
 PUBLISHED = {"displaced_volume": 312622.0}
 WANTED = [
-    # The stern: bulb, tunnel above it, counter, long run.
-    ("station", "inflection", 2, {"x": (9, 62), "z": (4.5, 17)}, "stern bulb to counter, bilge"),
-    ("station", "dip", 1, {"x": (39, 41), "z": (19, 21)}, "straight flare aft"),
-    ("station", "dip", 1, {"x": (65, 82), "z": (3, 6)}, "the bulb's end in the bottom"),
+    # The stern: boss, bulb, tunnel above it, counter, long run.
+    ("station", "inflection", 2, {"x": (9, 66), "z": (4, 17)}, "stern bulb to counter, bilge"),
+    ("station", "dip", 1, {"x": (65, 84), "z": (3, 6)}, "the bulb's end in the bottom"),
     ("waterline", "inflection", 3, {"x": (8, 100), "z": (0, 17)}, "boss, stern bulb, run"),
-    ("waterline", "dip", 1, {"x": (20, 22), "z": (6, 10)}, "the straight side of the stern bulb"),
-    ("waterline", "dip", 3, {"x": (5, 35), "z": (16, 28)}, "the quarter, straight in parts"),
-    ("buttock", "inflection", 2, {"x": (7, 53), "y": (0, 19)}, "stern bulb, tunnel, counter"),
-    ("buttock", "dip", 1, {"x": (11, 12), "y": (0, 2)}, "the straight counter"),
-    ("buttock", "dip", 1, {"x": (49, 88), "y": (20, 28)}, "straight run, rising to the quarter"),
-    ("feature", "inflection", 4, {"x": (1, 8), "y": (0, 0.3)}, "counter, aperture, boss"),
-    ("feature", "dip", 2, {"x": (15, 33), "z": (28, 28)}, "the quarter, straight in parts"),
+    ("waterline", "dip", 2, {"x": (10, 26), "z": (6, 10)}, "the straight side of the stern bulb"),
+    ("waterline", "dip", 4, {"x": (0, 48), "z": (14, 25)}, "the quarter, straight in parts"),
+    ("waterline", "dip", 1, {"x": (79, 84), "z": (17, 18)}, "the flat side's border"),
+    ("buttock", "inflection", 2, {"x": (4, 56), "y": (0, 28)}, "stern bulb, tunnel, counter"),
+    ("buttock", "dip", 1, {"x": (10, 12), "y": (0, 2), "z": (3, 5)}, "the boss beside the bar"),
+    ("buttock", "dip", 1, {"x": (9, 26), "y": (0, 17), "z": (13, 18)}, "the straight counter"),
+    ("buttock", "dip", 1, {"x": (34, 95), "y": (10, 28)}, "straight run, rising to the quarter"),
+    ("feature", "inflection", 4, {"x": (1, 12), "y": (0, 0.3)}, "counter, aperture, boss"),
+    ("feature", "dip", 1, {"x": (9, 12), "y": (0, 0.3)}, "the straight side of the aperture"),
     # The parallel middle body.
-    ("waterline", "dip", 1, {"x": (175, 178), "z": (7, 28)}, "flat side between the shoulders"),
-    ("buttock", "dip", 1, {"x": (166, 175), "z": (0, 0)}, "flat bottom"),
+    ("waterline", "dip", 1, {"x": (145, 190)}, "flat side and bilge between the shoulders"),
+    ("buttock", "dip", 1, {"x": (145, 190)}, "flat bottom and bilge between the shoulders"),
+    ("feature", "dip", 1, {"x": (145, 190)}, "keel, deck and borders of the flats, all straight"),
     # The bow: round below, bulb, flare.
-    ("station", "inflection", 1, {"x": (290, 320), "z": (14, 18)}, "bulb or bilge, then flare"),
-    ("station", "inflection", 1, {"x": (318, 327), "y": (1, 1.3)}, "the bulb beside the bar"),
-    ("waterline", "inflection", 1, {"x": (315, 321), "z": (2, 19)}, "entrance to the bulb"),
-    ("waterline", "dip", 2, {"x": (255, 313), "z": (0, 4)}, "straight shoulder of the flat bottom"),
-    ("waterline", "dip", 1, {"x": (297, 307), "z": (14, 21)}, "straight entrance"),
-    ("buttock", "inflection", 1, {"x": (286, 324), "z": (14, 17)}, "bulb or bilge, then flare"),
-    ("buttock", "dip", 1, {"x": (244, 254), "y": (25, 28)}, "straight shoulder"),
+    ("station", "inflection", 1, {"x": (285, 320), "z": (13, 18)}, "bulb or bilge, then flare"),
+    (
+        "station",
+        "dip",
+        1,
+        {"x": (310, 327), "z": (1, 6)},
+        "the bulb, rising straight from the keel",
+    ),
+    ("waterline", "inflection", 2, {"x": (309, 322), "z": (0, 19)}, "entrance to the bulb"),
+    ("waterline", "dip", 2, {"x": (255, 320), "z": (0, 8)}, "straight shoulder, straight entrance"),
+    ("waterline", "dip", 2, {"x": (280, 316), "z": (14, 24)}, "straight entrance"),
+    ("buttock", "inflection", 1, {"x": (285, 324), "z": (13, 18)}, "bulb or bilge, then flare"),
+    ("buttock", "dip", 1, {"x": (310, 315), "y": (10, 12)}, "straight flare"),
     ("feature", "inflection", 1, {"x": (323, 325), "y": (0, 0.3)}, "bulb, then stem"),
 ]
 
 
 def make(hull_io):
-    mesh, middle, after = SHIP.mesh()
-    for section in MIDDLE_BODY:
-        mesh.crease([middle[section + 3], *after[section - 4]])
+    mesh, *_ = SHIP.mesh()
     return mesh.hull(
         hull_io,
         "Bulk carrier",

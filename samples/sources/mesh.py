@@ -127,7 +127,7 @@ class Mesh:
 
 
 def _edges(chain):
-    return {(min(a, b), max(a, b)) for a, b in zip(chain, chain[1:])}
+    return {(min(a, b), max(a, b)) for a, b in zip(chain, chain[1:]) if a != b}
 
 
 def spline(places, values, start=None, end=None):
