@@ -39,3 +39,7 @@ def test_feature_is_missed_where_it_is_not(name, feature, spoil):
     spoilt = Form(spoil(vessels.vessel(name).data))
     with pytest.raises(AssertionError):
         CHECKS[name][feature](spoilt)
+
+
+def test_every_check_has_a_hull_to_miss_its_feature_in():
+    assert {(name, feature) for name, feature, _ in SPOILS} == set(CASES)

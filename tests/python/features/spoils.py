@@ -95,6 +95,12 @@ def tapered_bow(x, y, z, given):
     return x, np.minimum(y, 0.5 * given.beam * wedge), z
 
 
+def full_bow(x, y, z, given):
+    """Forward everything below the deck is as wide as it is amidships."""
+    bow = (x > 0.6 * given.length_pp) & (y > 1e-3 * given.beam)
+    return x, np.where(bow, np.maximum(y, 0.35 * given.beam), y), z
+
+
 def flared(x, y, z, given):
     """Half breadths grow with the height above the water."""
     return x, y * (1.0 + np.clip(z / given.draft - 1.0, 0.0, None)), z
@@ -128,6 +134,15 @@ def shallow(x, y, z, given):
 def forward(x, y, z, given):
     """All of it is further forward."""
     return x + 0.15 * given.length_pp, y, z
+
+
+def fuller(x, y, z, given):
+    return x, 1.2 * y, z
+
+
+def rising_outwards(x, y, z, given):
+    """Nothing is level across the ship."""
+    return x, y, z + 0.2 * y
 
 
 def slender(x, y, z, given):
@@ -202,12 +217,17 @@ SPOILS = [
     ("bulk_carrier", "flat bottom", without_creases(in_base_plane)),
     ("bulk_carrier", "FULL", moved(slender)),
     ("bulk_carrier", "BLUNT BOW", moved(tapered_bow)),
+    ("bulk_carrier", "flat side", moved(waved)),
+    ("bulk_carrier", "transom", moved(bulged_ends)),
+    ("bulk_carrier", "flat bar", moved(tapered)),
     ("roro", "bulbous bow", moved(plumb_forebody)),
     ("roro", "skeg", moved(level_stern)),
     ("roro", "pram-type stern", moved(humped_stern)),
     ("roro", "forecastle knuckle", without_creases(upper)),
     ("roro", "flat-side knuckle", without_creases(upper)),
     ("roro", "BUOYANCY AFT", moved(forward)),
+    ("roro", "flat bottom", moved(waved)),
+    ("roro", "transom", without_creases(aftmost)),
     ("research_vessel", "complex stem contour", moved(straight_stem)),
     ("research_vessel", "tunnelled stern", moved(level_stern)),
     ("research_vessel", "tumblehome", moved(flared)),
@@ -215,6 +235,7 @@ SPOILS = [
     ("research_vessel", "flat side in three parts", moved(off_centre)),
     ("research_vessel", "flat side in three parts", without_creases(upper)),
     ("research_vessel", "flat bottom", moved(waved)),
+    ("research_vessel", "transom", moved(bulged_ends)),
     ("barge", "flat bottom and side", moved(waved)),
     ("barge", "transoms", without_creases(foremost)),
     ("barge", "knuckle of the run", without_creases(lambda x, y, z, given: x > 0.0)),
@@ -223,15 +244,18 @@ SPOILS = [
     ("naval_vessel", "sonar dome", moved(flat_bottomed)),
     ("naval_vessel", "tumblehome", moved(flared)),
     ("naval_vessel", "raked stem", moved(plumb_stem)),
-    ("naval_vessel", "FINE", moved(full_stern)),
+    ("naval_vessel", "FINE", moved(fuller)),
+    ("naval_vessel", "four sections at the forward shoulder", moved(forward)),
+    ("naval_vessel", "transom", without_creases(aftmost)),
     ("sailing_yacht", "canoe body", as_one_layer),
     ("sailing_yacht", "fin keel with bulb", moved(without_bulb)),
     ("sailing_yacht", "fin keel with bulb", moved(parted_bodies)),
     ("sailing_yacht", "spade rudder", moved(thick_aft)),
     ("planing_boat", "chine flat", without_creases(amidships)),
-    ("planing_boat", "spray rail", moved(twisted)),
+    ("planing_boat", "spray rail", moved(rising_outwards)),
     ("planing_boat", "deadrise", moved(shallow)),
     ("planing_boat", "raked transom", without_creases(aftmost)),
+    ("planing_boat", "fine bow", moved(full_bow)),
     ("catamaran", "demihull off the centre plane", moved(off_centre)),
     ("catamaran", "round bilge", creased(amidships)),
     ("catamaran", "sharp stem", without_creases(foremost)),
@@ -239,4 +263,6 @@ SPOILS = [
     ("coaster", "pram stern", moved(humped_stern)),
     ("coaster", "round bilge", moved(shallow)),
     ("coaster", "flared bow", moved(narrowed)),
+    ("coaster", "flat bottom and side", moved(waved)),
+    ("coaster", "transom", moved(bulged_ends)),
 ]
