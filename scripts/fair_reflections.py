@@ -18,6 +18,8 @@ _CHORD, STEP = 3e-5, 1.0 / 400.0
 _SPACING = np.pi / BANDS
 # Of the beam: two points of a line that are no nearer are two.
 _APART = 1e-9
+# The normal's part towards the eye: with less the surface is seen edge-on, within 6°.
+_EDGE_ON = 0.1
 
 
 @dataclass(frozen=True)
@@ -57,10 +59,10 @@ def reflection_lines(surface, beam):
 
 
 def _seen_parts(surface, curve, eye, beam):
-    """The Turning of each part of a curve on the side that the eye sees."""
+    """The Turning of each part of a curve where the eye sees the surface, and not edge-on."""
     tangents, normals, gradients = _directions(surface, curve, eye)
     apart = np.linalg.norm(np.diff(curve.points, axis=0), axis=1) > _APART * beam
-    seen = np.isfinite(gradients) & (normals @ eye > 0.0) & np.append(apart, True)
+    seen = np.isfinite(gradients) & (normals @ eye > _EDGE_ON) & np.append(apart, True)
     borders = np.flatnonzero(np.diff(np.concatenate([[False], seen, [False]]).astype(int)))
     for first, last in zip(borders[::2], borders[1::2]):
         part = slice(first, last)
