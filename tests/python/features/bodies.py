@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a hull is made of, and its proportions: separate bodies, keels, demihulls, centres."""
+"""Separate bodies: canoe body, keel, rudder, demihull."""
 
 from dataclasses import replace
 
@@ -77,7 +77,7 @@ def fin_keel_with_bulb(form, layer="Keel"):
     breadths = form.breadths(x, np.linspace(0.01, 0.95, 200) * top)
     half_down = breadths[100:].max()
     assert breadths[:100].max() > 2.0 * half_down, "the bulb is no thicker than the fin"
-    length = np.ptp(_points_of(form, faces)[:, 0])
+    length = np.ptp(form.points_of(faces)[:, 0])
     chord = np.ptp(open_at[:, 0])
     assert length > 1.5 * chord, f"a bulb {length:.2f} m long at a fin of {chord:.2f} m"
     joints = [
@@ -92,20 +92,15 @@ def spade_rudder(form, layer="Rudder"):
     """A body aft, closed but for the centre plane, plane below and thin."""
     faces = separate(form, layer)
     assert len(openings(form, faces)) == 0, "the rudder is open"
-    points = _points_of(form, faces)
+    points = form.points_of(faces)
     low, high = points.min(axis=0), points.max(axis=0)
     assert high[0] < 0.2 * form.given.length_pp, "the rudder is not aft"
     span, chord = high[2] - low[2], high[0] - low[0]
     assert span > chord and high[1] < 0.15 * chord, f"span {span:.2f}, half breadth {high[1]:.3f}"
     assert form.in_plane((0.0, 0.0, -1.0), -low[2]), "the rudder's foot is not plane"
     canoe = alone(form, separate(form, "Shell", "Transom"))
-    gaps = [canoe.bottoms(x, y + 1e-9 * form.size)[0] - z for x, y, z in points]
+    gaps = [canoe.bottoms(x, y + SAME * form.size)[0] - z for x, y, z in points]
     assert 0.0 < min(gaps) < 0.05 * span, f"{min(gaps):.3f} m between rudder and canoe body"
-
-
-def _points_of(form, faces):
-    cells = np.isin(form.cell_faces(np.arange(form.surface.cell_count)), faces)
-    return form.surface.evaluate_grid(8)[0][cells].reshape(-1, 3)
 
 
 def demihull(form, centre):
@@ -119,75 +114,3 @@ def demihull(form, centre):
         inner = form.inner_breadths(part * form.given.length_pp, heights)
         away = np.nanmax(np.abs(0.5 * (outer + inner) - centre))
         assert away < SAME * form.size, f"{away:.2e} m from symmetric at {part} of the length"
-
-
-def smooth_between(form, ends):
-    """No knuckle but those at the ends: abaft and forward of those parts of the length."""
-    for knuckle in form.knuckles:
-        x = knuckle.points[:, 0] / form.given.length_pp
-        assert (x <= ends[0]).all() or (x >= ends[1]).all(), f"a knuckle at {knuckle.points[0]}"
-
-
-def sharp_stem(form, centre=0.0, least=60.0):
-    """A knuckle in the plane of the stem from the deck to the forefoot, where it fades."""
-    found = [
-        knuckle
-        for knuckle in form.knuckles
-        if np.abs(knuckle.points[:, 1] - centre).max() < SAME * form.size
-        and knuckle.points[:, 2].max() > form.given.depth
-    ]
-    assert len(found) == 1, f"{len(found)} knuckles along the stem"
-    (knuckle,) = found
-    assert sum(knuckle.fades) == 1, "the stem's edge does not fade at the forefoot"
-    wet = np.abs(knuckle.points[:, 2] - form.given.draft).argmin()
-    assert knuckle.angles[wet] > least, f"{knuckle.angles[wet]:.0f} degrees at the water"
-
-
-def transom_in_water(form, layer="Transom"):
-    """The lowest part of the transom is under water."""
-    depth = form.given.draft - _points_of(form, form.faces_of(layer))[:, 2].min()
-    assert depth > 0.05 * form.given.draft, f"the transom's foot is {depth:.2f} m in the water"
-
-
-def round_bilge(form, radius, x):
-    """A quarter of a circle of that radius between bottom and side, within 3 % of it."""
-    centre_y, centre_z = 0.5 * form.given.beam - radius, radius
-    angles = np.radians(np.linspace(10.0, 80.0, 29))
-    heights = centre_z - radius * np.sin(angles)
-    breadths = form.breadths(x, heights)
-    found = np.hypot(breadths - centre_y, heights - centre_z)
-    away = np.abs(found - radius).max()
-    assert away < 0.03 * radius, f"{away:.3f} m from a circle of {radius} m"
-
-
-def swim_bow(form, first):
-    """From that part of the length on, the bottom rises smoothly to the bow's transom."""
-    given = form.given
-    x = np.linspace(first * given.length_pp, form.high[0] - 1e-6 * form.size, 60)
-    bottom = form.bottoms(x, 0.05 * given.beam)
-    assert abs(bottom[0]) < SAME * form.size and (np.diff(bottom) > -SAME * form.size).all()
-    assert bottom[-1] > 0.5 * given.draft, f"the bottom rises to {bottom[-1]:.2f} m"
-    for knuckle in form.knuckles:
-        inside = (knuckle.points[:, 0] > x[0]) & (knuckle.points[:, 0] < x[-1])
-        assert not inside.any(), "a knuckle across the bow's bottom"
-
-
-def sections_at_shoulder(form, first, last, least):
-    """So many points of the keel between two x."""
-    lines = [line for line in form.lines if line.kind == "border"]
-    vertices = np.unique(np.concatenate([line.vertices for line in lines]))
-    x, y, z = form.mesh.points[vertices].T
-    count = ((y == 0.0) & (z < form.given.draft) & (x >= first) & (x <= last)).sum()
-    assert count >= least, f"{count} sections between x = {first} and {last} m"
-
-
-def buoyancy_aft(form):
-    """The centre of buoyancy is abaft of amidships."""
-    lcb = form.afloat.lcb_percent
-    assert lcb < 0.0, f"the centre of buoyancy is {lcb:.2f} % forward"
-
-
-def block(form, least, most):
-    """Block coefficient on length between perpendiculars, beam and draft."""
-    found = form.afloat.project.block
-    assert least <= found <= most, f"block coefficient {found:.3f}"

@@ -3,6 +3,8 @@
 
 import numpy as np
 
+from .form import SAME
+
 # Samples of the contour over the height.
 _COUNT = 240
 
@@ -26,7 +28,7 @@ def bow_bulb(form, bar=0.0):
     assert waist < 0.5 * bulb, f"waist {waist:.2f} m above a bulb of {bulb:.2f} m half breadth"
     for knuckle in form.knuckles:
         x, y, z = knuckle.points[knuckle.angles > 1.0].T
-        on_bulb = (x > stem[notch]) & (z < heights[notch]) & (y > bar + 1e-9 * form.size)
+        on_bulb = (x > stem[notch]) & (z < heights[notch]) & (y > bar + SAME * form.size)
         assert not on_bulb.any(), f"a knuckle on the bulb at {knuckle.points[0]}"
 
 
@@ -108,3 +110,15 @@ def rise_of_bottom(form, x, out_to=0.5):
     heights = form.bottoms(x, offsets)
     angles = np.degrees(np.arctan(np.diff(heights) / np.diff(offsets)))
     return angles.mean(), np.ptp(angles)
+
+
+def swim_bow(form, first):
+    """From that part of the length on, the bottom rises smoothly to the bow's transom."""
+    given = form.given
+    x = np.linspace(first * given.length_pp, form.high[0] - 1e-6 * form.size, 60)
+    bottom = form.bottoms(x, 0.05 * given.beam)
+    assert abs(bottom[0]) < SAME * form.size and (np.diff(bottom) > -SAME * form.size).all()
+    assert bottom[-1] > 0.5 * given.draft, f"the bottom rises to {bottom[-1]:.2f} m"
+    for knuckle in form.knuckles:
+        inside = (knuckle.points[:, 0] > x[0]) & (knuckle.points[:, 0] < x[-1])
+        assert not inside.any(), "a knuckle across the bow's bottom"

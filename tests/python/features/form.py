@@ -104,6 +104,11 @@ class Form:
         """The control faces that cells lie in."""
         return np.repeat(np.arange(self.mesh.face_count), self.mesh.face_sizes)[cells]
 
+    def points_of(self, faces):
+        """Points (k, 3) of the surface all over some faces of the control mesh."""
+        cells = np.isin(self.cell_faces(np.arange(self.surface.cell_count)), faces)
+        return self.surface.evaluate_grid(8)[0][cells].reshape(-1, 3)
+
     def on_centre(self, points):
         return np.abs(points[:, 1]) <= SAME * self.size
 

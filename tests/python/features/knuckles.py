@@ -3,6 +3,8 @@
 
 import numpy as np
 
+from .form import SAME
+
 
 def knuckle_to_stem(form, least=5.0, abaft=0.9):
     """A knuckle above the water from the deck edge, at the break of the forecastle abaft that part
@@ -66,7 +68,7 @@ def fading(form, aft):
 
 def _along_side(form, points):
     """Whether a tenth of the ship's length or more is in the plane of the largest half breadth."""
-    inside = points[0.5 * form.given.beam - points[:, 1] < 1e-9 * form.size]
+    inside = points[0.5 * form.given.beam - points[:, 1] < SAME * form.size]
     return len(inside) and np.ptp(inside[:, 0]) > 0.1 * form.given.length_pp
 
 
@@ -106,7 +108,7 @@ def tumblehome(form, stations, least=3.0):
         heights = np.linspace(given.draft, form.high[2], 400)
         breadths = form.breadths(part * given.length_pp, heights)
         heights, breadths = heights[~np.isnan(breadths)], breadths[~np.isnan(breadths)]
-        widest = len(breadths) - 1 - np.argmax(breadths[::-1] > breadths.max() - 1e-9 * form.size)
+        widest = len(breadths) - 1 - np.argmax(breadths[::-1] > breadths.max() - SAME * form.size)
         rise, fall = heights[-1] - heights[widest], breadths[widest] - breadths[-1]
         assert rise > 0.1 * given.depth, f"widest {rise:.2f} m below the deck at {part}"
         assert (np.diff(breadths[widest:]) < 0.0).all(), f"no steady tumblehome at {part}"
@@ -139,7 +141,7 @@ def level_strip(form, number, width):
         for knuckle in found[2 * number : 2 * number + 2]
     )
     across = outer - inner
-    assert np.abs(across[:, 2]).max() < 1e-9 * form.size, "the strip is not level"
+    assert np.abs(across[:, 2]).max() < SAME * form.size, "the strip is not level"
     assert abs(across[0, 1] - width) < 0.05 * width, f"{across[0, 1]:.3f} m wide aft"
 
 
@@ -148,7 +150,7 @@ def across_ship(form, x, least=3.0):
     found = [
         knuckle
         for knuckle in form.knuckles
-        if np.abs(knuckle.points[:, 0] - x).max() < 1e-9 * form.size
+        if np.abs(knuckle.points[:, 0] - x).max() < SAME * form.size
     ]
     assert len(found) == 1, f"{len(found)} knuckles at x = {x} m"
     (knuckle,) = found
@@ -157,3 +159,25 @@ def across_ship(form, x, least=3.0):
     assert knuckle.points[:, 2].max() > 0.95 * form.given.depth, "it does not run up to the deck"
     bottom = knuckle.angles[knuckle.points[:, 1] < 0.25 * form.given.beam]
     assert bottom.min() > least, f"{bottom.min():.1f} degrees in the bottom"
+
+
+def smooth_between(form, ends):
+    """No knuckle but those at the ends: abaft and forward of those parts of the length."""
+    for knuckle in form.knuckles:
+        x = knuckle.points[:, 0] / form.given.length_pp
+        assert (x <= ends[0]).all() or (x >= ends[1]).all(), f"a knuckle at {knuckle.points[0]}"
+
+
+def sharp_stem(form, centre=0.0, least=60.0):
+    """A knuckle in the plane of the stem from the deck to the forefoot, where it fades."""
+    found = [
+        knuckle
+        for knuckle in form.knuckles
+        if np.abs(knuckle.points[:, 1] - centre).max() < SAME * form.size
+        and knuckle.points[:, 2].max() > form.given.depth
+    ]
+    assert len(found) == 1, f"{len(found)} knuckles along the stem"
+    (knuckle,) = found
+    assert sum(knuckle.fades) == 1, "the stem's edge does not fade at the forefoot"
+    wet = np.abs(knuckle.points[:, 2] - form.given.draft).argmin()
+    assert knuckle.angles[wet] > least, f"{knuckle.angles[wet]:.0f} degrees at the water"

@@ -5,7 +5,7 @@ CHECKS: by vessel, by the feature's name in FEATURES of its source, a function o
 asserts it. Names in capitals: what vessels of the kind have that is not on the list.
 """
 
-from . import bodies, bows, flats, knuckles, sterns
+from . import bodies, bows, flats, knuckles, proportions, sterns, transoms
 
 CHECKS = {
     "container_ship": {
@@ -14,7 +14,7 @@ CHECKS = {
         "flat bottom": lambda form: flats.flat_bottom_in_knuckle(form, along=0.5, outwards=0.75),
         "flat side": lambda form: flats.flat_side(form, along=0.6, low=0.2, high=1.0),
         "flat-side knuckle": knuckles.fading_before_stem,
-        "transom": flats.transom,
+        "transom": transoms.transom,
         "flat bar": lambda form: flats.flat_bar(form, half_width=0.22),
     },
     "bulk_carrier": {
@@ -25,9 +25,9 @@ CHECKS = {
         ),
         "flat bottom": lambda form: flats.flat_bottom_in_knuckle(form, along=0.6, outwards=0.85),
         "flat side": lambda form: flats.flat_side(form, along=0.25, low=0.1, high=1.0),
-        "transom": flats.transom,
+        "transom": transoms.transom,
         "flat bar": lambda form: flats.flat_bar(form, half_width=0.25),
-        "FULL": lambda form: bodies.block(form, 0.78, 0.86),
+        "FULL": lambda form: proportions.block(form, 0.78, 0.86),
         "BLUNT BOW": bows.blunt,
     },
     "roro": {
@@ -37,8 +37,8 @@ CHECKS = {
         "forecastle knuckle": knuckles.knuckle_to_stem,
         "flat-side knuckle": knuckles.fading_to_water,
         "flat bottom": lambda form: flats.flat_bottom(form, along=0.15, outwards=0.4),
-        "transom": flats.transom,
-        "BUOYANCY AFT": bodies.buoyancy_aft,
+        "transom": transoms.transom,
+        "BUOYANCY AFT": proportions.buoyancy_aft,
     },
     "research_vessel": {
         "complex stem contour": bows.forefoot_under_spoon,
@@ -47,7 +47,7 @@ CHECKS = {
         "forecastle knuckle": knuckles.knuckle_to_stem,
         "flat side in three parts": lambda form: flats.sides_of_three_planes(form, along=0.1),
         "flat bottom": lambda form: flats.flat_bottom(form, along=0.15, outwards=0.5),
-        "transom": flats.transom,
+        "transom": transoms.transom,
     },
     "barge": {
         "flat bottom and side": lambda form: (
@@ -55,10 +55,10 @@ CHECKS = {
             flats.flat_side(form, along=0.6, low=0.45, high=1.0),
         ),
         "knuckle of the run": lambda form: knuckles.across_ship(form, 9.5),
-        "swim bow": lambda form: bodies.swim_bow(form, first=0.65),
+        "swim bow": lambda form: bows.swim_bow(form, first=0.65),
         "transoms": lambda form: (
-            flats.transom(form, "Transoms"),
-            flats.transom(form, "Transoms", forward=True),
+            transoms.transom(form, "Transoms"),
+            transoms.transom(form, "Transoms", forward=True),
         ),
         "MOSTLY FLAT": lambda form: flats.mostly_flat(form, 0.5),
     },
@@ -69,11 +69,11 @@ CHECKS = {
             knuckles.tumblehome(form, (0.05, 0.2, 0.4, 0.6, 0.75)),
         ),
         "raked stem": bows.raked_stem,
-        "four sections at the forward shoulder": lambda form: bodies.sections_at_shoulder(
+        "four sections at the forward shoulder": lambda form: proportions.sections_at_shoulder(
             form, 95.0, 127.0, 4
         ),
-        "transom": lambda form: (flats.transom(form), bodies.transom_in_water(form)),
-        "FINE": lambda form: bodies.block(form, 0.4, 0.55),
+        "transom": lambda form: (transoms.transom(form), transoms.transom_in_water(form)),
+        "FINE": lambda form: proportions.block(form, 0.4, 0.55),
     },
     "sailing_yacht": {
         "canoe body": bodies.canoe_body,
@@ -85,13 +85,13 @@ CHECKS = {
         "spray rail": lambda form: knuckles.level_strip(form, 0, width=0.06),
         "deadrise": lambda form: sterns.steady_deadrise(form, least=15.0, out_to=0.35),
         "fine bow": bows.fine_bow,
-        "raked transom": lambda form: flats.transom(form, rake=15.0),
+        "raked transom": lambda form: transoms.transom(form, rake=15.0),
     },
     "catamaran": {
         "demihull off the centre plane": lambda form: bodies.demihull(form, centre=4.05),
-        "round bilge": lambda form: bodies.smooth_between(form, (0.0, 0.95)),
-        "sharp stem": lambda form: bodies.sharp_stem(form, centre=4.05),
-        "transom stern": lambda form: (flats.transom(form), bodies.transom_in_water(form)),
+        "round bilge": lambda form: knuckles.smooth_between(form, (0.0, 0.95)),
+        "sharp stem": lambda form: knuckles.sharp_stem(form, centre=4.05),
+        "transom stern": lambda form: (transoms.transom(form), transoms.transom_in_water(form)),
     },
     "coaster": {
         "pram stern": lambda form: sterns.pram(form, length=0.25),
@@ -99,8 +99,8 @@ CHECKS = {
             flats.flat_bottom(form, along=0.3, outwards=0.6),
             flats.flat_side(form, along=0.25, low=0.3, high=1.0),
         ),
-        "round bilge": lambda form: bodies.round_bilge(form, 1.6, 45.0),
+        "round bilge": lambda form: flats.round_bilge(form, 1.6, 45.0),
         "flared bow": bows.flared_bow,
-        "transom": flats.transom,
+        "transom": transoms.transom,
     },
 }
