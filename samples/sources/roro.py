@@ -14,7 +14,7 @@ LENGTH, HALF_BEAM, DRAFT, DEPTH = 190.0, 14.5, 7.0, 15.5
 # Sections from the transom to the last one before the stem, closer where the ends turn.
 STATIONS = (-4.0, 7.0, 19.0, 35.0, 54.0, 76.0, 99.0, 121.0, 142.0, 158.0, 171.5, 182.0)
 # The section where the bulb's neck meets the stem: its points lean forward from the fourth on.
-NECK = (188.5, 188.5, 188.5, 188.6, 190.1, 191.6, 193.1, 194.4, 195.6)
+NECK = (188.5, 188.5, 188.5, 188.6, 190.1, 191.5, 193.15, 194.3, 195.7)
 # How far the points of the two sections before it lean with the stem.
 RAKE = {
     -2: (0.0, 0.0, 0.0, 0.0, 0.2, 0.5, 0.85, 1.2, 1.6),
@@ -27,9 +27,9 @@ NOSE = ((195.5, 0.0, 1.9), (195.5, 1.3, 1.9), (195.5, 1.3, 5.4), (195.5, 0.0, 5.
 # fmt: off
 BREADTHS = [
     [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-    [1.1, 0.8, 0.51, 0.6, 1.82, 6.37, 7.53, 5.7, 3.4, 2.2, 1.61, 1.54, 1.55],
-    [2.81, 1.99, 1.05, 1.27, 5.02, 10.8, 11.26, 8.5, 5.3, 3.25, 2.25, 1.92, 1.75],
-    [6.67, 5.5, 4.91, 6.14, 10.01, 13.2, 13.13, 10.65, 7.09, 4.52, 2.73, 1.35, 0],
+    [0.94, 0.78, 0.51, 0.44, 1.77, 6.37, 7.53, 5.7, 3.4, 2.2, 1.61, 1.54, 1.55],
+    [2.81, 1.96, 1.05, 1.31, 5.05, 10.8, 11.26, 8.5, 5.3, 3.25, 2.25, 1.92, 1.75],
+    [6.93, 5.5, 4.83, 6.1, 10.01, 13.2, 13.13, 10.65, 7.09, 4.52, 2.73, 1.35, 0],
     [12.21, 12.77, 13.2, 13.68, 14.26, 14.5, 14.24, 12.55, 9.13, 6.16, 3.7, 1.65, 0],
     [13.21, 13.9, 14.33, 14.5, 14.5, 14.5, 14.5, 13.89, 11.35, 8.45, 5.5, 2.6, 0],
     [13.61, 14.21, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 14.5, 12.58, 9.35, 5.47, 0],
@@ -37,13 +37,13 @@ BREADTHS = [
     [None, None, None, None, None, None, None, 14.5, 14.5, 13.6, 11.1, 7.1, 0],
 ]
 HEIGHTS = [
-    [6.64, 5.62, 0.85, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5],
-    [6.65, 5.76, 1.69, 0.09, 0, 0, 0, 0, 0, 0, 0, 0.2, 0.5],
-    [6.66, 6.05, 4.85, 2.61, 0.44, 0, 0, 0, 0, 0, 1.45, 3.2, 5],
-    [6.73, 6.18, 5.14, 3.32, 1.51, 0.82, 0.85, 1.15, 1.93, 3.13, 4.57, 5.76, 6.4],
+    [6.64, 5.4, 1.17, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5],
+    [6.65, 5.4, 1.57, 0.09, 0, 0, 0, 0, 0, 0, 0, 0.2, 0.5],
+    [6.67, 6.06, 4.93, 2.51, 0.44, 0, 0, 0, 0, 0, 1.45, 3.2, 5],
+    [6.73, 6.13, 5.0, 3.32, 1.51, 0.82, 0.85, 1.15, 1.93, 3.13, 4.57, 5.76, 6.4],
     [7.41, 6.85, 5.98, 4.6, 3.18, 2.44, 2.49, 3.17, 4.52, 5.95, 7.3, 8.25, 8.8],
     [8.81, 8.4, 7.8, 6.86, 5.74, 4.91, 4.89, 5.76, 7.5, 9.1, 10.4, 11.1, 11.4],
-    [11.81, 11.45, 10.95, 10.3, 9.5, 8.6, 8.35, 9.3, 11.5, 13.3, 14.3, 14.6, 14.75],
+    [11.81, 11.35, 10.75, 9.85, 8.7, 7.4, 7.65, 9.1, 11.5, 13.3, 14.3, 14.6, 14.75],
     [15.5, 15.5, 15.5, 15.5, 15.5, 15.5, 15.5, 15.5, 15.6, 15.85, 16.25, 16.75, 17.2],
     [None, None, None, None, None, None, None, 15.75, 16.85, 18.4, 19.6, 20.16, 20.3],
 ]
@@ -51,6 +51,9 @@ HEIGHTS = [
 # The section whose point of the flat side's knuckle ends it, within the plane of the side: its
 # neighbours below are in the plane, too, up to the next section, so that it fades without an angle.
 FLAT_SIDE_KNUCKLE = 5
+# Two points of the side between that end and the deck, from that section on: the end is where the
+# points around it draw it, which without them is further up.
+SIDE = ((76.0, HALF_BEAM, 9.3), (99.0, HALF_BEAM, 10.4))
 # The section at whose deck edge the forecastle and its knuckle begin.
 FORECASTLE = 6
 
@@ -77,7 +80,7 @@ WANTED = [
     ),
     ("waterline", "inflection", 2, {"x": (5, 60), "y": (0, 6.5), "z": (0, 7)}, "round the skeg"),
     ("buttock", "inflection", 1, {"x": (5, 48), "z": (1.5, 7.5)}, "bottom to the straight run"),
-    ("waterline", "dip", 1, {"x": (0, 10), "z": (6.4, 6.8)}, "the flat run before the transom"),
+    ("waterline", "dip", 2, {"x": (-4, 10), "z": (6.4, 6.8)}, "the flat run before the transom"),
     ("buttock", "dip", 1, {"x": (25, 45), "y": (13, 14.5)}, "above the bilge, along the side"),
     (
         "buttock",
@@ -128,6 +131,17 @@ WANTED = [
     ),
     ("feature", "inflection", 2, {"x": (188, 194), "y": (0, 0)}, "bulb, neck, stem"),
     ("feature", "inflection", 1, {"x": (140, 160), "y": (13, 14.5)}, "sweep up to the forecastle"),
+    # Reflection lines: where lights meet or part.
+    ("reflection", "wave", 1, {"x": (-2, 8), "y": (0, 3.2), "z": (5, 6.7)}, "the skeg runs out"),
+    ("reflection", "wave", 1, {"x": (140, 147), "z": (2, 3)}, "the lights of bow and side part"),
+    ("reflection", "wave", 1, {"x": (130, 135), "y": (14.4, 14.5)}, "the flat side's end"),
+    (
+        "reflection",
+        "wave",
+        2,
+        {"x": (190, 195), "y": (0, 0.6), "z": (1, 6)},
+        "round the bulb's nose",
+    ),
 ]
 
 
@@ -141,12 +155,24 @@ def sections():
         yield [(along[j], BREADTHS[j][k], HEIGHTS[j][k]) for j in range(count)]
 
 
+def strip_of_side(mesh, aft, forward):
+    """The faces between two columns of the side, one of which may have a point more."""
+    if len(aft) == len(forward):
+        mesh.strip(aft, forward)
+    else:
+        mesh.face(*aft, *reversed(forward))
+
+
 def make(hull_io):
     mesh = Mesh()
     rows = [mesh.row(section) for section in sections()]
     rows[FORECASTLE].append(rows[FORECASTLE][7])
-    for aft, forward in zip(rows, rows[1:]):
-        mesh.strip(aft, forward[: len(aft)])
+    side = [[]] * FLAT_SIDE_KNUCKLE + [[point] for point in mesh.row(SIDE)]
+    side += [[]] * (len(rows) - len(side))
+    for k, (aft, forward) in enumerate(zip(rows, rows[1:])):
+        mesh.strip(aft[:7], forward[:7])
+        mesh.strip(aft[7:], forward[7 : len(aft)])
+        strip_of_side(mesh, [aft[6], *side[k], aft[7]], [forward[6], *side[k + 1], forward[7]])
     nose = mesh.row(NOSE)
     mesh.strip(rows[-1][:4], nose)
     mesh.face(*nose)
