@@ -102,8 +102,12 @@ def make(hull_io):
 
 
 def add_transom(mesh, outer, inner):
-    """Strips across the demihull; the lowest face has the keel's point, too."""
+    """Strips across the demihull, about the keel's point triangles: the bottom is straight there,
+    and no face has three points of it."""
     mesh.crease([*outer[::-1], *inner[1:]])
     for a, b, c, d in zip(outer[3:], outer[2:], inner[2:], inner[3:]):
         mesh.face(a, b, c, d, layer=1)
-    mesh.face(outer[2], outer[1], outer[0], inner[1], inner[2], layer=1)
+    keel = outer[0]
+    mesh.face(outer[2], outer[1], keel, layer=1)
+    mesh.face(outer[2], keel, inner[2], layer=1)
+    mesh.face(keel, inner[1], inner[2], layer=1)

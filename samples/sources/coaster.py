@@ -125,4 +125,6 @@ def add_transom(mesh, rim):
     mesh.face(rim[0], middle, quarter, rim[1], layer=1)
     mesh.face(rim[1], quarter, rim[7], rim[2], layer=1)
     mesh.face(rim[2], rim[7], rim[6], rim[3], layer=1)
-    mesh.face(rim[3], rim[6], rim[5], rim[4], layer=1)
+    # The side is straight: no face has three of its points.
+    mesh.face(rim[3], rim[6], rim[5], layer=1)
+    mesh.face(rim[3], rim[5], rim[4], layer=1)

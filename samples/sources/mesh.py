@@ -60,7 +60,7 @@ class Mesh:
         for aft, forward in zip(rows, rows[1:]):
             self.strip(aft, forward, layer)
 
-    def round_stem_body(self, sections, stem):
+    def round_stem_body(self, sections, stem, is_fan=False):
         """Strips from the transom over sections to the stem, and the transom; the rows of points.
 
         Keel and stem are one line: the lowest point of the last section is its foot, which stands
@@ -69,15 +69,22 @@ class Mesh:
         foot = rows[-1][0]
         rows.append([foot, foot, *self.row(stem)])
         self.strips(rows)
-        self.transom(rows[0])
+        self.transom(rows[0], is_fan=is_fan)
         return rows
 
-    def transom(self, rim, layer=1):
+    def transom(self, rim, layer=1, is_fan=False):
         """A plane transom within its rim, which runs up from the centre plane: the rim a knuckle,
-        strips across, a further point in the centre plane at the height of the rim's end."""
+        strips across, a further point in the centre plane at the height of the rim's end.
+
+        is_fan: triangles from the further point instead, which do not fold about a rim that has
+        corners and straight parts."""
         self.crease(rim)
         x, _, z = self.points[rim[-1]]
         ring = [*rim, self.point((x, 0.0, z))]
+        if is_fan:
+            for above, below in zip(rim[1:], rim):
+                self.face(ring[-1], above, below, layer=layer)
+            return
         low, high = 0, len(ring) - 1
         while high - low >= 5:
             self.face(ring[high], ring[high - 1], ring[low + 1], ring[low], layer=layer)
@@ -199,6 +206,24 @@ def faired(values, stiffness, held=(0, -1)):
     right = -stiffness * (third.T @ (third @ values))
     moves[free] = np.linalg.solve(matrix[np.ix_(free, free)], right[free])
     return values + moves
+
+
+def faired_patch(values, sections, rows, along, across):
+    """Coordinates (sections, rows) of a grid, those of a patch moved so that third differences over
+    sections and over rows are small.
+
+    sections, rows: slices, the patch. along, across: how much that counts against staying.
+    """
+    values = np.asarray(values, dtype=float)
+    count, width = values.shape
+    over_sections = np.kron(np.diff(np.eye(count), 3, axis=0), np.eye(width))
+    over_rows = np.kron(np.eye(count), np.diff(np.eye(width), 3, axis=0))
+    uneven = along * over_sections.T @ over_sections + across * over_rows.T @ over_rows
+    free = np.arange(values.size).reshape(values.shape)[sections, rows].reshape(-1)
+    moves = np.zeros(values.size)
+    matrix = np.eye(len(free)) + uneven[np.ix_(free, free)]
+    moves[free] = np.linalg.solve(matrix, -(uneven @ values.reshape(-1))[free])
+    return values + moves.reshape(values.shape)
 
 
 def largest(values):

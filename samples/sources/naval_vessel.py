@@ -4,12 +4,13 @@
 Fourteen sections and the stem, ten rows of points along the ship: from the keel over a soft bilge
 to the waterline and on to the knuckle and the deck edge. Forward the five lowest rows make the
 dome, those above it the bow. Points are on curves through few designed values, then faired along
-the rows, since steps between points that change evenly are what makes a surface smooth.
+the rows, since steps between points that change evenly are what makes a surface smooth; and at the
+forward shoulder across them, too.
 """
 
 import numpy as np
 
-from .mesh import Mesh, faired, largest, spline
+from .mesh import Mesh, faired, faired_patch, largest, spline
 
 FEATURES = {
     "sonar dome": "the five lowest rows end in the dome under and before the forefoot; it is"
@@ -38,8 +39,6 @@ WANTED = [
         "bottom runs into the dome",
     ),
     ("waterline", "dip", 1, {"x": (90.0, 108.0), "z": (1.1, 3.6)}, "bottom runs into the dome"),
-    ("waterline", "inflection", 2, {"x": (126.0, 137.0), "z": (1.1, 2.6)}, "neck above the dome"),
-    ("waterline", "inflection", 1, {"x": (134.0, 139.0), "z": (3.0, 6.0)}, "neck above the dome"),
     (
         "waterline",
         "dip",
@@ -67,7 +66,7 @@ WANTED = [
         "buttock",
         "inflection",
         1,
-        {"x": (130.0, 140.0), "z": (7.0, 10.0)},
+        {"x": (126.0, 140.0), "z": (7.0, 10.0)},
         "flare, straight to the knuckle",
     ),
     ("buttock", "dip", 1, {"x": (90.0, 135.0), "z": (6.0, 8.0)}, "flare, straight to the knuckle"),
@@ -101,9 +100,10 @@ WANTED = [
         {"x": (141.0, 145.0), "z": (1.0, 3.0)},
         "the dome's nose, then the stem",
     ),
+    ("reflection", "wave", 1, {"x": (142.0, 145.5), "z": (-2.0, 1.5)}, "round the dome's nose"),
 ]
 
-LENGTH, BEAM, DRAFT, DEPTH = 142.0, 18.4, 5.4, 11.0
+LENGTH, BEAM, DRAFT, DEPTH = 142.0, 18.4, 5.3, 11.0
 TRANSOM_X, STEM_X = -3.0, 141.5
 ROWS, KNUCKLE, DECK = 10, 8, 9
 # The rows below this one end in the dome, the others at the stem.
@@ -121,10 +121,10 @@ BREADTHS = {
     25.0: (1.5, 3.45, 5.4, 6.95, 7.95, 8.48, 8.74, 8.88, 8.15),
     50.0: (1.5, 3.6, 5.7, 7.35, 8.4, 8.86, 9.07, 9.18, 8.42),
     75.0: (1.5, 3.55, 5.6, 7.3, 8.38, 8.86, 9.07, 9.2, 8.45),
-    98.0: (1.35, 2.82, 4.22, 5.55, 6.58, 7.50, 8.15, 8.66, 8.08),
-    108.0: (1.22, 2.54, 3.62, 4.5, 5.3, 6.30, 7.15, 7.95, 7.47),
-    117.0: (1.15, 2.4, 3.18, 3.62, 4.1, 4.78, 5.76, 6.94, 6.62),
-    125.0: (1.15, 2.35, 2.85, 2.65, 2.75, 3.32, 4.28, 5.62, 5.45),
+    98.0: (1.35, 2.82, 4.21, 5.52, 6.51, 7.42, 8.1, 8.66, 8.08),
+    108.0: (1.22, 2.54, 3.6, 4.45, 5.19, 6.17, 7.06, 7.95, 7.47),
+    117.0: (1.15, 2.4, 3.16, 3.58, 4.02, 4.68, 5.69, 6.94, 6.62),
+    125.0: (1.15, 2.35, 2.84, 2.63, 2.72, 3.29, 4.25, 5.62, 5.45),
     131.5: (1.25, 2.5, 2.85, 2.1, 1.55, 1.97, 2.70, 3.98, 3.97),
     136.5: (1.3, 2.45, 2.7, 1.65, 0.75, 0.98, 1.40, 2.12, 2.2),
 }
@@ -138,6 +138,9 @@ HEIGHTS = {
 }
 # How much the rows' half-breadths, in and above the dome, and heights above the keel are faired.
 STIFF_BREADTHS, STIFF_HEIGHTS = (4.0, 30.0), 2.0
+# What is faired across the rows, too, by its sections and rows: the forward shoulder down to the
+# dome's back, where the side turns from upright to flare; and how much, along the ship and across.
+SHOULDER, STIFF_SHOULDER = (slice(8, 14), slice(4, 8)), (30.0, 10.0)
 # How far heights of the lowest rows are faired as heights above the keel, which stays as it is.
 KEEL_PART = {1: 1.0, 2: 0.8, 3: 0.4}
 
@@ -205,6 +208,8 @@ def points():
             bottom = KEEL_PART.get(row, 0.0) * keel(np.append(STATIONS, STEM_X))[: len(line)]
             line[:, 2] = bottom + faired(line[:, 2] - bottom, STIFF_HEIGHTS)
     grid[:, FIRST_ABOVE_DOME:, 1] *= 0.5 * BEAM / largest(grid[:, KNUCKLE, 1])
+    below = grid[:, :DECK, 1]
+    grid[:, :DECK, 1] = faired_patch(below, *SHOULDER, *STIFF_SHOULDER)
     return np.round(grid, 4)
 
 

@@ -20,7 +20,11 @@ FEATURES = {
 }
 MOST_POINTS = 77
 
-WANTED = []
+_BOTTOM = {"x": (6.0, 11.2), "z": (0.1, 0.65)}
+WANTED = [
+    ("reflection", "wave", 2, _BOTTOM, "bottom round between straight edges of keel and rail"),
+    ("reflection", "wave", 1, {"x": (11.8, 12.3)}, "side, straight to the stem"),
+]
 
 LENGTH, BEAM, DRAFT, DEPTH = 11.4, 3.9, 0.7, 1.75
 # The transom: x at the base line, and how far it leans, x over z.
@@ -110,7 +114,7 @@ def make(hull_io):
     grid = points()
     rail, chine, side, deck = (mesh.point(grid[-1, row]) for row in (2, 4, 6, 7))
     # Both edges of a level strip end in one point of the stem.
-    rows = mesh.round_stem_body(grid[:-1], [rail, rail, chine, chine, side, deck])
+    rows = mesh.round_stem_body(grid[:-1], [rail, rail, chine, chine, side, deck], is_fan=True)
     for edge in (*RAIL_EDGES, *CHINE_EDGES):
         mesh.crease([row[edge] for row in rows])
     mesh.deck([row[DECK] for row in rows])
