@@ -23,6 +23,21 @@ WANTED = [
     ("waterline", "dip", 1, {"x": (0.0, 2.0), "z": (0.9, 1.1)}, "the run's flat bottom"),
     ("buttock", "dip", 1, {"x": (16.0, 26.0)}, "bottom straight between run and forefoot"),
     ("feature", "dip", 1, {"x": (-0.1, 0.1)}, "the transom's flat bottom between its bilges"),
+    # Reflection lines.
+    (
+        "reflection",
+        "kink",
+        1,
+        {"x": (12, 16), "y": (4, 4.1), "z": (0, 0.06)},
+        "turns about on the narrow keel",
+    ),
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (29.5, 30.4), "z": (0.5, 1.2)},
+        "where the stem gets sharp, above the forefoot",
+    ),
 ]
 
 LENGTH, BEAM, DRAFT, DEPTH = 30.5, 11.0, 1.55, 3.6

@@ -128,6 +128,37 @@ WANTED = [
     ("feature", "inflection", 2, {"x": (98, 106), "y": (0, 0)}, "forefoot to raked stem"),
     ("feature", "inflection", 1, {"x": (56, 62), "z": (12.5, 14)}, "sweep up to the forecastle"),
     ("feature", "inflection", 1, {"x": (78, 83), "z": (14.5, 15.5)}, "tumblehome to flare"),
+    # Reflection lines.
+    ("reflection", "wave", 1, {"x": (14, 18), "z": (7, 9)}, "where the lower knuckle ends"),
+    ("reflection", "wave", 1, {"x": (74, 83), "z": (6.5, 11)}, "where the knuckles end"),
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (87, 103), "y": (7.5, 11), "z": (9, 11.2)},
+        "spoon to flare below the forecastle knuckle",
+    ),
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (86, 91), "y": (5, 7.5), "z": (1.4, 3)},
+        "shoulder to forefoot",
+    ),
+    (
+        "reflection",
+        "kink",
+        1,
+        {"x": (97, 99.5), "y": (0, 2.2), "z": (1.5, 3.6)},
+        "irregular points of the stem's contour",
+    ),
+    (
+        "reflection",
+        "wave",
+        2,
+        {"x": (97, 99.5), "y": (0, 2.2), "z": (1.5, 3.6)},
+        "irregular points of the stem's contour",
+    ),
 ]
 
 

@@ -39,6 +39,14 @@ WANTED = [
     ),
     ("buttock", "dip", 1, {"x": (1.5, 3.0), "z": (2.5, 3.2)}, "side, straight to the transom"),
     ("feature", "dip", 1, _BULB, "the bulb's bottom between nose and tail"),
+    # Reflection lines.
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (6.3, 6.95), "z": (0, 0.15)},
+        "the bulb's nose, between its irregular points",
+    ),
 ]
 
 LENGTH, BEAM, DRAFT, DEPTH = 11.2, 3.9, 2.3, 3.45
