@@ -68,6 +68,18 @@ def _with_opening(hull):
         bpy.ops.hull.add_flooding_point()
 
 
+def _with_fit(hull):
+    """The hull fitted to faces between points of its own surface, somewhat fuller."""
+    grid = part("bridge.hull.hull_state").state_of(hull).surface.tessellate(12)
+    mesh = bpy.data.meshes.new("Hull of a scan")
+    mesh.from_pydata((np.array(grid.points) * [1.0, 1.01, 1.0]).tolist(), [], grid.quads.tolist())
+    hull.hull.fit.target = bpy.data.objects.new(mesh.name, mesh)
+    bpy.context.collection.objects.link(hull.hull.fit.target)
+    bpy.context.view_layer.update()
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.fit()
+
+
 def _with_studio(hull):
     part("bridge.studio").make(hull, bpy.context.scene)
 
@@ -80,6 +92,7 @@ PANELS = {
     ),
     "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
+    "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(hull_panels("fairness", "combs", "reflections"), _with_combs),
     "panels/hydrostatics": PanelShot(
