@@ -82,6 +82,7 @@ class Mesh:
         x, _, z = self.points[rim[-1]]
         ring = [*rim, self.point((x, 0.0, z))]
         if is_fan:
+            self.corner(ring[-1])
             for above, below in zip(rim[1:], rim):
                 self.face(ring[-1], above, below, layer=layer)
             return

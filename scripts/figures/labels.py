@@ -31,7 +31,7 @@ class Labels:
         """A label of a line through points (n, 2), to be right (side 1) or left of its upper end;
         others (n, 2): the points of lines that it must not cover. Where there is no room, none."""
         end = points[np.argmin(points[:, 1] - 1e-3 * side * points[:, 0])]
-        if self._joins(label, side, end) or self._stands([label], side, end, _ABOVE):
+        if self._joins(label, side, end) or self._stands([label], side, [end], _ABOVE):
             return
         width = paper.text_width_of(self.context, label, self.height)
         for middle in self._along(points):
@@ -40,33 +40,34 @@ class Labels:
                 self.on_lines.append((label, middle))
                 self.boxes.append(box)
                 return
-        self._stands([label], side, end, _BESIDE)
+        self._stands([label], side, [end], _BESIDE)
 
     def _joins(self, label, side, end):
         """Whether a label could be made one with another at the same place."""
-        for i, (names, of, at, way) in enumerate(self.ends):
-            if of == side and np.hypot(*(at - end)) < _TOGETHER * self.height:
+        for i, (names, of, ends, way) in enumerate(self.ends):
+            if of == side and np.hypot(*(ends[0] - end)) < _TOGETHER * self.height:
                 before = self.ends.pop(i), self.boxes.pop(i)
-                outer = way is _BESIDE and side * (end - at)[0] > 0.0
-                if self._stands([*names, label], side, end if outer else at, way, i):
+                if self._stands([*names, label], side, [*ends, end], way, i):
                     return True
                 self.ends.insert(i, before[0])
                 self.boxes.insert(i, before[1])
         return False
 
-    def _stands(self, names, side, end, way, place=None):
-        """Whether there is room for one label of these names on that way from the end of a line."""
+    def _stands(self, names, side, ends, way, place=None):
+        """Whether there is room for one label of these names on that way from the lines' ends."""
         width = paper.text_width_of(self.context, _together(names, side), self.height)
-        middle = self._start(side, end, way) + [side * 0.5 * width, 0.0]
+        middle = self._start(side, ends, way) + [side * 0.5 * width, 0.0]
         box = self._box(middle, width)
         if not self._is_free(box):
             return False
         place = len(self.ends) if place is None else place
-        self.ends.insert(place, (names, side, end, way))
+        self.ends.insert(place, (names, side, ends, way))
         self.boxes.insert(place, box)
         return True
 
-    def _start(self, side, end, way):
+    def _start(self, side, ends, way):
+        """Where a label begins: above the first end, beside the outermost one."""
+        end = ends[0] if way is _ABOVE else max(ends, key=lambda end: side * end[0])
         return end + np.array([side * way[0], -way[1]]) * self.height
 
     def _along(self, points):
@@ -92,8 +93,8 @@ class Labels:
             self.context.fill()
             at = [middle[0], middle[1] + 0.36 * self.height]
             paper.text(self.context, at, label, self.height, colour)
-        for names, side, end, way in self.ends:
-            at = self._start(side, end, way) + [0.0, 0.35 * self.height]
+        for names, side, ends, way in self.ends:
+            at = self._start(side, ends, way) + [0.0, 0.35 * self.height]
             align = 0.0 if side > 0.0 else 1.0
             paper.text(self.context, at, _together(names, side), self.height, colour, align)
 
