@@ -146,6 +146,77 @@ WANTED = [
     ("buttock", "inflection", 1, {"x": (285, 324), "z": (13, 18)}, "bulb or bilge, then flare"),
     ("buttock", "dip", 1, {"x": (310, 315), "y": (10, 12)}, "straight flare"),
     ("feature", "inflection", 1, {"x": (323, 325), "y": (0, 0.3)}, "bulb, then stem"),
+    # Reflection lines.
+    (
+        "reflection",
+        "kink",
+        2,
+        {"x": (8, 25), "y": (0, 5), "z": (2, 9.6)},
+        "boss, and its end in the stern bulb",
+    ),
+    (
+        "reflection",
+        "wave",
+        3,
+        {"x": (8, 25), "y": (0, 5), "z": (2, 9.6)},
+        "boss, and its end in the stern bulb",
+    ),
+    (
+        "reflection",
+        "wave",
+        3,
+        {"x": (7, 26), "y": (0, 14), "z": (13, 16.5)},
+        "tunnel above the stern bulb to counter",
+    ),
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (0, 12), "y": (11, 17), "z": (24, 27)},
+        "the quarter draws in to the transom",
+    ),
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (34, 42), "y": (1.5, 2.5), "z": (0, 0.1)},
+        "the bottom rises beside the bar",
+    ),
+    (
+        "reflection",
+        "kink",
+        2,
+        {"x": (312, 329), "y": (0, 3), "z": (0, 8.5)},
+        "the bulb rises from the keel",
+    ),
+    (
+        "reflection",
+        "wave",
+        2,
+        {"x": (303, 329), "y": (0, 9), "z": (0, 8.5)},
+        "the bulb rises from the keel",
+    ),
+    (
+        "reflection",
+        "kink",
+        1,
+        {"x": (317, 322), "y": (0, 4), "z": (18, 24)},
+        "irregular point beside the stem",
+    ),
+    (
+        "reflection",
+        "wave",
+        2,
+        {"x": (313, 323), "y": (0, 10), "z": (21, 26.5)},
+        "flare above the bulb to the straight stem",
+    ),
+    (
+        "reflection",
+        "wave",
+        1,
+        {"x": (293, 320), "y": (7, 23), "z": (11, 23)},
+        "blunt bow: lights turn from the stem round to the side",
+    ),
 ]
 
 
