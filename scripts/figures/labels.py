@@ -31,7 +31,9 @@ class Labels:
         """A label of a line through points (n, 2), to be right (side 1) or left of its upper end;
         others (n, 2): the points of lines that it must not cover. Where there is no room, none."""
         end = points[np.argmin(points[:, 1] - 1e-3 * side * points[:, 0])]
-        if self._joins(label, side, end) or self._stands([label], side, [end], _ABOVE):
+        if self._joins(label, side, end, others):
+            return
+        if self._stands([label], side, [end], _ABOVE, others):
             return
         width = paper.text_width_of(self.context, label, self.height)
         for middle in self._along(points):
@@ -40,25 +42,25 @@ class Labels:
                 self.on_lines.append((label, middle))
                 self.boxes.append(box)
                 return
-        self._stands([label], side, [end], _BESIDE)
+        self._stands([label], side, [end], _BESIDE, others)
 
-    def _joins(self, label, side, end):
+    def _joins(self, label, side, end, others):
         """Whether a label could be made one with another at the same place."""
         for i, (names, of, ends, way) in enumerate(self.ends):
             if of == side and np.hypot(*(ends[0] - end)) < _TOGETHER * self.height:
                 before = self.ends.pop(i), self.boxes.pop(i)
-                if self._stands([*names, label], side, [*ends, end], way, i):
+                if self._stands([*names, label], side, [*ends, end], way, others, i):
                     return True
                 self.ends.insert(i, before[0])
                 self.boxes.insert(i, before[1])
         return False
 
-    def _stands(self, names, side, ends, way, place=None):
+    def _stands(self, names, side, ends, way, others, place=None):
         """Whether there is room for one label of these names on that way from the lines' ends."""
         width = paper.text_width_of(self.context, _together(names, side), self.height)
         middle = self._start(side, ends, way) + [side * 0.5 * width, 0.0]
         box = self._box(middle, width)
-        if not self._is_free(box):
+        if not self._is_free(box) or _covers(self._box(middle, width, _NEAR), others):
             return False
         place = len(self.ends) if place is None else place
         self.ends.insert(place, (names, side, ends, way))
