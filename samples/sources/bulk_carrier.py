@@ -19,12 +19,12 @@ CONTOUR = [
     (-5.5, 18.721), (3.289, 16.429), (11.323, 13.7), (9.926, 7.146), (6.901, 6.832),
     (7.053, 5.094), (10.454, 3.136), (10.586, 0), (24.252, 0), (70.204, 0), (297.795, 0),
     (311.568, 0), (319.222, 0.192), (326.179, 3.991), (328.651, 9.575), (327.51, 14.729),
-    (320.607, 17.226), (319.351, 21.455), (321.309, 24.665), (323.459, 28),
+    (320.607, 17.226), (319.453, 21.243), (320.894, 23.731), (323.459, 28),
 ]
 # Between the last section and the stem, round the bulb.
 RING = [
     (320.924, 2.104, 1.841), (326.514, 3.885, 7.668), (325.669, 3.144, 13.926),
-    (316.861, 7.387, 16.386),
+    (316.861, 6.801, 16.386),
 ]
 # Sections from aft. Three of the counter, from the bar to the deck. Then ten from the boss on:
 # border of the flat bottom, four round the bilge, border of the flat side, deck edge.
@@ -81,8 +81,8 @@ SECTIONS = [
     ],
     [
         (313.049, 3.219, 0), (312.826, 8.365, 2.513), (312.914, 12.75, 7.45),
-        (312.183, 14.174, 13.052), (313.613, 13.124, 19.327), (311.15, 13.875, 23.749),
-        (314.626, 16.007, 28),
+        (312.183, 14.174, 13.052), (313.463, 12.928, 20.551), (312.471, 13.388, 24.12),
+        (315.562, 15.017, 28),
     ],
 ]
 # fmt: on
@@ -119,10 +119,10 @@ WANTED = [
     ("station", "dip", 1, {"x": (65, 84), "z": (3, 6)}, "the bulb's end in the bottom"),
     ("waterline", "inflection", 3, {"x": (8, 100), "z": (0, 17)}, "boss, stern bulb, run"),
     ("waterline", "dip", 2, {"x": (10, 26), "z": (6, 10)}, "the straight side of the stern bulb"),
-    ("waterline", "dip", 4, {"x": (0, 48), "z": (14, 25)}, "the quarter, straight in parts"),
-    ("waterline", "dip", 1, {"x": (79, 84), "z": (17, 18)}, "the flat side's border"),
+    ("waterline", "dip", 4, {"x": (0, 48), "z": (14, 25)}, "counter to quarter to shoulder"),
+    ("waterline", "dip", 1, {"x": (79, 84), "z": (17, 18)}, "where the flat side begins"),
     ("buttock", "inflection", 2, {"x": (4, 56), "y": (0, 28)}, "stern bulb, tunnel, counter"),
-    ("buttock", "dip", 1, {"x": (10, 12), "y": (0, 2), "z": (3, 5)}, "the boss beside the bar"),
+    ("buttock", "dip", 1, {"x": (10, 12), "y": (0, 2), "z": (3, 5)}, "boss to stern bulb"),
     ("buttock", "dip", 1, {"x": (9, 26), "y": (0, 17), "z": (13, 18)}, "the straight counter"),
     ("buttock", "dip", 1, {"x": (34, 95), "y": (10, 28)}, "straight run, rising to the quarter"),
     ("feature", "inflection", 4, {"x": (1, 12), "y": (0, 0.3)}, "counter, aperture, boss"),
@@ -131,20 +131,15 @@ WANTED = [
     ("waterline", "dip", 1, {"x": (145, 190)}, "flat side and bilge between the shoulders"),
     ("buttock", "dip", 1, {"x": (145, 190)}, "flat bottom and bilge between the shoulders"),
     ("feature", "dip", 1, {"x": (145, 190)}, "keel, deck and borders of the flats, all straight"),
-    # The bow: round below, bulb, flare.
+    # The bow: a straight entrance that turns round the nose of the bulb; flare.
     ("station", "inflection", 1, {"x": (285, 320), "z": (13, 18)}, "bulb or bilge, then flare"),
-    (
-        "station",
-        "dip",
-        1,
-        {"x": (310, 327), "z": (1, 6)},
-        "the bulb, rising straight from the keel",
-    ),
-    ("waterline", "inflection", 2, {"x": (309, 322), "z": (0, 19)}, "entrance to the bulb"),
-    ("waterline", "dip", 2, {"x": (255, 320), "z": (0, 8)}, "straight shoulder, straight entrance"),
-    ("waterline", "dip", 2, {"x": (280, 316), "z": (14, 24)}, "straight entrance"),
+    ("station", "inflection", 1, {"x": (302, 312), "z": (24, 26)}, "flare, straight to the deck"),
+    ("station", "dip", 1, {"x": (310, 327), "z": (1, 6)}, "the bulb's straight underside"),
+    ("waterline", "inflection", 2, {"x": (309, 323), "z": (0, 19)}, "straight, then the bulb"),
+    ("waterline", "dip", 2, {"x": (255, 321), "z": (0, 13)}, "straight from shoulder to nose"),
+    ("waterline", "dip", 2, {"x": (280, 319), "z": (14, 24)}, "straight entrance"),
     ("buttock", "inflection", 1, {"x": (285, 324), "z": (13, 18)}, "bulb or bilge, then flare"),
-    ("buttock", "dip", 1, {"x": (310, 315), "y": (10, 12)}, "straight flare"),
+    ("buttock", "dip", 1, {"x": (316, 318), "z": (18, 20)}, "bulb to flare"),
     ("feature", "inflection", 1, {"x": (323, 325), "y": (0, 0.3)}, "bulb, then stem"),
     # Reflection lines.
     (
@@ -198,13 +193,6 @@ WANTED = [
     ),
     (
         "reflection",
-        "kink",
-        1,
-        {"x": (317, 322), "y": (0, 4), "z": (18, 24)},
-        "irregular point beside the stem",
-    ),
-    (
-        "reflection",
         "wave",
         2,
         {"x": (313, 323), "y": (0, 10), "z": (21, 26.5)},
@@ -214,7 +202,7 @@ WANTED = [
         "reflection",
         "wave",
         1,
-        {"x": (293, 320), "y": (7, 23), "z": (11, 23)},
+        {"x": (293, 320), "y": (7, 23), "z": (10, 23)},
         "blunt bow: lights turn from the stem round to the side",
     ),
 ]
