@@ -156,10 +156,6 @@ class Fitting {
     if (options_.fairness > 0.0) {
       add_thin_plate(state_.surface, pieces_, state_.surface.mesh().points(),
                      factor(options_.fairness), equations);
-      // Borders that no target draws would shrink to where no target counts.
-      if (options_.draw_border) {
-        add_metric_slopes(state_.surface, pieces_, factor(options_.fairness), equations);
-      }
     }
     if (options_.stiffness > 0.0) {
       add_thin_plate(start_, pieces_, moves(state_), factor(options_.stiffness), equations);

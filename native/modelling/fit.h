@@ -68,10 +68,13 @@ struct Fit {
 // and bends little: the least sum of the mean squared distance of the targets from the exact
 // surface, the same of the curves, and the energies, by Levenberg's and Marquardt's method.
 // Distances are to the closest points (closest_point.h), found anew for each step; control points
-// count by their exact weights there (point_weights.h). Where targets do not draw the border the
-// surface's own energy has no say in how far the surface reaches: it would shrink it. What neither
-// targets nor curves tell of stays where it is nearest to its start, but for fairness and
-// stiffness.
+// count by their exact weights there (point_weights.h). What neither targets nor curves tell of
+// stays where it is nearest to its start, but for fairness and stiffness.
+//
+// The surface's own energy has a say by its slope with the metric as it is (thin_plate.h): without
+// what would draw borders in and slide points along the surface. The fit settles where that and the
+// rest are in balance, or where no step lowers the sum; with fairness the sum may have a lower
+// place.
 //
 // The same arguments give the same points. Throws std::invalid_argument for what is none of a
 // target, a curve or a limit, and where no target lies within reach.

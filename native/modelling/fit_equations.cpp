@@ -22,21 +22,13 @@ void FitEquations::add(const std::vector<int>& points, const Eigen::MatrixXd& he
 
 void FitEquations::add_scalar(const std::vector<int>& points, const Eigen::MatrixXd& form,
                               const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient) {
-  add_slope(points, gradient);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
+    gradient_.segment<3>(3 * static_cast<Eigen::Index>(points[i])) += gradient.row(row).transpose();
     for (std::size_t j = 0; j < points.size(); ++j) {
       if (points[i] < points[j]) continue;
       block(points[i], points[j]).diagonal().array() += form(row, static_cast<Eigen::Index>(j));
     }
-  }
-}
-
-void FitEquations::add_slope(const std::vector<int>& points,
-                             const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    gradient_.segment<3>(3 * static_cast<Eigen::Index>(points[i])) +=
-        gradient.row(static_cast<Eigen::Index>(i)).transpose();
   }
 }
 

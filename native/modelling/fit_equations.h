@@ -27,15 +27,6 @@ class FitEquations {
   void add_scalar(const std::vector<int>& points, const Eigen::MatrixXd& form,
                   const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient);
 
-  // Adds to g alone.
-  void add_slope(const std::vector<int>& points,
-                 const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient);
-
-  // g of a point.
-  Vector3d gradient(int point) const {
-    return gradient_.segment<3>(3 * static_cast<Eigen::Index>(point));
-  }
-
   // Moves of all points within what they may do, of (H + damping · m · 1) x = g, m the mean of the
   // diagonal. None where that is not positive definite to rounding.
   std::optional<std::vector<Vector3d>> solve(const std::vector<Freedom>& freedoms,

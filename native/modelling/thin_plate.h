@@ -20,14 +20,8 @@ namespace hull {
 double thin_plate_energy(const LimitSurface& surface, const PieceWeights& pieces,
                          const std::vector<Vector3d>& values);
 
-// Adds `factor` times that energy to the equations for what is added to the values. For moves this
-// is a quadratic form, exactly; for the surface's own points it is one with the metric as it is.
+// Adds `factor` times that energy to the equations for what is added to the values.
 void add_thin_plate(const LimitSurface& surface, const PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations);
-
-// What the slope of the surface's own energy has besides, since its metric moves with its points:
-// it is along the surface, and shrinks one whose borders nothing holds.
-void add_metric_slopes(const LimitSurface& surface, const PieceWeights& pieces, double factor,
-                       FitEquations& equations);
 
 }  // namespace hull

@@ -94,36 +94,6 @@ TEST(ThinPlate, IsOfTheShapeAlone) {
   }
 }
 
-// The right side of the equations against central differences of the energy, the metric moving with
-// the points.
-TEST(ThinPlate, SlopeIsThatOfTheEnergy) {
-  std::mt19937 random(kSeed);
-  std::normal_distribution<double> noise(0.0, 0.3);
-  MeshArrays mesh = testing::grid(4, 3);
-  for (auto& p : mesh.points) p += Vector3d(noise(random), noise(random), noise(random)) / 3.0;
-  const LimitSurface surface{ControlMesh(mesh)};
-  const PieceWeights pieces(surface);
-  FitEquations equations(surface.mesh().topology().vertex_count());
-  add_thin_plate(surface, pieces, mesh.points, 2.0, equations);
-  add_metric_slopes(surface, pieces, 2.0, equations);
-  const double scale = energy_of(surface);
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double step = 1e-5;
-      LimitSurface moved = surface;
-      std::vector<Vector3d> points = mesh.points;
-      points[i][axis] += step;
-      moved.set_points(points);
-      double rise = thin_plate_energy(moved, pieces, points);
-      points[i][axis] -= 2.0 * step;
-      moved.set_points(points);
-      rise -= thin_plate_energy(moved, pieces, points);
-      const double slope = -equations.gradient(static_cast<int>(i))[axis];
-      EXPECT_NEAR(slope, rise / (2.0 * step), 1e-7 * scale) << i << ' ' << axis;
-    }
-  }
-}
-
 // The least of the energy alone, border points held: the equations' step is a minimum of the
 // quadratic form that the energy is with the metric as it is.
 TEST(ThinPlate, StepLowersTheEnergyMost) {
