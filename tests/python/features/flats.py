@@ -98,8 +98,8 @@ def _runs_along_bar(knuckle, half_width):
     return np.mean(np.abs(knuckle.points[:, 1] - half_width) < 0.01 * half_width) > 0.5
 
 
-def parallel_middle_body(form, first, last, within):
-    """Stations that differ by less than that part of the beam, between two parts of the length."""
+def parallel_middle_body(form, first, last):
+    """Equal stations between two parts of the length."""
     given = form.given
     heights = np.linspace(1e-4, 0.999, 120) * given.depth
     offsets = np.linspace(1e-4, 0.95, 60) * 0.5 * given.beam
@@ -108,7 +108,7 @@ def parallel_middle_body(form, first, last, within):
     # Where one has no such point, none has.
     assert (np.isnan(found) == np.isnan(found[0])).all(), "stations are not of one width"
     away = np.nanmax(np.abs(found - found[0]))
-    assert away < within * given.beam, f"stations differ by {away:.3f} m"
+    assert away < SAME * form.size, f"stations differ by {away:.3f} m"
 
 
 def round_bilge(form, radius, x):

@@ -20,9 +20,7 @@ CHECKS = {
     "bulk_carrier": {
         "displacement bulb": lambda form: bows.bow_bulb(form, bar=0.25),
         "stern bulb": sterns.stern_bulb,
-        "parallel middle body": lambda form: flats.parallel_middle_body(
-            form, 0.43, 0.68, within=0.005
-        ),
+        "parallel middle body": lambda form: flats.parallel_middle_body(form, 0.465, 0.655),
         "flat bottom": lambda form: flats.flat_bottom_in_knuckle(form, along=0.6, outwards=0.85),
         "flat side": lambda form: flats.flat_side(form, along=0.25, low=0.1, high=1.0),
         "transom": transoms.transom,
