@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Labels of lines in a drawing: above their upper ends, on the lines, or beside the ends, where
-there is room."""
+there is room; one for several lines that end at one place and have no room on them."""
 
 import numpy as np
 
@@ -31,18 +31,28 @@ class Labels:
         """A label of a line through points (n, 2), to be right (side 1) or left of its upper end;
         others (n, 2): the points of lines that it must not cover. Where there is no room, none."""
         end = points[np.argmin(points[:, 1] - 1e-3 * side * points[:, 0])]
-        if self._joins(label, side, end, others):
+        if not self._shares(side, end):
+            if self._stands([label], side, [end], _ABOVE, others):
+                return
+        if self._stands_on(label, points, others) or self._joins(label, side, end, others):
             return
-        if self._stands([label], side, [end], _ABOVE, others):
-            return
+        self._stands([label], side, [end], _BESIDE, others)
+
+    def _stands_on(self, label, points, others):
+        """Whether there is room for a label on its line."""
         width = paper.text_width_of(self.context, label, self.height)
         for middle in self._along(points):
             box = self._box(middle, width)
             if self._is_free(box) and not _covers(self._box(middle, width, _NEAR), others):
                 self.on_lines.append((label, middle))
                 self.boxes.append(box)
-                return
-        self._stands([label], side, [end], _BESIDE, others)
+                return True
+        return False
+
+    def _shares(self, side, end):
+        """Whether a label stands at the same place."""
+        near = _TOGETHER * self.height
+        return any(of == side and np.hypot(*(at[0] - end)) < near for _, of, at, _ in self.ends)
 
     def _joins(self, label, side, end, others):
         """Whether a label could be made one with another at the same place."""
