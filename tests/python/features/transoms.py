@@ -21,7 +21,7 @@ def transom(form, layer="Transom", forward=False, rake=0.0, least=20.0):
     away = np.abs(corners @ normal).max()
     assert away <= 2.0 * IN_PLANE * size, f"{away:.1e} m from a plane"
     share = _folded(form, cells, normal)
-    assert share < 1e-3, f"{share:.4f} of the transom is folded over itself"
+    assert share < 1e-9, f"{share:.4f} of the transom is folded over itself"
     lean = np.degrees(np.arcsin(abs(normal[2])))
     assert lean <= rake + 1e-9 and abs(normal[1]) < 1e-9, f"the transom leans by {lean:.1f}"
     rim = _rim(form, faces)
