@@ -62,6 +62,20 @@ class Job:
             raise Cancelled from error
 
 
+class JobTask:
+    """What is done by one Job, which a subclass sets as _job."""
+
+    @property
+    def share(self):
+        return self._job.share
+
+    def is_done(self):
+        return self._job.is_done()
+
+    def cancel(self):
+        self._job.cancel()
+
+
 def stop():
     """Cancels all jobs; when this returns none runs."""
     global _pool

@@ -37,7 +37,7 @@ class Outcome:
     message: str = ""
 
 
-class Conversion:
+class Conversion(jobs.JobTask):
     """The task of converting what a HullState has for a surface now."""
 
     text = "Converting"
@@ -50,16 +50,9 @@ class Conversion:
             lambda progress: patches.convert(source.new_surface(), choice, progress)
         )
 
-    @property
-    def share(self):
-        return self._job.share
-
-    def is_done(self):
-        return self._job.is_done()
-
     def cancel(self):
         self.is_cancelled = True
-        self._job.cancel()
+        super().cancel()
 
     def converted(self):
         """The patches.Converted, which is waited for. ValueError with the reason when there is

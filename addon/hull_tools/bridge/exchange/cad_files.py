@@ -26,7 +26,7 @@ class Written:
     report: dict
 
 
-class Export:
+class Export(jobs.JobTask):
     """The task (see conversions) of writing a hull, as it is when this is made, to a file.
 
     The patches are those of the last conversion, if that is of the hull and its settings as they
@@ -69,18 +69,15 @@ class Export:
     @property
     def share(self):
         if self._conversion is None:
-            return self._job.share
+            return super().share
         rest = 1.0 - _SHARE_OF_CONVERSION
-        return _SHARE_OF_CONVERSION * self._conversion.share + rest * self._job.share
-
-    def is_done(self):
-        return self._job.is_done()
+        return _SHARE_OF_CONVERSION * self._conversion.share + rest * super().share
 
     def cancel(self):
         """The file of this name, if there is one, stays as it is."""
         if self._conversion is not None:
             self._conversion.cancel()
-        self._job.cancel()
+        super().cancel()
 
     def result(self):
         """The Written, which is waited for. ValueError and OSError with the reason when nothing

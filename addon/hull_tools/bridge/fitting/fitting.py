@@ -38,7 +38,7 @@ class Report:
     settled: bool
 
 
-class Fitting:
+class Fitting(jobs.JobTask):
     """The task of fitting a hull as it is now; see bridge.conversion.conversions."""
 
     text = "Fitting"
@@ -62,16 +62,6 @@ class Fitting:
             lambda progress: hull_native.fit_surface(surface, targets, progress=progress, **options)
         )
         conversions.watch(self)
-
-    @property
-    def share(self):
-        return self._job.share
-
-    def is_done(self):
-        return self._job.is_done()
-
-    def cancel(self):
-        self._job.cancel()
 
     def result(self):
         """The hull_native.Fit, which is waited for; raises what went wrong."""
