@@ -21,7 +21,8 @@ _IN_PLANE = 1e-6
 
 
 def held(data):
-    """Points and directions in which they stay: the centre plane, the bar, flats, deck, transom."""
+    """Points and directions in which they stay: the centre plane, the bar, flats, deck, transom;
+    and the sections of a parallel middle body, which have their points in common."""
     source_bar = np.min(data.points[data.points[:, 1] > _IN_PLANE, 1])
     low, high = data.points.min(axis=0), data.points.max(axis=0)
     planes = [(1, 0.0), (1, source_bar), (1, high[1]), (2, 0.0), (2, high[2]), (0, low[0])]
@@ -30,7 +31,18 @@ def held(data):
         for point in np.flatnonzero(np.abs(data.points[:, axis] - place) < _IN_PLANE):
             points.append(point)
             normals.append(np.eye(3)[axis])
+    for point in _parallel(data.points):
+        points += [point, point]
+        normals += [np.eye(3)[1], np.eye(3)[2]]
     return np.array(points), np.array(normals)
+
+
+def _parallel(points):
+    """The points that have y and z with another one in common."""
+    _, which, counts = np.unique(
+        points[:, 1:].round(6), axis=0, return_inverse=True, return_counts=True
+    )
+    return np.flatnonzero(counts[which.ravel()] > 1)
 
 
 def twins(points):

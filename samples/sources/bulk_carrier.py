@@ -4,7 +4,13 @@
 A flat bar, two rows of points 0.25 m apart, runs round the whole centre plane: from the transom
 under the counter, round the propeller boss, along the keel, round the bulb and up the stem. Within
 it, lower rows of points run from the stern aperture forward and end on the bulb; upper ones begin
-at the transom. The coordinates are those of a fit to that surface, rounded to millimetres.
+at the transom. A ring of four points more goes round the bulb. The coordinates are those of a fit
+to the corners of that surface's triangles, which are long and cut off what bulges between them,
+faired at the bow and along the deck edge, and rounded to millimetres.
+
+The parallel middle body is the part between four equal sections, where the surface does not depend
+on x. The outer two lie beyond it, so that bilge and borders of the flats run out of it with the
+same tangent and curvature. In the flat bottom sections share the keel's points.
 """
 
 from .barred import BarredShip
@@ -59,20 +65,20 @@ SECTIONS = [
         (71.464, 27.765, 12.175), (78.759, 29, 19.782), (82.621, 29, 28),
     ],
     [
-        (122.486, 26.69, 0), (122.352, 27.206, 0), (122.224, 28.005, 0.304),
-        (122.117, 28.693, 0.989), (122.053, 29, 1.785), (122.032, 29, 2.301),
+        (120.8, 26.475, 0), (120.7, 27.054, 0), (120.6, 27.936, 0.319), (120.6, 28.681, 1.064),
+        (120.6, 29, 1.946), (120.6, 29, 2.525),
     ],
     [
-        (134, 26.69, 0), (134, 27.206, 0), (134, 28.005, 0.304), (134, 28.693, 0.989),
-        (134, 29, 1.785), (134, 29, 2.301), (134, 29, 28),
+        (134, 26.475, 0), (134, 27.054, 0), (134, 27.936, 0.319), (134, 28.681, 1.064),
+        (134, 29, 1.946), (134, 29, 2.525), (134, 29, 28),
     ],
     [
-        (222, 26.69, 0), (222, 27.206, 0), (222, 28.005, 0.304), (222, 28.693, 0.989),
-        (222, 29, 1.785), (222, 29, 2.301), (222, 29, 28),
+        (222, 26.475, 0), (222, 27.054, 0), (222, 27.936, 0.319), (222, 28.681, 1.064),
+        (222, 29, 1.946), (222, 29, 2.525), (222, 29, 28),
     ],
     [
-        (240.521, 26.69, 0), (240.284, 27.206, 0), (239.983, 28.005, 0.304),
-        (239.739, 28.693, 0.989), (239.547, 29, 1.785), (239.43, 29, 2.301), (242, 29, 28),
+        (241.3, 26.475, 0), (241, 27.054, 0), (240.7, 27.936, 0.319), (240.5, 28.681, 1.064),
+        (240.4, 29, 1.946), (240.4, 29, 2.525), (242, 29, 28),
     ],
     [
         (285.285, 14.152, 0), (285.892, 19.691, 1.232), (286.568, 23.25, 3.146),
@@ -104,7 +110,7 @@ SHIP = BarredShip(
 FEATURES = {
     "displacement bulb": "four rows end on the contour of the stem, which bulges below the water",
     "stern bulb": "three rows end on the aperture; two points of the bar make the propeller boss",
-    "parallel middle body": "four equal sections, two at either end, no points between them",
+    "parallel middle body": "between four equal sections, two at either end",
     "flat bottom": "between the bar and a crease, in the base plane",
     "flat side": "above a crease, in the plane of the largest half breadth",
     "transom": "plane, a layer of its own with a creased rim",

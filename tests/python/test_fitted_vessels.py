@@ -80,3 +80,14 @@ def test_container_ship_is_the_surface_below_the_water():
     assert below.sum() > 10000
     assert np.sqrt(np.mean(apart**2)) <= 0.060
     assert np.max(np.abs(apart)) <= 0.4
+
+
+def test_bulk_carrier_goes_by_the_corners_of_its_target():
+    vessel = vessels.vessel("bulk_carrier")
+    # Its triangles are up to 100 m long and cut off what bulges between their corners.
+    corners = np.unique(target("bulk_carrier").reshape(-1, 3).round(3), axis=0)
+    below = (corners[:, 1] >= 0.0) & (corners[:, 2] < vessel.data.particulars.draft)
+    apart = hn.SurfaceTree(vessel.surface).closest_points(corners[below]).distances
+    assert below.sum() > 3000
+    assert np.sqrt(np.mean(apart**2)) <= 0.12
+    assert np.max(np.abs(apart)) <= 0.55
