@@ -135,8 +135,12 @@ WANTED = [
     ("waterline", "dip", 1, {"x": (0, 180), "y": (23, 26)}, "flat side between the shoulders"),
     ("buttock", "dip", 1, {"x": (160, 273), "z": (0, 2)}, "flat bottom"),
     ("feature", "dip", 1, {"x": (149, 190), "z": (0, 0)}, "flat bottom"),
+    # The bulb's round nose comes to the flat bar with a hollow of 2 to 5 cm, which the original,
+    # without a bar, has not.
+    ("station", "inflection", 1, {"x": (354, 364), "y": (0, 1.5), "z": (2, 7)}, "bulb to bar"),
+    ("waterline", "inflection", 1, {"x": (354, 363), "z": (2, 6.5)}, "bulb to bar"),
     # The bow: V below a full deck, bulb and notch, flare to the knuckle.
-    ("station", "inflection", 3, {"x": (299, 363), "z": (2, 28)}, "forefoot or bulb, then flare"),
+    ("station", "inflection", 2, {"x": (299, 363), "z": (2, 28)}, "forefoot or bulb, then flare"),
     ("station", "dip", 1, {"x": (290, 355), "z": (0, 6)}, "straight V beside the bar"),
     ("station", "dip", 1, {"x": (284, 325), "z": (10, 15)}, "straight V at the shoulder"),
     ("waterline", "inflection", 3, {"x": (250, 366), "z": (0, 15)}, "hollow entrance, bulb"),
