@@ -23,6 +23,7 @@ _SETTINGS = (
     "cycles.samples",
     "cycles.use_adaptive_sampling",
     "cycles.adaptive_threshold",
+    "cycles.adaptive_min_samples",
     "cycles.use_denoising",
     "cycles.max_bounces",
     "cycles.transparent_max_bounces",

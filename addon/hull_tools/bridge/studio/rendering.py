@@ -7,9 +7,11 @@ from . import keeping
 WIDTH, HEIGHT = 1600, 900
 
 _CYCLES = {
-    "cycles.samples": 64,
+    "cycles.samples": 96,
     "cycles.use_adaptive_sampling": True,
-    "cycles.adaptive_threshold": 0.02,
+    "cycles.adaptive_threshold": 0.01,
+    # Water and sky are without noise: left to itself, Cycles takes some fifty samples of them too.
+    "cycles.adaptive_min_samples": 16,
     "cycles.max_bounces": 3,
     "cycles.transparent_max_bounces": 8,
     "cycles.caustics_reflective": False,
