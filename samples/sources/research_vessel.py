@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A research vessel for ice: a spoon bow over a sloped forefoot, tunnels aft, sides of three planes.
+"""A research vessel for ice: spoon bow, sloped forefoot, tunnels aft, sides of three planes.
 
 Rows of points run along the ship: three that are the flat bottom amidships, two in the plane of the
 flare, two knuckles with the vertical side between them, the main deck and, forward of amidships,
