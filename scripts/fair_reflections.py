@@ -63,8 +63,7 @@ def _seen_parts(surface, curve, eye, beam):
     tangents, normals, gradients = _directions(surface, curve, eye)
     apart = np.linalg.norm(np.diff(curve.points, axis=0), axis=1) > _APART * beam
     seen = np.isfinite(gradients) & (normals @ eye > _EDGE_ON) & np.append(apart, True)
-    borders = np.flatnonzero(np.diff(np.concatenate([[False], seen, [False]]).astype(int)))
-    for first, last in zip(borders[::2], borders[1::2]):
+    for first, last in runs(seen):
         part = slice(first, last)
         points = curve.points[part]
         lengths = _sums(np.linalg.norm(np.diff(points, axis=0), axis=1))
@@ -75,6 +74,12 @@ def _seen_parts(surface, curve, eye, beam):
             np.interp(at, lengths, turned),
             np.interp(at, lengths, gradients[part]),
         )
+
+
+def runs(where):
+    """(first, last + 1) of each run of True among booleans (n,)."""
+    borders = np.flatnonzero(np.diff(np.concatenate([[False], where, [False]]).astype(int)))
+    return zip(borders[::2], borders[1::2])
 
 
 def _sums(steps):

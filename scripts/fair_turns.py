@@ -14,7 +14,7 @@ lights are nearer together than CLOSE, a dot of the pictures: they are grey ther
 from dataclasses import dataclass
 
 import numpy as np
-from fair_reflections import STEP
+from fair_reflections import STEP, runs
 from figures.lights import BANDS
 
 KINK, WAVE = "kink", "wave"
@@ -78,6 +78,5 @@ def _turned_back(turned, evened, reach):
 
 def _peaks(sizes, where):
     """The index of the largest of each run of samples where it is true."""
-    borders = np.flatnonzero(np.diff(np.concatenate([[False], where, [False]]).astype(int)))
-    for first, last in zip(borders[::2], borders[1::2]):
+    for first, last in runs(where):
         yield first + int(np.argmax(sizes[first:last]))

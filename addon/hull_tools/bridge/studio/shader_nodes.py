@@ -25,6 +25,15 @@ class Nodes:
         else:
             socket.default_value = value
 
+    def _fed(self, kind, values, **settings):
+        """The output of a node whose inputs are given in their order."""
+        node = self._tree.nodes.new(kind)
+        for name, value in settings.items():
+            setattr(node, name, value)
+        for value, socket in zip(values, node.inputs):
+            self.put(value, socket)
+        return node.outputs[0]
+
     def named(self, name, value):
         """A number that set_named changes later."""
         node = self._tree.nodes.get(name)
@@ -35,11 +44,7 @@ class Nodes:
         return node.outputs[0]
 
     def math(self, operation, *values):
-        node = self._tree.nodes.new("ShaderNodeMath")
-        node.operation = operation
-        for value, socket in zip(values, node.inputs):
-            self.put(value, socket)
-        return node.outputs[0]
+        return self._fed("ShaderNodeMath", values, operation=operation)
 
     def choose(self, condition, if_not, if_so):
         """Of two numbers the second where a condition is 1, the first where it is 0."""
@@ -64,11 +69,7 @@ class Nodes:
         return node.outputs[0]
 
     def vector_math(self, operation, *values):
-        node = self._tree.nodes.new("ShaderNodeVectorMath")
-        node.operation = operation
-        for value, socket in zip(values, node.inputs):
-            self.put(value, socket)
-        return node.outputs[0]
+        return self._fed("ShaderNodeVectorMath", values, operation=operation)
 
     def ramp(self, value, stops, low=0.0, high=1.0, steps=False):
         """The colour at a value: stops are pairs (value, colour), from `low` to `high`."""
@@ -86,16 +87,10 @@ class Nodes:
         return node.outputs[0]
 
     def mix_colour(self, part, first, second):
-        node = self._tree.nodes.new("ShaderNodeMixRGB")
-        for value, socket in zip((part, first, second), node.inputs):
-            self.put(value, socket)
-        return node.outputs[0]
+        return self._fed("ShaderNodeMixRGB", (part, first, second))
 
     def mix_shader(self, part, first, second):
-        node = self._tree.nodes.new("ShaderNodeMixShader")
-        for value, socket in zip((part, first, second), node.inputs):
-            self.put(value, socket)
-        return node.outputs[0]
+        return self._fed("ShaderNodeMixShader", (part, first, second))
 
     def emission(self, colour):
         return self.add("ShaderNodeEmission", Color=colour).outputs[0]
