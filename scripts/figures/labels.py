@@ -31,7 +31,7 @@ class Labels:
         """A label of a line through points (n, 2), to be right (side 1) or left of its upper end;
         others (n, 2): the points of lines that it must not cover. Where there is no room, none."""
         end = points[np.argmin(points[:, 1] - 1e-3 * side * points[:, 0])]
-        if not self._shares(side, end):
+        if not self._sharing(side, end):
             if self._stands([label], side, [end], _ABOVE, others):
                 return
         if self._stands_on(label, points, others) or self._joins(label, side, end, others):
@@ -49,20 +49,23 @@ class Labels:
                 return True
         return False
 
-    def _shares(self, side, end):
-        """Whether a label stands at the same place."""
-        near = _TOGETHER * self.height
-        return any(of == side and np.hypot(*(at[0] - end)) < near for _, of, at, _ in self.ends)
+    def _sharing(self, side, end):
+        """The indices of the labels at the same place."""
+        return [
+            i
+            for i, (_, of, ends, _) in enumerate(self.ends)
+            if of == side and np.hypot(*(ends[0] - end)) < _TOGETHER * self.height
+        ]
 
     def _joins(self, label, side, end, others):
         """Whether a label could be made one with another at the same place."""
-        for i, (names, of, ends, way) in enumerate(self.ends):
-            if of == side and np.hypot(*(ends[0] - end)) < _TOGETHER * self.height:
-                before = self.ends.pop(i), self.boxes.pop(i)
-                if self._stands([*names, label], side, [*ends, end], way, others, i):
-                    return True
-                self.ends.insert(i, before[0])
-                self.boxes.insert(i, before[1])
+        for i in self._sharing(side, end):
+            before = self.ends.pop(i), self.boxes.pop(i)
+            names, _, ends, way = before[0]
+            if self._stands([*names, label], side, [*ends, end], way, others, i):
+                return True
+            self.ends.insert(i, before[0])
+            self.boxes.insert(i, before[1])
         return False
 
     def _stands(self, names, side, ends, way, others, place=None):
