@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The comparison of results tells each bit that differs, and nothing else."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import compare_results  # noqa: E402
+
+NUMBERS = np.array([1.0, -2.5, np.nan, 0.0])
+
+
+def found_between(before, after):
+    (one,) = compare_results.records(before).values()
+    (other,) = compare_results.records(after).values()
+    return compare_results.difference(one, other)
+
+
+def test_equal_results_are_equal():
+    assert found_between(NUMBERS, NUMBERS.copy()) is None
+    assert found_between("at 1.25 m", "at 1.25 m") is None
+
+
+def test_the_last_bit_is_told():
+    moved = NUMBERS.copy()
+    moved[1] = np.nextafter(moved[1], 0.0)
+    told = found_between(NUMBERS, moved)
+    assert told == "1 of 4 numbers differ, by up to 4.44e-16 (1.8e-16 of the greatest)"
+    assert "sign of zeros" in found_between(NUMBERS, np.array([1.0, -2.5, np.nan, -0.0]))
+
+
+def test_numbers_in_texts_are_compared_as_numbers():
+    assert "by up to 0.5" in found_between("at 1.25 m", "at 1.75 m")
+    assert "words" in found_between("at 1.25 m", "near 1.25 m")
+
+
+def test_shapes_and_undefined_values_are_told():
+    assert "shape" in found_between(NUMBERS, NUMBERS.reshape(2, 2))
+    assert "in one only" in found_between(NUMBERS, np.array([1.0, -2.5, 0.0, 0.0]))
+
+
+def test_missing_and_new_results_count(capsys):
+    before = {"a: b: c.lever": compare_results.records(1.0)[""]}
+    assert compare_results.compare(before, {}) == 1
+    assert compare_results.compare({}, before) == 1
+    after = {compare_results.renamed("a: b: c.gz", {"lever": "gz"}): before["a: b: c.lever"]}
+    assert compare_results.compare(before, after) == 0
+    assert "1 of 1 results are bit-equal, 0 differ" in capsys.readouterr().out
