@@ -7,7 +7,7 @@
 
 namespace hull {
 
-// What the subdivision rules do at a vertex (design: number of incident crease edges, unless the
+// What the subdivision rules do at a vertex (the number of its crease edges tells, unless the
 // user tags a corner). A border edge counts as a crease edge.
 enum class VertexKind : std::uint8_t {
   kSmooth,  // no crease edge

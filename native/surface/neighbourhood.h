@@ -60,7 +60,7 @@ bool is_regular_corner(const T& t, int h) {
 }
 
 // Whether a modified edge ends at this corner of the cell, which makes the cell not a polynomial
-// although its points look regular (design: trap 2). Creases bound what is looked at.
+// although its points look regular (docs/surface.md, trap 2). Creases bound what is looked at.
 template <class T>
 bool touches_modified_edge(const T& t, Scheme scheme, int h) {
   if (scheme != Scheme::kBiermann || !is_smooth_at(t, h)) return false;

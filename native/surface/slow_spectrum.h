@@ -28,8 +28,8 @@ struct SlowSpectrum {
 
 // Splits off all eigenvalues above a threshold chosen in the widest gap between `floor` and 1/4.
 // Subspaces come from inverse iteration with groups of close eigenvalues kept together, so that a
-// Jordan block (design: trap 1) costs no accuracy. REQUIRES: S is a local subdivision matrix: its
-// rows sum to one, and the eigenvalue 1 is simple.
+// Jordan block (docs/surface.md, trap 1) costs no accuracy. REQUIRES: S is a local subdivision
+// matrix: its rows sum to one, and the eigenvalue 1 is simple.
 SlowSpectrum slow_spectrum(const Eigen::MatrixXd& S, double floor);
 
 }  // namespace hull

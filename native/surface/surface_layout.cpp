@@ -152,7 +152,8 @@ class SurfaceLayout::Builder {
   SurfaceNode child_node(const Level1&, int h) { return node(level2_, h); }
   SurfaceNode child_node(const Level2&, int h) { return node(level3_, h); }
   SurfaceNode child_node(const Level3&, int) {
-    // Two subdivisions isolate every irregular knot and pass every modified edge (trap 2).
+    // Two subdivisions isolate every irregular knot and pass every modified edge (docs/surface.md,
+    // trap 2).
     assert(false);
     return {};
   }

@@ -18,7 +18,7 @@ Mode plain_mode(Eigen::Index m, int column) {
 }
 
 // In a Jordan block the nilpotent part leads after k steps, by a factor k. Of rank one, it maps
-// everything on one eigenvector (design: trap 5, the osculating plane of a crease).
+// everything on one eigenvector (docs/surface.md, trap 5: the osculating plane of a crease).
 bool jordan_mode(Eigen::Index m, const SlowBlock& block, Mode& mode) {
   const Eigen::MatrixXd nilpotent =
       block.action - block.eigenvalue * Eigen::MatrixXd::Identity(block.size, block.size);

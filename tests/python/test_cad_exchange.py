@@ -4,7 +4,8 @@
 import hull_native as hn
 import numpy as np
 import pytest
-from test_step import NAMES, ROOT, SHARED, hull_io, surface_of
+from reference_data import hull_path
+from test_step import NAMES, hull_io, surface_of
 
 FORMATS = [(hn.write_step, "ship.step"), (hn.write_iges, "ship.igs")]
 
@@ -43,8 +44,7 @@ def test_solids_have_the_volume_of_the_analysis(name, tmp_path):
 
 def both_sides(name):
     """The surface of the hull with its mirror image in one mesh."""
-    folder = ROOT / "samples" if name.endswith(".json") else SHARED / "hulls" / "freeship"
-    shell = hull_io.shell_arrays(hull_io.read_hull(folder / name))
+    shell = hull_io.shell_arrays(hull_io.read_hull(hull_path(name)))
     points = np.array(shell.points)
     on_plane = np.abs(points[:, 1]) < 1e-6
     points[on_plane, 1] = 0.0

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Exact patches against the surface: equal outside the corner squares, and within what is asked."""
 
-import json
 import sys
 from pathlib import Path
 
 import hull_native as hn
 import numpy as np
 import pytest
+from reference_data import MESHES, foreign_ships, hull_path, reference_mesh
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
@@ -15,37 +15,23 @@ from hull_io_loader import load_hull_io  # noqa: E402
 
 hull_io = load_hull_io()
 
-SHARED = ROOT.parent / "shared"
-HYDROSTATICS = SHARED / "reference" / "hydrostatics.json"
 SAMPLES = sorted(path.name for path in (ROOT / "samples").glob("*.hull.json"))
-SHIPS = [entry["file"] for entry in json.loads(HYDROSTATICS.read_text())] if SHARED.exists() else []
-MESHES = sorted(path.name for path in (SHARED / "reference" / "meshes").glob("*.json"))
+SHIPS = foreign_ships()
 ALL = SAMPLES + SHIPS + MESHES
-FEW_PATCHES = SAMPLES + [name for name in SHIPS if name[-5] in "346"]
+FEW_PATCHES = SAMPLES + foreign_ships(*(f"FREE!ship demo {number}.fbm" for number in (3, 4, 6)))
 SCHEMES = ["biermann", "catmull_clark"]
 SEED = 601
-
-if not SHARED.exists():
-    print(f"no reference hulls in {SHARED}: the samples only")
 
 
 def control_mesh(name):
     if name not in MESHES:
         return hn.ControlMesh(*shell_of(name))
-    data = json.loads((SHARED / "reference" / "meshes" / name).read_text())
-    return hn.ControlMesh(
-        np.array(data["vertices"], float),
-        np.array([len(face) for face in data["faces"]]),
-        np.concatenate(data["faces"]),
-        np.array(data["crease_edges"], int).reshape(-1, 2),
-        np.array(data["corner_vertices"], int),
-    )
+    return reference_mesh(name)
 
 
 def shell_of(name):
     """Arguments of ControlMesh."""
-    folder = ROOT / "samples" if name in SAMPLES else SHARED / "hulls" / "freeship"
-    shell = hull_io.shell_arrays(hull_io.read_hull(folder / name))
+    shell = hull_io.shell_arrays(hull_io.read_hull(hull_path(name)))
     return shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
 
 

@@ -2,29 +2,17 @@
 """The surface against values from an independent program (repeated subdivision, no eigenbasis)."""
 
 import json
-from pathlib import Path
 
 import hull_native as hn
 import numpy as np
 import pytest
+from reference_data import MESHES, REFERENCE, reference_mesh
 
-REFERENCE = Path(__file__).resolve().parents[2].parent / "shared" / "reference"
-NAMES = sorted(path.stem for path in (REFERENCE / "meshes").glob("*.json"))
 SCHEMES = ["biermann", "catmull_clark"]
 
-if not NAMES:
-    pytest.skip(f"no reference values in {REFERENCE}", allow_module_level=True)
 
-
-def control_mesh(name):
-    data = json.loads((REFERENCE / "meshes" / f"{name}.json").read_text())
-    return hn.ControlMesh(
-        np.array(data["vertices"], float),
-        np.array([len(face) for face in data["faces"]]),
-        np.concatenate(data["faces"]),
-        np.array(data["crease_edges"], int).reshape(-1, 2),
-        np.array(data["corner_vertices"], int),
-    )
+def test_all_meshes_are_there():
+    assert len(MESHES) == 22
 
 
 def grid_places(cell_count):
@@ -34,9 +22,9 @@ def grid_places(cell_count):
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MESHES)
 def test_points_and_normals(name, scheme):
-    mesh = control_mesh(name)
+    mesh = reference_mesh(name)
     surface = hn.LimitSurface(mesh, scheme)
     expected = np.load(REFERENCE / "points" / f"{name}_{scheme}.npz")
     cells, uv = grid_places(surface.cell_count)
@@ -70,9 +58,9 @@ def at_single_sector_creases(mesh, cells, uv):
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", MESHES)
 def test_integrals(name, scheme):
-    mesh = control_mesh(name)
+    mesh = reference_mesh(name)
     expected = json.loads((REFERENCE / "integrals.json").read_text())[name][scheme]
     body = hn.HullBody(hn.LimitSurface(mesh, scheme), mirrored=False)
     assert body.shell_area == pytest.approx(expected["area"], rel=1e-10)
@@ -86,7 +74,7 @@ def test_integrals(name, scheme):
 
 
 def test_grid_equals_single_points():
-    surface = hn.LimitSurface(control_mesh("hull_half"))
+    surface = hn.LimitSurface(reference_mesh("hull_half"))
     grid = surface.evaluate_grid(4, derivatives=2)
     cells, uv = grid_places(surface.cell_count)
     single = surface.evaluate(cells, uv, derivatives=2)
@@ -96,7 +84,7 @@ def test_grid_equals_single_points():
 
 
 def test_set_points_equals_a_new_surface():
-    mesh = control_mesh("hull_half")
+    mesh = reference_mesh("hull_half")
     surface = hn.LimitSurface(mesh)
     moved = mesh.points * [1.0, 1.2, 0.9]
     surface.set_points(moved)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plane sections: of the samples, of the reference hulls, and against FREE!ship's own stations."""
 
-import json
 import struct
 import sys
 from pathlib import Path
@@ -9,9 +8,9 @@ from pathlib import Path
 import hull_native as hn
 import numpy as np
 import pytest
+from reference_data import FREESHIP, foreign_ships, hull_path
 
 ROOT = Path(__file__).resolve().parents[2]
-SHARED = ROOT.parent / "shared"
 sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
 from hull_io_loader import load_hull_io  # noqa: E402
 
@@ -19,14 +18,6 @@ hull_io = load_hull_io()
 from hull_io.freeship import read_stored_sections  # noqa: E402
 
 SAMPLES = sorted((ROOT / "samples").glob("*.hull.json"))
-FREESHIP = SHARED / "hulls" / "freeship"
-
-
-def reference_hulls():
-    path = SHARED / "reference" / "hydrostatics.json"
-    if not path.exists():
-        return []
-    return [FREESHIP / entry["file"] for entry in json.loads(path.read_text())]
 
 
 def surface_of(path, scheme="biermann"):
@@ -60,10 +51,10 @@ def planes_through(surface, random, count):
     return np.array(planes)
 
 
-@pytest.mark.parametrize("path", [*SAMPLES, *reference_hulls()], ids=lambda path: path.name)
-def test_points_lie_on_surface_and_plane(path):
+@pytest.mark.parametrize("name", [*(path.name for path in SAMPLES), *foreign_ships()])
+def test_points_lie_on_surface_and_plane(name):
     seed = 9
-    surface = surface_of(path)[2]
+    surface = surface_of(hull_path(name))[2]
     planes = planes_through(surface, np.random.default_rng(seed), 40)
     tolerance = 1e-10 * surface.mesh.size
     found = 0

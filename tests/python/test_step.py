@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """STEP files of whole ships, read back by Open CASCADE."""
 
-import json
 import sys
 from pathlib import Path
 
 import hull_native as hn
 import numpy as np
 import pytest
+from reference_data import foreign_ships, hull_path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
@@ -15,16 +15,11 @@ from hull_io_loader import load_hull_io  # noqa: E402
 
 hull_io = load_hull_io()
 
-SHARED = ROOT.parent / "shared"
-REFERENCE = SHARED / "reference" / "hydrostatics.json"
-NAMES = ["barge.hull.json", "coaster.hull.json"]
-if REFERENCE.exists():
-    NAMES += [entry["file"] for entry in json.loads(REFERENCE.read_text())]
+NAMES = ["barge.hull.json", "coaster.hull.json", *foreign_ships()]
 
 
 def surface_of(name):
-    folder = ROOT / "samples" if name.endswith(".json") else SHARED / "hulls" / "freeship"
-    data = hull_io.read_hull(folder / name)
+    data = hull_io.read_hull(hull_path(name))
     shell = hull_io.shell_arrays(data)
     mesh = hn.ControlMesh(
         shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners

@@ -31,7 +31,7 @@ TEST(Hydrostatics, OfABox) {
   EXPECT_NEAR(h.volume_from_breadths, h.displaced_volume, kRelative * h.displaced_volume);
 }
 
-// The cube control mesh ±1 encloses 2.62041903269898 (design: reference values).
+// The cube control mesh ±1 encloses 2.62041903269898 (tests/reference/integrals.json).
 TEST(Hydrostatics, OfTheSmoothCubeDrowned) {
   const LimitSurface surface{ControlMesh(testing::cube())};
   const Particulars h = upright_hydrostatics(surface, 2.0, false);

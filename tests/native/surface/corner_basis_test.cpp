@@ -88,7 +88,8 @@ TEST(CornerBasis, LocalMatricesAreAffine) {
   }
 }
 
-// Design: trap 1. Under Biermann's rules the crease sectors of odd valence are defective at 1/4.
+// Trap 1 of docs/surface.md: under Biermann's rules the crease sectors of odd valence are defective
+// at 1/4.
 TEST(CornerBasis, FindsTheDefectiveSectors) {
   for (int n = 1; n <= 9; ++n) {
     const auto shared = BasisCache().get({Scheme::kBiermann, VertexKind::kCrease, false, n, 0});
