@@ -15,13 +15,14 @@
 
 namespace {
 
-const hull::LimitSurface& surface() {
-  static const hull::LimitSurface built{hull::ControlMesh(hull::benchmarks::half_hull())};
+const hull::surface::LimitSurface& surface() {
+  static const hull::surface::LimitSurface built{
+      hull::mesh::ControlMesh(hull::benchmarks::half_hull())};
   return built;
 }
 
-const hull::PatchSet& patches() {
-  static const hull::PatchSet made = hull::exact_patches(surface());
+const hull::conversion::PatchSet& patches() {
+  static const hull::conversion::PatchSet made = hull::conversion::exact_patches(surface());
   return made;
 }
 
@@ -42,27 +43,37 @@ class ScratchFile {
 };
 
 void BM_ExactPatches(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(hull::exact_patches(surface()));
+  for (auto _ : state) benchmark::DoNotOptimize(hull::conversion::exact_patches(surface()));
 }
 
 template <class Write>
 void write(benchmark::State& state, const Write& write_file, bool mirrored, bool solid) {
   const ScratchFile file;
-  hull::CadOptions options;
+  hull::exchange::CadOptions options;
   options.mirrored = mirrored;
   options.solid = solid;
   patches();
-  hull::CadReport report;
+  hull::exchange::CadReport report;
   for (auto _ : state) report = write_file(patches(), file.path(), options);
   state.counters["faces"] = report.faces;
   state.counters["MB"] = static_cast<double>(report.bytes) / 1e6;
 }
 
-void BM_StepOfHalf(benchmark::State& state) { write(state, hull::write_step, false, false); }
-void BM_StepOfWhole(benchmark::State& state) { write(state, hull::write_step, true, false); }
-void BM_StepOfSolid(benchmark::State& state) { write(state, hull::write_step, true, true); }
-void BM_IgesOfHalf(benchmark::State& state) { write(state, hull::write_iges, false, false); }
-void BM_IgesOfSolid(benchmark::State& state) { write(state, hull::write_iges, true, true); }
+void BM_StepOfHalf(benchmark::State& state) {
+  write(state, hull::exchange::write_step, false, false);
+}
+void BM_StepOfWhole(benchmark::State& state) {
+  write(state, hull::exchange::write_step, true, false);
+}
+void BM_StepOfSolid(benchmark::State& state) {
+  write(state, hull::exchange::write_step, true, true);
+}
+void BM_IgesOfHalf(benchmark::State& state) {
+  write(state, hull::exchange::write_iges, false, false);
+}
+void BM_IgesOfSolid(benchmark::State& state) {
+  write(state, hull::exchange::write_iges, true, true);
+}
 
 BENCHMARK(BM_ExactPatches)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_StepOfHalf)->Unit(benchmark::kMillisecond);

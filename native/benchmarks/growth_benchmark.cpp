@@ -14,7 +14,7 @@
 
 namespace {
 
-using hull::LimitSurface;
+using hull::surface::LimitSurface;
 
 double allocated_bytes() {
   const auto info = mallinfo2();
@@ -34,16 +34,17 @@ double process_bytes(const std::string& name) {
 void reset_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 void BM_Construct(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull(static_cast<int>(state.range(0)));
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull(static_cast<int>(state.range(0)));
   const auto faces = static_cast<double>(mesh.face_sizes.size());
   const auto build = [&mesh] {
-    return LimitSurface(hull::ControlMesh(mesh), hull::Scheme::kBiermann);
+    return hull::surface::LimitSurface(hull::mesh::ControlMesh(mesh),
+                                       hull::surface::Scheme::kBiermann);
   };
   for (auto _ : state) benchmark::DoNotOptimize(build());
   malloc_trim(0);
   reset_peak();
   const double before = allocated_bytes(), resident = process_bytes("VmRSS");
-  const LimitSurface kept = build();
+  const hull::surface::LimitSurface kept = build();
   state.counters["faces"] = faces;
   state.counters["time/face"] = benchmark::Counter(
       faces, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
@@ -53,8 +54,8 @@ void BM_Construct(benchmark::State& state) {
 }
 
 void BM_SetPoints(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull(static_cast<int>(state.range(0)));
-  LimitSurface surface{hull::ControlMesh(mesh)};
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull(static_cast<int>(state.range(0)));
+  hull::surface::LimitSurface surface{hull::mesh::ControlMesh(mesh)};
   for (auto _ : state) surface.set_points(mesh.points);
   const auto faces = static_cast<double>(mesh.face_sizes.size());
   state.counters["faces"] = faces;

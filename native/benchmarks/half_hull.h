@@ -10,9 +10,9 @@ namespace hull::benchmarks {
 // A half hull of 14 stations by 10 points (140 points, 117 faces): flat bottom, bilge, flat side,
 // knuckle and a fan of triangles at the stem, so that it has irregular points of several kinds.
 // `refine` multiplies the number of faces in each direction.
-inline MeshArrays half_hull(int refine = 1) {
+inline mesh::MeshArrays half_hull(int refine = 1) {
   const int stations = 13 * refine, girth = 9 * refine;
-  MeshArrays mesh;
+  mesh::MeshArrays mesh;
   for (int i = 0; i <= stations; ++i) {
     const double s = static_cast<double>(i) / stations;
     const double fullness = std::pow(std::sin(3.14159265 * (0.12 + 0.88 * s)), 0.45);

@@ -15,35 +15,35 @@
 #include "conversion/patches/flat_patches.h"
 #include "conversion/per_cell/per_cell.h"
 #include "exchange/brep_shape.h"
-#include "surface/grid_samples.h"
+#include "surface/sampling/grid_samples.h"
 
 namespace {
 
-using hull::HullBody;
-using hull::LimitSurface;
 using hull::Vector3d;
+using hull::analysis::HullBody;
+using hull::surface::LimitSurface;
 
 constexpr double kDraft = 6.0;
-constexpr hull::ProjectDimensions kProject{100.0, 18.0, kDraft};
+constexpr hull::analysis::ProjectDimensions kProject{100.0, 18.0, kDraft};
 
-const hull::ControlMesh& control_mesh() {
-  static const hull::ControlMesh mesh(hull::benchmarks::half_hull());
+const hull::mesh::ControlMesh& control_mesh() {
+  static const hull::mesh::ControlMesh mesh(hull::benchmarks::half_hull());
   return mesh;
 }
 
-const LimitSurface& surface() {
-  static const LimitSurface built(control_mesh());
+const hull::surface::LimitSurface& surface() {
+  static const hull::surface::LimitSurface built(control_mesh());
   return built;
 }
 
-HullBody make_body(const LimitSurface& of, double tolerance) {
-  return {of, true, hull::Openings::kClosed, tolerance};
+hull::analysis::HullBody make_body(const hull::surface::LimitSurface& of, double tolerance) {
+  return {of, true, hull::analysis::Openings::kClosed, tolerance};
 }
 
-const HullBody& body(double tolerance = hull::kFinest) {
-  static const HullBody finest = make_body(surface(), hull::kFinest);
-  static const HullBody live = make_body(surface(), hull::kLive);
-  return tolerance == hull::kLive ? live : finest;
+const hull::analysis::HullBody& body(double tolerance = hull::analysis::kFinest) {
+  static const hull::analysis::HullBody finest = make_body(surface(), hull::analysis::kFinest);
+  static const hull::analysis::HullBody live = make_body(surface(), hull::analysis::kLive);
+  return tolerance == hull::analysis::kLive ? live : finest;
 }
 
 // A surface and its live body, whose points are moved to and fro.
@@ -55,15 +55,15 @@ class MovingBody {
     for (std::size_t i = 0; i < moved; ++i)
       points_[1][points_[1].size() / 2 - moved / 2 + i].y() *= 1.001;
   }
-  const HullBody& move() {
+  const hull::analysis::HullBody& move() {
     surface_.set_points(points_[++count_ % 2]);
     body_.update();
     return body_;
   }
 
  private:
-  LimitSurface surface_;
-  HullBody body_;
+  hull::surface::LimitSurface surface_;
+  hull::analysis::HullBody body_;
   std::vector<Vector3d> points_[2];
   int count_ = 0;
 };
@@ -75,16 +75,16 @@ double next_draft() {
 }
 
 void BM_Immersion(benchmark::State& state, double tolerance) {
-  const HullBody& floating = body(tolerance);
+  const hull::analysis::HullBody& floating = body(tolerance);
   for (auto _ : state) {
     benchmark::DoNotOptimize(floating.immersion({Vector3d::UnitZ(), next_draft()}));
   }
 }
 
 void BM_Particulars(benchmark::State& state, double tolerance) {
-  const HullBody& floating = body(tolerance);
+  const hull::analysis::HullBody& floating = body(tolerance);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(hull::hydrostatics(floating, {next_draft()}, kProject));
+    benchmark::DoNotOptimize(hull::analysis::hydrostatics(floating, {next_draft()}, kProject));
   }
 }
 
@@ -92,7 +92,7 @@ void BM_Particulars(benchmark::State& state, double tolerance) {
 void BM_ParticularsAfterSetPoints(benchmark::State& state, std::size_t moved, double tolerance) {
   MovingBody moving(moved, tolerance);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(hull::hydrostatics(moving.move(), {kDraft}, kProject));
+    benchmark::DoNotOptimize(hull::analysis::hydrostatics(moving.move(), {kDraft}, kProject));
   }
 }
 
@@ -106,9 +106,11 @@ void BM_VolumeAfterSetPoints(benchmark::State& state, std::size_t moved, double 
 void BM_RightingLevers(benchmark::State& state) {
   std::vector<double> heels;
   for (int i = 0; i < 19; ++i) heels.push_back(std::numbers::pi / 180.0 * 5.0 * i);
-  const hull::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
-  const hull::LoadCase load{upright.volume * 1.025, {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
-  for (auto _ : state) benchmark::DoNotOptimize(hull::righting_levers(body(), load, heels));
+  const hull::analysis::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
+  const hull::analysis::LoadCase load{upright.volume * 1.025,
+                                      {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(hull::analysis::righting_levers(body(), load, heels));
 }
 
 // Volume below z = draft of the prisms between a triangle's part above -infinity and the water.
@@ -132,7 +134,7 @@ double prism_volume(const Vector3d* corners, double draft) {
   return volume;
 }
 
-double triangulated_volume(const hull::GridSamples& samples, int cells, double draft) {
+double triangulated_volume(const hull::surface::GridSamples& samples, int cells, double draft) {
   double volume = 0.0;
   for (int cell = 0; cell < cells; ++cell) {
     for (int i = 0; i < samples.n; ++i) {
@@ -153,8 +155,8 @@ double triangulated_volume(const hull::GridSamples& samples, int cells, double d
 int fine_enough() {
   const double exact = body().immersion({Vector3d::UnitZ(), kDraft}).volume;
   for (int n = 8; n < 256; ++n) {
-    const double volume =
-        triangulated_volume(hull::evaluate_grid(surface(), n, 0), surface().cell_count(), kDraft);
+    const double volume = triangulated_volume(hull::surface::evaluate_grid(surface(), n, 0),
+                                              surface().cell_count(), kDraft);
     if (std::abs(volume - exact) <= 1e-6 * exact) return n;
   }
   return 256;
@@ -162,9 +164,9 @@ int fine_enough() {
 
 void BM_TriangulatedVolume(benchmark::State& state) {
   static const int n = fine_enough();
-  hull::GridSamples samples;
+  hull::surface::GridSamples samples;
   for (auto _ : state) {
-    hull::evaluate_grid(surface(), n, 0, samples);
+    hull::surface::evaluate_grid(surface(), n, 0, samples);
     benchmark::DoNotOptimize(triangulated_volume(samples, surface().cell_count(), kDraft));
   }
   state.counters["triangles"] = 2.0 * surface().cell_count() * n * n;
@@ -172,9 +174,10 @@ void BM_TriangulatedVolume(benchmark::State& state) {
 
 // Of the whole shell: Open CASCADE would have to cut it by the water first.
 void BM_OpenCascadeVolume(benchmark::State& state) {
-  const hull::PatchSet patches = hull::fit_per_cell(surface());
+  const hull::conversion::PatchSet patches = hull::conversion::fit_per_cell(surface());
   const TopoDS_Shape shape =
-      hull::make_brep_shape(hull::without_flat_patches(patches).patches).shape;
+      hull::exchange::make_brep_shape(hull::conversion::without_flat_patches(patches).patches)
+          .shape;
   for (auto _ : state) {
     GProp_GProps volume;
     BRepGProp::VolumeProperties(shape, volume);
@@ -182,16 +185,19 @@ void BM_OpenCascadeVolume(benchmark::State& state) {
   }
 }
 
-BENCHMARK_CAPTURE(BM_Immersion, finest, hull::kFinest)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Immersion, live, hull::kLive)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Particulars, finest, hull::kFinest)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Particulars, live, hull::kLive)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, all, 140, hull::kLive)
+BENCHMARK_CAPTURE(BM_Immersion, finest, hull::analysis::kFinest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Immersion, live, hull::analysis::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Particulars, finest, hull::analysis::kFinest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Particulars, live, hull::analysis::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, all, 140, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, one, 1, hull::kLive)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all, 140, hull::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, one, 1, hull::analysis::kLive)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all, 140, hull::analysis::kLive)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all_1e6, 140, 1e-6)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, one, 1, hull::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, one, 1, hull::analysis::kLive)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_RightingLevers)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_TriangulatedVolume)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_OpenCascadeVolume)->Unit(benchmark::kMillisecond);

@@ -18,7 +18,7 @@ namespace hull::benchmarks {
 namespace bfr = OpenSubdiv::OPENSUBDIV_VERSION::Bfr;
 namespace far = OpenSubdiv::OPENSUBDIV_VERSION::Far;
 
-inline std::unique_ptr<far::TopologyRefiner> make_refiner(const MeshArrays& mesh) {
+inline std::unique_ptr<far::TopologyRefiner> make_refiner(const mesh::MeshArrays& mesh) {
   far::TopologyDescriptor descriptor;
   descriptor.numVertices = static_cast<int>(mesh.points.size());
   descriptor.numFaces = static_cast<int>(mesh.face_sizes.size());
@@ -38,7 +38,7 @@ inline std::unique_ptr<far::TopologyRefiner> make_refiner(const MeshArrays& mesh
 // One Bfr::Surface per face.
 class BfrSurfaces {
  public:
-  explicit BfrSurfaces(const MeshArrays& mesh) : mesh_(mesh), refiner_(make_refiner(mesh)) {}
+  explicit BfrSurfaces(const mesh::MeshArrays& mesh) : mesh_(mesh), refiner_(make_refiner(mesh)) {}
 
   void build(int levels) {
     SurfaceFactory::Options options;
@@ -80,7 +80,7 @@ class BfrSurfaces {
 
  private:
   using SurfaceFactory = bfr::RefinerSurfaceFactory<>;
-  const MeshArrays& mesh_;
+  const mesh::MeshArrays& mesh_;
   std::unique_ptr<far::TopologyRefiner> refiner_;
   std::unique_ptr<SurfaceFactory> factory_;
   std::vector<std::unique_ptr<bfr::Surface<double>>> surfaces_;
@@ -92,7 +92,7 @@ class BfrSurfaces {
 class LimitStencils {
  public:
   // The grid (i/n, j/n) of every cell.
-  LimitStencils(const MeshArrays& mesh, int n, int order, int levels)
+  LimitStencils(const mesh::MeshArrays& mesh, int n, int order, int levels)
       : points_(mesh.points), order_(order) {
     const std::unique_ptr<far::TopologyRefiner> refiner = make_refiner(mesh);
     far::TopologyRefiner::AdaptiveOptions adaptive(levels);

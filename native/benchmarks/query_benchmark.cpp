@@ -6,9 +6,9 @@
 #include <random>
 
 #include "benchmarks/half_hull.h"
-#include "surface/closest_point.h"
-#include "surface/grid_samples.h"
-#include "surface/ray_hits.h"
+#include "surface/queries/closest_point.h"
+#include "surface/queries/ray_hits.h"
+#include "surface/sampling/grid_samples.h"
 
 namespace {
 
@@ -16,13 +16,14 @@ using hull::Vector3d;
 
 constexpr int kQueries = 20000;
 
-const hull::LimitSurface& surface() {
-  static const hull::LimitSurface built{hull::ControlMesh(hull::benchmarks::half_hull())};
+const hull::surface::LimitSurface& surface() {
+  static const hull::surface::LimitSurface built{
+      hull::mesh::ControlMesh(hull::benchmarks::half_hull())};
   return built;
 }
 
-const hull::SurfaceTree& tree() {
-  static const hull::SurfaceTree built(surface());
+const hull::surface::SurfaceTree& tree() {
+  static const hull::surface::SurfaceTree built(surface());
   return built;
 }
 
@@ -46,7 +47,7 @@ std::vector<Vector3d> scattered(double away) {
 // Row after row of each cell, with the noise of an instrument.
 std::vector<Vector3d> scanned(double noise) {
   std::mt19937 random(1);
-  const hull::GridSamples samples = hull::evaluate_grid(surface(), 6, 0);
+  const hull::surface::GridSamples samples = hull::surface::evaluate_grid(surface(), 6, 0);
   std::vector<Vector3d> points;
   for (const Vector3d& p : samples.points) points.push_back(p + noise * offset(random));
   return points;
@@ -60,43 +61,44 @@ void per_query(benchmark::State& state, std::size_t queries) {
 }
 
 void BM_BuildTree(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(hull::SurfaceTree(surface()));
+  for (auto _ : state) benchmark::DoNotOptimize(hull::surface::SurfaceTree(surface()));
 }
 
 void BM_RefitTree(benchmark::State& state) {
-  hull::SurfaceTree moved(surface());
+  hull::surface::SurfaceTree moved(surface());
   for (auto _ : state) moved.refit(surface());
 }
 
 // Within so many mm.
 void BM_ClosestPointsScattered(benchmark::State& state) {
   const std::vector<Vector3d> points = scattered(1e-3 * static_cast<double>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(hull::closest_points(tree(), points));
+  for (auto _ : state) benchmark::DoNotOptimize(hull::surface::closest_points(tree(), points));
   per_query(state, points.size());
 }
 
 void BM_ClosestPointsScanned(benchmark::State& state) {
   const std::vector<Vector3d> points = scanned(1e-3 * static_cast<double>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(hull::closest_points(tree(), points));
+  for (auto _ : state) benchmark::DoNotOptimize(hull::surface::closest_points(tree(), points));
   per_query(state, points.size());
 }
 
 // From 50 m off.
 void BM_FirstRayHits(benchmark::State& state) {
   std::mt19937 random(2);
-  std::vector<hull::Ray> rays;
+  std::vector<hull::surface::Ray> rays;
   for (const Vector3d& p : scattered(0.0)) {
     const Vector3d direction = offset(random).normalized();
     rays.push_back({p - 50.0 * direction, direction});
   }
   for (auto _ : state) {
-    for (const hull::Ray& ray : rays) benchmark::DoNotOptimize(hull::first_ray_hit(tree(), ray));
+    for (const hull::surface::Ray& ray : rays)
+      benchmark::DoNotOptimize(hull::surface::first_ray_hit(tree(), ray));
   }
   per_query(state, rays.size());
 }
 
 void BM_NearestOfSamplesByTryingAll(benchmark::State& state) {
-  const hull::GridSamples samples = hull::evaluate_grid(surface(), 16, 0);
+  const hull::surface::GridSamples samples = hull::surface::evaluate_grid(surface(), 16, 0);
   std::vector<Vector3d> points = scattered(1.0);
   points.resize(200);
   double worst = 0.0;
@@ -104,7 +106,7 @@ void BM_NearestOfSamplesByTryingAll(benchmark::State& state) {
     for (const Vector3d& p : points) {
       double least = std::numeric_limits<double>::infinity();
       for (const Vector3d& q : samples.points) least = std::min(least, (q - p).squaredNorm());
-      worst = std::max(worst, std::sqrt(least) - hull::closest_point(tree(), p).distance);
+      worst = std::max(worst, std::sqrt(least) - hull::surface::closest_point(tree(), p).distance);
     }
   }
   per_query(state, points.size());

@@ -11,51 +11,55 @@
 #include "analysis/sections/sections.h"
 #include "benchmarks/half_hull.h"
 #include "benchmarks/ratio_report.h"
-#include "surface/tessellation.h"
+#include "surface/sampling/tessellation.h"
 
 namespace {
 
-using hull::Axis;
-using hull::Plane;
 using hull::Vector3d;
+using hull::analysis::Axis;
+using hull::analysis::Plane;
 
 constexpr double kTolerance = 1e-3;  // 1 mm on 100 m
 
 // 21 stations, 11 waterlines, 7 buttocks.
-const std::vector<Plane>& planes() {
-  static const std::vector<Plane> all = [] {
-    std::vector<Plane> list;
-    for (int i = 0; i < 21; ++i) list.push_back(hull::plane_across(Axis::kX, 5.0 * i));
-    for (int i = 0; i < 11; ++i) list.push_back(hull::plane_across(Axis::kZ, 0.9 * i));
-    for (int i = 0; i < 7; ++i) list.push_back(hull::plane_across(Axis::kY, 1.2 * i));
+const std::vector<hull::analysis::Plane>& planes() {
+  static const std::vector<hull::analysis::Plane> all = [] {
+    std::vector<hull::analysis::Plane> list;
+    for (int i = 0; i < 21; ++i)
+      list.push_back(hull::analysis::plane_across(hull::analysis::Axis::kX, 5.0 * i));
+    for (int i = 0; i < 11; ++i)
+      list.push_back(hull::analysis::plane_across(hull::analysis::Axis::kZ, 0.9 * i));
+    for (int i = 0; i < 7; ++i)
+      list.push_back(hull::analysis::plane_across(hull::analysis::Axis::kY, 1.2 * i));
     return list;
   }();
   return all;
 }
 
-const hull::LimitSurface& surface() {
-  static const hull::LimitSurface built{hull::ControlMesh(hull::benchmarks::half_hull())};
+const hull::surface::LimitSurface& surface() {
+  static const hull::surface::LimitSurface built{
+      hull::mesh::ControlMesh(hull::benchmarks::half_hull())};
   return built;
 }
 
 void BM_Sections(benchmark::State& state) {
   for (auto _ : state) {
-    benchmark::DoNotOptimize(hull::sections(surface(), planes(), {kTolerance, {}}));
+    benchmark::DoNotOptimize(hull::analysis::sections(surface(), planes(), {kTolerance, {}}));
   }
 }
 
 void BM_SectionsOneByOne(benchmark::State& state) {
   for (auto _ : state) {
-    for (const Plane& plane : planes()) {
-      benchmark::DoNotOptimize(hull::section(surface(), plane, kTolerance));
+    for (const hull::analysis::Plane& plane : planes()) {
+      benchmark::DoNotOptimize(hull::analysis::section(surface(), plane, kTolerance));
     }
   }
 }
 
 void BM_SectionSplines(benchmark::State& state) {
   for (auto _ : state) {
-    for (const Plane& plane : planes()) {
-      benchmark::DoNotOptimize(hull::section_splines(surface(), plane, kTolerance));
+    for (const hull::analysis::Plane& plane : planes()) {
+      benchmark::DoNotOptimize(hull::analysis::section_splines(surface(), plane, kTolerance));
     }
   }
 }
@@ -63,9 +67,10 @@ void BM_SectionSplines(benchmark::State& state) {
 // Polylines of a triangulation's section, joined along its edges.
 class Slicer {
  public:
-  explicit Slicer(const hull::Tessellation& grid) : grid_(grid), heights_(grid.points.size()) {}
+  explicit Slicer(const hull::surface::Tessellation& grid)
+      : grid_(grid), heights_(grid.points.size()) {}
 
-  std::vector<std::vector<Vector3d>> slice(const Plane& plane) {
+  std::vector<std::vector<Vector3d>> slice(const hull::analysis::Plane& plane) {
     nodes_.clear();
     points_.clear();
     links_.clear();
@@ -125,7 +130,7 @@ class Slicer {
     return curves;
   }
 
-  const hull::Tessellation& grid_;
+  const hull::surface::Tessellation& grid_;
   std::vector<double> heights_;
   std::unordered_map<long long, int> nodes_;
   std::vector<Vector3d> points_;
@@ -135,8 +140,8 @@ class Slicer {
 // The distance of the surface, over the middles of quadrilaterals, from their diagonals, that 99 of
 // 100 keep to. The largest, beside irregular points, falls with n only as 1/n.
 double facet_error(int n) {
-  const hull::Tessellation grid = hull::tessellate(surface(), n);
-  const hull::Tessellation finer = hull::tessellate(surface(), 2 * n);
+  const hull::surface::Tessellation grid = hull::surface::tessellate(surface(), n);
+  const hull::surface::Tessellation finer = hull::surface::tessellate(surface(), 2 * n);
   std::vector<double> errors;
   for (int q = 0; q < static_cast<int>(grid.quads.size()); ++q) {
     const int cell = q / (n * n), i = q % n, j = q / n % n;
@@ -165,9 +170,10 @@ int divisions() {
 void BM_SlicedTriangulation(benchmark::State& state) {
   const int n = divisions();
   for (auto _ : state) {
-    const hull::Tessellation grid = hull::tessellate(surface(), n);
+    const hull::surface::Tessellation grid = hull::surface::tessellate(surface(), n);
     Slicer slicer(grid);
-    for (const Plane& plane : planes()) benchmark::DoNotOptimize(slicer.slice(plane));
+    for (const hull::analysis::Plane& plane : planes())
+      benchmark::DoNotOptimize(slicer.slice(plane));
   }
 }
 

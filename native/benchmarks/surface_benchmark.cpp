@@ -11,28 +11,28 @@
 #include "benchmarks/half_hull.h"
 #include "benchmarks/osd_surfaces.h"
 #include "benchmarks/ratio_report.h"
-#include "surface/grid_samples.h"
 #include "surface/parallel_for.h"
+#include "surface/sampling/grid_samples.h"
 
 namespace {
 
 namespace bfr = hull::benchmarks::bfr;
-using hull::LimitSurface;
 using hull::Vector3d;
 using hull::benchmarks::BfrSurfaces;
 using hull::benchmarks::LimitStencils;
+using hull::surface::LimitSurface;
 
-hull::ControlMesh control_mesh(int refine = 1) {
-  return hull::ControlMesh(hull::benchmarks::half_hull(refine));
+hull::mesh::ControlMesh control_mesh(int refine = 1) {
+  return hull::mesh::ControlMesh(hull::benchmarks::half_hull(refine));
 }
 
 constexpr int kGrid = 16;
 
 void BM_GridOurs(benchmark::State& state) {
-  const LimitSurface surface(control_mesh(), hull::Scheme::kCatmullClark);
-  hull::GridSamples samples;
+  const hull::surface::LimitSurface surface(control_mesh(), hull::surface::Scheme::kCatmullClark);
+  hull::surface::GridSamples samples;
   for (auto _ : state) {
-    hull::evaluate_grid(surface, kGrid, static_cast<int>(state.range(0)), samples);
+    hull::surface::evaluate_grid(surface, kGrid, static_cast<int>(state.range(0)), samples);
     benchmark::DoNotOptimize(samples.points.data());
   }
   state.counters["points"] =
@@ -42,7 +42,7 @@ void BM_GridOurs(benchmark::State& state) {
 
 // The same number of points, on a grid of each quadrilateral, or each corner's part of other faces.
 void BM_GridBfr(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull();
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
   BfrSurfaces surfaces(mesh);
   surfaces.build(10);
   surfaces.prepare();
@@ -75,7 +75,7 @@ void BM_GridBfr(benchmark::State& state) {
 }
 
 void BM_GridStencils(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull();
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
   LimitStencils stencils(mesh, kGrid, static_cast<int>(state.range(0)), 10);
   for (auto _ : state) {
     stencils.evaluate();
@@ -103,10 +103,10 @@ std::vector<Place> scattered_places(int cells, std::size_t count) {
 }
 
 void BM_ScatteredOurs(benchmark::State& state) {
-  const LimitSurface surface(control_mesh(), hull::Scheme::kCatmullClark);
+  const hull::surface::LimitSurface surface(control_mesh(), hull::surface::Scheme::kCatmullClark);
   const std::vector<Place> places = scattered_places(surface.cell_count(), kScattered);
   const int order = static_cast<int>(state.range(0));
-  hull::SurfaceJet jet;
+  hull::surface::SurfaceJet jet;
   for (auto _ : state) {
     for (const Place& place : places) {
       surface.evaluate(place.cell, place.u, place.v, order, jet);
@@ -118,7 +118,7 @@ void BM_ScatteredOurs(benchmark::State& state) {
 }
 
 void BM_ScatteredBfr(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull();
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
   BfrSurfaces surfaces(mesh);
   surfaces.build(10);
   surfaces.prepare();
@@ -148,32 +148,34 @@ void BM_ScatteredBfr(benchmark::State& state) {
 }
 
 void BM_ConstructCold(benchmark::State& state) {
-  const hull::ControlMesh mesh = control_mesh();
-  for (auto _ : state) benchmark::DoNotOptimize(LimitSurface(mesh, hull::Scheme::kBiermann));
+  const hull::mesh::ControlMesh mesh = control_mesh();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(hull::surface::LimitSurface(mesh, hull::surface::Scheme::kBiermann));
 }
 
 void BM_ConstructWarm(benchmark::State& state) {
-  const hull::ControlMesh mesh = control_mesh();
-  const auto cache = std::make_shared<hull::BasisCache>();
+  const hull::mesh::ControlMesh mesh = control_mesh();
+  const auto cache = std::make_shared<hull::surface::BasisCache>();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(LimitSurface(mesh, hull::Scheme::kBiermann, cache));
+    benchmark::DoNotOptimize(
+        hull::surface::LimitSurface(mesh, hull::surface::Scheme::kBiermann, cache));
   }
 }
 
 void BM_ConstructBfr(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull();
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
   BfrSurfaces surfaces(mesh);
   for (auto _ : state) surfaces.build(static_cast<int>(state.range(0)));
 }
 
 void BM_SetPointsOurs(benchmark::State& state) {
-  const hull::ControlMesh mesh = control_mesh();
-  LimitSurface surface(mesh, hull::Scheme::kBiermann);
+  const hull::mesh::ControlMesh mesh = control_mesh();
+  hull::surface::LimitSurface surface(mesh, hull::surface::Scheme::kBiermann);
   for (auto _ : state) surface.set_points(mesh.points());
 }
 
 void BM_PreparePatchPointsBfr(benchmark::State& state) {
-  const hull::MeshArrays mesh = hull::benchmarks::half_hull();
+  const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
   BfrSurfaces surfaces(mesh);
   surfaces.build(static_cast<int>(state.range(0)));
   for (auto _ : state) surfaces.prepare();
@@ -182,12 +184,12 @@ void BM_PreparePatchPointsBfr(benchmark::State& state) {
 // A million places, shared out among threads on one surface.
 void BM_MillionPoints(benchmark::State& state) {
   constexpr std::size_t kCount = 1'000'000;
-  const LimitSurface surface(control_mesh());
+  const hull::surface::LimitSurface surface(control_mesh());
   const std::vector<Place> places = scattered_places(surface.cell_count(), kCount);
   std::vector<Vector3d> points(kCount);
   const int threads = static_cast<int>(state.range(0));
   for (auto _ : state) {
-    hull::parallel_for(kCount, threads, [&](std::size_t begin, std::size_t end) {
+    hull::surface::parallel_for(kCount, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         points[i] = surface.position(places[i].cell, places[i].u, places[i].v);
       }
@@ -199,10 +201,10 @@ void BM_MillionPoints(benchmark::State& state) {
 // A grid's points with first derivatives are 72 MB, which memory takes in little faster from two.
 void BM_MillionGridPoints(benchmark::State& state) {
   constexpr int kFine = 45;  // 474 cells of 46 x 46 samples
-  const LimitSurface surface(control_mesh());
-  hull::GridSamples samples;
+  const hull::surface::LimitSurface surface(control_mesh());
+  hull::surface::GridSamples samples;
   for (auto _ : state) {
-    hull::evaluate_grid(surface, kFine, 1, samples, static_cast<int>(state.range(0)));
+    hull::surface::evaluate_grid(surface, kFine, 1, samples, static_cast<int>(state.range(0)));
     benchmark::DoNotOptimize(samples.points.data());
   }
 }

@@ -12,31 +12,32 @@
 namespace hull::bindings {
 namespace {
 
-BilgeBorder border_from(bool is_moved, const std::optional<double>& outer) {
-  if (outer) return {BilgeBorder::Kind::kSmooth, *outer};
-  return {is_moved ? BilgeBorder::Kind::kBest : BilgeBorder::Kind::kTouching, 0.0};
+modelling::BilgeBorder border_from(bool is_moved, const std::optional<double>& outer) {
+  if (outer) return {modelling::BilgeBorder::Kind::kSmooth, *outer};
+  return {is_moved ? modelling::BilgeBorder::Kind::kBest : modelling::BilgeBorder::Kind::kTouching,
+          0.0};
 }
 
 }  // namespace
 
 void bind_bilge_arc(py::module_& module) {
-  py::class_<BilgeArc>(module, "BilgeArc",
-                       "Control points of a section's bilge, nearest to a circle of radius 1.")
+  py::class_<modelling::BilgeArc>(
+      module, "BilgeArc", "Control points of a section's bilge, nearest to a circle of radius 1.")
       .def_property_readonly(
-          "points", [](const BilgeArc& a) { return to_array(a.points); },
+          "points", [](const modelling::BilgeArc& a) { return to_array(a.points); },
           "(count + 2, 2), from the border of the flat bottom to that of the flat side.")
-      .def_readonly("deviation", &BilgeArc::deviation,
+      .def_readonly("deviation", &modelling::BilgeArc::deviation,
                     "Largest distance from bottom, circle and side, in radii.")
-      .def_readonly("least_curvature", &BilgeArc::least_curvature,
+      .def_readonly("least_curvature", &modelling::BilgeArc::least_curvature,
                     "Of the middle half of the curve, in 1/radius.")
-      .def_readonly("greatest_curvature", &BilgeArc::greatest_curvature, "In 1/radius.");
+      .def_readonly("greatest_curvature", &modelling::BilgeArc::greatest_curvature, "In 1/radius.");
   module.def(
       "bilge_arc",
       [](int count, double angle, bool move_borders, std::optional<double> outer_bottom,
          std::optional<double> outer_side) {
         const py::gil_scoped_release release;
-        return bilge_arc(count, angle, border_from(move_borders, outer_bottom),
-                         border_from(move_borders, outer_side));
+        return modelling::bilge_arc(count, angle, border_from(move_borders, outer_bottom),
+                                    border_from(move_borders, outer_side));
       },
       py::arg("count"), py::arg("angle") = 0.5 * std::numbers::pi, py::kw_only(),
       py::arg("move_borders") = false, py::arg("outer_bottom") = py::none(),

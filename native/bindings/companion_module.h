@@ -17,7 +17,7 @@ inline void join_core(pybind11::module_& module) {
   pybind11::register_local_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);
-    } catch (const FileError& failure) {
+    } catch (const files::FileError& failure) {
       PyErr_SetString(PyExc_OSError, failure.what());
     }
   });

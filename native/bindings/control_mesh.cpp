@@ -9,10 +9,11 @@
 namespace hull::bindings {
 namespace {
 
-MeshArrays arrays_from(const DoubleArray& points, const py::object& face_sizes,
-                       const py::object& face_vertices, const std::optional<py::object>& creases,
-                       const std::optional<py::object>& corners, bool round_border_corners) {
-  MeshArrays arrays;
+mesh::MeshArrays arrays_from(const DoubleArray& points, const py::object& face_sizes,
+                             const py::object& face_vertices,
+                             const std::optional<py::object>& creases,
+                             const std::optional<py::object>& corners, bool round_border_corners) {
+  mesh::MeshArrays arrays;
   arrays.points = points_from(points, "points");
   arrays.face_sizes = integers_from(face_sizes, "face_sizes");
   arrays.face_vertices = integers_from(face_vertices, "face_vertices");
@@ -22,21 +23,21 @@ MeshArrays arrays_from(const DoubleArray& points, const py::object& face_sizes,
   return arrays;
 }
 
-const char* name_of(ElementKind kind) {
+const char* name_of(mesh::ElementKind kind) {
   switch (kind) {
-    case ElementKind::kVertex:
+    case mesh::ElementKind::kVertex:
       return "vertex";
-    case ElementKind::kEdge:
+    case mesh::ElementKind::kEdge:
       return "edge";
-    case ElementKind::kFace:
+    case mesh::ElementKind::kFace:
       return "face";
     default:
       return "mesh";
   }
 }
 
-py::array elements_of(const MeshProblem& problem) {
-  if (problem.kind != ElementKind::kEdge) return to_array(problem.elements);
+py::array elements_of(const mesh::MeshProblem& problem) {
+  if (problem.kind != mesh::ElementKind::kEdge) return to_array(problem.elements);
   std::vector<std::array<int, 2>> pairs;
   for (std::size_t i = 0; i + 1 < problem.elements.size(); i += 2) {
     pairs.push_back({problem.elements[i], problem.elements[i + 1]});
@@ -44,7 +45,7 @@ py::array elements_of(const MeshProblem& problem) {
   return to_array(pairs);
 }
 
-std::vector<std::array<int, 2>> edges_where(const Topology& t, bool border) {
+std::vector<std::array<int, 2>> edges_where(const mesh::Topology& t, bool border) {
   std::vector<std::array<int, 2>> edges;
   for (int h = 0; h < t.half_edge_count(); ++h) {
     const bool wanted = border ? t.twin(h) < 0 : t.is_crease(h);
@@ -53,25 +54,25 @@ std::vector<std::array<int, 2>> edges_where(const Topology& t, bool border) {
   return edges;
 }
 
-std::vector<int> face_counts(const Topology& t) {
+std::vector<int> face_counts(const mesh::Topology& t) {
   std::vector<int> counts(t.vertex_count(), 0);
   for (int h = 0; h < t.half_edge_count(); ++h) ++counts[t.origin(h)];
   return counts;
 }
 
-std::vector<int> face_sizes(const Topology& t) {
+std::vector<int> face_sizes(const mesh::Topology& t) {
   std::vector<int> sizes(t.face_count());
   for (int f = 0; f < t.face_count(); ++f) sizes[f] = t.face_size(f);
   return sizes;
 }
 
-std::vector<int> face_vertices(const Topology& t) {
+std::vector<int> face_vertices(const mesh::Topology& t) {
   std::vector<int> vertices(t.half_edge_count());
   for (int h = 0; h < t.half_edge_count(); ++h) vertices[h] = t.origin(h);
   return vertices;
 }
 
-std::vector<int> kinds(const Topology& t) {
+std::vector<int> kinds(const mesh::Topology& t) {
   std::vector<int> values(t.vertex_count());
   for (int v = 0; v < t.vertex_count(); ++v) values[v] = static_cast<int>(t.kind(v));
   return values;
@@ -80,25 +81,28 @@ std::vector<int> kinds(const Topology& t) {
 }  // namespace
 
 void bind_control_mesh(py::module_& module) {
-  py::class_<MeshProblem>(module, "MeshProblem", "One thing wrong with a mesh.")
+  py::class_<mesh::MeshProblem>(module, "MeshProblem", "One thing wrong with a mesh.")
       .def_property_readonly(
           "severity",
-          [](const MeshProblem& p) { return p.severity == Severity::kError ? "error" : "warning"; },
+          [](const mesh::MeshProblem& p) {
+            return p.severity == mesh::Severity::kError ? "error" : "warning";
+          },
           "\"error\": the mesh has no surface; \"warning\": it has, but look at it.")
       .def_property_readonly(
-          "kind", [](const MeshProblem& p) { return name_of(p.kind); },
+          "kind", [](const mesh::MeshProblem& p) { return name_of(p.kind); },
           "What is listed: \"vertex\", \"edge\", \"face\", or \"mesh\" for the whole.")
       .def_property_readonly("elements", elements_of,
                              "(k,) vertices or faces, or (k, 2) the vertices of edges.")
-      .def_readonly("message", &MeshProblem::message, "What is wrong, where, and the remedy.")
-      .def("__repr__", [](const MeshProblem& p) { return "<MeshProblem: " + p.message + ">"; });
+      .def_readonly("message", &mesh::MeshProblem::message, "What is wrong, where, and the remedy.")
+      .def("__repr__",
+           [](const mesh::MeshProblem& p) { return "<MeshProblem: " + p.message + ">"; });
 
   module.def(
       "check_mesh",
       [](const DoubleArray& points, const py::object& sizes, const py::object& vertices,
          const std::optional<py::object>& creases, const std::optional<py::object>& corners,
          bool round_border_corners) {
-        return check_mesh(
+        return mesh::check_mesh(
             arrays_from(points, sizes, vertices, creases, corners, round_border_corners));
       },
       py::arg("points"), py::arg("face_sizes"), py::arg("face_vertices"),
@@ -107,12 +111,12 @@ void bind_control_mesh(py::module_& module) {
       "Everything wrong with a control mesh, errors first, as a list of MeshProblem. The arguments "
       "are those of ControlMesh.");
 
-  py::class_<ControlMesh>(module, "ControlMesh",
-                          "A valid control mesh with its creases and corners. Immutable.")
+  py::class_<mesh::ControlMesh>(module, "ControlMesh",
+                                "A valid control mesh with its creases and corners. Immutable.")
       .def(py::init([](const DoubleArray& points, const py::object& sizes,
                        const py::object& vertices, const std::optional<py::object>& creases,
                        const std::optional<py::object>& corners, bool round_border_corners) {
-             return ControlMesh(
+             return mesh::ControlMesh(
                  arrays_from(points, sizes, vertices, creases, corners, round_border_corners));
            }),
            py::arg("points"), py::arg("face_sizes"), py::arg("face_vertices"),
@@ -125,47 +129,51 @@ void bind_control_mesh(py::module_& module) {
            "corners.\n\nRaises ValueError naming the element and the remedy.")
       .def(
           "with_points",
-          [](const ControlMesh& mesh, const DoubleArray& points) {
+          [](const mesh::ControlMesh& mesh, const DoubleArray& points) {
             return mesh.with_points(points_from(points, "points"));
           },
           py::arg("points"), "The same mesh with its points, (n, 3) in m, elsewhere.")
       .def_property_readonly(
-          "points", [](const ControlMesh& mesh) { return to_array(mesh.points()); }, "(n, 3), m.")
+          "points", [](const mesh::ControlMesh& mesh) { return to_array(mesh.points()); },
+          "(n, 3), m.")
       .def_property_readonly("vertex_count",
-                             [](const ControlMesh& m) { return m.topology().vertex_count(); })
+                             [](const mesh::ControlMesh& m) { return m.topology().vertex_count(); })
       .def_property_readonly("edge_count",
-                             [](const ControlMesh& m) { return m.topology().edge_count(); })
+                             [](const mesh::ControlMesh& m) { return m.topology().edge_count(); })
       .def_property_readonly("face_count",
-                             [](const ControlMesh& m) { return m.topology().face_count(); })
+                             [](const mesh::ControlMesh& m) { return m.topology().face_count(); })
       .def_property_readonly(
-          "face_sizes", [](const ControlMesh& m) { return to_array(face_sizes(m.topology())); },
+          "face_sizes",
+          [](const mesh::ControlMesh& m) { return to_array(face_sizes(m.topology())); },
           "(f,) corners of each face.")
       .def_property_readonly(
           "face_vertices",
-          [](const ControlMesh& m) { return to_array(face_vertices(m.topology())); },
+          [](const mesh::ControlMesh& m) { return to_array(face_vertices(m.topology())); },
           "(sum of face_sizes,).")
       .def_property_readonly(
           "creases",
-          [](const ControlMesh& m) { return to_array(edges_where(m.topology(), false)); },
+          [](const mesh::ControlMesh& m) { return to_array(edges_where(m.topology(), false)); },
           "(m, 2) crease edges, borders included.")
       .def_property_readonly(
           "border_edges",
-          [](const ControlMesh& m) { return to_array(edges_where(m.topology(), true)); }, "(b, 2).")
+          [](const mesh::ControlMesh& m) { return to_array(edges_where(m.topology(), true)); },
+          "(b, 2).")
       .def_property_readonly(
           "vertex_valences",
-          [](const ControlMesh& m) { return to_array(face_counts(m.topology())); },
+          [](const mesh::ControlMesh& m) { return to_array(face_counts(m.topology())); },
           "(n,) faces around each point.")
       .def_property_readonly(
-          "vertex_kinds", [](const ControlMesh& m) { return to_array(kinds(m.topology())); },
+          "vertex_kinds", [](const mesh::ControlMesh& m) { return to_array(kinds(m.topology())); },
           "(n,) 0 smooth, 1 dart, 2 crease, 3 corner, 4 cone tip.")
       .def_property_readonly(
           "irregular_vertices",
-          [](const ControlMesh& m) { return to_array(m.irregular_vertices()); },
+          [](const mesh::ControlMesh& m) { return to_array(m.irregular_vertices()); },
           "(k,) points where the surface is not everywhere a bicubic B-spline.")
-      .def_property_readonly("size", &ControlMesh::size,
+      .def_property_readonly("size", &mesh::ControlMesh::size,
                              "Diagonal of the bounding box of the points, m.")
       .def_property_readonly(
-          "warnings", [](const ControlMesh& m) { return m.warnings(); }, "List of MeshProblem.");
+          "warnings", [](const mesh::ControlMesh& m) { return m.warnings(); },
+          "List of MeshProblem.");
 }
 
 }  // namespace hull::bindings

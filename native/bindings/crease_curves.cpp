@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
 #include <pybind11/stl.h>
 
@@ -12,7 +12,7 @@
 namespace hull::bindings {
 namespace {
 
-std::vector<double> parameters_on(const CreaseCurve& curve, const DoubleArray& array) {
+std::vector<double> parameters_on(const surface::CreaseCurve& curve, const DoubleArray& array) {
   const std::vector<double> t = numbers_from(array, "t");
   for (std::size_t i = 0; i < t.size(); ++i) {
     // Written so that NaN fails too.
@@ -23,7 +23,7 @@ std::vector<double> parameters_on(const CreaseCurve& curve, const DoubleArray& a
   return t;
 }
 
-py::tuple evaluate(const CreaseCurve& curve, const DoubleArray& array, int derivatives) {
+py::tuple evaluate(const surface::CreaseCurve& curve, const DoubleArray& array, int derivatives) {
   const std::vector<double> t = parameters_on(curve, array);
   if (derivatives < 0 || derivatives > 2) {
     throw std::invalid_argument("derivatives is 0, 1 or 2, not " + std::to_string(derivatives) +
@@ -31,7 +31,7 @@ py::tuple evaluate(const CreaseCurve& curve, const DoubleArray& array, int deriv
   }
   std::vector<std::vector<Vector3d>> values(derivatives + 1, std::vector<Vector3d>(t.size()));
   for (std::size_t i = 0; i < t.size(); ++i) {
-    const CurveJet jet = curve.evaluate(t[i], derivatives);
+    const surface::CurveJet jet = curve.evaluate(t[i], derivatives);
     const Vector3d* parts[] = {&jet.point, &jet.d1, &jet.d2};
     for (std::size_t k = 0; k < values.size(); ++k) values[k][i] = *parts[k];
   }
@@ -40,12 +40,12 @@ py::tuple evaluate(const CreaseCurve& curve, const DoubleArray& array, int deriv
   return result;
 }
 
-py::tuple places(const CreaseCurve& curve, const DoubleArray& array,
-                 CellPlace (CreaseCurve::*side)(double) const) {
+py::tuple places(const surface::CreaseCurve& curve, const DoubleArray& array,
+                 surface::CellPlace (surface::CreaseCurve::*side)(double) const) {
   std::vector<int> cells;
   std::vector<Eigen::Vector2d> uv;
   for (double t : parameters_on(curve, array)) {
-    const CellPlace place = (curve.*side)(t);
+    const surface::CellPlace place = (curve.*side)(t);
     cells.push_back(place.cell);
     uv.emplace_back(place.u, place.v);
   }
@@ -55,7 +55,7 @@ py::tuple places(const CreaseCurve& curve, const DoubleArray& array,
 }  // namespace
 
 void bind_crease_curves(py::module_& module) {
-  py::class_<CreaseCurve>(
+  py::class_<surface::CreaseCurve>(
       module, "CreaseCurve",
       "A chain of crease or border edges as the cubic B-spline that the surface has there, over t "
       "from 0 to edge_count, one a control edge.\n\n"
@@ -64,21 +64,23 @@ void bind_crease_curves(py::module_& module) {
       "a dart, where the curve is a cubic on each of the intervals 2^-(k+1) to 2^-k from it, the "
       "knots are graded and end in four of one value.")
       .def_property_readonly("kind",
-                             [](const CreaseCurve& c) {
-                               return c.kind() == CreaseKind::kBorder ? "border" : "crease";
+                             [](const surface::CreaseCurve& c) {
+                               return c.kind() == surface::CreaseKind::kBorder ? "border"
+                                                                               : "crease";
                              })
-      .def_property_readonly("closed", &CreaseCurve::closed)
+      .def_property_readonly("closed", &surface::CreaseCurve::closed)
       .def_property_readonly(
-          "vertices", [](const CreaseCurve& c) { return to_array(c.vertices()); },
+          "vertices", [](const surface::CreaseCurve& c) { return to_array(c.vertices()); },
           "(k,) the chain's control vertices in order; a closed chain's first is not repeated.")
-      .def_property_readonly("edge_count", &CreaseCurve::edge_count)
+      .def_property_readonly("edge_count", &surface::CreaseCurve::edge_count)
       .def_property_readonly(
-          "control_points", [](const CreaseCurve& c) { return to_array(c.spline().points()); },
+          "control_points",
+          [](const surface::CreaseCurve& c) { return to_array(c.spline().points()); },
           "(n, 3), m: of the B-spline.")
       .def_property_readonly(
-          "knots", [](const CreaseCurve& c) { return to_array(c.spline().knots()); },
+          "knots", [](const surface::CreaseCurve& c) { return to_array(c.spline().knots()); },
           "(n + 4,); the curve is defined from knots[3] = 0 to knots[-4] = edge_count.")
-      .def_property_readonly("dart_error", &CreaseCurve::dart_error,
+      .def_property_readonly("dart_error", &surface::CreaseCurve::dart_error,
                              "Bound on the distance from the surface's curve in the last interval "
                              "at a dart, m; 0 without darts.")
       .def("evaluate", &evaluate, py::arg("t"), py::arg("derivatives") = 0,
@@ -87,19 +89,19 @@ void bind_crease_curves(py::module_& module) {
            "not exist; there they are those of the spline's last interval.")
       .def(
           "left",
-          [](const CreaseCurve& c, const DoubleArray& t) {
-            return places(c, t, &CreaseCurve::left);
+          [](const surface::CreaseCurve& c, const DoubleArray& t) {
+            return places(c, t, &surface::CreaseCurve::left);
           },
           py::arg("t"),
           "Where the surface has the points t, in the faces left of the curve as seen from "
           "outside: (cells (k,), uv (k, 2)); cell -1 where a border has no face.")
       .def(
           "right",
-          [](const CreaseCurve& c, const DoubleArray& t) {
-            return places(c, t, &CreaseCurve::right);
+          [](const surface::CreaseCurve& c, const DoubleArray& t) {
+            return places(c, t, &surface::CreaseCurve::right);
           },
           py::arg("t"), "The same in the faces right of the curve.");
-  module.def("crease_curves", &crease_curves, py::arg("surface"),
+  module.def("crease_curves", &surface::crease_curves, py::arg("surface"),
              py::call_guard<py::gil_scoped_release>(),
              "All creases and borders as a list of CreaseCurve: chains from corner to corner, "
              "closed chains, and such that end at darts; one with one dart starts there.");

@@ -18,7 +18,7 @@ struct Curvatures {
   std::vector<Vector3d> maximum_directions, minimum_directions;
   std::vector<std::uint8_t> defined, at_irregular_knot;
 
-  void add(const Curvature& c) {
+  void add(const surface::Curvature& c) {
     maximum.push_back(c.maximum);
     minimum.push_back(c.minimum);
     gaussian.push_back(c.gaussian());
@@ -30,18 +30,19 @@ struct Curvatures {
   }
 };
 
-Curvatures curvatures(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
+Curvatures curvatures(const surface::LimitSurface& surface, const py::object& cells,
+                      const DoubleArray& uv) {
   const Places places = places_from(surface, cells, uv);
   const py::gil_scoped_release release;
-  std::vector<Curvature> each(places.cells.size());
+  std::vector<surface::Curvature> each(places.cells.size());
   constexpr int kAllProcessors = 0;
-  parallel_for(each.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+  surface::parallel_for(each.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      each[i] = curvature(surface, places.cells[i], places.uv[i].x(), places.uv[i].y());
+      each[i] = surface::curvature(surface, places.cells[i], places.uv[i].x(), places.uv[i].y());
     }
   });
   Curvatures result;
-  for (const Curvature& c : each) result.add(c);
+  for (const surface::Curvature& c : each) result.add(c);
   return result;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kChordTolerance = 1e-5;  // of the mesh's size, unless given
 
 struct CurveMarks {
-  std::vector<CurveMark> all;
+  std::vector<analysis::CurveMark> all;
 };
 
 template <class Item, class Value>
@@ -30,29 +30,29 @@ auto column(const std::vector<Item>& items, Value Item::*member) {
   return to_array(values);
 }
 
-auto of_samples(Vector3d CurveSample::*member) {
-  return [member](const CurveFairness& c) { return column(c.samples, member); };
+auto of_samples(Vector3d analysis::CurveSample::*member) {
+  return [member](const analysis::CurveFairness& c) { return column(c.samples, member); };
 }
 
-const char* name_of(CurveFairness::Kind kind) {
+const char* name_of(analysis::CurveFairness::Kind kind) {
   switch (kind) {
-    case CurveFairness::Kind::kCrease:
+    case analysis::CurveFairness::Kind::kCrease:
       return "crease";
-    case CurveFairness::Kind::kBorder:
+    case analysis::CurveFairness::Kind::kBorder:
       return "border";
-    case CurveFairness::Kind::kSection:
+    case analysis::CurveFairness::Kind::kSection:
       break;
   }
   return "section";
 }
 
-const char* name_of(CurveMark::Kind kind) {
+const char* name_of(analysis::CurveMark::Kind kind) {
   switch (kind) {
-    case CurveMark::Kind::kMaximum:
+    case analysis::CurveMark::Kind::kMaximum:
       return "maximum";
-    case CurveMark::Kind::kMinimum:
+    case analysis::CurveMark::Kind::kMinimum:
       return "minimum";
-    case CurveMark::Kind::kInflection:
+    case analysis::CurveMark::Kind::kInflection:
       break;
   }
   return "inflection";
@@ -60,42 +60,42 @@ const char* name_of(CurveMark::Kind kind) {
 
 std::vector<const char*> kinds_of(const CurveMarks& marks) {
   std::vector<const char*> kinds;
-  for (const CurveMark& mark : marks.all) kinds.push_back(name_of(mark.kind));
+  for (const analysis::CurveMark& mark : marks.all) kinds.push_back(name_of(mark.kind));
   return kinds;
 }
 
 py::array_t<bool> peaks_of(const CurveMarks& marks) {
   py::array_t<bool> flags(static_cast<py::ssize_t>(marks.all.size()));
   std::transform(marks.all.begin(), marks.all.end(), flags.mutable_data(),
-                 [](const CurveMark& mark) { return mark.peak; });
+                 [](const analysis::CurveMark& mark) { return mark.peak; });
   return flags;
 }
 
-py::array_t<double> comb_of(const CurveFairness& curve, double scale) {
+py::array_t<double> comb_of(const analysis::CurveFairness& curve, double scale) {
   if (!std::isfinite(scale)) {
     throw std::invalid_argument("The scale of a comb, m a tooth for 1/m, must be finite.");
   }
-  const std::vector<Segment3> segments = comb(curve, scale);
+  const std::vector<analysis::Segment3> segments = analysis::comb(curve, scale);
   py::array_t<double> array(
       {static_cast<py::ssize_t>(segments.size()), py::ssize_t{2}, py::ssize_t{3}});
   double* out = array.mutable_data();
-  for (const Segment3& segment : segments) {
+  for (const analysis::Segment3& segment : segments) {
     for (const Vector3d& p : segment) out = std::copy_n(p.data(), 3, out);
   }
   return array;
 }
 
 // Lists of SectionCurve, one for each plane; they must outlive what is returned.
-std::vector<std::vector<const SectionCurve*>> curves_from(const py::list& sections,
-                                                          std::size_t planes) {
+std::vector<std::vector<const analysis::SectionCurve*>> curves_from(const py::list& sections,
+                                                                    std::size_t planes) {
   if (sections.size() != planes) {
     throw std::invalid_argument("Give as many sections as planes, " + std::to_string(planes) +
                                 ", not " + std::to_string(sections.size()) + ".");
   }
-  std::vector<std::vector<const SectionCurve*>> curves(planes);
+  std::vector<std::vector<const analysis::SectionCurve*>> curves(planes);
   for (std::size_t i = 0; i < planes; ++i) {
     for (const py::handle curve : sections[i]) {
-      curves[i].push_back(&curve.cast<const SectionCurve&>());
+      curves[i].push_back(&curve.cast<const analysis::SectionCurve&>());
     }
   }
   return curves;
@@ -106,13 +106,15 @@ void bind_marks(py::module_& module) {
                          "Inflections and curvature extrema of a curve, in its order.")
       .def("__len__", [](const CurveMarks& m) { return m.all.size(); })
       .def_property_readonly(
-          "points", [](const CurveMarks& m) { return column(m.all, &CurveMark::point); },
+          "points", [](const CurveMarks& m) { return column(m.all, &analysis::CurveMark::point); },
           "(n, 3), m.")
       .def_property_readonly(
-          "arc_lengths", [](const CurveMarks& m) { return column(m.all, &CurveMark::arc_length); },
+          "arc_lengths",
+          [](const CurveMarks& m) { return column(m.all, &analysis::CurveMark::arc_length); },
           "(n,), m from the curve's start.")
       .def_property_readonly(
-          "values", [](const CurveMarks& m) { return column(m.all, &CurveMark::curvature); },
+          "values",
+          [](const CurveMarks& m) { return column(m.all, &analysis::CurveMark::curvature); },
           "(n,) signed curvature, 1/m; 0 at inflections.")
       .def_property_readonly("kinds", &kinds_of,
                              "List of n: \"inflection\", or \"maximum\" or \"minimum\" of the "
@@ -123,41 +125,43 @@ void bind_marks(py::module_& module) {
 }
 
 void bind_curve(py::module_& module) {
-  py::class_<CurveFairness>(
+  py::class_<analysis::CurveFairness>(
       module, "CurveFairness",
       "A curve as its fairness is judged: samples at even arc lengths between knuckles, exact on "
       "the surface, and marks.")
       .def_property_readonly(
-          "kind", [](const CurveFairness& c) { return name_of(c.kind); },
+          "kind", [](const analysis::CurveFairness& c) { return name_of(c.kind); },
           "\"section\", \"crease\" or \"border\".")
       .def_property_readonly(
-          "vertices", [](const CurveFairness& c) { return to_array(c.vertices); },
+          "vertices", [](const analysis::CurveFairness& c) { return to_array(c.vertices); },
           "(n,) control vertices of a crease or border; empty for sections.")
-      .def_readonly("closed", &CurveFairness::closed)
-      .def_readonly("length", &CurveFairness::length, "m.")
-      .def_property_readonly("points", of_samples(&CurveSample::point),
+      .def_readonly("closed", &analysis::CurveFairness::closed)
+      .def_readonly("length", &analysis::CurveFairness::length, "m.")
+      .def_property_readonly("points", of_samples(&analysis::CurveSample::point),
                              "(k, 3), m; knuckles are there twice, at the end of a stretch and at "
                              "the start of the next.")
-      .def_property_readonly("tangents", of_samples(&CurveSample::tangent),
+      .def_property_readonly("tangents", of_samples(&analysis::CurveSample::tangent),
                              "(k, 3), of unit length.")
-      .def_property_readonly("curvature_vectors", of_samples(&CurveSample::curvature),
+      .def_property_readonly("curvature_vectors", of_samples(&analysis::CurveSample::curvature),
                              "(k, 3), 1/m, towards the centre of curvature.")
       .def_property_readonly(
           "curvatures",
-          [](const CurveFairness& c) { return column(c.samples, &CurveSample::signed_curvature); },
+          [](const analysis::CurveFairness& c) {
+            return column(c.samples, &analysis::CurveSample::signed_curvature);
+          },
           "(k,) signed, 1/m: positive where the curve turns left, seen against the plane's normal. "
           "Of space curves the length of the curvature vector.")
       .def_property_readonly(
-          "arc_lengths", [](const CurveFairness& c) { return to_array(c.arc_lengths); },
+          "arc_lengths", [](const analysis::CurveFairness& c) { return to_array(c.arc_lengths); },
           "(k,), m from the curve's start.")
       .def_property_readonly(
-          "starts", [](const CurveFairness& c) { return to_array(c.starts); },
+          "starts", [](const analysis::CurveFairness& c) { return to_array(c.starts); },
           "(n + 1,): stretch i, between knuckles, is starts[i]:starts[i + 1].")
       .def_property_readonly(
-          "marks", [](const CurveFairness& c) { return CurveMarks{c.marks}; },
+          "marks", [](const analysis::CurveFairness& c) { return CurveMarks{c.marks}; },
           "CurveMarks, by arc length from the curve's start.")
-      .def_property_readonly("inflection_count", &CurveFairness::inflection_count)
-      .def_property_readonly("extremum_count", &CurveFairness::extremum_count)
+      .def_property_readonly("inflection_count", &analysis::CurveFairness::inflection_count)
+      .def_property_readonly("extremum_count", &analysis::CurveFairness::extremum_count)
       .def("comb", &comb_of, py::kw_only(), py::arg("scale"),
            "The curvature comb as line segments (m, 2, 3), in m, ready to draw: the k teeth, from "
            "each point to point - scale * curvature vector, away from the centre of curvature; "
@@ -172,22 +176,23 @@ void bind_curve_fairness(py::module_& module) {
   bind_curve(module);
   module.def(
       "section_fairness",
-      [](const LimitSurface& surface, const DoubleArray& planes, std::optional<double> step,
-         std::optional<int> count, std::optional<double> chord_tolerance,
-         std::optional<double> flat_tolerance, std::optional<double> noise, double relative_noise,
-         bool marks, const std::optional<py::list>& sections) {
-        const std::vector<Plane> wanted = planes_from(planes);
+      [](const surface::LimitSurface& surface, const DoubleArray& planes,
+         std::optional<double> step, std::optional<int> count,
+         std::optional<double> chord_tolerance, std::optional<double> flat_tolerance,
+         std::optional<double> noise, double relative_noise, bool marks,
+         const std::optional<py::list>& sections) {
+        const std::vector<analysis::Plane> wanted = planes_from(planes);
         if (sections) {
           const auto curves = curves_from(*sections, wanted.size());
           const py::gil_scoped_release release;
-          return section_fairness(surface, wanted, curves,
-                                  {step, count, noise, relative_noise, marks});
+          return analysis::section_fairness(surface, wanted, curves,
+                                            {step, count, noise, relative_noise, marks});
         }
-        const SectionOptions sampling{
+        const analysis::SectionOptions sampling{
             chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
         const py::gil_scoped_release release;
-        return section_fairness(surface, wanted, sampling,
-                                {step, count, noise, relative_noise, marks});
+        return analysis::section_fairness(surface, wanted, sampling,
+                                          {step, count, noise, relative_noise, marks});
       },
       py::arg("surface"), py::arg("planes"), py::kw_only(), py::arg("step") = py::none(),
       py::arg("count") = py::none(), py::arg("chord_tolerance") = py::none(),
@@ -209,13 +214,14 @@ void bind_curve_fairness(py::module_& module) {
       "ValueError for planes, tolerances and options out of range.");
   module.def(
       "feature_fairness",
-      [](const LimitSurface& surface, std::optional<double> step, std::optional<int> count,
+      [](const surface::LimitSurface& surface, std::optional<double> step, std::optional<int> count,
          const std::optional<DoubleArray>& direction, std::optional<double> noise,
          double relative_noise, bool marks) {
         std::optional<Vector3d> view;
         if (direction) view = point_from(*direction, "direction");
         const py::gil_scoped_release release;
-        return feature_fairness(surface, view, {step, count, noise, relative_noise, marks});
+        return analysis::feature_fairness(surface, view,
+                                          {step, count, noise, relative_noise, marks});
       },
       py::arg("surface"), py::kw_only(), py::arg("step") = py::none(),
       py::arg("count") = py::none(), py::arg("direction") = py::none(),
@@ -225,8 +231,8 @@ void bind_curve_fairness(py::module_& module) {
       "(0, 1, 0) in profile. Without it plane curves are judged in their plane, whose normal has a "
       "positive largest component; space curves by the length of their curvature vector: they have "
       "extrema but no inflections.");
-  module.def("suggested_comb_scale", &suggested_comb_scale, py::arg("curves"), py::kw_only(),
-             py::arg("height"),
+  module.def("suggested_comb_scale", &analysis::suggested_comb_scale, py::arg("curves"),
+             py::kw_only(), py::arg("height"),
              "Scale for CurveFairness.comb() at which 98 % of the curves' length have teeth no "
              "longer than height (m). curves: list of CurveFairness. ValueError unless height is "
              "above zero.");

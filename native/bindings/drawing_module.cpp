@@ -15,7 +15,7 @@
 #include "bindings/companion_module.h"
 #include "bindings/paper_names.h"
 #include "bindings/plot.h"
-#include "drawing/collect_lines.h"
+#include "drawing/lines_plan/collect_lines.h"
 
 namespace py = pybind11;
 
@@ -25,8 +25,8 @@ namespace {
 // Pairs of name and value.
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<Particular> particulars_from(const Rows& rows) {
-  std::vector<Particular> particulars;
+std::vector<drawing::Particular> particulars_from(const Rows& rows) {
+  std::vector<drawing::Particular> particulars;
   for (const auto& [name, value] : rows) particulars.push_back({name, value});
   return particulars;
 }
@@ -34,15 +34,16 @@ std::vector<Particular> particulars_from(const Rows& rows) {
 // "A3", or width and height in mm.
 using PaperName = std::variant<std::string, std::pair<double, double>>;
 
-PaperSize sheet_from(const PaperName& paper) {
-  if (const auto* name = std::get_if<std::string>(&paper)) return paper_size(paper_from(*name));
+drawing::PaperSize sheet_from(const PaperName& paper) {
+  if (const auto* name = std::get_if<std::string>(&paper))
+    return drawing::paper_size(paper_from(*name));
   const auto& [width, height] = std::get<std::pair<double, double>>(paper);
-  return own_paper_size(width, height);
+  return drawing::own_paper_size(width, height);
 }
 
-DxfUnit dxf_unit_from(const std::string& name) {
-  if (name == "m") return DxfUnit::kMetre;
-  if (name == "mm") return DxfUnit::kMillimetre;
+dxf::DxfUnit dxf_unit_from(const std::string& name) {
+  if (name == "m") return dxf::DxfUnit::kMetre;
+  if (name == "mm") return dxf::DxfUnit::kMillimetre;
   throw std::invalid_argument("dxf_unit is \"m\" or \"mm\", not \"" + name + "\".");
 }
 
@@ -57,7 +58,7 @@ PYBIND11_MODULE(_drawing, module) {
 
   module.def(
       "write_lines_plan",
-      [](const hull::LimitSurface& surface, const std::filesystem::path& path,
+      [](const hull::surface::LimitSurface& surface, const std::filesystem::path& path,
          const DoubleArray& stations, const DoubleArray& waterlines, const DoubleArray& buttocks,
          const std::vector<std::pair<double, double>>& diagonals, bool mirrored,
          const std::optional<double>& draft, const std::optional<double>& length,
@@ -65,7 +66,7 @@ PYBIND11_MODULE(_drawing, module) {
          bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
          const std::optional<double>& tolerance) {
-        hull::LinesOptions options;
+        hull::drawing::LinesOptions options;
         options.stations = numbers_from(stations, "stations");
         options.waterlines = numbers_from(waterlines, "waterlines");
         options.buttocks = numbers_from(buttocks, "buttocks");
@@ -84,7 +85,7 @@ PYBIND11_MODULE(_drawing, module) {
         options.dxf_unit = dxf_unit_from(dxf_unit);
         options.tolerance = tolerance;
         const py::gil_scoped_release release;
-        hull::write_lines_drawing(surface, options, path.string());
+        hull::drawing::write_lines_drawing(surface, options, path.string());
       },
       py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("stations"),
       py::arg("waterlines"), py::arg("buttocks"), py::arg("diagonals"), py::arg("mirrored"),

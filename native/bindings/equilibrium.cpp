@@ -14,27 +14,27 @@ namespace {
 
 constexpr double kSeaWater = 1.025;
 
-const char* name_of(EquilibriumStatus status) {
+const char* name_of(analysis::EquilibriumStatus status) {
   switch (status) {
-    case EquilibriumStatus::kStable:
+    case analysis::EquilibriumStatus::kStable:
       return "stable";
-    case EquilibriumStatus::kNeutral:
+    case analysis::EquilibriumStatus::kNeutral:
       return "neutral";
-    case EquilibriumStatus::kUnstable:
+    case analysis::EquilibriumStatus::kUnstable:
       return "unstable";
-    case EquilibriumStatus::kFloods:
+    case analysis::EquilibriumStatus::kFloods:
       return "floods";
-    case EquilibriumStatus::kSinks:
+    case analysis::EquilibriumStatus::kSinks:
       return "sinks";
-    case EquilibriumStatus::kNotConverged:
+    case analysis::EquilibriumStatus::kNotConverged:
       break;
   }
   return "not converged";
 }
 
-EquilibriumOptions options_from(bool free_trim, bool free_heel, double trim, double heel,
-                                double draft_at, bool leave_unstable) {
-  EquilibriumOptions options;
+analysis::EquilibriumOptions options_from(bool free_trim, bool free_heel, double trim, double heel,
+                                          double draft_at, bool leave_unstable) {
+  analysis::EquilibriumOptions options;
   options.free_trim = free_trim;
   options.free_heel = free_heel;
   options.start.trim = trim;
@@ -44,8 +44,8 @@ EquilibriumOptions options_from(bool free_trim, bool free_heel, double trim, dou
   return options;
 }
 
-std::vector<LoadCase> loads_from(const DoubleArray& masses, const DoubleArray& centres,
-                                 double water_density) {
+std::vector<analysis::LoadCase> loads_from(const DoubleArray& masses, const DoubleArray& centres,
+                                           double water_density) {
   const std::vector<double> all_masses = numbers_from(masses, "masses_t");
   const std::vector<Eigen::Vector3d> all_centres = points_from(centres, "centres_of_gravity");
   if (all_masses.size() != all_centres.size()) {
@@ -53,7 +53,7 @@ std::vector<LoadCase> loads_from(const DoubleArray& masses, const DoubleArray& c
                                 " numbers, but centres_of_gravity " +
                                 std::to_string(all_centres.size()) + " points.");
   }
-  std::vector<LoadCase> loads;
+  std::vector<analysis::LoadCase> loads;
   for (std::size_t i = 0; i < all_masses.size(); ++i) {
     loads.push_back({all_masses[i], all_centres[i], water_density});
   }
@@ -61,16 +61,20 @@ std::vector<LoadCase> loads_from(const DoubleArray& masses, const DoubleArray& c
 }
 
 void bind_results(py::module_& module) {
-  py::class_<UnstableRest>(module, "UnstableRest", "A rest that a ship leaves when disturbed.")
+  py::class_<analysis::UnstableRest>(module, "UnstableRest",
+                                     "A rest that a ship leaves when disturbed.")
       .def_property_readonly(
-          "draft", [](const UnstableRest& r) { return r.position.draft; }, "m, at draft_at.")
+          "draft", [](const analysis::UnstableRest& r) { return r.position.draft; },
+          "m, at draft_at.")
       .def_property_readonly(
-          "trim", [](const UnstableRest& r) { return r.position.trim; }, "rad, by the stern.")
+          "trim", [](const analysis::UnstableRest& r) { return r.position.trim; },
+          "rad, by the stern.")
       .def_property_readonly(
-          "heel", [](const UnstableRest& r) { return r.position.heel; }, "rad, to starboard.")
-      .def_readonly("gm_transverse", &UnstableRest::gm_transverse, "m.")
-      .def_readonly("gm_longitudinal", &UnstableRest::gm_longitudinal, "m.");
-  using E = Equilibrium;
+          "heel", [](const analysis::UnstableRest& r) { return r.position.heel; },
+          "rad, to starboard.")
+      .def_readonly("gm_transverse", &analysis::UnstableRest::gm_transverse, "m.")
+      .def_readonly("gm_longitudinal", &analysis::UnstableRest::gm_longitudinal, "m.");
+  using E = analysis::Equilibrium;
   py::class_<E>(module, "Equilibrium", "A ship at rest under a load, or why there is none.")
       .def_property_readonly(
           "status", [](const E& e) { return name_of(e.status); },
@@ -107,13 +111,13 @@ void bind_equilibrium(py::module_& module) {
   bind_results(module);
   module.def(
       "equilibrium",
-      [](const HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
+      [](const analysis::HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
          double water_density, bool free_trim, bool free_heel, double trim, double heel,
          double draft_at, bool leave_unstable) {
-        const LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
-                            water_density};
+        const analysis::LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
+                                      water_density};
         const py::gil_scoped_release release;
-        return equilibrium(
+        return analysis::equilibrium(
             body, load, options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
       },
       py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
@@ -128,13 +132,13 @@ void bind_equilibrium(py::module_& module) {
       "Raises ValueError unless mass and density are positive.");
   module.def(
       "equilibria",
-      [](const HullBody& body, const DoubleArray& masses, const DoubleArray& centres,
+      [](const analysis::HullBody& body, const DoubleArray& masses, const DoubleArray& centres,
          double water_density, bool free_trim, bool free_heel, double trim, double heel,
          double draft_at, bool leave_unstable) {
-        const std::vector<LoadCase> loads = loads_from(masses, centres, water_density);
+        const std::vector<analysis::LoadCase> loads = loads_from(masses, centres, water_density);
         const py::gil_scoped_release release;
-        return equilibria(body, loads,
-                          options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
+        return analysis::equilibria(
+            body, loads, options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
       },
       py::arg("body"), py::kw_only(), py::arg("masses_t"), py::arg("centres_of_gravity"),
       py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,

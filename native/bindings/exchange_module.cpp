@@ -22,19 +22,20 @@ namespace py = pybind11;
 namespace hull::bindings {
 namespace {
 
-using WriteFile = CadReport (*)(const PatchSet&, const std::string&, const CadOptions&);
+using WriteFile = exchange::CadReport (*)(const conversion::PatchSet&, const std::string&,
+                                          const exchange::CadOptions&);
 
 // How much of the time of both a conversion takes.
 constexpr double kConverted = 0.1;
 
-py::list regions_of(const CadReport& report) {
+py::list regions_of(const exchange::CadReport& report) {
   py::list regions;
-  for (const CadRegion& region : report.regions) {
+  for (const exchange::CadRegion& region : report.regions) {
     py::dict dict;
     dict["name"] = region.name;
     dict["colour"] = py::none();
     if (region.colour) {
-      const Colour& c = *region.colour;
+      const exchange::Colour& c = *region.colour;
       dict["colour"] = py::make_tuple(c[0], c[1], c[2]);
     }
     dict["faces"] = region.faces;
@@ -44,7 +45,7 @@ py::list regions_of(const CadReport& report) {
   return regions;
 }
 
-py::dict to_dict(const CadReport& report) {
+py::dict to_dict(const exchange::CadReport& report) {
   py::array_t<double> box({2, 3});
   for (int axis = 0; axis < 3; ++axis) {
     box.mutable_at(0, axis) = report.box_min(axis);
@@ -73,13 +74,13 @@ py::dict to_dict(const CadReport& report) {
   return dict;
 }
 
-StepSchema schema_from(const std::string& name) {
-  if (name == "AP214") return StepSchema::kAp214;
-  if (name == "AP242") return StepSchema::kAp242;
+exchange::StepSchema schema_from(const std::string& name) {
+  if (name == "AP214") return exchange::StepSchema::kAp214;
+  if (name == "AP242") return exchange::StepSchema::kAp242;
   throw std::invalid_argument("schema must be \"AP214\" or \"AP242\", not \"" + name + "\".");
 }
 
-Colour colour_from(const std::string& region, const py::handle& value) {
+exchange::Colour colour_from(const std::string& region, const py::handle& value) {
   const auto numbers = value.cast<std::vector<double>>();
   for (double number : numbers) {
     if (numbers.size() == 3 && number >= 0.0 && number <= 1.0) continue;
@@ -90,13 +91,13 @@ Colour colour_from(const std::string& region, const py::handle& value) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-CadCurve curve_from(const py::handle& value) {
+exchange::CadCurve curve_from(const py::handle& value) {
   const auto parts = value.cast<py::tuple>();
   if (parts.size() != 3 && parts.size() != 4) {
     throw std::invalid_argument(
         "A curve must be (name, layer, spline) or (name, layer, knots, control_points).");
   }
-  CadCurve curve{parts[0].cast<std::string>(), parts[1].cast<std::string>(), {}};
+  exchange::CadCurve curve{parts[0].cast<std::string>(), parts[1].cast<std::string>(), {}};
   const py::object knots = parts.size() == 4 ? py::object(parts[2]) : parts[2].attr("knots");
   const py::object points =
       parts.size() == 4 ? py::object(parts[3]) : parts[2].attr("control_points");
@@ -115,11 +116,11 @@ struct Arguments {
   py::object progress;
 };
 
-CadOptions options_from(const Arguments& arguments, const std::string& schema) {
-  CadOptions options;
+exchange::CadOptions options_from(const Arguments& arguments, const std::string& schema) {
+  exchange::CadOptions options;
   options.schema = schema_from(schema);
   options.name = arguments.name;
-  options.unit = cad_unit_from(arguments.unit);
+  options.unit = exchange::cad_unit_from(arguments.unit);
   options.mirrored = arguments.mirrored;
   options.solid = arguments.solid;
   if (!arguments.regions.is_none()) {
@@ -136,9 +137,9 @@ CadOptions options_from(const Arguments& arguments, const std::string& schema) {
   return options;
 }
 
-py::dict write(WriteFile write_file, const PatchSet& patches, const std::filesystem::path& path,
-               const CadOptions& options) {
-  CadReport report;
+py::dict write(WriteFile write_file, const conversion::PatchSet& patches,
+               const std::filesystem::path& path, const exchange::CadOptions& options) {
+  exchange::CadReport report;
   {
     const py::gil_scoped_release release;
     report = write_file(patches, path.string(), options);
@@ -146,22 +147,22 @@ py::dict write(WriteFile write_file, const PatchSet& patches, const std::filesys
   return to_dict(report);
 }
 
-py::dict convert_and_write(WriteFile write_file, const LimitSurface& surface,
+py::dict convert_and_write(WriteFile write_file, const surface::LimitSurface& surface,
                            const std::filesystem::path& path, const std::string& conversion,
-                           double tolerance, CadOptions options) {
+                           double tolerance, exchange::CadOptions options) {
   if (conversion != "exact" && conversion != "per_cell") {
     throw std::invalid_argument("conversion must be \"exact\" or \"per_cell\", not \"" +
                                 conversion + "\".");
   }
-  CadReport report;
+  exchange::CadReport report;
   {
     const py::gil_scoped_release release;
-    const Progress whole = options.progress;
-    tell(whole, 0.0, 1.0);
-    const PatchSet patches = conversion == "exact"
-                                 ? exact_patches(surface, {.tolerance = tolerance})
-                                 : fit_per_cell(surface);
-    options.progress = part_of(whole, kConverted, 1.0);
+    const surface::Progress whole = options.progress;
+    surface::tell(whole, 0.0, 1.0);
+    const conversion::PatchSet patches =
+        conversion == "exact" ? conversion::exact_patches(surface, {.tolerance = tolerance})
+                              : conversion::fit_per_cell(surface);
+    options.progress = surface::part_of(whole, kConverted, 1.0);
     report = write_file(patches, path.string(), options);
   }
   return to_dict(report);
@@ -185,7 +186,7 @@ void bind_writing(py::module_& module, const char* function, WriteFile write_fil
   const std::string of_patches = what + kOptions;
   module.def(
       function,
-      [write_file](const PatchSet& patches, const std::filesystem::path& path,
+      [write_file](const conversion::PatchSet& patches, const std::filesystem::path& path,
                    const std::string& schema, const std::string& name, const std::string& unit,
                    bool mirrored, bool solid, const py::object& regions, const py::object& colours,
                    const py::iterable& curves, const py::object& progress) {
@@ -199,7 +200,7 @@ void bind_writing(py::module_& module, const char* function, WriteFile write_fil
       py::arg("curves") = py::tuple(), py::arg("progress") = py::none(), of_patches.c_str());
   module.def(
       function,
-      [write_file](const LimitSurface& surface, const std::filesystem::path& path,
+      [write_file](const surface::LimitSurface& surface, const std::filesystem::path& path,
                    const std::string& conversion, double tolerance, const std::string& schema,
                    const std::string& name, const std::string& unit, bool mirrored, bool solid,
                    const py::object& regions, const py::object& colours, const py::iterable& curves,
@@ -225,21 +226,21 @@ PYBIND11_MODULE(_exchange, module) {
   using namespace hull::bindings;
   module.doc() = "Files of CAD systems, by way of Open CASCADE.";
   join_core(module);
-  bind_writing(module, "write_step", &hull::write_step,
+  bind_writing(module, "write_step", &hull::exchange::write_step,
                "Write patches as a STEP file: one shell whose faces share their edges, a solid "
                "where it is closed. schema: \"AP214\" or \"AP242\".",
                "AP214");
-  bind_writing(module, "write_iges", &hull::write_iges,
+  bind_writing(module, "write_iges", &hull::exchange::write_iges,
                "Write patches as an IGES 5.3 file of B-rep entities: one shell whose faces share "
                "their edges, a solid where it is closed. schema does not matter.",
                "AP214");
   module.def(
       "read_cad_report",
       [](const std::filesystem::path& path) {
-        hull::CadReport report;
+        hull::exchange::CadReport report;
         {
           const py::gil_scoped_release release;
-          report = hull::read_cad_report(path.string());
+          report = hull::exchange::read_cad_report(path.string());
         }
         return to_dict(report);
       },

@@ -15,14 +15,15 @@
 namespace hull::bindings {
 namespace {
 
-std::vector<FitCurve> curves_from(const py::iterable& curves) {
-  std::vector<FitCurve> result;
+std::vector<modelling::FitCurve> curves_from(const py::iterable& curves) {
+  std::vector<modelling::FitCurve> result;
   for (const py::handle item : curves) {
     const std::string name = "curves[" + std::to_string(result.size()) + "]";
     try {
       const auto [points, chain, whole] = item.cast<std::tuple<DoubleArray, py::object, bool>>();
       result.push_back({points_from(points, (name + "[0]").c_str()),
-                        chain.is_none() ? FitCurve::kNearest : chain.cast<int>(), whole});
+                        chain.is_none() ? modelling::FitCurve::kNearest : chain.cast<int>(),
+                        whole});
     } catch (const py::cast_error&) {
       throw std::invalid_argument(name +
                                   " must be (points, number of a crease curve or None, "
@@ -32,41 +33,42 @@ std::vector<FitCurve> curves_from(const py::iterable& curves) {
   return result;
 }
 
-FitTarget target_from(const DoubleArray& targets, const py::object& normals,
-                      const py::object& weights) {
-  FitTarget target{points_from(targets, "targets"), {}, {}};
+modelling::FitTarget target_from(const DoubleArray& targets, const py::object& normals,
+                                 const py::object& weights) {
+  modelling::FitTarget target{points_from(targets, "targets"), {}, {}};
   if (!normals.is_none()) target.normals = points_from(normals.cast<DoubleArray>(), "normals");
   if (!weights.is_none()) target.weights = numbers_from(weights.cast<DoubleArray>(), "weights");
   return target;
 }
 
 void bind_result(py::module_& module) {
-  py::class_<Fit>(module, "Fit", "A surface drawn onto targets: fit_surface().")
+  py::class_<modelling::Fit>(module, "Fit", "A surface drawn onto targets: fit_surface().")
       .def_property_readonly(
-          "points", [](const Fit& f) { return to_array(f.points); },
+          "points", [](const modelling::Fit& f) { return to_array(f.points); },
           "(n, 3), m: the control points.")
       .def_property_readonly(
-          "distances", [](const Fit& f) { return to_array(f.distances); },
+          "distances", [](const modelling::Fit& f) { return to_array(f.distances); },
           "(k,), m: of the targets from the surface, positive on the side of its normals; NaN for "
           "those left out.")
-      .def_readonly("counted", &Fit::counted, "How many targets were not left out.")
-      .def_readonly("rms", &Fit::rms, "Root of the mean squared distance of these, m.")
-      .def_readonly("largest", &Fit::largest, "The largest distance of these, m.")
-      .def_readonly("largest_target", &Fit::largest_target, "Its target; -1 without any.")
+      .def_readonly("counted", &modelling::Fit::counted, "How many targets were not left out.")
+      .def_readonly("rms", &modelling::Fit::rms, "Root of the mean squared distance of these, m.")
+      .def_readonly("largest", &modelling::Fit::largest, "The largest distance of these, m.")
+      .def_readonly("largest_target", &modelling::Fit::largest_target,
+                    "Its target; -1 without any.")
       .def_property_readonly(
           "largest_place",
-          [](const Fit& f) { return py::array_t<double>(3, f.largest_place.data()); },
+          [](const modelling::Fit& f) { return py::array_t<double>(3, f.largest_place.data()); },
           "(3,), m: where on the surface that is.")
       .def_property_readonly(
-          "curve_distances", [](const Fit& f) { return to_array(f.curve_distances); },
+          "curve_distances", [](const modelling::Fit& f) { return to_array(f.curve_distances); },
           "Of the points of all curves, in order, from the creases, m; NaN for those left out.")
-      .def_readonly("curve_rms", &Fit::curve_rms, "m.")
-      .def_readonly("curve_largest", &Fit::curve_largest, "m.")
-      .def_readonly("energy", &Fit::energy,
+      .def_readonly("curve_rms", &modelling::Fit::curve_rms, "m.")
+      .def_readonly("curve_largest", &modelling::Fit::curve_largest, "m.")
+      .def_readonly("energy", &modelling::Fit::energy,
                     "Thin-plate energy of the surface, the integral of the squared principal "
                     "curvatures: a number.")
-      .def_readonly("steps", &Fit::steps)
-      .def_readonly("settled", &Fit::settled,
+      .def_readonly("steps", &modelling::Fit::steps)
+      .def_readonly("settled", &modelling::Fit::settled,
                     "Whether the fit ended by itself, not by most_steps.");
 }
 
@@ -76,14 +78,14 @@ void bind_fit(py::module_& module) {
   bind_result(module);
   module.def(
       "fit_surface",
-      [](const LimitSurface& surface, const DoubleArray& targets, const py::object& normals,
-         const py::object& weights, const py::iterable& curves, const py::object& locked,
-         const py::object& held_points, const DoubleArray& held_normals, double fairness,
-         double stiffness, double curve_weight, double reach, bool draw_border, int most_steps,
-         double least_move, const py::object& progress) {
-        const FitTarget target = target_from(targets, normals, weights);
-        const std::vector<FitCurve> along = curves_from(curves);
-        FitOptions options;
+      [](const surface::LimitSurface& surface, const DoubleArray& targets,
+         const py::object& normals, const py::object& weights, const py::iterable& curves,
+         const py::object& locked, const py::object& held_points, const DoubleArray& held_normals,
+         double fairness, double stiffness, double curve_weight, double reach, bool draw_border,
+         int most_steps, double least_move, const py::object& progress) {
+        const modelling::FitTarget target = target_from(targets, normals, weights);
+        const std::vector<modelling::FitCurve> along = curves_from(curves);
+        modelling::FitOptions options;
         options.limits = limits_from(locked, held_points, held_normals);
         options.fairness = fairness;
         options.stiffness = stiffness;
@@ -94,16 +96,17 @@ void bind_fit(py::module_& module) {
         options.least_move = least_move;
         options.progress = progress_from(progress);
         const py::gil_scoped_release release;
-        return fit(surface, target, along, options);
+        return modelling::fit(surface, target, along, options);
       },
       py::arg("surface"), py::arg("targets"), py::kw_only(), py::arg("normals") = py::none(),
       py::arg("weights") = py::none(), py::arg("curves") = py::tuple(),
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
-      py::arg("held_normals") = py::tuple(), py::arg("fairness") = FitOptions().fairness,
-      py::arg("stiffness") = FitOptions().stiffness,
-      py::arg("curve_weight") = FitOptions().curve_weight, py::arg("reach") = FitOptions().reach,
-      py::arg("draw_border") = false, py::arg("most_steps") = FitOptions().most_steps,
-      py::arg("least_move") = FitOptions().least_move, py::arg("progress") = py::none(),
+      py::arg("held_normals") = py::tuple(), py::arg("fairness") = modelling::FitOptions().fairness,
+      py::arg("stiffness") = modelling::FitOptions().stiffness,
+      py::arg("curve_weight") = modelling::FitOptions().curve_weight,
+      py::arg("reach") = modelling::FitOptions().reach, py::arg("draw_border") = false,
+      py::arg("most_steps") = modelling::FitOptions().most_steps,
+      py::arg("least_move") = modelling::FitOptions().least_move, py::arg("progress") = py::none(),
       "The Fit of the surface to targets (k, 3), m: control points for which the mean squared "
       "distance of the targets from the exact surface, that of curves from creases, and the "
       "bending of the surface are the least. The surface itself is left as it is.\n\n"

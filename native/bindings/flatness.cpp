@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kTolerance = 1e-6;  // of the mesh's size, unless given
 
-std::optional<Plane> plane_if_given(const std::optional<DoubleArray>& plane) {
-  return plane ? std::optional<Plane>(plane_from(*plane, "plane")) : std::nullopt;
+std::optional<analysis::Plane> plane_if_given(const std::optional<DoubleArray>& plane) {
+  return plane ? std::optional<analysis::Plane>(plane_from(*plane, "plane")) : std::nullopt;
 }
 
-py::array_t<double> cubics_of(const FlatBorder& border) {
+py::array_t<double> cubics_of(const analysis::FlatBorder& border) {
   py::array_t<double> array(
       {static_cast<py::ssize_t>(border.cubics.size()), py::ssize_t{4}, py::ssize_t{3}});
   double* out = array.mutable_data();
@@ -31,7 +31,7 @@ py::array_t<double> cubics_of(const FlatBorder& border) {
   return array;
 }
 
-std::vector<Vector3d> points_on(const FlatBorder& border, int samples) {
+std::vector<Vector3d> points_on(const analysis::FlatBorder& border, int samples) {
   if (samples < 1 || samples > 1024) {
     throw std::invalid_argument("A cubic takes 1 to 1024 samples, not " + std::to_string(samples) +
                                 ".");
@@ -49,31 +49,35 @@ std::vector<Vector3d> points_on(const FlatBorder& border, int samples) {
 }
 
 void bind_regions(py::module_& module) {
-  py::class_<FlatBorder>(module, "FlatBorder",
-                         "A closed curve around a flat region, which is on its left, seen from "
-                         "outside.")
+  py::class_<analysis::FlatBorder>(
+      module, "FlatBorder",
+      "A closed curve around a flat region, which is on its left, seen from "
+      "outside.")
       .def_property_readonly("cubics", &cubics_of, "(m, 4, 3) Bézier points, m, in order.")
       .def(
           "points",
-          [](const FlatBorder& b, int samples) { return to_array(points_on(b, samples)); },
+          [](const analysis::FlatBorder& b, int samples) {
+            return to_array(points_on(b, samples));
+          },
           py::arg("samples") = 8,
           "(k, 3), m: `samples` (1 to 1024) of each cubic; the first is repeated at the end.");
-  py::class_<FlatRegion>(module, "FlatRegion", "Part of the surface that lies in one plane.")
+  py::class_<analysis::FlatRegion>(module, "FlatRegion",
+                                   "Part of the surface that lies in one plane.")
       .def_property_readonly(
-          "plane", [](const FlatRegion& r) { return to_array(r.plane); },
+          "plane", [](const analysis::FlatRegion& r) { return to_array(r.plane); },
           "(4,): unit normal, to the side of the surface's, and offset; normal·p = offset.")
       .def_property_readonly(
-          "cells", [](const FlatRegion& r) { return to_array(r.cells); }, "(n,), rising.")
-      .def_readonly("area", &FlatRegion::area, "m².")
-      .def_readonly("borders", &FlatRegion::borders, "List of FlatBorder.");
+          "cells", [](const analysis::FlatRegion& r) { return to_array(r.cells); }, "(n,), rising.")
+      .def_readonly("area", &analysis::FlatRegion::area, "m².")
+      .def_readonly("borders", &analysis::FlatRegion::borders, "List of FlatBorder.");
   module.def(
       "flat_regions",
-      [](const LimitSurface& surface, const std::optional<DoubleArray>& plane,
+      [](const surface::LimitSurface& surface, const std::optional<DoubleArray>& plane,
          std::optional<double> tolerance, double smallest_area) {
-        const std::optional<Plane> wanted = plane_if_given(plane);
+        const std::optional<analysis::Plane> wanted = plane_if_given(plane);
         const py::gil_scoped_release release;
-        return flat_regions(surface, wanted, tolerance.value_or(kTolerance * surface.mesh().size()),
-                            smallest_area);
+        return analysis::flat_regions(
+            surface, wanted, tolerance.value_or(kTolerance * surface.mesh().size()), smallest_area);
       },
       py::arg("surface"), py::kw_only(), py::arg("plane") = py::none(),
       py::arg("tolerance") = py::none(), py::arg("smallest_area") = 0.0,
@@ -88,49 +92,50 @@ void bind_regions(py::module_& module) {
 
 void bind_flatness(py::module_& module) {
   bind_regions(module);
-  py::class_<Flatness>(module, "Flatness", "How flat a part of the surface is.")
+  py::class_<analysis::Flatness>(module, "Flatness", "How flat a part of the surface is.")
       .def_property_readonly(
-          "plane", [](const Flatness& f) { return to_array(f.plane); },
+          "plane", [](const analysis::Flatness& f) { return to_array(f.plane); },
           "(4,): unit normal and offset; normal·p = offset.")
-      .def_readonly("surface_distance", &Flatness::surface_distance,
+      .def_readonly("surface_distance", &analysis::Flatness::surface_distance,
                     "Largest distance of the part's surface from the plane, m.")
       .def_property_readonly(
           "surface_point",
-          [](const Flatness& f) {
+          [](const analysis::Flatness& f) {
             return to_array(
                 std::vector<double>{f.surface_point.x(), f.surface_point.y(), f.surface_point.z()});
           },
           "(3,), m: where; zero if no whole face is in the part.")
-      .def_readonly("control_distance", &Flatness::control_distance,
+      .def_readonly("control_distance", &analysis::Flatness::control_distance,
                     "Largest distance of the part's control points, m.")
       .def_property_readonly(
-          "vertices", [](const Flatness& f) { return to_array(f.vertices); },
+          "vertices", [](const analysis::Flatness& f) { return to_array(f.vertices); },
           "(n,) the part's control points, rising.")
       .def_property_readonly(
-          "distances", [](const Flatness& f) { return to_array(f.distances); },
+          "distances", [](const analysis::Flatness& f) { return to_array(f.distances); },
           "(n,), m: how high each is above the plane, on its normal's side.")
       .def_property_readonly(
-          "at_fault", [](const Flatness& f) { return to_array(f.at_fault); },
+          "at_fault", [](const analysis::Flatness& f) { return to_array(f.at_fault); },
           "(k,) those further from the plane than the tolerance.")
       .def_property_readonly(
-          "neighbours_at_fault", [](const Flatness& f) { return to_array(f.neighbours_at_fault); },
+          "neighbours_at_fault",
+          [](const analysis::Flatness& f) { return to_array(f.neighbours_at_fault); },
           "(k,) control points around the part, not beyond creases, that bend its rim: further "
           "from the plane than the tolerance.");
   module.def(
       "flatness",
-      [](const LimitSurface& surface, const std::optional<py::object>& faces,
+      [](const surface::LimitSurface& surface, const std::optional<py::object>& faces,
          const std::optional<py::object>& vertices, const std::optional<DoubleArray>& plane,
          std::optional<double> tolerance) {
         if (faces.has_value() == vertices.has_value()) {
           throw std::invalid_argument("flatness() takes either faces or vertices.");
         }
-        const FlatPart part =
-            faces ? flat_part_of_faces(surface, integers_from(*faces, "faces"))
-                  : flat_part_of_vertices(surface, integers_from(*vertices, "vertices"));
-        const std::optional<Plane> wanted = plane_if_given(plane);
+        const analysis::FlatPart part =
+            faces ? analysis::flat_part_of_faces(surface, integers_from(*faces, "faces"))
+                  : analysis::flat_part_of_vertices(surface, integers_from(*vertices, "vertices"));
+        const std::optional<analysis::Plane> wanted = plane_if_given(plane);
         const py::gil_scoped_release release;
-        return flatness(surface, part, wanted,
-                        tolerance.value_or(kTolerance * surface.mesh().size()));
+        return analysis::flatness(surface, part, wanted,
+                                  tolerance.value_or(kTolerance * surface.mesh().size()));
       },
       py::arg("surface"), py::kw_only(), py::arg("faces") = py::none(),
       py::arg("vertices") = py::none(), py::arg("plane") = py::none(),

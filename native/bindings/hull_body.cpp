@@ -15,14 +15,14 @@ namespace py = pybind11;
 
 namespace {
 
-Openings openings_from(const std::string& name) {
-  if (name == "closed") return Openings::kClosed;
-  if (name == "open") return Openings::kOpen;
+analysis::Openings openings_from(const std::string& name) {
+  if (name == "closed") return analysis::Openings::kClosed;
+  if (name == "open") return analysis::Openings::kOpen;
   throw std::invalid_argument("openings is \"closed\" or \"open\", not \"" + name + "\".");
 }
 
 void bind_immersion(py::module_& module) {
-  using I = Immersion;
+  using I = analysis::Immersion;
   py::class_<I>(module, "Immersion",
                 "What the water does to a body that lies in it, both sides, in the body's axes.")
       .def_property_readonly(
@@ -48,45 +48,50 @@ void bind_immersion(py::module_& module) {
 
 void bind_hull_body(py::module_& module) {
   bind_immersion(module);
-  py::class_<HullBody>(module, "HullBody",
-                       "A limit surface as the shell of a floating body. What does not depend on "
-                       "the water is computed once, so that many waters cost little.\n\n"
-                       "Its openings are closed by straight athwartships lines where that closes "
-                       "the body, else by the fan from the border's centroid.")
+  py::class_<analysis::HullBody>(
+      module, "HullBody",
+      "A limit surface as the shell of a floating body. What does not depend on "
+      "the water is computed once, so that many waters cost little.\n\n"
+      "Its openings are closed by straight athwartships lines where that closes "
+      "the body, else by the fan from the border's centroid.")
       .def(
-          py::init([](const LimitSurface& surface, bool mirrored, const std::string& openings,
-                      double tolerance) {
-            const Openings chosen = openings_from(openings);
+          py::init([](const surface::LimitSurface& surface, bool mirrored,
+                      const std::string& openings, double tolerance) {
+            const analysis::Openings chosen = openings_from(openings);
             const py::gil_scoped_release release;
-            return std::make_unique<HullBody>(surface, mirrored, chosen, tolerance);
+            return std::make_unique<analysis::HullBody>(surface, mirrored, chosen, tolerance);
           }),
           py::arg("surface"), py::kw_only(), py::arg("mirrored"), py::arg("openings") = "closed",
-          py::arg("tolerance") = kFinest, py::keep_alive<1, 2>(),
+          py::arg("tolerance") = analysis::kFinest, py::keep_alive<1, 2>(),
           "mirrored: the mesh is the port half (y >= 0) and counts twice. openings: \"closed\", as "
           "by a weathertight deck, or \"open\": then water above one raises ValueError (\"floods "
           "at\"). Transoms in planes across the ship are closed in any case. tolerance: error "
           "relative "
           "to the whole that integrals may have, between 0 and 0.01; 1e-8 serves for numbers that "
           "follow the mouse. Raises ValueError for others.")
-      .def("update", &HullBody::update, py::call_guard<py::gil_scoped_release>(),
+      .def("update", &analysis::HullBody::update, py::call_guard<py::gil_scoped_release>(),
            "To be called after surface.set_points(). Only what has moved is computed again.")
-      .def_property_readonly("surface", &HullBody::surface, py::return_value_policy::reference)
-      .def_property_readonly("mirrored", &HullBody::mirrored)
-      .def_property_readonly("tolerance", &HullBody::tolerance)
+      .def_property_readonly("surface", &analysis::HullBody::surface,
+                             py::return_value_policy::reference)
+      .def_property_readonly("mirrored", &analysis::HullBody::mirrored)
+      .def_property_readonly("tolerance", &analysis::HullBody::tolerance)
+      .def_property_readonly("openings",
+                             [](const analysis::HullBody& b) {
+                               return b.openings() == analysis::Openings::kOpen ? "open" : "closed";
+                             })
       .def_property_readonly(
-          "openings",
-          [](const HullBody& b) { return b.openings() == Openings::kOpen ? "open" : "closed"; })
-      .def_property_readonly(
-          "shell_area", [](const HullBody& b) { return b.shell_moments().area; },
+          "shell_area", [](const analysis::HullBody& b) { return b.shell_moments().area; },
           "m², of the whole shell without closings, both sides.")
       .def_property_readonly(
           "shell_flux_forms",
-          [](const HullBody& b) -> Vector3d { return b.shell_moments().first.diagonal(); },
+          [](const analysis::HullBody& b) -> Vector3d {
+            return b.shell_moments().first.diagonal();
+          },
           "(3,), m³: the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) through the whole shell "
           "without closings; each is the volume of a closed shell.")
       .def(
           "immersion",
-          [](const HullBody& body, const DoubleArray& up, double offset) {
+          [](const analysis::HullBody& body, const DoubleArray& up, double offset) {
             const Vector3d normal = point_from(up, "normal");
             const double length = normal.norm();
             if (!(length > 0.0)) throw std::invalid_argument("normal must not be zero.");

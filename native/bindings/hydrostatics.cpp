@@ -12,7 +12,7 @@ namespace py = pybind11;
 namespace {
 
 void bind_coefficients(py::module_& module) {
-  using C = FormCoefficients;
+  using C = analysis::FormCoefficients;
   py::class_<C>(module, "FormCoefficients",
                 "Coefficients of form on a length L, beam B, draught T and section area A; 0 where "
                 "undefined.")
@@ -25,7 +25,7 @@ void bind_coefficients(py::module_& module) {
 }
 
 void bind_section_area(py::module_& module) {
-  using S = SectionArea;
+  using S = analysis::SectionArea;
   py::class_<S>(module, "SectionArea", "What of a station is under water, of both sides.")
       .def_readonly("position", &S::position, "x of the station, m.")
       .def_readonly("area", &S::area, "m².")
@@ -38,10 +38,10 @@ void bind_section_area(py::module_& module) {
       .def_readonly("area_error", &S::area_error, "Estimated error of integration, m².");
 }
 
-using ParticularsClass = py::class_<Particulars>;
+using ParticularsClass = py::class_<analysis::Particulars>;
 
 void add_volume_and_waterplane(ParticularsClass& c) {
-  using P = Particulars;
+  using P = analysis::Particulars;
   c.def_readonly("draft", &P::draft, "m: z of the water where the draft is measured.")
       .def_property_readonly(
           "trim", [](const P& p) { return p.position.trim; }, "rad, positive by the stern.")
@@ -85,7 +85,7 @@ void add_volume_and_waterplane(ParticularsClass& c) {
 }
 
 void add_form(ParticularsClass& c) {
-  using P = Particulars;
+  using P = analysis::Particulars;
   c.def_readonly("waterline_length", &P::waterline_length,
                  "Lwl, m: extent of the shell's waterline, level along the ship.")
       .def_readonly("waterline_beam", &P::waterline_beam,
@@ -119,8 +119,8 @@ void add_form(ParticularsClass& c) {
       .def_readonly("lateral_z", &P::lateral_z, "z of the lateral area's centre, m.");
 }
 
-ProjectDimensions dimensions(std::optional<double> length_pp, std::optional<double> beam,
-                             std::optional<double> design_draft) {
+analysis::ProjectDimensions dimensions(std::optional<double> length_pp, std::optional<double> beam,
+                                       std::optional<double> design_draft) {
   return {length_pp.value_or(0.0), beam.value_or(0.0), design_draft.value_or(0.0)};
 }
 
@@ -142,17 +142,17 @@ void bind_hydrostatics(py::module_& module) {
   add_form(particulars);
   module.def(
       "hydrostatics",
-      [](const HullBody& body, double draft, double trim, double heel,
+      [](const analysis::HullBody& body, double draft, double trim, double heel,
          std::optional<double> draft_at, std::optional<double> length_pp,
          std::optional<double> beam, std::optional<double> design_draft, double water_density) {
-        const ProjectDimensions project = dimensions(length_pp, beam, design_draft);
+        const analysis::ProjectDimensions project = dimensions(length_pp, beam, design_draft);
         const double at = draft_at.value_or(0.5 * project.length_pp);
-        return hydrostatics(body, {draft, trim, heel, at}, project, water_density);
+        return analysis::hydrostatics(body, {draft, trim, heel, at}, project, water_density);
       },
       py::arg("body"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = py::none(), py::arg("length_pp") = py::none(),
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
-      py::arg("water_density") = kSeaWater, py::call_guard<py::gil_scoped_release>(),
+      py::arg("water_density") = analysis::kSeaWater, py::call_guard<py::gil_scoped_release>(),
       (std::string("Particulars of a HullBody in water, integrated over the exact surface.\n\n"
                    "draft in m where the ship's vertical through (draft_at, 0) meets the water; "
                    "draft_at is midship, or 0 without length_pp. trim (by the stern) and heel (to "
@@ -161,22 +161,23 @@ void bind_hydrostatics(py::module_& module) {
           .c_str());
   module.def(
       "hydrostatic_table",
-      [](const HullBody& body, const std::vector<double>& drafts, const std::vector<double>& trims,
-         std::optional<double> length_pp, std::optional<double> beam,
-         std::optional<double> design_draft, double water_density) {
-        return hydrostatic_table(body, drafts, trims, dimensions(length_pp, beam, design_draft),
-                                 water_density);
+      [](const analysis::HullBody& body, const std::vector<double>& drafts,
+         const std::vector<double>& trims, std::optional<double> length_pp,
+         std::optional<double> beam, std::optional<double> design_draft, double water_density) {
+        return analysis::hydrostatic_table(
+            body, drafts, trims, dimensions(length_pp, beam, design_draft), water_density);
       },
       py::arg("body"), py::kw_only(), py::arg("drafts"),
       py::arg("trims") = std::vector<double>{0.0}, py::arg("length_pp") = py::none(),
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
-      py::arg("water_density") = kSeaWater, py::call_guard<py::gil_scoped_release>(),
+      py::arg("water_density") = analysis::kSeaWater, py::call_guard<py::gil_scoped_release>(),
       (std::string("A list of Particulars, one for each draft (m, at midship) and trim (rad, by "
                    "the stern): all drafts for the first trim, then for the next. ") +
        kDimensionsDoc)
           .c_str());
-  module.def("upright_hydrostatics", &upright_hydrostatics, py::arg("surface"), py::kw_only(),
-             py::arg("draft"), py::arg("mirrored"), py::call_guard<py::gil_scoped_release>(),
+  module.def("upright_hydrostatics", &analysis::upright_hydrostatics, py::arg("surface"),
+             py::kw_only(), py::arg("draft"), py::arg("mirrored"),
+             py::call_guard<py::gil_scoped_release>(),
              "Particulars of a LimitSurface floating upright at a draft (m above z = 0), without "
              "project dimensions: hydrostatics() for a single draft.\n\nmirrored: the mesh is the "
              "port half (y >= 0) and counts twice. Openings below the water are closed by vertical "

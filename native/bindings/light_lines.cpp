@@ -16,25 +16,26 @@ constexpr double kChordTolerance = 1e-4;  // of the mesh's size, unless given
 
 using Vector = std::optional<DoubleArray>;
 
-LevelOptions options_from(const LimitSurface& surface, int divisions,
-                          const std::optional<double>& chord_tolerance) {
+analysis::LevelOptions options_from(const surface::LimitSurface& surface, int divisions,
+                                    const std::optional<double>& chord_tolerance) {
   return {divisions, chord_tolerance.value_or(kChordTolerance * surface.mesh().size())};
 }
 
-Eye eye_from(const Vector& direction, const Vector& point) {
+analysis::Eye eye_from(const Vector& direction, const Vector& point) {
   if (direction.has_value() == point.has_value()) {
     throw std::invalid_argument(
         "Give either eye_direction (3,), from the hull to an eye far away, or eye (3,), a point.");
   }
-  Eye eye;
+  analysis::Eye eye;
   if (direction) eye.direction = point_from(*direction, "eye_direction");
   if (point) eye.point = point_from(*point, "eye");
   return eye;
 }
 
-LightBank bank_from(const DoubleArray& line_direction, const DoubleArray& light_direction,
-                    double spacing, const Vector& eye_direction, const Vector& eye,
-                    std::optional<double> distance, double phase, std::optional<int> lines) {
+analysis::LightBank bank_from(const DoubleArray& line_direction, const DoubleArray& light_direction,
+                              double spacing, const Vector& eye_direction, const Vector& eye,
+                              std::optional<double> distance, double phase,
+                              std::optional<int> lines) {
   return {point_from(line_direction, "line_direction"),
           point_from(light_direction, "light_direction"),
           distance,
@@ -45,31 +46,33 @@ LightBank bank_from(const DoubleArray& line_direction, const DoubleArray& light_
 }
 
 void bind_curve(py::module_& module) {
-  py::class_<LevelCurve>(module, "LevelCurve",
-                         "A curve on the surface along which something has one value: an "
-                         "isophote, a reflection line or an outline. It runs with greater values "
-                         "on its left, seen from outside.")
-      .def_readonly("level", &LevelCurve::level,
+  py::class_<analysis::LevelCurve>(
+      module, "LevelCurve",
+      "A curve on the surface along which something has one value: an "
+      "isophote, a reflection line or an outline. It runs with greater values "
+      "on its left, seen from outside.")
+      .def_readonly("level", &analysis::LevelCurve::level,
                     "Angle of an isophote (rad), number of a line of light; 0 of an outline.")
       .def_property_readonly(
-          "points", [](const LevelCurve& c) { return to_array(c.points); },
+          "points", [](const analysis::LevelCurve& c) { return to_array(c.points); },
           "(k, 3), m, in order; the first is repeated at the end of a closed curve.")
       .def_property_readonly(
-          "cells", [](const LevelCurve& c) { return to_array(c.cells); }, "(k,).")
+          "cells", [](const analysis::LevelCurve& c) { return to_array(c.cells); }, "(k,).")
       .def_property_readonly(
-          "uv", [](const LevelCurve& c) { return to_array(c.uv); }, "(k, 2).")
-      .def_readonly("closed", &LevelCurve::closed);
+          "uv", [](const analysis::LevelCurve& c) { return to_array(c.uv); }, "(k, 2).")
+      .def_readonly("closed", &analysis::LevelCurve::closed);
 }
 
 void bind_curves_of_normals(py::module_& module) {
   module.def(
       "isophotes",
-      [](const LimitSurface& surface, const DoubleArray& direction, const DoubleArray& angles,
-         int divisions, std::optional<double> chord_tolerance) {
+      [](const surface::LimitSurface& surface, const DoubleArray& direction,
+         const DoubleArray& angles, int divisions, std::optional<double> chord_tolerance) {
         const Vector3d along = point_from(direction, "direction");
         const std::vector<double> wanted = numbers_from(angles, "angles");
         const py::gil_scoped_release release;
-        return isophotes(surface, along, wanted, options_from(surface, divisions, chord_tolerance));
+        return analysis::isophotes(surface, along, wanted,
+                                   options_from(surface, divisions, chord_tolerance));
       },
       py::arg("surface"), py::kw_only(), py::arg("direction"), py::arg("angles"),
       py::arg("divisions") = 8, py::arg("chord_tolerance") = py::none(),
@@ -81,11 +84,12 @@ void bind_curves_of_normals(py::module_& module) {
       "the normal jumps. ValueError for a direction of no length and numbers out of range.");
   module.def(
       "silhouette",
-      [](const LimitSurface& surface, const Vector& eye_direction, const Vector& eye, int divisions,
-         std::optional<double> chord_tolerance) {
-        const Eye from = eye_from(eye_direction, eye);
+      [](const surface::LimitSurface& surface, const Vector& eye_direction, const Vector& eye,
+         int divisions, std::optional<double> chord_tolerance) {
+        const analysis::Eye from = eye_from(eye_direction, eye);
         const py::gil_scoped_release release;
-        return silhouette(surface, from, options_from(surface, divisions, chord_tolerance));
+        return analysis::silhouette(surface, from,
+                                    options_from(surface, divisions, chord_tolerance));
       },
       py::arg("surface"), py::kw_only(), py::arg("eye_direction") = py::none(),
       py::arg("eye") = py::none(), py::arg("divisions") = 8,
@@ -99,14 +103,15 @@ void bind_curves_of_normals(py::module_& module) {
 void bind_reflections(py::module_& module) {
   module.def(
       "reflection_lines",
-      [](const LimitSurface& surface, const DoubleArray& line_direction,
+      [](const surface::LimitSurface& surface, const DoubleArray& line_direction,
          const DoubleArray& light_direction, double spacing, const Vector& eye_direction,
          const Vector& eye, std::optional<double> distance, double phase, std::optional<int> lines,
          int divisions, std::optional<double> chord_tolerance) {
-        const LightBank bank = bank_from(line_direction, light_direction, spacing, eye_direction,
-                                         eye, distance, phase, lines);
+        const analysis::LightBank bank = bank_from(line_direction, light_direction, spacing,
+                                                   eye_direction, eye, distance, phase, lines);
         const py::gil_scoped_release release;
-        return reflection_lines(surface, bank, options_from(surface, divisions, chord_tolerance));
+        return analysis::reflection_lines(surface, bank,
+                                          options_from(surface, divisions, chord_tolerance));
       },
       py::arg("surface"), py::kw_only(), py::arg("line_direction"), py::arg("light_direction"),
       py::arg("spacing"), py::arg("eye_direction") = py::none(), py::arg("eye") = py::none(),
@@ -125,12 +130,13 @@ void bind_reflections(py::module_& module) {
       "spacing or distance that is not above zero.");
   module.def(
       "reflection_field",
-      [](const Tessellation& tessellation, const DoubleArray& line_direction,
+      [](const surface::Tessellation& tessellation, const DoubleArray& line_direction,
          const DoubleArray& light_direction, double spacing, const Vector& eye_direction,
          const Vector& eye, std::optional<double> distance, double phase) {
-        const LightLines lines(bank_from(line_direction, light_direction, spacing, eye_direction,
-                                         eye, distance, phase, std::nullopt));
-        return to_array(normal_field(tessellation, lines));
+        const analysis::LightLines lines(bank_from(line_direction, light_direction, spacing,
+                                                   eye_direction, eye, distance, phase,
+                                                   std::nullopt));
+        return to_array(analysis::normal_field(tessellation, lines));
       },
       py::arg("tessellation"), py::kw_only(), py::arg("line_direction"), py::arg("light_direction"),
       py::arg("spacing"), py::arg("eye_direction") = py::none(), py::arg("eye") = py::none(),

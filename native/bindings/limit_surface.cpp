@@ -9,12 +9,13 @@
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 #include "bindings/places.h"
-#include "surface/grid_samples.h"
 #include "surface/parallel_for.h"
+#include "surface/sampling/grid_samples.h"
 
 namespace hull::bindings {
 
-Places places_from(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
+Places places_from(const surface::LimitSurface& surface, const py::object& cells,
+                   const DoubleArray& uv) {
   Places places{integers_from(cells, "cells"), parameters_from(uv, "uv")};
   if (places.cells.size() != places.uv.size()) {
     throw std::invalid_argument("cells and uv must be of equal length, not " +
@@ -34,26 +35,26 @@ namespace {
 
 constexpr int kAllProcessors = 0;
 
-Scheme scheme_from(const std::string& name) {
-  if (name == "biermann") return Scheme::kBiermann;
-  if (name == "catmull_clark") return Scheme::kCatmullClark;
+surface::Scheme scheme_from(const std::string& name) {
+  if (name == "biermann") return surface::Scheme::kBiermann;
+  if (name == "catmull_clark") return surface::Scheme::kCatmullClark;
   throw std::invalid_argument("scheme is \"biermann\" or \"catmull_clark\", not \"" + name + "\".");
 }
 
 // Bases of irregular corners, shared by all surfaces of the process.
-const std::shared_ptr<BasisCache>& shared_bases() {
-  static const auto cache = std::make_shared<BasisCache>();
+const std::shared_ptr<surface::BasisCache>& shared_bases() {
+  static const auto cache = std::make_shared<surface::BasisCache>();
   return cache;
 }
 
 template <class Function>
-py::array_t<double> at_places(const LimitSurface& surface, const py::object& cells,
+py::array_t<double> at_places(const surface::LimitSurface& surface, const py::object& cells,
                               const DoubleArray& uv, const Function& function) {
   const Places places = places_from(surface, cells, uv);
   std::vector<Vector3d> values(places.cells.size());
   {
     const py::gil_scoped_release release;
-    parallel_for(values.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+    surface::parallel_for(values.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         values[i] = function(places.cells[i], places.uv[i].x(), places.uv[i].y());
       }
@@ -67,8 +68,8 @@ int checked_order(int order) {
   throw std::invalid_argument("derivatives is 0, 1 or 2, not " + std::to_string(order) + ".");
 }
 
-py::tuple evaluate(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
-                   int derivatives) {
+py::tuple evaluate(const surface::LimitSurface& surface, const py::object& cells,
+                   const DoubleArray& uv, int derivatives) {
   const Places places = places_from(surface, cells, uv);
   const int order = checked_order(derivatives);
   constexpr int kArrays[] = {1, 3, 6};
@@ -76,25 +77,26 @@ py::tuple evaluate(const LimitSurface& surface, const py::object& cells, const D
                                             std::vector<Vector3d>(places.cells.size()));
   {
     const py::gil_scoped_release release;
-    parallel_for(places.cells.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
-      SurfaceJet jet;
-      const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
-      for (std::size_t i = begin; i < end; ++i) {
-        surface.evaluate(places.cells[i], places.uv[i].x(), places.uv[i].y(), order, jet);
-        for (std::size_t k = 0; k < values.size(); ++k) values[k][i] = *parts[k];
-      }
-    });
+    surface::parallel_for(
+        places.cells.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+          surface::SurfaceJet jet;
+          const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
+          for (std::size_t i = begin; i < end; ++i) {
+            surface.evaluate(places.cells[i], places.uv[i].x(), places.uv[i].y(), order, jet);
+            for (std::size_t k = 0; k < values.size(); ++k) values[k][i] = *parts[k];
+          }
+        });
   }
   py::tuple result(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) result[k] = to_array(values[k]);
   return result;
 }
 
-py::tuple evaluate_on_grid(const LimitSurface& surface, int n, int derivatives) {
-  GridSamples samples;
+py::tuple evaluate_on_grid(const surface::LimitSurface& surface, int n, int derivatives) {
+  surface::GridSamples samples;
   {
     const py::gil_scoped_release release;
-    evaluate_grid(surface, n, derivatives, samples, kAllProcessors);
+    surface::evaluate_grid(surface, n, derivatives, samples, kAllProcessors);
   }
   std::vector<const std::vector<Vector3d>*> parts{&samples.points};
   if (derivatives > 0) parts.insert(parts.end(), {&samples.du, &samples.dv});
@@ -109,7 +111,7 @@ py::tuple evaluate_on_grid(const LimitSurface& surface, int n, int derivatives) 
 }  // namespace
 
 void bind_limit_surface(py::module_& module) {
-  py::class_<LimitSurface>(
+  py::class_<surface::LimitSurface>(
       module, "LimitSurface",
       "The exact limit surface of a control mesh: a function of a cell and (u, v) in [0, 1]^2.\n\n"
       "Cells come in the order (face of the control mesh, corner of that face); (0, 0) is at the "
@@ -117,24 +119,24 @@ void bind_limit_surface(py::module_& module) {
       "Positions are exact to about 1e-14 of the mesh's size. Large arrays of places are shared "
       "out "
       "among the processors, which does not change the results.")
-      .def(py::init([](const ControlMesh& mesh, const std::string& scheme) {
-             const Scheme chosen = scheme_from(scheme);
+      .def(py::init([](const mesh::ControlMesh& mesh, const std::string& scheme) {
+             const surface::Scheme chosen = scheme_from(scheme);
              const py::gil_scoped_release release;
-             return LimitSurface(mesh, chosen, shared_bases());
+             return surface::LimitSurface(mesh, chosen, shared_bases());
            }),
            py::arg("mesh"), py::arg("scheme") = "biermann",
            "scheme: \"biermann\" (tangent planes at creases) or \"catmull_clark\" (as Blender's "
            "Subdivision Surface modifier).")
-      .def_property_readonly("mesh", &LimitSurface::mesh)
+      .def_property_readonly("mesh", &surface::LimitSurface::mesh)
       .def_property_readonly("scheme",
-                             [](const LimitSurface& s) {
-                               return s.scheme() == Scheme::kBiermann ? "biermann"
-                                                                      : "catmull_clark";
+                             [](const surface::LimitSurface& s) {
+                               return s.scheme() == surface::Scheme::kBiermann ? "biermann"
+                                                                               : "catmull_clark";
                              })
-      .def_property_readonly("cell_count", &LimitSurface::cell_count)
+      .def_property_readonly("cell_count", &surface::LimitSurface::cell_count)
       .def(
           "positions",
-          [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
+          [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
             return at_places(surface, cells, uv, [&](int cell, double u, double v) {
               return surface.position(cell, u, v);
             });
@@ -142,7 +144,7 @@ void bind_limit_surface(py::module_& module) {
           py::arg("cells"), py::arg("uv"), "cells: (k,), uv: (k, 2). Returns (k, 3), m.")
       .def(
           "set_points",
-          [](LimitSurface& surface, const DoubleArray& points) {
+          [](surface::LimitSurface& surface, const DoubleArray& points) {
             std::vector<Vector3d> moved = points_from(points, "points");
             const py::gil_scoped_release release;
             surface.set_points(std::move(moved));
@@ -150,7 +152,7 @@ void bind_limit_surface(py::module_& module) {
           py::arg("points"),
           "Moves the control points to (n, 3), m, on the same topology. Not to be called while "
           "another thread uses the surface.")
-      .def_property_readonly("revision", &LimitSurface::revision,
+      .def_property_readonly("revision", &surface::LimitSurface::revision,
                              "How often set_points() was called.")
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("uv"), py::arg("derivatives") = 0,
            "cells: (k,), uv: (k, 2). Returns a tuple of (k, 3) arrays: the points; with "
@@ -162,7 +164,7 @@ void bind_limit_surface(py::module_& module) {
            "n + 1, n + 1, 3), first index i along u.")
       .def(
           "normals",
-          [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
+          [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
             return at_places(surface, cells, uv, [&](int cell, double u, double v) {
               return surface.normal(cell, u, v);
             });

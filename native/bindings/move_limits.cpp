@@ -6,9 +6,9 @@
 
 namespace hull::bindings {
 
-MoveLimits limits_from(const py::object& locked, const py::object& held_points,
-                       const DoubleArray& held_normals) {
-  MoveLimits limits{integers_from(locked, "locked"), {}};
+modelling::MoveLimits limits_from(const py::object& locked, const py::object& held_points,
+                                  const DoubleArray& held_normals) {
+  modelling::MoveLimits limits{integers_from(locked, "locked"), {}};
   const std::vector<int> points = integers_from(held_points, "held_points");
   const std::vector<Vector3d> normals = points_from(held_normals, "held_normals");
   if (points.size() != normals.size()) {

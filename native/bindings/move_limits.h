@@ -7,7 +7,7 @@
 namespace hull::bindings {
 
 // locked (n,), held_points (h,) and held_normals (h, 3), as given to what moves control points.
-MoveLimits limits_from(const py::object& locked, const py::object& held_points,
-                       const DoubleArray& held_normals);
+modelling::MoveLimits limits_from(const py::object& locked, const py::object& held_points,
+                                  const DoubleArray& held_normals);
 
 }  // namespace hull::bindings

@@ -9,36 +9,39 @@
 namespace hull::bindings {
 namespace {
 
-using T = OffsetTable;
+using T = analysis::OffsetTable;
 
 template <class Value, class Take>
-py::array_t<Value> grid(const std::vector<Offset>& offsets, std::size_t rows, std::size_t columns,
-                        const Take& take) {
+py::array_t<Value> grid(const std::vector<analysis::Offset>& offsets, std::size_t rows,
+                        std::size_t columns, const Take& take) {
   py::array_t<Value> array({static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(columns)});
   Value* out = array.mutable_data();
-  for (const Offset& offset : offsets) *out++ = take(offset);
+  for (const analysis::Offset& offset : offsets) *out++ = take(offset);
   return array;
 }
 
-py::array_t<double> values(const std::vector<Offset>& offsets, const T& t, std::size_t columns) {
+py::array_t<double> values(const std::vector<analysis::Offset>& offsets, const T& t,
+                           std::size_t columns) {
   return grid<double>(offsets, t.stations.size(), columns,
-                      [](const Offset& offset) { return offset.value; });
+                      [](const analysis::Offset& offset) { return offset.value; });
 }
 
-py::array_t<bool> marks(const std::vector<Offset>& offsets, const T& t, std::size_t columns) {
+py::array_t<bool> marks(const std::vector<analysis::Offset>& offsets, const T& t,
+                        std::size_t columns) {
   return grid<bool>(offsets, t.stations.size(), columns,
-                    [](const Offset& offset) { return offset.on_knuckle; });
+                    [](const analysis::Offset& offset) { return offset.on_knuckle; });
 }
 
 }  // namespace
 
 void bind_offset_table(py::module_& module) {
-  using F = FeatureOffsets;
+  using F = analysis::FeatureOffsets;
   py::class_<F>(module, "FeatureOffsets",
                 "Where a crease or border that runs along the hull meets the stations.")
       .def_readonly("name", &F::name, "\"Deck edge\", \"Knuckle 1\", ...")
       .def_property_readonly(
-          "kind", [](const F& f) { return f.kind == CreaseKind::kBorder ? "border" : "crease"; },
+          "kind",
+          [](const F& f) { return f.kind == surface::CreaseKind::kBorder ? "border" : "crease"; },
           "\"border\" or \"crease\".")
       .def_property_readonly(
           "half_breadths", [](const F& f) { return to_array(f.half_breadths); },
@@ -71,8 +74,9 @@ void bind_offset_table(py::module_& module) {
           "(s, b) whether that point is on a knuckle.")
       .def_readonly("features", &T::features, "List of FeatureOffsets, from below upwards.");
 
-  module.def("offset_table", &offset_table, py::arg("surface"), py::kw_only(), py::arg("stations"),
-             py::arg("waterlines"), py::arg("buttocks"), py::call_guard<py::gil_scoped_release>(),
+  module.def("offset_table", &analysis::offset_table, py::arg("surface"), py::kw_only(),
+             py::arg("stations"), py::arg("waterlines"), py::arg("buttocks"),
+             py::call_guard<py::gil_scoped_release>(),
              "The OffsetTable at stations x, waterlines z and buttocks y >= 0 (m); the buttock 0 "
              "gives the heights of keel, stem and stern. Values are of the surface to 1e-7 of the "
              "mesh's size where the station crosses the waterline or buttock at an angle; where "

@@ -21,13 +21,13 @@ py::array_t<int> fours(const std::vector<std::array<int, 4>>& rows) {
   return array;
 }
 
-py::list sides(const PatchSet& set) {
+py::list sides(const conversion::PatchSet& set) {
   py::list result;
   for (const auto& four : set.sides) {
     py::list of_patch;
-    for (const PatchSide& side : four) {
+    for (const conversion::PatchSide& side : four) {
       py::list edges;
-      for (const SideEdge& part : side)
+      for (const conversion::SideEdge& part : side)
         edges.append(py::make_tuple(part.edge, part.begin, part.end));
       of_patch.append(edges);
     }
@@ -37,7 +37,7 @@ py::list sides(const PatchSet& set) {
 }
 
 // The patch with a number from Python, which may count from the end.
-const BSplinePatch& patch_at(const PatchSet& set, py::ssize_t index) {
+const conversion::BSplinePatch& patch_at(const conversion::PatchSet& set, py::ssize_t index) {
   const auto count = static_cast<py::ssize_t>(set.patches.size());
   if (index < -count || index >= count) {
     throw py::index_error("there is no patch " + std::to_string(index) + "; there are " +
@@ -46,14 +46,14 @@ const BSplinePatch& patch_at(const PatchSet& set, py::ssize_t index) {
   return set.patches[index < 0 ? index + count : index];
 }
 
-py::array_t<double> control_points(const PatchSet& set, py::ssize_t index) {
-  const BSplinePatch& patch = patch_at(set, index);
+py::array_t<double> control_points(const conversion::PatchSet& set, py::ssize_t index) {
+  const conversion::BSplinePatch& patch = patch_at(set, index);
   py::array_t<double> array = to_array(patch.control_points);
   return array.reshape({py::ssize_t{patch.count_u}, py::ssize_t{patch.count_v}, py::ssize_t{3}});
 }
 
-py::tuple knots(const PatchSet& set, py::ssize_t index) {
-  const BSplinePatch& patch = patch_at(set, index);
+py::tuple knots(const conversion::PatchSet& set, py::ssize_t index) {
+  const conversion::BSplinePatch& patch = patch_at(set, index);
   const auto array = [](const std::vector<double>& values) {
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
   };
@@ -62,8 +62,8 @@ py::tuple knots(const PatchSet& set, py::ssize_t index) {
 
 // Calls visit(patch, u, v) for places given by Python.
 template <class Visit>
-void for_each_place(const PatchSet& set, const py::object& patches, const DoubleArray& uv,
-                    const Visit& visit) {
+void for_each_place(const conversion::PatchSet& set, const py::object& patches,
+                    const DoubleArray& uv, const Visit& visit) {
   const std::vector<int> indices = integers_from(patches, "patches");
   const std::vector<Eigen::Vector2d> parameters = parameters_from(uv, "uv");
   if (indices.size() != parameters.size()) {
@@ -82,19 +82,20 @@ void for_each_place(const PatchSet& set, const py::object& patches, const Double
   }
 }
 
-py::array_t<double> positions(const PatchSet& set, const py::object& patches,
+py::array_t<double> positions(const conversion::PatchSet& set, const py::object& patches,
                               const DoubleArray& uv) {
   std::vector<Vector3d> points;
-  for_each_place(set, patches, uv, [&](const BSplinePatch& patch, double u, double v) {
+  for_each_place(set, patches, uv, [&](const conversion::BSplinePatch& patch, double u, double v) {
     points.push_back(patch.position(u, v));
   });
   return to_array(points);
 }
 
-py::tuple evaluate(const PatchSet& set, const py::object& patches, const DoubleArray& uv) {
+py::tuple evaluate(const conversion::PatchSet& set, const py::object& patches,
+                   const DoubleArray& uv) {
   std::array<std::vector<Vector3d>, 6> values;
-  for_each_place(set, patches, uv, [&](const BSplinePatch& patch, double u, double v) {
-    const SurfaceJet jet = patch.evaluate(u, v);
+  for_each_place(set, patches, uv, [&](const conversion::BSplinePatch& patch, double u, double v) {
+    const surface::SurfaceJet jet = patch.evaluate(u, v);
     const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
     for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(*parts[k]);
   });
@@ -104,31 +105,32 @@ py::tuple evaluate(const PatchSet& set, const py::object& patches, const DoubleA
 }
 
 // The half-edges of a patch's cells, (0, 0) where it stands for none.
-py::array_t<int> half_edges(const PatchSet& set, py::ssize_t index) {
+py::array_t<int> half_edges(const conversion::PatchSet& set, py::ssize_t index) {
   const auto at = static_cast<size_t>(&patch_at(set, index) - set.patches.data());
-  const Block block = set.blocks.empty() ? Block{} : set.blocks[at];
+  const conversion::Block block = set.blocks.empty() ? conversion::Block{} : set.blocks[at];
   return to_array(block.sides).reshape({py::ssize_t{block.count_u}, py::ssize_t{block.count_v}});
 }
 
 }  // namespace
 
 void bind_patch_set(py::module_& module) {
-  py::class_<PatchSet>(
+  py::class_<conversion::PatchSet>(
       module, "PatchSet",
       "Bicubic B-spline patches over [0, 1]^2 that stand for a surface and share their border "
       "curves.")
       .def_property_readonly(
-          "patch_count", [](const PatchSet& s) { return s.patches.size(); }, "Number of patches.")
-      .def_readonly("vertex_count", &PatchSet::vertex_count)
-      .def_readonly("edge_count", &PatchSet::edge_count)
+          "patch_count", [](const conversion::PatchSet& s) { return s.patches.size(); },
+          "Number of patches.")
+      .def_readonly("vertex_count", &conversion::PatchSet::vertex_count)
+      .def_readonly("edge_count", &conversion::PatchSet::edge_count)
       .def_property_readonly(
-          "corners", [](const PatchSet& s) { return fours(s.corners); },
+          "corners", [](const conversion::PatchSet& s) { return fours(s.corners); },
           "(p, 4) vertex numbers of (0, 0), (1, 0), (1, 1), (0, 1).")
       .def_property_readonly(
           "sides", &sides,
           "Of every patch four lists, one for each side from corner to corner, of its edges: "
           "(number, begin, end), where on the side from 0 to 1 they are.")
-      .def_property_readonly("largest_gap", &PatchSet::largest_gap,
+      .def_property_readonly("largest_gap", &conversion::PatchSet::largest_gap,
                              "m: the largest distance of the curves of two patches at their edge.")
       .def("control_points", &control_points, py::arg("index"),
            "(nu, nv, 3), m: the control points of one patch, the first index along u.")
@@ -146,9 +148,9 @@ void bind_patch_set(py::module_& module) {
 
   module.def(
       "fit_per_cell",
-      [](const LimitSurface& surface, int number) {
+      [](const surface::LimitSurface& surface, int number) {
         const py::gil_scoped_release release;
-        return fit_per_cell(surface, number);
+        return conversion::fit_per_cell(surface, number);
       },
       py::arg("surface"), py::arg("control_points") = 5,
       "One bicubic B-spline patch of control_points x control_points per cell: corners on the "
@@ -157,11 +159,11 @@ void bind_patch_set(py::module_& module) {
 
   module.def(
       "exact_patches",
-      [](const LimitSurface& surface, double tolerance, double seam_angle, int grading,
+      [](const surface::LimitSurface& surface, double tolerance, double seam_angle, int grading,
          bool matched_knots, int most_control_points, bool bezier, const py::object& progress) {
-        const Progress told = progress_from(progress);
+        const surface::Progress told = progress_from(progress);
         const py::gil_scoped_release release;
-        return exact_patches(
+        return conversion::exact_patches(
             surface, {tolerance, seam_angle, grading, matched_knots, most_control_points, bezier},
             told);
       },

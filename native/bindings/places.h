@@ -15,6 +15,7 @@ struct Places {
 
 // Cells (k,) and uv (k, 2) as given to queries of a surface. Raises ValueError naming what is
 // outside of it.
-Places places_from(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv);
+Places places_from(const surface::LimitSurface& surface, const py::object& cells,
+                   const DoubleArray& uv);
 
 }  // namespace hull::bindings

@@ -6,7 +6,7 @@
 
 namespace hull::bindings {
 
-Plane plane_from(const Vector3d& normal, double offset, const std::string& name) {
+analysis::Plane plane_from(const Vector3d& normal, double offset, const std::string& name) {
   const double length = normal.norm();
   if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(offset)) {
     std::string message = name;
@@ -16,7 +16,7 @@ Plane plane_from(const Vector3d& normal, double offset, const std::string& name)
   return {normal / length, offset / length};
 }
 
-Plane plane_from(const DoubleArray& array, const char* name) {
+analysis::Plane plane_from(const DoubleArray& array, const char* name) {
   if (array.ndim() != 1 || array.shape(0) != 4) {
     std::string message = name;
     message += " has to be of shape (4,): a normal x, y, z and an offset, for normal·p = offset.";
@@ -25,14 +25,14 @@ Plane plane_from(const DoubleArray& array, const char* name) {
   return plane_from({array.at(0), array.at(1), array.at(2)}, array.at(3), name);
 }
 
-std::vector<Plane> planes_from(const DoubleArray& array) {
+std::vector<analysis::Plane> planes_from(const DoubleArray& array) {
   if (array.ndim() != 2 || array.shape(1) != 4) {
     throw std::invalid_argument(
         "planes has to be of shape (n, 4): normals x, y, z and offsets of planes normal·p = "
         "offset.");
   }
   const auto numbers = array.unchecked<2>();
-  std::vector<Plane> planes;
+  std::vector<analysis::Plane> planes;
   for (py::ssize_t i = 0; i < numbers.shape(0); ++i) {
     const Vector3d normal(numbers(i, 0), numbers(i, 1), numbers(i, 2));
     std::string name = "planes[";
@@ -43,7 +43,7 @@ std::vector<Plane> planes_from(const DoubleArray& array) {
   return planes;
 }
 
-py::array_t<double> to_array(const Plane& plane) {
+py::array_t<double> to_array(const analysis::Plane& plane) {
   return to_array(
       std::vector<double>{plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
 }

@@ -11,13 +11,13 @@ namespace hull::bindings {
 
 // The plane normal·x = offset, for a normal of any length. Raises ValueError, with the name, for
 // what is no plane.
-Plane plane_from(const Vector3d& normal, double offset, const std::string& name);
+analysis::Plane plane_from(const Vector3d& normal, double offset, const std::string& name);
 // (4,) -> a plane: normal, of any length, and offset.
-Plane plane_from(const DoubleArray& array, const char* name);
+analysis::Plane plane_from(const DoubleArray& array, const char* name);
 // (n, 4) -> n planes.
-std::vector<Plane> planes_from(const DoubleArray& array);
+std::vector<analysis::Plane> planes_from(const DoubleArray& array);
 
 // (4,), the normal of unit length.
-py::array_t<double> to_array(const Plane& plane);
+py::array_t<double> to_array(const analysis::Plane& plane);
 
 }  // namespace hull::bindings

@@ -14,7 +14,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/paper_names.h"
-#include "drawing/plot_layout.h"
+#include "drawing/plots/plot_layout.h"
 
 namespace hull::bindings {
 
@@ -24,16 +24,16 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-LineStyle style_from(const std::string& name) {
-  if (name == "solid") return LineStyle::kSolid;
-  if (name == "dashed") return LineStyle::kDashed;
-  if (name == "dotted") return LineStyle::kDotted;
-  if (name == "chain") return LineStyle::kChain;
+drawing::LineStyle style_from(const std::string& name) {
+  if (name == "solid") return drawing::LineStyle::kSolid;
+  if (name == "dashed") return drawing::LineStyle::kDashed;
+  if (name == "dotted") return drawing::LineStyle::kDotted;
+  if (name == "chain") return drawing::LineStyle::kChain;
   throw std::invalid_argument("style is \"solid\", \"dashed\", \"dotted\" or \"chain\", not \"" +
                               name + "\".");
 }
 
-std::optional<Colour> colour_from(const std::optional<Rgb>& colour) {
+std::optional<drawing::Colour> colour_from(const std::optional<Rgb>& colour) {
   if (!colour) return std::nullopt;
   for (const double part : *colour) {
     if (!(part >= 0.0 && part <= 1.0)) {
@@ -41,50 +41,50 @@ std::optional<Colour> colour_from(const std::optional<Rgb>& colour) {
                                   std::to_string(part) + ".");
     }
   }
-  return Colour{(*colour)[0], (*colour)[1], (*colour)[2]};
+  return drawing::Colour{(*colour)[0], (*colour)[1], (*colour)[2]};
 }
 
-PlotAxis axis_from(std::string label, std::string unit,
-                   const std::optional<std::pair<double, double>>& range, bool from_zero) {
-  PlotAxis axis{std::move(label), std::move(unit), std::nullopt, from_zero};
-  if (range) axis.range = PlotRange{range->first, range->second};
+drawing::PlotAxis axis_from(std::string label, std::string unit,
+                            const std::optional<std::pair<double, double>>& range, bool from_zero) {
+  drawing::PlotAxis axis{std::move(label), std::move(unit), std::nullopt, from_zero};
+  if (range) axis.range = drawing::PlotRange{range->first, range->second};
   return axis;
 }
 
-int add_curve(Plot& plot, const std::string& name, const DoubleArray& x, const DoubleArray& y,
-              const std::string& symbol, int x_axis, const std::optional<Rgb>& colour,
-              const std::string& style, bool guide) {
+int add_curve(drawing::Plot& plot, const std::string& name, const DoubleArray& x,
+              const DoubleArray& y, const std::string& symbol, int x_axis,
+              const std::optional<Rgb>& colour, const std::string& style, bool guide) {
   plot.curves.push_back({name, symbol, numbers_from(x, "x"), numbers_from(y, "y"), x_axis,
                          colour_from(colour), style_from(style), guide});
   return static_cast<int>(plot.curves.size()) - 1;
 }
 
-py::tuple to_tuple(const Colour& colour) {
+py::tuple to_tuple(const drawing::Colour& colour) {
   return py::make_tuple(colour.red, colour.green, colour.blue, colour.opacity);
 }
 
-py::list strokes_of(const Sheet& sheet) {
+py::list strokes_of(const drawing::Sheet& sheet) {
   py::list strokes;
-  for (const Stroke& stroke : sheet.strokes) {
+  for (const drawing::Stroke& stroke : sheet.strokes) {
     py::tuple dashes;
-    if (stroke.pen.dashes != Dashes{}) dashes = py::cast(stroke.pen.dashes);
+    if (stroke.pen.dashes != drawing::Dashes{}) dashes = py::cast(stroke.pen.dashes);
     strokes.append(py::make_tuple(to_array(stroke.points), to_tuple(stroke.pen.colour),
                                   stroke.pen.width, dashes));
   }
   return strokes;
 }
 
-py::list fills_of(const std::vector<Fill>& fills) {
+py::list fills_of(const std::vector<drawing::Fill>& fills) {
   py::list all;
-  for (const Fill& fill : fills) {
+  for (const drawing::Fill& fill : fills) {
     all.append(py::make_tuple(to_array(fill.points), to_tuple(fill.colour)));
   }
   return all;
 }
 
-py::list labels_of(const Sheet& sheet) {
+py::list labels_of(const drawing::Sheet& sheet) {
   py::list labels;
-  for (const Label& label : sheet.labels) {
+  for (const drawing::Label& label : sheet.labels) {
     py::dict entry;
     entry["text"] = label.text;
     entry["size"] = label.size;
@@ -101,11 +101,12 @@ py::list labels_of(const Sheet& sheet) {
 }
 
 void bind_description(py::module_& module) {
-  py::class_<Plot>(module, "Plot",
-                   "A diagram of curves over axes: what is to be drawn, in the units of its axes. "
-                   "All curves share the y axis; several x axes share the grid.")
+  py::class_<drawing::Plot>(
+      module, "Plot",
+      "A diagram of curves over axes: what is to be drawn, in the units of its axes. "
+      "All curves share the y axis; several x axes share the grid.")
       .def(py::init([](const std::string& title, const std::vector<std::string>& subtitles) {
-             Plot plot;
+             drawing::Plot plot;
              plot.title = title;
              plot.subtitles = subtitles;
              return plot;
@@ -113,7 +114,7 @@ void bind_description(py::module_& module) {
            py::arg("title") = "", py::arg("subtitles") = std::vector<std::string>{})
       .def(
           "add_x_axis",
-          [](Plot& plot, std::string label, std::string unit,
+          [](drawing::Plot& plot, std::string label, std::string unit,
              const std::optional<std::pair<double, double>>& range, bool from_zero) {
             plot.x_axes.push_back(axis_from(std::move(label), std::move(unit), range, from_zero));
             return static_cast<int>(plot.x_axes.size()) - 1;
@@ -123,7 +124,7 @@ void bind_description(py::module_& module) {
           "Its number. range: (low, high), else what the curves need; from_zero shows zero too.")
       .def(
           "set_y_axis",
-          [](Plot& plot, std::string label, std::string unit,
+          [](drawing::Plot& plot, std::string label, std::string unit,
              const std::optional<std::pair<double, double>>& range, bool from_zero) {
             plot.y_axis = axis_from(std::move(label), std::move(unit), range, from_zero);
           },
@@ -138,14 +139,14 @@ void bind_description(py::module_& module) {
            "axes are not widened for it. Without a name it is not in the legend.")
       .def(
           "add_marker",
-          [](Plot& plot, double x, double y, const std::string& label, int curve) {
+          [](drawing::Plot& plot, double x, double y, const std::string& label, int curve) {
             plot.markers.push_back({x, y, label, curve});
           },
           py::arg("x"), py::arg("y"), py::arg("label"), py::kw_only(), py::arg("curve") = -1,
           "A dot with a text, in the scale and colour of a curve.")
       .def(
           "add_line",
-          [](Plot& plot, const std::optional<double>& x, const std::optional<double>& y,
+          [](drawing::Plot& plot, const std::optional<double>& x, const std::optional<double>& y,
              const std::string& label) {
             if (x.has_value() == y.has_value()) {
               throw std::invalid_argument("a line needs either x or y.");
@@ -156,56 +157,58 @@ void bind_description(py::module_& module) {
           py::arg("label") = "", "A line across the diagram, at an x of the first axis or at a y.")
       .def(
           "add_area",
-          [](Plot& plot, int curve, double from, double to, const std::string& label) {
+          [](drawing::Plot& plot, int curve, double from, double to, const std::string& label) {
             plot.areas.push_back({curve, from, to, label});
           },
           py::arg("curve"), py::arg("start"), py::arg("end"), py::arg("label"),
           "Shades what is between a curve and y = 0 from one x to another.")
       .def(
           "add_bar",
-          [](Plot& plot, double length, const std::string& label) {
+          [](drawing::Plot& plot, double length, const std::string& label) {
             plot.bars.push_back({length, label});
           },
           py::arg("length"), py::arg("label"),
           "A bar below the diagram that shows what a length along the first x axis stands for.")
-      .def_readonly("title", &Plot::title)
-      .def_readonly("subtitles", &Plot::subtitles)
+      .def_readonly("title", &drawing::Plot::title)
+      .def_readonly("subtitles", &drawing::Plot::subtitles)
       .def_property_readonly("curve_names",
-                             [](const Plot& plot) {
+                             [](const drawing::Plot& plot) {
                                std::vector<std::string> names;
-                               for (const PlotCurve& curve : plot.curves) {
+                               for (const drawing::PlotCurve& curve : plot.curves) {
                                  names.push_back(curve.name);
                                }
                                return names;
                              })
       .def(
-          "__eq__", [](const Plot& a, const Plot& b) { return a == b; }, py::is_operator());
+          "__eq__", [](const drawing::Plot& a, const drawing::Plot& b) { return a == b; },
+          py::is_operator());
 }
 
 void bind_sheet(py::module_& module) {
-  py::class_<PlotSheet>(module, "PlotSheet",
-                        "A plot laid out: lines, areas and texts in mm, from the page's upper left "
-                        "corner, x to the right, y down. Colours are (red, green, blue, opacity). "
-                        "Drawn in the order areas, strokes, patches, labels.")
-      .def_readonly("width", &PlotSheet::width, "mm.")
-      .def_readonly("height", &PlotSheet::height, "mm.")
+  py::class_<drawing::PlotSheet>(
+      module, "PlotSheet",
+      "A plot laid out: lines, areas and texts in mm, from the page's upper left "
+      "corner, x to the right, y down. Colours are (red, green, blue, opacity). "
+      "Drawn in the order areas, strokes, patches, labels.")
+      .def_readonly("width", &drawing::PlotSheet::width, "mm.")
+      .def_readonly("height", &drawing::PlotSheet::height, "mm.")
       .def_property_readonly(
-          "strokes", [](const PlotSheet& sheet) { return strokes_of(sheet); },
+          "strokes", [](const drawing::PlotSheet& sheet) { return strokes_of(sheet); },
           "[(points (n, 2), colour, width in mm, dashes in mm or ())].")
       .def_property_readonly(
-          "areas", [](const PlotSheet& sheet) { return fills_of(sheet.areas); },
+          "areas", [](const drawing::PlotSheet& sheet) { return fills_of(sheet.areas); },
           "[(points (n, 2) of a polygon, colour)].")
       .def_property_readonly(
-          "patches", [](const PlotSheet& sheet) { return fills_of(sheet.patches); },
+          "patches", [](const drawing::PlotSheet& sheet) { return fills_of(sheet.patches); },
           "As areas, above the strokes.")
       .def_property_readonly(
-          "labels", [](const PlotSheet& sheet) { return labels_of(sheet); },
+          "labels", [](const drawing::PlotSheet& sheet) { return labels_of(sheet); },
           "Dictionaries: text; size, the font's em; bold; colour; knockout, whether paper is "
           "blanked beneath; descent, from the box's lower side up to the baseline; centre and half "
           "(width, height) of the box; angle in radians, from x towards y, about the centre.")
       .def_property_readonly(
           "diagram",
-          [](const PlotSheet& sheet) {
+          [](const drawing::PlotSheet& sheet) {
             const auto& area = sheet.frame.area;
             return py::make_tuple(area.min().x(), area.min().y(), area.max().x(), area.max().y());
           },
@@ -219,8 +222,8 @@ void bind_plot(py::module_& module) {
   bind_sheet(module);
   module.def(
       "lay_out_plot",
-      [](const Plot& plot, double width_mm, double height_mm, double margin_mm) {
-        return lay_out_plot(plot, {width_mm, height_mm, margin_mm});
+      [](const drawing::Plot& plot, double width_mm, double height_mm, double margin_mm) {
+        return drawing::lay_out_plot(plot, {width_mm, height_mm, margin_mm});
       },
       py::arg("plot"), py::kw_only(), py::arg("width_mm"), py::arg("height_mm"),
       py::arg("margin_mm") = 3.0, py::call_guard<py::gil_scoped_release>(),
@@ -228,10 +231,10 @@ void bind_plot(py::module_& module) {
       "margins, or naming what of the plot cannot be drawn.");
   module.def(
       "write_plot",
-      [](const Plot& plot, const std::filesystem::path& path, const std::string& paper) {
-        const Paper chosen = paper_from(paper);
+      [](const drawing::Plot& plot, const std::filesystem::path& path, const std::string& paper) {
+        const drawing::Paper chosen = paper_from(paper);
         const py::gil_scoped_release release;
-        write_plot(plot, path.string(), chosen);
+        drawing::write_plot(plot, path.string(), chosen);
       },
       py::arg("plot"), py::arg("path"), py::kw_only(), py::arg("paper") = "A4",
       "Draw a plot on paper; the ending of path chooses PDF, SVG or PNG. paper: \"A4\" to \"A0\", "

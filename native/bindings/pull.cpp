@@ -7,20 +7,22 @@
 #include "bindings/classes.h"
 #include "bindings/move_limits.h"
 #include "bindings/places.h"
-#include "surface/point_weights.h"
+#include "surface/pieces/point_weights.h"
 
 namespace hull::bindings {
 namespace {
 
-py::tuple weights_at(const LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {
+py::tuple weights_at(const surface::LimitSurface& surface, const py::object& cells,
+                     const DoubleArray& uv) {
   const Places places = places_from(surface, cells, uv);
   std::vector<int> begin{0}, points;
   std::vector<double> weights;
   {
     const py::gil_scoped_release release;
-    PointWeights rows(surface);
+    surface::PointWeights rows(surface);
     for (std::size_t i = 0; i < places.cells.size(); ++i) {
-      for (const PointWeight& w : rows.at(places.cells[i], places.uv[i].x(), places.uv[i].y())) {
+      for (const surface::PointWeight& w :
+           rows.at(places.cells[i], places.uv[i].x(), places.uv[i].y())) {
         points.push_back(w.point);
         weights.push_back(w.weight);
       }
@@ -30,8 +32,9 @@ py::tuple weights_at(const LimitSurface& surface, const py::object& cells, const
   return py::make_tuple(to_array(begin), to_array(points), to_array(weights));
 }
 
-std::vector<PullTarget> targets_from(const LimitSurface& surface, const py::object& cells,
-                                     const DoubleArray& uv, const DoubleArray& targets) {
+std::vector<modelling::PullTarget> targets_from(const surface::LimitSurface& surface,
+                                                const py::object& cells, const DoubleArray& uv,
+                                                const DoubleArray& targets) {
   const Places places = places_from(surface, cells, uv);
   const std::vector<Vector3d> points = points_from(targets, "targets");
   if (points.size() != places.cells.size()) {
@@ -39,7 +42,7 @@ std::vector<PullTarget> targets_from(const LimitSurface& surface, const py::obje
                                 std::to_string(places.cells.size()) + ", not " +
                                 std::to_string(points.size()) + ".");
   }
-  std::vector<PullTarget> result;
+  std::vector<modelling::PullTarget> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     result.push_back({places.cells[i], places.uv[i].x(), places.uv[i].y(), points[i]});
   }
@@ -49,15 +52,16 @@ std::vector<PullTarget> targets_from(const LimitSurface& surface, const py::obje
 }  // namespace
 
 void bind_pull(py::module_& module) {
-  py::class_<Pull>(module, "Pull", "Moves of control points that pull the surface to targets.")
+  py::class_<modelling::Pull>(module, "Pull",
+                              "Moves of control points that pull the surface to targets.")
       .def_property_readonly(
-          "points", [](const Pull& p) { return to_array(p.points); },
+          "points", [](const modelling::Pull& p) { return to_array(p.points); },
           "(m,) control points that move, rising.")
       .def_property_readonly(
-          "moves", [](const Pull& p) { return to_array(p.moves); }, "(m, 3), m.")
-      .def_readonly("miss", &Pull::miss,
+          "moves", [](const modelling::Pull& p) { return to_array(p.moves); }, "(m, 3), m.")
+      .def_readonly("miss", &modelling::Pull::miss,
                     "Largest distance of a target from where its place comes to lie, m.")
-      .def_readonly("reach", &Pull::reach,
+      .def_readonly("reach", &modelling::Pull::reach,
                     "The largest move of a control point, divided by the largest pull.");
   module.def("point_weights", &weights_at, py::arg("surface"), py::arg("cells"), py::arg("uv"),
              "Points of the surface as sums of control points, exact. cells: (k,), uv: (k, 2). "
@@ -65,13 +69,13 @@ void bind_pull(py::module_& module) {
              "begin[i] <= j < begin[i + 1] of weights[j] times control point points[j].");
   module.def(
       "pull_surface",
-      [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
+      [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
          const DoubleArray& targets, const py::object& locked, const py::object& held_points,
          const DoubleArray& held_normals) {
-        const std::vector<PullTarget> wanted = targets_from(surface, cells, uv, targets);
-        const MoveLimits limits = limits_from(locked, held_points, held_normals);
+        const std::vector<modelling::PullTarget> wanted = targets_from(surface, cells, uv, targets);
+        const modelling::MoveLimits limits = limits_from(locked, held_points, held_normals);
         const py::gil_scoped_release release;
-        return pull(surface, wanted, limits);
+        return modelling::pull(surface, wanted, limits);
       },
       py::arg("surface"), py::arg("cells"), py::arg("uv"), py::arg("targets"), py::kw_only(),
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),

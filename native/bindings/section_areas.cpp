@@ -11,20 +11,21 @@ namespace hull::bindings {
 namespace {
 
 // A number of each section as an array of the given shape.
-py::array_t<double> numbers(const std::vector<SectionArea>& sections,
-                            const std::vector<py::ssize_t>& shape, double SectionArea::*member) {
+py::array_t<double> numbers(const std::vector<analysis::SectionArea>& sections,
+                            const std::vector<py::ssize_t>& shape,
+                            double analysis::SectionArea::*member) {
   py::array_t<double> array(shape);
   double* out = array.mutable_data();
-  for (const SectionArea& section : sections) *out++ = section.*member;
+  for (const analysis::SectionArea& section : sections) *out++ = section.*member;
   return array;
 }
 
-py::array_t<double> centroids(const std::vector<SectionArea>& sections,
+py::array_t<double> centroids(const std::vector<analysis::SectionArea>& sections,
                               std::vector<py::ssize_t> shape) {
   shape.push_back(3);
   py::array_t<double> array(shape);
   double* out = array.mutable_data();
-  for (const SectionArea& section : sections) {
+  for (const analysis::SectionArea& section : sections) {
     for (int k = 0; k < 3; ++k) *out++ = section.centroid[k];
   }
   return array;
@@ -32,11 +33,11 @@ py::array_t<double> centroids(const std::vector<SectionArea>& sections,
 
 // The sectional area curve's values.
 struct SectionAreas {
-  std::vector<SectionArea> sections;
+  std::vector<analysis::SectionArea> sections;
   std::vector<py::ssize_t> shape() const { return {static_cast<py::ssize_t>(sections.size())}; }
 };
 
-std::vector<py::ssize_t> shape_of(const BonjeanCurves& c) {
+std::vector<py::ssize_t> shape_of(const analysis::BonjeanCurves& c) {
   return {static_cast<py::ssize_t>(c.stations.size()), static_cast<py::ssize_t>(c.drafts.size())};
 }
 
@@ -49,30 +50,39 @@ void bind_section_areas(py::module_& module) {
                 "one entry per station.")
       .def_property_readonly(
           "positions",
-          [](const S& s) { return numbers(s.sections, s.shape(), &SectionArea::position); },
+          [](const S& s) {
+            return numbers(s.sections, s.shape(), &analysis::SectionArea::position);
+          },
           "(n,) x of the stations, m.")
       .def_property_readonly(
-          "areas", [](const S& s) { return numbers(s.sections, s.shape(), &SectionArea::area); },
+          "areas",
+          [](const S& s) { return numbers(s.sections, s.shape(), &analysis::SectionArea::area); },
           "(n,) m².")
       .def_property_readonly(
           "centroids", [](const S& s) { return centroids(s.sections, s.shape()); },
           "(n, 3) of the areas, m; 0 where nothing is immersed.")
       .def_property_readonly(
-          "girths", [](const S& s) { return numbers(s.sections, s.shape(), &SectionArea::girth); },
+          "girths",
+          [](const S& s) { return numbers(s.sections, s.shape(), &analysis::SectionArea::girth); },
           "(n,) wetted lengths of the shell's outline, m.")
       .def_property_readonly(
           "breadths",
-          [](const S& s) { return numbers(s.sections, s.shape(), &SectionArea::breadth); },
+          [](const S& s) {
+            return numbers(s.sections, s.shape(), &analysis::SectionArea::breadth);
+          },
           "(n,) lengths of the stations' waterlines, m.")
       .def_property_readonly(
           "area_errors",
-          [](const S& s) { return numbers(s.sections, s.shape(), &SectionArea::area_error); },
+          [](const S& s) {
+            return numbers(s.sections, s.shape(), &analysis::SectionArea::area_error);
+          },
           "(n,) estimated errors of integration, m².");
   module.def(
       "section_areas",
-      [](const HullBody& body, const std::vector<double>& positions, double draft, double trim,
-         double heel, double draft_at) {
-        return S{section_areas(body, positions, FloatingPosition{draft, trim, heel, draft_at})};
+      [](const analysis::HullBody& body, const std::vector<double>& positions, double draft,
+         double trim, double heel, double draft_at) {
+        return S{analysis::section_areas(body, positions,
+                                         analysis::FloatingPosition{draft, trim, heel, draft_at})};
       },
       py::arg("body"), py::arg("positions"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = 0.0, py::call_guard<py::gil_scoped_release>(),
@@ -82,7 +92,7 @@ void bind_section_areas(py::module_& module) {
       "0) meets the water, trim (by the stern) and heel (to starboard) in rad. Where the area "
       "jumps, at a transom, it is the larger one.");
 
-  using B = BonjeanCurves;
+  using B = analysis::BonjeanCurves;
   py::class_<B>(module, "BonjeanCurves",
                 "Immersed stations over a range of upright drafts. Arrays have one row per station "
                 "and one column per draft.")
@@ -91,20 +101,25 @@ void bind_section_areas(py::module_& module) {
       .def_property_readonly(
           "drafts", [](const B& b) { return to_array(b.drafts); }, "(d,) m.")
       .def_property_readonly(
-          "areas", [](const B& b) { return numbers(b.sections, shape_of(b), &SectionArea::area); },
+          "areas",
+          [](const B& b) { return numbers(b.sections, shape_of(b), &analysis::SectionArea::area); },
           "(s, d) m².")
       .def_property_readonly(
           "centroids", [](const B& b) { return centroids(b.sections, shape_of(b)); },
           "(s, d, 3) of the areas, m; 0 where nothing is immersed.")
       .def_property_readonly(
           "girths",
-          [](const B& b) { return numbers(b.sections, shape_of(b), &SectionArea::girth); },
+          [](const B& b) {
+            return numbers(b.sections, shape_of(b), &analysis::SectionArea::girth);
+          },
           "(s, d) wetted lengths of the shell's outline, m.")
       .def_property_readonly(
           "breadths",
-          [](const B& b) { return numbers(b.sections, shape_of(b), &SectionArea::breadth); },
+          [](const B& b) {
+            return numbers(b.sections, shape_of(b), &analysis::SectionArea::breadth);
+          },
           "(s, d) lengths of the stations' waterlines, m: derivatives of the areas with draft.");
-  module.def("bonjean", &bonjean, py::arg("body"), py::kw_only(), py::arg("stations"),
+  module.def("bonjean", &analysis::bonjean, py::arg("body"), py::kw_only(), py::arg("stations"),
              py::arg("drafts"), py::call_guard<py::gil_scoped_release>(),
              "BonjeanCurves at the given stations (x, m) and upright drafts (m). Each station is "
              "cut once for all drafts.");

@@ -17,30 +17,31 @@ namespace {
 
 constexpr double kChordTolerance = 1e-5;  // of the mesh's size, unless given
 
-Axis axis_from(const std::string& name) {
-  if (name == "x") return Axis::kX;
-  if (name == "y") return Axis::kY;
-  if (name == "z") return Axis::kZ;
+analysis::Axis axis_from(const std::string& name) {
+  if (name == "x") return analysis::Axis::kX;
+  if (name == "y") return analysis::Axis::kY;
+  if (name == "z") return analysis::Axis::kZ;
   throw std::invalid_argument("axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
 }
 
-SectionOptions options_from(const LimitSurface& surface,
-                            const std::optional<double>& chord_tolerance,
-                            const std::optional<double>& flat_tolerance) {
+analysis::SectionOptions options_from(const surface::LimitSurface& surface,
+                                      const std::optional<double>& chord_tolerance,
+                                      const std::optional<double>& flat_tolerance) {
   return {chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
 }
 
-std::vector<SectionCurve> section_across(const LimitSurface& surface, const py::object& axis,
-                                         double position,
-                                         const std::optional<double>& chord_tolerance,
-                                         const std::optional<double>& flat_tolerance) {
-  const Plane plane = py::isinstance<py::str>(axis)
-                          ? plane_across(axis_from(py::cast<std::string>(axis)), position)
-                          : plane_from(point_from(py::cast<DoubleArray>(axis), "axis").normalized(),
-                                       position, "axis");
-  const SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
+std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& surface,
+                                                   const py::object& axis, double position,
+                                                   const std::optional<double>& chord_tolerance,
+                                                   const std::optional<double>& flat_tolerance) {
+  const analysis::Plane plane =
+      py::isinstance<py::str>(axis)
+          ? analysis::plane_across(axis_from(py::cast<std::string>(axis)), position)
+          : plane_from(point_from(py::cast<DoubleArray>(axis), "axis").normalized(), position,
+                       "axis");
+  const analysis::SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
   const py::gil_scoped_release release;
-  return section(surface, plane, options);
+  return analysis::section(surface, plane, options);
 }
 
 // A stretch with the values that hold within it at its ends.
@@ -50,9 +51,9 @@ struct StretchArrays {
   int first;
 };
 
-std::vector<StretchArrays> stretches_of(const SectionCurve& curve) {
+std::vector<StretchArrays> stretches_of(const analysis::SectionCurve& curve) {
   std::vector<StretchArrays> result;
-  for (const SmoothStretch& s : smooth_stretches(curve)) {
+  for (const analysis::SmoothStretch& s : analysis::smooth_stretches(curve)) {
     const auto part = [&s](const auto& values) {
       return std::decay_t<decltype(values)>(values.begin() + s.first, values.begin() + s.last + 1);
     };
@@ -81,59 +82,66 @@ void bind_curves(py::module_& module) {
           "curvatures", [](const StretchArrays& s) { return bindings::to_array(s.curvatures); },
           "(k,), 1/m.")
       .def_readonly("first", &StretchArrays::first, "Index of the first point in the curve.");
-  py::class_<SectionCurve>(
+  py::class_<analysis::SectionCurve>(
       module, "SectionCurve",
       "One branch of a plane section. It runs with what is above the plane on its left, seen from "
       "the water: the body is on the left, seen against the plane's normal.")
       .def_property_readonly(
-          "points", [](const SectionCurve& c) { return bindings::to_array(c.points); },
+          "points", [](const analysis::SectionCurve& c) { return bindings::to_array(c.points); },
           "(k, 3), m, in order; the first is repeated at the end of a closed curve.")
       .def_property_readonly(
-          "cells", [](const SectionCurve& c) { return bindings::to_array(c.cells); }, "(k,).")
+          "cells", [](const analysis::SectionCurve& c) { return bindings::to_array(c.cells); },
+          "(k,).")
       .def_property_readonly(
-          "uv", [](const SectionCurve& c) { return bindings::to_array(c.uv); }, "(k, 2).")
+          "uv", [](const analysis::SectionCurve& c) { return bindings::to_array(c.uv); }, "(k, 2).")
       .def_property_readonly(
-          "tangents", [](const SectionCurve& c) { return bindings::to_array(c.tangents); },
+          "tangents",
+          [](const analysis::SectionCurve& c) { return bindings::to_array(c.tangents); },
           "(k, 3), of unit length; at knuckles those before them.")
       .def_property_readonly(
-          "curvatures", [](const SectionCurve& c) { return bindings::to_array(c.curvatures); },
+          "curvatures",
+          [](const analysis::SectionCurve& c) { return bindings::to_array(c.curvatures); },
           "(k,), 1/m, in the plane: positive where the curve turns left, seen against the plane's "
           "normal, as a convex body does; at knuckles those before them.")
       .def_property_readonly(
-          "knuckles", [](const SectionCurve& c) { return bindings::to_array(c.knuckles); },
+          "knuckles",
+          [](const analysis::SectionCurve& c) { return bindings::to_array(c.knuckles); },
           "(n,) indices of the points on creases, and where the tangent turns. A closed curve with "
           "knuckles starts at one, whose index is that of the last point.")
       .def_property_readonly(
           "knuckle_tangents",
-          [](const SectionCurve& c) { return bindings::to_array(c.knuckle_tangents); },
+          [](const analysis::SectionCurve& c) { return bindings::to_array(c.knuckle_tangents); },
           "(n, 3), after the knuckles.")
       .def_property_readonly(
           "knuckle_curvatures",
-          [](const SectionCurve& c) { return bindings::to_array(c.knuckle_curvatures); },
+          [](const analysis::SectionCurve& c) { return bindings::to_array(c.knuckle_curvatures); },
           "(n,), 1/m, after the knuckles.")
       .def_property_readonly("stretches", &stretches_of,
                              "List of SectionStretch: the curve from knuckle to knuckle.")
-      .def_readonly("closed", &SectionCurve::closed);
+      .def_readonly("closed", &analysis::SectionCurve::closed);
 }
 
 void bind_splines(py::module_& module) {
-  py::class_<SectionSpline>(module, "SectionSpline",
-                            "A stretch of a section between knuckles as a cubic B-spline curve "
-                            "with two continuous derivatives, in the section's plane.")
-      .def_property_readonly("degree", [](const SectionSpline&) { return 3; })
+  py::class_<analysis::SectionSpline>(
+      module, "SectionSpline",
+      "A stretch of a section between knuckles as a cubic B-spline curve "
+      "with two continuous derivatives, in the section's plane.")
+      .def_property_readonly("degree", [](const analysis::SectionSpline&) { return 3; })
       .def_property_readonly(
-          "knots", [](const SectionSpline& s) { return bindings::to_array(s.curve.knots()); },
+          "knots",
+          [](const analysis::SectionSpline& s) { return bindings::to_array(s.curve.knots()); },
           "(n + 4,), from 0 to about the length in m; the first and the last of them fourfold.")
       .def_property_readonly(
           "control_points",
-          [](const SectionSpline& s) { return bindings::to_array(s.curve.points()); }, "(n, 3), m.")
-      .def_readonly("closed", &SectionSpline::closed,
+          [](const analysis::SectionSpline& s) { return bindings::to_array(s.curve.points()); },
+          "(n, 3), m.")
+      .def_readonly("closed", &analysis::SectionSpline::closed,
                     "Whether it is a whole closed curve without knuckles.")
-      .def_readonly("largest_distance", &SectionSpline::largest_distance,
+      .def_readonly("largest_distance", &analysis::SectionSpline::largest_distance,
                     "From the section, m, where it was measured.")
       .def(
           "evaluate",
-          [](const SectionSpline& s, const DoubleArray& array) {
+          [](const analysis::SectionSpline& s, const DoubleArray& array) {
             std::vector<Vector3d> points;
             for (const double t : numbers_from(array, "t")) {
               if (!(t >= s.curve.begin() && t <= s.curve.end())) {
@@ -144,9 +152,11 @@ void bind_splines(py::module_& module) {
             return bindings::to_array(points);
           },
           py::arg("t"), "t: (k,). Points (k, 3), m.");
-  py::class_<SectionSplines>(module, "SectionSplines", "One branch of a section as splines.")
-      .def_readonly("splines", &SectionSplines::splines, "List of SectionSpline, in order.")
-      .def_readonly("closed", &SectionSplines::closed);
+  py::class_<analysis::SectionSplines>(module, "SectionSplines",
+                                       "One branch of a section as splines.")
+      .def_readonly("splines", &analysis::SectionSplines::splines,
+                    "List of SectionSpline, in order.")
+      .def_readonly("closed", &analysis::SectionSplines::closed);
 }
 
 }  // namespace
@@ -157,13 +167,13 @@ void bind_sections(py::module_& module) {
   module.def(
       "plane_across",
       [](const std::string& axis, double position) {
-        return to_array(plane_across(axis_from(axis), position));
+        return to_array(analysis::plane_across(axis_from(axis), position));
       },
       py::arg("axis"), py::arg("position"),
       "The plane across axis \"x\", \"y\" or \"z\" at position (m), as (4,): normal, offset.");
   module.def(
       "diagonal_plane",
-      [](double height, double angle) { return to_array(diagonal_plane(height, angle)); },
+      [](double height, double angle) { return to_array(analysis::diagonal_plane(height, angle)); },
       py::arg("height"), py::arg("angle"),
       "The plane of a diagonal, as (4,): normal, offset. It goes through y = 0, z = height (m) and "
       "falls to port by angle (radians) below the horizontal.");
@@ -180,13 +190,14 @@ void bind_sections(py::module_& module) {
              "nothing. ValueError for tolerances that are not positive, and what is no plane.");
   module.def(
       "sections",
-      [](const LimitSurface& surface, const DoubleArray& planes,
+      [](const surface::LimitSurface& surface, const DoubleArray& planes,
          const std::optional<double>& chord_tolerance,
          const std::optional<double>& flat_tolerance) {
-        const std::vector<Plane> wanted = planes_from(planes);
-        const SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
+        const std::vector<analysis::Plane> wanted = planes_from(planes);
+        const analysis::SectionOptions options =
+            options_from(surface, chord_tolerance, flat_tolerance);
         const py::gil_scoped_release release;
-        return sections(surface, wanted, options);
+        return analysis::sections(surface, wanted, options);
       },
       py::arg("surface"), py::arg("planes"), py::arg("chord_tolerance") = py::none(), py::kw_only(),
       py::arg("flat_tolerance") = py::none(),
@@ -195,14 +206,14 @@ void bind_sections(py::module_& module) {
       "planes cheaper than one by one.");
   module.def(
       "section_splines",
-      [](const LimitSurface& surface, const DoubleArray& planes,
+      [](const surface::LimitSurface& surface, const DoubleArray& planes,
          const std::optional<double>& tolerance, const std::optional<double>& flat_tolerance) {
-        const std::vector<Plane> wanted = planes_from(planes);
+        const std::vector<analysis::Plane> wanted = planes_from(planes);
         const double chosen = tolerance.value_or(kChordTolerance * surface.mesh().size());
         const py::gil_scoped_release release;
-        std::vector<std::vector<SectionSplines>> result;
-        for (const Plane& plane : wanted) {
-          result.push_back(section_splines(surface, plane, chosen, flat_tolerance));
+        std::vector<std::vector<analysis::SectionSplines>> result;
+        for (const analysis::Plane& plane : wanted) {
+          result.push_back(analysis::section_splines(surface, plane, chosen, flat_tolerance));
         }
         return result;
       },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/shown_points.h"
+#include "surface/sampling/shown_points.h"
 
 #include <algorithm>
 
@@ -11,14 +11,14 @@ namespace {
 
 // A view of the object's own numbers, which stay where they are.
 py::array_t<float> coordinates(const py::object& self) {
-  const std::vector<float>& numbers = self.cast<const ShownPoints&>().coordinates();
+  const std::vector<float>& numbers = self.cast<const surface::ShownPoints&>().coordinates();
   py::array_t<float> view({static_cast<py::ssize_t>(numbers.size() / 3), py::ssize_t{3}},
                           numbers.data(), self);
   view.attr("flags").attr("writeable") = false;
   return view;
 }
 
-py::array_t<bool> shared(const ShownPoints& points) {
+py::array_t<bool> shared(const surface::ShownPoints& points) {
   py::array_t<bool> flags(static_cast<py::ssize_t>(points.shared().size()));
   std::transform(points.shared().begin(), points.shared().end(), flags.mutable_data(),
                  [](char flag) { return flag != 0; });
@@ -28,7 +28,7 @@ py::array_t<bool> shared(const ShownPoints& points) {
 }  // namespace
 
 void bind_shown_points(py::module_& module) {
-  py::class_<ShownPoints>(
+  py::class_<surface::ShownPoints>(
       module, "ShownPoints",
       "The points of LimitSurface.tessellate(n) as programs that show them keep them: in single "
       "precision, in units of their own, of both sides. They follow a surface whose points move; "
@@ -36,14 +36,15 @@ void bind_shown_points(py::module_& module) {
       "First come the points of the tessellation, in its order, then the mirror images (x, -y, z) "
       "of those that are off the centre plane. Points nearer to it than 1e-9 of the mesh's size "
       "are put on it, and both sides share them.")
-      .def(py::init([](const LimitSurface& surface, int n, bool mirrored, double metres_per_unit) {
+      .def(py::init([](const surface::LimitSurface& surface, int n, bool mirrored,
+                       double metres_per_unit) {
              const py::gil_scoped_release release;
-             return ShownPoints(surface, n, mirrored, metres_per_unit);
+             return surface::ShownPoints(surface, n, mirrored, metres_per_unit);
            }),
            py::arg("surface"), py::arg("n"), py::kw_only(), py::arg("mirrored"),
            py::arg("metres_per_unit") = 1.0, py::keep_alive<1, 2>(),
            "mirrored: whether the surface is one side of a hull, and the other is its image.")
-      .def("update", &ShownPoints::update, py::call_guard<py::gil_scoped_release>(),
+      .def("update", &surface::ShownPoints::update, py::call_guard<py::gil_scoped_release>(),
            "After surface.set_points(). Returns whether both sides share the same points as "
            "before; if not, the images are numbered anew.")
       .def_property_readonly("coordinates", &coordinates,

@@ -15,10 +15,13 @@ namespace {
 
 constexpr double kSeaWater = 1.025;
 
-TrimMode mode_of(bool free_trim) { return free_trim ? TrimMode::kFree : TrimMode::kFixed; }
+analysis::TrimMode mode_of(bool free_trim) {
+  return free_trim ? analysis::TrimMode::kFree : analysis::TrimMode::kFixed;
+}
 
-StabilityEdges edges_from(const std::optional<DoubleArray>& points, const py::object& deck_edge) {
-  StabilityEdges edges;
+analysis::StabilityEdges edges_from(const std::optional<DoubleArray>& points,
+                                    const py::object& deck_edge) {
+  analysis::StabilityEdges edges;
   if (points) edges.downflooding_points = points_from(*points, "downflooding_points");
   if (!deck_edge.is_none()) edges.deck_edge_vertices = integers_from(deck_edge, "deck_edge");
   return edges;
@@ -26,20 +29,22 @@ StabilityEdges edges_from(const std::optional<DoubleArray>& points, const py::ob
 
 // One number of each state.
 template <typename Number>
-py::array_t<double> column(const RightingLevers& levers, Number number) {
+py::array_t<double> column(const analysis::RightingLevers& levers, Number number) {
   py::array_t<double> result(static_cast<py::ssize_t>(levers.states.size()));
   auto out = result.mutable_unchecked<1>();
   py::ssize_t i = 0;
-  for (const HeeledState& state : levers.states) out(i++) = number(state);
+  for (const analysis::HeeledState& state : levers.states) out(i++) = number(state);
   return result;
 }
 
-py::array_t<double> drafts_at(const RightingLevers& levers, double x) {
-  return column(levers, [x](const HeeledState& s) { return draft_in(s.immersion.water, x); });
+py::array_t<double> drafts_at(const analysis::RightingLevers& levers, double x) {
+  return column(levers, [x](const analysis::HeeledState& s) {
+    return analysis::draft_in(s.immersion.water, x);
+  });
 }
 
 void bind_righting_levers_class(py::module_& module) {
-  using L = RightingLevers;
+  using L = analysis::RightingLevers;
   py::class_<L>(module, "RightingLevers",
                 "Righting levers over the heel; angles in rad, heel to starboard. What is not in "
                 "the range of heels from 0 to the greatest asked for is None.")
@@ -61,8 +66,8 @@ void bind_righting_levers_class(py::module_& module) {
       .def_property_readonly(
           "immersions",
           [](const L& l) {
-            std::vector<Immersion> all;
-            for (const HeeledState& s : l.states) all.push_back(s.immersion);
+            std::vector<analysis::Immersion> all;
+            for (const analysis::HeeledState& s : l.states) all.push_back(s.immersion);
             return all;
           },
           "A list of Immersion, one for each heel.")
@@ -99,8 +104,8 @@ void bind_righting_levers_class(py::module_& module) {
 }
 
 // A table of numbers, one row for each curve.
-py::array_t<double> rows(const std::vector<CrossCurve>& curves,
-                         std::vector<double> CrossCurve::*numbers) {
+py::array_t<double> rows(const std::vector<analysis::CrossCurve>& curves,
+                         std::vector<double> analysis::CrossCurve::*numbers) {
   const std::size_t width = curves.empty() ? 0 : (curves[0].*numbers).size();
   py::array_t<double> result({curves.size(), width});
   auto out = result.mutable_unchecked<2>();
@@ -111,7 +116,7 @@ py::array_t<double> rows(const std::vector<CrossCurve>& curves,
 }
 
 struct CrossCurves {
-  std::vector<CrossCurve> curves;
+  std::vector<analysis::CrossCurve> curves;
   std::vector<double> displacements, heels;
 };
 
@@ -124,31 +129,32 @@ void bind_cross_curves(py::module_& module) {
       .def_property_readonly(
           "heels", [](const C& c) { return to_array(c.heels); }, "(k,) rad, to starboard.")
       .def_property_readonly(
-          "levers", [](const C& c) { return rows(c.curves, &CrossCurve::levers); },
+          "levers", [](const C& c) { return rows(c.curves, &analysis::CrossCurve::levers); },
           "(n, k) KN, m. GZ = KN - KG sin(heel).")
       .def_property_readonly(
-          "trims", [](const C& c) { return rows(c.curves, &CrossCurve::trims); },
+          "trims", [](const C& c) { return rows(c.curves, &analysis::CrossCurve::trims); },
           "(n, k) rad, by the stern.")
       .def_property_readonly(
           "lcg",
           [](const C& c) {
             std::vector<double> all;
-            for (const CrossCurve& curve : c.curves) all.push_back(curve.lcg);
+            for (const analysis::CrossCurve& curve : c.curves) all.push_back(curve.lcg);
             return to_array(all);
           },
           "(n,) m: the centre of gravity under which trim was balanced, that of buoyancy upright.");
   module.def(
       "cross_curves",
-      [](const HullBody& body, const DoubleArray& displacements, const DoubleArray& heels,
+      [](const analysis::HullBody& body, const DoubleArray& displacements, const DoubleArray& heels,
          double water_density, bool free_trim, double trim, double assumed_kg) {
         C result{{}, numbers_from(displacements, "displacements_t"), numbers_from(heels, "heels")};
         const py::gil_scoped_release release;
         std::vector<double> volumes;
         for (double mass : result.displacements) {
-          volumes.push_back(LoadCase{mass, Vector3d::Zero(), water_density}.displaced_volume());
+          volumes.push_back(
+              analysis::LoadCase{mass, Vector3d::Zero(), water_density}.displaced_volume());
         }
-        result.curves =
-            cross_curves(body, volumes, result.heels, {mode_of(free_trim), trim, assumed_kg});
+        result.curves = analysis::cross_curves(body, volumes, result.heels,
+                                               {mode_of(free_trim), trim, assumed_kg});
         return result;
       },
       py::arg("body"), py::kw_only(), py::arg("displacements_t"), py::arg("heels"),
@@ -161,7 +167,7 @@ void bind_cross_curves(py::module_& module) {
 }
 
 void bind_criteria(py::module_& module) {
-  using C = Criterion;
+  using C = analysis::Criterion;
   py::class_<C>(module, "Criterion", "One requirement of a stability code.")
       .def_readonly("paragraph", &C::paragraph)
       .def_readonly("name", &C::name)
@@ -171,13 +177,13 @@ void bind_criteria(py::module_& module) {
       .def_property_readonly(
           "outcome",
           [](const C& c) {
-            return c.outcome == CriterionOutcome::kPass   ? "pass"
-                   : c.outcome == CriterionOutcome::kFail ? "fail"
-                                                          : "not computed";
+            return c.outcome == analysis::CriterionOutcome::kPass   ? "pass"
+                   : c.outcome == analysis::CriterionOutcome::kFail ? "fail"
+                                                                    : "not computed";
           },
           "\"pass\", \"fail\" or \"not computed\".")
       .def_readonly("note", &C::note, "What else is to be said, or empty.");
-  using R = StabilityReport;
+  using R = analysis::StabilityReport;
   py::class_<R>(module, "StabilityReport", "All requirements, and whether the ship meets them.")
       .def_readonly("criteria", &R::criteria, "A list of Criterion.")
       .def_readonly("passes", &R::passes)
@@ -185,15 +191,15 @@ void bind_criteria(py::module_& module) {
       .def_readonly("evaluations", &R::evaluations, "Immersions computed.");
   module.def(
       "stability_criteria",
-      [](const HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
+      [](const analysis::HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
          double water_density, bool free_trim, double trim,
          const std::optional<DoubleArray>& downflooding_points) {
-        const LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
-                            water_density};
-        const StabilityOptions options{mode_of(free_trim), trim,
-                                       edges_from(downflooding_points, py::none())};
+        const analysis::LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
+                                      water_density};
+        const analysis::StabilityOptions options{mode_of(free_trim), trim,
+                                                 edges_from(downflooding_points, py::none())};
         const py::gil_scoped_release release;
-        return stability_criteria(body, load, options);
+        return analysis::stability_criteria(body, load, options);
       },
       py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
       py::arg("water_density") = kSeaWater, py::arg("free_trim") = true, py::arg("trim") = 0.0,
@@ -210,18 +216,18 @@ void bind_stability(py::module_& module) {
   bind_righting_levers_class(module);
   module.def(
       "righting_levers",
-      [](const HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
+      [](const analysis::HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
          const DoubleArray& heels, double water_density, bool free_trim, double trim,
          const std::optional<DoubleArray>& downflooding_points, const py::object& deck_edge,
          const std::vector<std::array<double, 2>>& area_intervals, double area_tolerance) {
-        const LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
-                            water_density};
-        const RightingLeverOptions options{mode_of(free_trim), trim,
-                                           edges_from(downflooding_points, deck_edge),
-                                           area_intervals, area_tolerance};
+        const analysis::LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
+                                      water_density};
+        const analysis::RightingLeverOptions options{mode_of(free_trim), trim,
+                                                     edges_from(downflooding_points, deck_edge),
+                                                     area_intervals, area_tolerance};
         const std::vector<double> all_heels = numbers_from(heels, "heels");
         const py::gil_scoped_release release;
-        return righting_levers(body, load, all_heels, options);
+        return analysis::righting_levers(body, load, all_heels, options);
       },
       py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
       py::arg("heels"), py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,

@@ -15,13 +15,14 @@
 namespace hull::bindings {
 namespace {
 
-constexpr std::pair<const char*, FieldKind> kKinds[] = {{"gaussian", FieldKind::kGaussian},
-                                                        {"mean", FieldKind::kMean},
-                                                        {"maximum", FieldKind::kMaximum},
-                                                        {"minimum", FieldKind::kMinimum},
-                                                        {"slope", FieldKind::kSlope}};
+constexpr std::pair<const char*, analysis::FieldKind> kKinds[] = {
+    {"gaussian", analysis::FieldKind::kGaussian},
+    {"mean", analysis::FieldKind::kMean},
+    {"maximum", analysis::FieldKind::kMaximum},
+    {"minimum", analysis::FieldKind::kMinimum},
+    {"slope", analysis::FieldKind::kSlope}};
 
-FieldKind kind_from(const std::string& name) {
+analysis::FieldKind kind_from(const std::string& name) {
   for (const auto& [known, kind] : kKinds) {
     if (name == known) return kind;
   }
@@ -30,9 +31,9 @@ FieldKind kind_from(const std::string& name) {
       "\".");
 }
 
-ColourScale::Mapping mapping_from(const std::string& name) {
-  if (name == "linear") return ColourScale::Mapping::kLinear;
-  if (name == "logarithmic") return ColourScale::Mapping::kLogarithmic;
+analysis::ColourScale::Mapping mapping_from(const std::string& name) {
+  if (name == "linear") return analysis::ColourScale::Mapping::kLinear;
+  if (name == "logarithmic") return analysis::ColourScale::Mapping::kLogarithmic;
   throw std::invalid_argument("mapping is \"linear\" or \"logarithmic\", not \"" + name + "\".");
 }
 
@@ -46,49 +47,56 @@ Vector3d slope_direction(const std::optional<DoubleArray>& array) {
   return direction / length;
 }
 
-py::array_t<double> to_array(const std::vector<Colour>& colours) {
+py::array_t<double> to_array(const std::vector<analysis::Colour>& colours) {
   py::array_t<double> array({static_cast<py::ssize_t>(colours.size()), py::ssize_t{3}});
   double* out = array.mutable_data();
-  for (const Colour& colour : colours) out = std::copy(colour.begin(), colour.end(), out);
+  for (const analysis::Colour& colour : colours) out = std::copy(colour.begin(), colour.end(), out);
   return array;
 }
 
-ColourScale scale_from(const DoubleArray& array, const std::string& kind,
-                       const std::optional<DoubleArray>& weights, const std::string& mapping,
-                       double percentile, const std::optional<std::array<double, 2>>& limits) {
-  const FieldKind field = kind_from(kind);
-  const ColourScale::Mapping chosen = mapping_from(mapping);
+analysis::ColourScale scale_from(const DoubleArray& array, const std::string& kind,
+                                 const std::optional<DoubleArray>& weights,
+                                 const std::string& mapping, double percentile,
+                                 const std::optional<std::array<double, 2>>& limits) {
+  const analysis::FieldKind field = kind_from(kind);
+  const analysis::ColourScale::Mapping chosen = mapping_from(mapping);
   if (limits) return {field, chosen, (*limits)[0], (*limits)[1]};
-  return ColourScale::fit(numbers_from(array, "values"),
-                          weights ? numbers_from(*weights, "weights") : std::vector<double>{},
-                          field, chosen, percentile);
+  return analysis::ColourScale::fit(
+      numbers_from(array, "values"),
+      weights ? numbers_from(*weights, "weights") : std::vector<double>{}, field, chosen,
+      percentile);
 }
 
 template <class Value>
-std::vector<Value> of_ticks(const ColourScale& scale, Value ColourScale::Tick::*member) {
+std::vector<Value> of_ticks(const analysis::ColourScale& scale,
+                            Value analysis::ColourScale::Tick::*member) {
   std::vector<Value> values;
   for (const auto& tick : scale.ticks()) values.push_back(tick.*member);
   return values;
 }
 
 void bind_scale(py::module_& module) {
-  py::class_<ColourScale>(module, "ColourScale",
-                          "From values of a field to colours, and to a legend. Curvatures are blue "
-                          "below zero, nearly white at zero and orange above; slopes go from dark "
-                          "to light. Both can be read with any common colour blindness.")
-      .def_property_readonly("low", &ColourScale::low, "The value at position 0: 1/m², 1/m or rad.")
-      .def_property_readonly("high", &ColourScale::high, "The value at position 1.")
-      .def_property_readonly("signed", &ColourScale::is_signed,
+  py::class_<analysis::ColourScale>(
+      module, "ColourScale",
+      "From values of a field to colours, and to a legend. Curvatures are blue "
+      "below zero, nearly white at zero and orange above; slopes go from dark "
+      "to light. Both can be read with any common colour blindness.")
+      .def_property_readonly("low", &analysis::ColourScale::low,
+                             "The value at position 0: 1/m², 1/m or rad.")
+      .def_property_readonly("high", &analysis::ColourScale::high, "The value at position 1.")
+      .def_property_readonly("signed", &analysis::ColourScale::is_signed,
                              "Whether 0 is in the middle and the range as wide to both sides.")
       .def_property_readonly("mapping",
-                             [](const ColourScale& s) {
-                               return s.mapping() == ColourScale::Mapping::kLinear ? "linear"
-                                                                                   : "logarithmic";
+                             [](const analysis::ColourScale& s) {
+                               return s.mapping() == analysis::ColourScale::Mapping::kLinear
+                                          ? "linear"
+                                          : "logarithmic";
                              })
-      .def_property_readonly("unit", &ColourScale::unit, "Of the legend: \"1/m²\", \"1/m\", \"°\".")
+      .def_property_readonly("unit", &analysis::ColourScale::unit,
+                             "Of the legend: \"1/m²\", \"1/m\", \"°\".")
       .def(
           "normalised",
-          [](const ColourScale& s, const DoubleArray& array) {
+          [](const analysis::ColourScale& s, const DoubleArray& array) {
             std::vector<double> values = numbers_from(array, "values");
             for (double& value : values) value = s.position(value);
             return bindings::to_array(values);
@@ -96,8 +104,8 @@ void bind_scale(py::module_& module) {
           py::arg("values"), "Positions (k,) in [0, 1] of values (k,); NaN stays NaN.")
       .def(
           "colours",
-          [](const ColourScale& s, const DoubleArray& array) {
-            std::vector<Colour> colours;
+          [](const analysis::ColourScale& s, const DoubleArray& array) {
+            std::vector<analysis::Colour> colours;
             for (const double value : numbers_from(array, "values")) {
               colours.push_back(s.colour(value));
             }
@@ -106,28 +114,30 @@ void bind_scale(py::module_& module) {
           py::arg("values"), "sRGB (k, 3), each in [0, 1], of values (k,); grey for NaN.")
       .def(
           "legend_colours",
-          [](const ColourScale& s, int n) {
+          [](const analysis::ColourScale& s, int n) {
             if (n < 2) throw std::invalid_argument("A legend has 2 colours or more.");
-            std::vector<Colour> colours;
+            std::vector<analysis::Colour> colours;
             for (int i = 0; i < n; ++i) colours.push_back(s.colour_at(i / (n - 1.0)));
             return to_array(colours);
           },
           py::arg("n"), "sRGB (n, 3) at even positions from 0 to 1.")
       .def_property_readonly(
           "tick_values",
-          [](const ColourScale& s) {
-            return bindings::to_array(of_ticks(s, &ColourScale::Tick::value));
+          [](const analysis::ColourScale& s) {
+            return bindings::to_array(of_ticks(s, &analysis::ColourScale::Tick::value));
           },
           "(n,) round numbers in `unit`, rising.")
       .def_property_readonly(
           "tick_positions",
-          [](const ColourScale& s) {
-            return bindings::to_array(of_ticks(s, &ColourScale::Tick::position));
+          [](const analysis::ColourScale& s) {
+            return bindings::to_array(of_ticks(s, &analysis::ColourScale::Tick::position));
           },
           "(n,) in [0, 1].")
       .def_property_readonly(
           "tick_labels",
-          [](const ColourScale& s) { return of_ticks(s, &ColourScale::Tick::label); },
+          [](const analysis::ColourScale& s) {
+            return of_ticks(s, &analysis::ColourScale::Tick::label);
+          },
           "List of n texts, without the unit.");
 }
 
@@ -137,9 +147,9 @@ void bind_surface_fields(py::module_& module) {
   bind_scale(module);
   module.def(
       "surface_field",
-      [](const LimitSurface& surface, const Tessellation& tessellation, const std::string& kind,
-         const std::optional<DoubleArray>& direction) {
-        const FieldKind field = kind_from(kind);
+      [](const surface::LimitSurface& surface, const surface::Tessellation& tessellation,
+         const std::string& kind, const std::optional<DoubleArray>& direction) {
+        const analysis::FieldKind field = kind_from(kind);
         const Vector3d along = slope_direction(direction);
         for (const int cell : tessellation.normal_cells) {
           if (cell < surface.cell_count()) continue;
@@ -148,7 +158,7 @@ void bind_surface_fields(py::module_& module) {
         std::vector<double> values;
         {
           const py::gil_scoped_release release;
-          values = surface_field(surface, tessellation, field, along);
+          values = analysis::surface_field(surface, tessellation, field, along);
         }
         return bindings::to_array(values);
       },
@@ -164,15 +174,15 @@ void bind_surface_fields(py::module_& module) {
       "surface.");
   module.def(
       "surface_field_at",
-      [](const LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
+      [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
          const std::string& kind, const std::optional<DoubleArray>& direction) {
-        const FieldKind field = kind_from(kind);
+        const analysis::FieldKind field = kind_from(kind);
         const Vector3d along = slope_direction(direction);
         const Places places = places_from(surface, cells, uv);
         std::vector<double> values;
         {
           const py::gil_scoped_release release;
-          values = surface_field(surface, places.cells, places.uv, field, along);
+          values = analysis::surface_field(surface, places.cells, places.uv, field, along);
         }
         return bindings::to_array(values);
       },
@@ -182,8 +192,8 @@ void bind_surface_fields(py::module_& module) {
       "beside; NaN where there is no tangent plane.");
   module.def(
       "field_weights",
-      [](const Tessellation& tessellation) {
-        return bindings::to_array(field_weights(tessellation));
+      [](const surface::Tessellation& tessellation) {
+        return bindings::to_array(analysis::field_weights(tessellation));
       },
       py::arg("tessellation"),
       "The area (l,) in m² that each of the tessellation's normals stands for.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/surface_tree.h"
+#include "surface/queries/surface_tree.h"
 
 #include <cmath>
 #include <limits>
@@ -9,8 +9,8 @@
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
-#include "surface/closest_point.h"
-#include "surface/ray_hits.h"
+#include "surface/queries/closest_point.h"
+#include "surface/queries/ray_hits.h"
 
 namespace hull::bindings {
 namespace {
@@ -18,11 +18,11 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct ClosestPoints {
-  std::vector<ClosestPoint> all;
+  std::vector<surface::ClosestPoint> all;
 };
 
 struct RayHits {
-  std::vector<RayHit> all;
+  std::vector<surface::RayHit> all;
 };
 
 template <class Result, class Value>
@@ -55,14 +55,14 @@ py::array_t<double> parameters_of(const std::vector<Result>& results) {
   return to_array(uv);
 }
 
-ClosestPoints find_closest_points(const SurfaceTree& tree, const DoubleArray& points,
+ClosestPoints find_closest_points(const surface::SurfaceTree& tree, const DoubleArray& points,
                                   double max_distance) {
   const std::vector<Vector3d> from = points_from(points, "points");
   const py::gil_scoped_release release;
-  return {closest_points(tree, from, max_distance)};
+  return {surface::closest_points(tree, from, max_distance)};
 }
 
-RayHits find_ray_hits(const SurfaceTree& tree, const DoubleArray& origins,
+RayHits find_ray_hits(const surface::SurfaceTree& tree, const DoubleArray& origins,
                       const DoubleArray& directions, double max_distance) {
   const std::vector<Vector3d> from = points_from(origins, "origins");
   const std::vector<Vector3d> along = points_from(directions, "directions");
@@ -76,8 +76,8 @@ RayHits find_ray_hits(const SurfaceTree& tree, const DoubleArray& origins,
   hits.all.reserve(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     try {
-      const auto hit = first_ray_hit(tree, {from[i], along[i], 0.0, max_distance});
-      hits.all.push_back(hit.value_or(RayHit{}));
+      const auto hit = surface::first_ray_hit(tree, {from[i], along[i], 0.0, max_distance});
+      hits.all.push_back(hit.value_or(surface::RayHit{}));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("origins[" + std::to_string(i) + "], directions[" +
                                   std::to_string(i) + "]: " + error.what());
@@ -93,12 +93,12 @@ Vector3d vector_from(const DoubleArray& array, const char* name) {
   return {array.at(0), array.at(1), array.at(2)};
 }
 
-RayHits find_all_ray_hits(const SurfaceTree& tree, const DoubleArray& origin,
+RayHits find_all_ray_hits(const surface::SurfaceTree& tree, const DoubleArray& origin,
                           const DoubleArray& direction, double max_distance) {
-  const Ray ray{vector_from(origin, "origin"), vector_from(direction, "direction"), 0.0,
-                max_distance};
+  const surface::Ray ray{vector_from(origin, "origin"), vector_from(direction, "direction"), 0.0,
+                         max_distance};
   const py::gil_scoped_release release;
-  return {all_ray_hits(tree, ray)};
+  return {surface::all_ray_hits(tree, ray)};
 }
 
 void bind_results(py::module_& module) {
@@ -111,15 +111,15 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "distances",
           [](const ClosestPoints& c) {
-            return numbers<ClosestPoint, double>(
-                c.all, [](const ClosestPoint& at) { return at.distance; });
+            return numbers<surface::ClosestPoint, double>(
+                c.all, [](const surface::ClosestPoint& at) { return at.distance; });
           },
           "(k,), m, never negative; infinite where none.")
       .def_property_readonly(
           "cells",
           [](const ClosestPoints& c) {
-            return numbers<ClosestPoint, int>(c.all,
-                                              [](const ClosestPoint& at) { return at.cell; });
+            return numbers<surface::ClosestPoint, int>(
+                c.all, [](const surface::ClosestPoint& at) { return at.cell; });
           },
           "(k,) cells; -1 where none.")
       .def_property_readonly(
@@ -128,16 +128,16 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "kinds",
           [](const ClosestPoints& c) {
-            return numbers<ClosestPoint, int>(
-                c.all, [](const ClosestPoint& at) { return static_cast<int>(at.kind); });
+            return numbers<surface::ClosestPoint, int>(
+                c.all, [](const surface::ClosestPoint& at) { return static_cast<int>(at.kind); });
           },
           "(k,): 0 where the surface is smooth, 1 on a crease or border, 2 at a corner or "
           "irregular knot.")
       .def_property_readonly(
           "sides",
           [](const ClosestPoints& c) {
-            return numbers<ClosestPoint, int>(c.all,
-                                              [](const ClosestPoint& at) { return at.side; });
+            return numbers<surface::ClosestPoint, int>(
+                c.all, [](const surface::ClosestPoint& at) { return at.side; });
           },
           "(k,): 1 on the side of the normal (in the water), -1 on the other one, 0 on the "
           "surface, "
@@ -145,8 +145,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "gaps",
           [](const ClosestPoints& c) {
-            return numbers<ClosestPoint, double>(c.all,
-                                                 [](const ClosestPoint& at) { return at.gap; });
+            return numbers<surface::ClosestPoint, double>(
+                c.all, [](const surface::ClosestPoint& at) { return at.gap; });
           },
           "(k,), m: no point of the surface is nearer than distances - gaps. About 1e-14 of the "
           "size, but more for points at the same distance from much of the surface.");
@@ -156,7 +156,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "distances",
           [](const RayHits& h) {
-            return numbers<RayHit, double>(h.all, [](const RayHit& at) { return at.t; });
+            return numbers<surface::RayHit, double>(h.all,
+                                                    [](const surface::RayHit& at) { return at.t; });
           },
           "(k,), m from the origin, whatever the length of the direction; infinite where missed.")
       .def_property_readonly(
@@ -165,7 +166,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "cells",
           [](const RayHits& h) {
-            return numbers<RayHit, int>(h.all, [](const RayHit& at) { return at.cell; });
+            return numbers<surface::RayHit, int>(h.all,
+                                                 [](const surface::RayHit& at) { return at.cell; });
           },
           "(k,) cells; -1 where missed.")
       .def_property_readonly(
@@ -174,7 +176,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "grazing",
           [](const RayHits& h) {
-            return numbers<RayHit, bool>(h.all, [](const RayHit& at) { return at.grazing; });
+            return numbers<surface::RayHit, bool>(
+                h.all, [](const surface::RayHit& at) { return at.grazing; });
           },
           "(k,) whether the ray touches the surface or runs along it, rather than crosses it.");
 }
@@ -183,19 +186,19 @@ void bind_results(py::module_& module) {
 
 void bind_surface_tree(py::module_& module) {
   bind_results(module);
-  py::class_<SurfaceTree>(
+  py::class_<surface::SurfaceTree>(
       module, "SurfaceTree",
       "Finds points of a limit surface that are nearest to given ones, and where rays meet it: "
       "exactly, some microseconds each.\n\n"
       "The tree keeps a copy of the surface as it is now; after surface.set_points() it needs "
       "refit().")
-      .def(py::init<const LimitSurface&>(), py::arg("surface"),
+      .def(py::init<const surface::LimitSurface&>(), py::arg("surface"),
            py::call_guard<py::gil_scoped_release>())
-      .def("refit", &SurfaceTree::refit, py::arg("surface"),
+      .def("refit", &surface::SurfaceTree::refit, py::arg("surface"),
            py::call_guard<py::gil_scoped_release>(),
            "Follows the surface the tree was made of after set_points(); quicker than a new tree. "
            "Not to be called while another thread uses the tree.")
-      .def_property_readonly("size", &SurfaceTree::size,
+      .def_property_readonly("size", &surface::SurfaceTree::size,
                              "Diagonal of the box around the surface's control points, m.")
       .def("closest_points", &find_closest_points, py::arg("points"),
            py::arg("max_distance") = kInfinity,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/tessellation.h"
+#include "surface/sampling/tessellation.h"
 
 #include <pybind11/stl.h>
 
@@ -21,7 +21,7 @@ py::array_t<int> to_array(const std::vector<std::array<int, 4>>& rows) {
   return array;
 }
 
-py::array_t<double> corner_normals(const Tessellation& t) {
+py::array_t<double> corner_normals(const surface::Tessellation& t) {
   py::array_t<double> normals(
       {static_cast<py::ssize_t>(t.corner_normals.size()), py::ssize_t{4}, py::ssize_t{3}});
   double* out = normals.mutable_data();
@@ -31,43 +31,48 @@ py::array_t<double> corner_normals(const Tessellation& t) {
   return normals;
 }
 
-Tessellation tessellate_as_asked(const LimitSurface& surface, std::optional<int> n,
-                                 std::optional<double> chord_tolerance) {
+surface::Tessellation tessellate_as_asked(const surface::LimitSurface& surface,
+                                          std::optional<int> n,
+                                          std::optional<double> chord_tolerance) {
   if (n.has_value() == chord_tolerance.has_value()) {
     throw std::invalid_argument("tessellate() takes either n or chord_tolerance.");
   }
-  return n ? tessellate(surface, *n) : tessellate_to_tolerance(surface, *chord_tolerance);
+  return n ? surface::tessellate(surface, *n)
+           : surface::tessellate_to_tolerance(surface, *chord_tolerance);
 }
 
 }  // namespace
 
 void bind_tessellation(py::module_& module) {
-  py::class_<Tessellation>(module, "Tessellation",
-                           "Points of a limit surface joined by quadrilaterals, without gaps.")
+  py::class_<surface::Tessellation>(
+      module, "Tessellation", "Points of a limit surface joined by quadrilaterals, without gaps.")
       .def_property_readonly(
-          "points", [](const Tessellation& t) { return bindings::to_array(t.points); },
+          "points", [](const surface::Tessellation& t) { return bindings::to_array(t.points); },
           "(m, 3), m.")
       .def_property_readonly(
-          "cells", [](const Tessellation& t) { return bindings::to_array(t.cells); },
+          "cells", [](const surface::Tessellation& t) { return bindings::to_array(t.cells); },
           "(m,) a cell that each point lies in.")
       .def_property_readonly(
-          "uv", [](const Tessellation& t) { return bindings::to_array(t.uv); },
+          "uv", [](const surface::Tessellation& t) { return bindings::to_array(t.uv); },
           "(m, 2) where in that cell.")
       .def_property_readonly(
-          "quads", [](const Tessellation& t) { return to_array(t.quads); },
+          "quads", [](const surface::Tessellation& t) { return to_array(t.quads); },
           "(k, 4) points, counter-clockwise; those of one cell follow one another.")
       .def_property_readonly(
-          "normals", [](const Tessellation& t) { return bindings::to_array(t.normals); },
+          "normals", [](const surface::Tessellation& t) { return bindings::to_array(t.normals); },
           "(l, 3) exact unit normals; zero where there is no tangent plane. One for each point, or "
           "several where creases split it.")
       .def_property_readonly(
-          "normal_cells", [](const Tessellation& t) { return bindings::to_array(t.normal_cells); },
+          "normal_cells",
+          [](const surface::Tessellation& t) { return bindings::to_array(t.normal_cells); },
           "(l,) a cell that has each normal.")
       .def_property_readonly(
-          "normal_uv", [](const Tessellation& t) { return bindings::to_array(t.normal_uv); },
+          "normal_uv",
+          [](const surface::Tessellation& t) { return bindings::to_array(t.normal_uv); },
           "(l, 2) where in that cell.")
       .def_property_readonly(
-          "normal_indices", [](const Tessellation& t) { return to_array(t.corner_normals); },
+          "normal_indices",
+          [](const surface::Tessellation& t) { return to_array(t.corner_normals); },
           "(k, 4) which of `normals` each corner of each quadrilateral has. Corners share one "
           "where "
           "the surface is smooth between them.")

@@ -24,7 +24,7 @@
 #include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 constexpr double kTolerance = 1e-7;  // millimetres, Open CASCADE's smallest
@@ -38,7 +38,7 @@ gp_Pnt2d on_side(int side, double share) {
 
 // The straight line in (u, v) along a part of a side, over [0, 1] from its begin to its end; or
 // from end to begin.
-ParameterCurve side_line(int side, const SideEdge& part, bool backwards) {
+ParameterCurve side_line(int side, const conversion::SideEdge& part, bool backwards) {
   const gp_Pnt2d begin = on_side(side, part.begin), end = on_side(side, part.end);
   ParameterCurve line;
   line.points = backwards ? std::vector{end, begin} : std::vector{begin, end};
@@ -47,7 +47,7 @@ ParameterCurve side_line(int side, const SideEdge& part, bool backwards) {
 
 class ShapeMaker {
  public:
-  ShapeMaker(const PatchSet& set, const Closing& closing)
+  ShapeMaker(const conversion::PatchSet& set, const conversion::Closing& closing)
       : set_(set),
         closing_(closing),
         uses_(set),
@@ -59,7 +59,7 @@ class ShapeMaker {
         first_(edges_.size(), -1),
         faces_of_(edges_.size(), 0) {
     for (int v = 0; v < set.vertex_count; ++v) vertex_groups_.join(v, uses_.vertex(v));
-    for (const CapEdge& edge : closing.edges) {
+    for (const conversion::CapEdge& edge : closing.edges) {
       if (is_collapsed(edge)) vertex_groups_.join(edge.from, edge.to);
     }
   }
@@ -70,7 +70,7 @@ class ShapeMaker {
       result.faces.push_back(make_face(p));
     }
     for (int c = 0; c < static_cast<int>(closing_.caps.size()); ++c) {
-      const Cap& cap = closing_.caps[c];
+      const conversion::Cap& cap = closing_.caps[c];
       number_ = static_cast<int>(set_.patches.size()) + c;
       result.faces.push_back(cap.patch ? make_ruled_face(cap) : make_plane_face(cap));
     }
@@ -105,8 +105,8 @@ class ShapeMaker {
     Handle(Geom2d_BSplineCurve) side;  // and its line there
   };
 
-  bool is_collapsed(const CapEdge& edge) const {
-    return edge.curve.polygon_length() <= kCollapsed * size_;
+  bool is_collapsed(const conversion::CapEdge& edge) const {
+    return edge.curve.polygon_length() <= conversion::kCollapsed * size_;
   }
   bool is_collapsed(int edge) const {
     return edge < set_.edge_count ? uses_.is_collapsed(edge)
@@ -117,14 +117,14 @@ class ShapeMaker {
     TopoDS_Vertex& vertex = vertices_[vertex_groups_.find(number)];
     if (vertex.IsNull()) {
       // Ends of a collapsed side may lie apart by as much as such a side is long.
-      const double tolerance = kTolerance + kCollapsed * size_ * kMillimetresPerMetre;
+      const double tolerance = kTolerance + conversion::kCollapsed * size_ * kMillimetresPerMetre;
       builder_.MakeVertex(vertex, in_millimetres(position), tolerance);
     }
     return vertex;
   }
 
   // The edge as an object, made from the curve where it is first met. One face more has it.
-  MadeEdge& made(int number, const BSplineCurve& curve, int from, int to) {
+  MadeEdge& made(int number, const conversion::BSplineCurve& curve, int from, int to) {
     MadeEdge& result = edges_[number];
     if (result.edge.IsNull()) {
       builder_.MakeEdge(result.edge, make_curve(curve), kTolerance);
@@ -143,11 +143,11 @@ class ShapeMaker {
   // An edge of a cap.
   MadeEdge& made(int number) {
     if (number >= set_.edge_count) {
-      const CapEdge& own = closing_.edges[number - set_.edge_count];
+      const conversion::CapEdge& own = closing_.edges[number - set_.edge_count];
       return made(number, own.curve, own.from, own.to);
     }
-    const EdgeUse& use = uses_.of(number)[0];
-    const SideEdge& part = uses_.part(use);
+    const conversion::EdgeUse& use = uses_.of(number)[0];
+    const conversion::SideEdge& part = uses_.part(use);
     return made(number, uses_.curve(use), part.from, part.to);
   }
 
@@ -158,7 +158,7 @@ class ShapeMaker {
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
     for (int k = 0; k < 4; ++k) {
-      for (const SideEdge& part : set_.sides[p][k]) {
+      for (const conversion::SideEdge& part : set_.sides[p][k]) {
         builder_.Add(wire, side_edge(p, k, part, face));
       }
     }
@@ -168,9 +168,9 @@ class ShapeMaker {
   }
 
   // The edge along a part of a patch's side, turned so that it runs in the side's direction.
-  TopoDS_Edge side_edge(int p, int k, const SideEdge& part, const TopoDS_Face& face) {
+  TopoDS_Edge side_edge(int p, int k, const conversion::SideEdge& part, const TopoDS_Face& face) {
     if (is_collapsed(part.edge)) {
-      const BSplineCurve curve = set_.curve(p, k, part);
+      const conversion::BSplineCurve curve = set_.curve(p, k, part);
       return degenerated_edge(make_curve(side_line(k, part, false)),
                               vertex(part.from, curve.points.front()), face);
     }
@@ -210,14 +210,14 @@ class ShapeMaker {
     return TopoDS::Edge(edge.Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
   }
 
-  TopoDS_Face make_plane_face(const Cap& cap) {
+  TopoDS_Face make_plane_face(const conversion::Cap& cap) {
     const gp_Dir normal(cap.normal.x(), cap.normal.y(), cap.normal.z());
     TopoDS_Face face;
     builder_.MakeFace(face, new Geom_Plane(in_millimetres(cap.origin), normal), kTolerance);
-    for (const EdgePath& loop : cap.loops) {
+    for (const conversion::EdgePath& loop : cap.loops) {
       TopoDS_Wire wire;
       builder_.MakeWire(wire);
-      for (const DirectedEdge& part : loop) {
+      for (const conversion::DirectedEdge& part : loop) {
         if (is_collapsed(part.edge)) continue;
         const TopoDS_Edge edge = made(part.edge).edge;
         allow_distance(edge, part.edge, cap);
@@ -229,10 +229,10 @@ class ShapeMaker {
     return face;
   }
 
-  void allow_distance(const TopoDS_Edge& edge, int number, const Cap& cap) {
-    const BSplineCurve curve = number < set_.edge_count
-                                   ? uses_.curve(uses_.of(number)[0])
-                                   : closing_.edges[number - set_.edge_count].curve;
+  void allow_distance(const TopoDS_Edge& edge, int number, const conversion::Cap& cap) {
+    const conversion::BSplineCurve curve = number < set_.edge_count
+                                               ? uses_.curve(uses_.of(number)[0])
+                                               : closing_.edges[number - set_.edge_count].curve;
     double largest = 0.0;
     for (const Vector3d& point : curve.points) {
       largest = std::max(largest, std::abs(cap.normal.dot(point - cap.origin)));
@@ -244,14 +244,14 @@ class ShapeMaker {
     }
   }
 
-  TopoDS_Face make_ruled_face(const Cap& cap) {
+  TopoDS_Face make_ruled_face(const conversion::Cap& cap) {
     TopoDS_Face face;
     builder_.MakeFace(face, make_surface(*cap.patch), kTolerance);
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
     for (int k = 0; k < 4; ++k) {
       bool any = false;
-      for (const DirectedEdge& part : cap.loops[k]) {
+      for (const conversion::DirectedEdge& part : cap.loops[k]) {
         if (is_collapsed(part.edge)) continue;
         const TopoDS_Edge edge = made(part.edge).edge;
         builder_.UpdateEdge(edge, cap_line(cap, k, part), face, kTolerance);
@@ -268,8 +268,8 @@ class ShapeMaker {
   }
 
   // Where a side of no length is, 0 or 2: at the begin or end of side 1.
-  TopoDS_Vertex vertex_at(const Cap& cap, int side) {
-    const DirectedEdge border = cap.loops[1].front();
+  TopoDS_Vertex vertex_at(const conversion::Cap& cap, int side) {
+    const conversion::DirectedEdge border = cap.loops[1].front();
     const bool at_begin = (side == 0) != border.reversed;
     const TopAbs_Orientation wanted = at_begin ? TopAbs_FORWARD : TopAbs_REVERSED;
     for (TopoDS_Iterator end(edges_[border.edge].edge); end.More(); end.Next()) {
@@ -283,14 +283,15 @@ class ShapeMaker {
 
   // An edge of a ruled cap in its (u, v), in the direction of the edge's curve. Sides 1 and 3 are
   // one edge each, with the patch's own parameter; on the others u is as far athwart as the curve.
-  Handle(Geom2d_BSplineCurve) cap_line(const Cap& cap, int side, const DirectedEdge& part) {
-    const BSplinePatch& patch = *cap.patch;
+  Handle(Geom2d_BSplineCurve)
+      cap_line(const conversion::Cap& cap, int side, const conversion::DirectedEdge& part) {
+    const conversion::BSplinePatch& patch = *cap.patch;
     if (side % 2 == 1) return make_curve(side_line(side, {}, part.reversed));
     const int last = side == 2 ? patch.count_v - 1 : 0;
     const double far = patch.control_point(0, last).y(), near = patch.control_point(1, last).y();
-    const BSplineCurve curve = part.edge < set_.edge_count
-                                   ? uses_.curve(uses_.of(part.edge)[0])
-                                   : closing_.edges[part.edge - set_.edge_count].curve;
+    const conversion::BSplineCurve curve = part.edge < set_.edge_count
+                                               ? uses_.curve(uses_.of(part.edge)[0])
+                                               : closing_.edges[part.edge - set_.edge_count].curve;
     ParameterCurve line{curve.degree, curve.knots, {}};
     for (const Vector3d& point : curve.points) {
       line.points.emplace_back(std::clamp((point.y() - far) / (near - far), 0.0, 1.0),
@@ -308,12 +309,12 @@ class ShapeMaker {
     return solid;
   }
 
-  const PatchSet& set_;
-  const Closing& closing_;
-  EdgeUses uses_;
+  const conversion::PatchSet& set_;
+  const conversion::Closing& closing_;
+  conversion::EdgeUses uses_;
   BRep_Builder builder_;
   double size_;
-  Groups vertex_groups_, parts_;
+  conversion::Groups vertex_groups_, parts_;
   std::vector<TopoDS_Vertex> vertices_;
   std::vector<MadeEdge> edges_;
   std::vector<int> first_, faces_of_;  // of each edge
@@ -322,10 +323,10 @@ class ShapeMaker {
 
 }  // namespace
 
-BRepShape make_brep_shape(const PatchSet& set, const Closing& closing) {
+BRepShape make_brep_shape(const conversion::PatchSet& set, const conversion::Closing& closing) {
   set.check();
   assert(!set.patches.empty());
   return ShapeMaker(set, closing).make();
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

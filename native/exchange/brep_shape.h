@@ -8,7 +8,7 @@
 #include "conversion/caps/caps.h"
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // A boundary representation of patches in millimetres, Open CASCADE's own unit.
 struct BRepShape {
@@ -29,6 +29,6 @@ struct BRepShape {
 //
 // Throws std::invalid_argument if set.check() does. REQUIRES: at least one patch, none without area
 // (see without_flat_patches).
-BRepShape make_brep_shape(const PatchSet& set, const Closing& closing = {});
+BRepShape make_brep_shape(const conversion::PatchSet& set, const conversion::Closing& closing = {});
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -11,7 +11,7 @@
 #include "exchange/step_text.h"
 #include "files/atomic_file.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 constexpr double kSizeTolerance = 1e-6;      // of the size
@@ -99,23 +99,25 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
 
 }  // namespace
 
-CadReport write_cad_file(const PatchSet& patches, const std::string& path,
+CadReport write_cad_file(const conversion::PatchSet& patches, const std::string& path,
                          const CadOptions& options, const CadText& text_of) {
-  ReplacingFile file(path);  // first of all, so that nobody waits for a file that can't be written
-  tell(options.progress, 0.0, 1.0);
+  files::ReplacingFile file(
+      path);  // first of all, so that nobody waits for a file that can't be written
+  surface::tell(options.progress, 0.0, 1.0);
   CadModel model;
   std::string text;
   try {
     const OcctSession session(options);
     model = make_cad_model(patches, options);
-    tell(options.progress, kModelDone, 1.0);
-    text = text_of(model, options, part_of(options.progress, kModelDone, kTextDone));
+    surface::tell(options.progress, kModelDone, 1.0);
+    text = text_of(model, options, surface::part_of(options.progress, kModelDone, kTextDone));
   } catch (const Standard_Failure& failure) {
-    throw FileError("Open CASCADE could not make \"" + path + "\": " + describe(failure));
+    throw files::FileError("Open CASCADE could not make \"" + path + "\": " + describe(failure));
   }
   file.write(text);
-  tell(options.progress, kTextDone, 1.0);
-  CadReport report = read_cad_report(file.name(), path, part_of(options.progress, kTextDone, 1.0));
+  surface::tell(options.progress, kTextDone, 1.0);
+  CadReport report =
+      read_cad_report(file.name(), path, surface::part_of(options.progress, kTextDone, 1.0));
   if (const std::string wrong = difference(model, options, report); !wrong.empty()) {
     throw std::invalid_argument("\"" + path + "\" was not written, because reading it back gave " +
                                 wrong +
@@ -127,4 +129,4 @@ CadReport write_cad_file(const PatchSet& patches, const std::string& path,
   return report;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

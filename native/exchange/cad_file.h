@@ -8,15 +8,15 @@
 #include "exchange/cad_model.h"
 #include "exchange/cad_report.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Makes the text of a file; it may call the progress with shares of its own from 0 to 1.
-using CadText =
-    std::function<std::string(const CadModel&, const CadOptions&, const Progress& progress)>;
+using CadText = std::function<std::string(const CadModel&, const CadOptions&,
+                                          const surface::Progress& progress)>;
 
 // What write_step() and write_iges() have in common: makes the model, its text, the file beside the
 // one at `path`, reads that back, compares, and puts it into its place.
-CadReport write_cad_file(const PatchSet& patches, const std::string& path,
+CadReport write_cad_file(const conversion::PatchSet& patches, const std::string& path,
                          const CadOptions& options, const CadText& text_of);
 
-}  // namespace hull
+}  // namespace hull::exchange

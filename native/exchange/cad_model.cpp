@@ -12,10 +12,10 @@
 #include "exchange/face_integrals.h"
 #include "exchange/regions.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
-void extend_box(Eigen::AlignedBox3d& box, const BSplinePatch& patch) {
+void extend_box(Eigen::AlignedBox3d& box, const conversion::BSplinePatch& patch) {
   for (int i = 0; i <= kBoxSteps; ++i) {
     for (int j = 0; j <= kBoxSteps; ++j) {
       box.extend(
@@ -25,7 +25,8 @@ void extend_box(Eigen::AlignedBox3d& box, const BSplinePatch& patch) {
 }
 
 // Regions of the patches that are left, in their order.
-std::vector<std::string> regions_of(const PatchSet& all, const PatchSet& kept,
+std::vector<std::string> regions_of(const conversion::PatchSet& all,
+                                    const conversion::PatchSet& kept,
                                     const std::vector<bool>& is_kept,
                                     const std::vector<std::string>& given) {
   if (given.empty()) return find_regions(kept);
@@ -45,7 +46,7 @@ void check_curve(const CadCurve& curve) {
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("curve \"" + curve.name + "\": " + what);
   };
-  const BSplineCurve& c = curve.curve;
+  const conversion::BSplineCurve& c = curve.curve;
   if (c.degree < 1 || c.points.size() < static_cast<std::size_t>(c.degree) + 1 ||
       c.knots.size() != c.points.size() + c.degree + 1) {
     refuse(
@@ -64,9 +65,9 @@ std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
   std::vector<CadCurve> curves;
   for (CadCurve curve : options.curves) {
     check_curve(curve);
-    curve.curve = clamped(curve.curve);
+    curve.curve = conversion::clamped(curve.curve);
     const bool in_plane = std::ranges::all_of(curve.curve.points, [&](const Vector3d& p) {
-      return std::abs(p.y()) <= kOnCentrePlane * size;
+      return std::abs(p.y()) <= conversion::kOnCentrePlane * size;
     });
     curves.push_back(curve);
     if (!options.mirrored || in_plane) continue;
@@ -79,7 +80,7 @@ std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
 // Turns patches so that they have more knots along v than along u. Open CASCADE's integrals without
 // a tolerance, which FreeCAD shows as volumes, integrate along u first, by a rule that is good only
 // for few knots: on large faces they are off by 7 % the other way.
-void turn_long_sides_to_v(PatchSet& set) {
+void turn_long_sides_to_v(conversion::PatchSet& set) {
   for (std::size_t p = 0; p < set.patches.size(); ++p) {
     if (set.patches[p].count_u <= set.patches[p].count_v) continue;
     set.patches[p] = set.patches[p].turned();
@@ -104,32 +105,33 @@ void check_solid(const BRepShape& brep) {
 
 }  // namespace
 
-CadModel make_cad_model(const PatchSet& patches, const CadOptions& options) {
+CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& options) {
   patches.check();
-  WithoutFlatPatches flat = without_flat_patches(patches);
+  conversion::WithoutFlatPatches flat = conversion::without_flat_patches(patches);
   if (flat.patches.patches.empty()) {
     throw std::invalid_argument("no patch has an area: nothing to write");
   }
   CadModel model;
   model.regions = regions_of(patches, flat.patches, flat.is_kept, options.regions);
   model.cells_left_out = std::move(flat.left_out);
-  PatchSet set = options.mirrored ? with_mirror_image(flat.patches)
-                 : options.solid  ? with_seam_in_plane(flat.patches)
-                                  : std::move(flat.patches);
+  conversion::PatchSet set = options.mirrored ? conversion::with_mirror_image(flat.patches)
+                             : options.solid  ? conversion::with_seam_in_plane(flat.patches)
+                                              : std::move(flat.patches);
   if (options.mirrored) {
     const std::vector<std::string> half = model.regions;
     model.regions.insert(model.regions.end(), half.begin(), half.end());
   }
   turn_long_sides_to_v(set);
-  const Closing closing = options.solid ? closing_of(set) : Closing{};
+  const conversion::Closing closing =
+      options.solid ? conversion::closing_of(set) : conversion::Closing{};
   model.brep = make_brep_shape(set, closing);
   if (options.solid) check_solid(model.brep);
   model.integrals = integrals_of(model.brep.shape);
-  for (const BSplinePatch& patch : set.patches) extend_box(model.box, patch);
-  for (const Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
+  for (const conversion::BSplinePatch& patch : set.patches) extend_box(model.box, patch);
+  for (const conversion::Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
   model.size = set.size();
   model.curves = curves_of(options, model.size);
   return model;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -10,22 +10,22 @@
 #include "exchange/brep_shape.h"
 #include "exchange/cad_options.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // What goes into a CAD file, in whatever format.
 struct CadModel {
   BRepShape brep;
-  std::vector<std::string> regions;  // of every face
-  std::vector<CadCurve> curves;      // clamped, images included
-  std::vector<int> cells_left_out;   // those without area
-  Eigen::AlignedBox3d box;           // of the faces, by the points of a CadReport
-  SurfaceIntegrals integrals;        // of all faces
+  std::vector<std::string> regions;        // of every face
+  std::vector<CadCurve> curves;            // clamped, images included
+  std::vector<int> cells_left_out;         // those without area
+  Eigen::AlignedBox3d box;                 // of the faces, by the points of a CadReport
+  conversion::SurfaceIntegrals integrals;  // of all faces
   double size = 0.0;
 };
 
 // Throws std::invalid_argument if the patches do not fit together, all lack area, or can't be
 // closed where a solid is asked for; if regions are given, but not one a patch; if a curve is
 // malformed. REQUIRES: an OcctSession lives.
-CadModel make_cad_model(const PatchSet& patches, const CadOptions& options);
+CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& options);
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 struct UnitEntry {
@@ -39,4 +39,4 @@ std::string name_of(CadUnit unit) { return entry_of(unit).name; }
 
 double millimetres_in(CadUnit unit) { return entry_of(unit).millimetres; }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -9,7 +9,7 @@
 #include "conversion/patches/bspline_curve.h"
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::exchange {
 
 enum class StepSchema { kAp214, kAp242 };
 enum class CadUnit { kMetre, kCentimetre, kMillimetre, kFoot, kInch };
@@ -24,7 +24,7 @@ using Colour = std::array<double, 3>;  // red, green, blue from 0 to 1 (sRGB)
 // A curve beside the faces, on a layer.
 struct CadCurve {
   std::string name, layer;
-  BSplineCurve curve;
+  conversion::BSplineCurve curve;
 };
 
 // What CAD files are made with. Text is UTF-8.
@@ -40,8 +40,8 @@ struct CadOptions {
   std::vector<std::string> regions{};
   std::map<std::string, Colour> colours{};  // beside or instead of region_colour()
   std::vector<CadCurve> curves{};
-  Progress
+  surface::Progress
       progress{};  // called now and then; what it throws ends the task and leaves nothing behind
 };
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -9,7 +9,7 @@
 #include "exchange/cad_options.h"
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // A layer's shapes that were found again, with their colours.
 struct CadLayer {
@@ -30,7 +30,9 @@ struct CadContent {
 
 // REQUIRES of both: an OcctSession lives. Throw FileError, with `refusal` in front, if the file is
 // not of the format.
-CadContent read_step(const std::string& path, const std::string& refusal, const Progress& progress);
-CadContent read_iges(const std::string& path, const std::string& refusal, const Progress& progress);
+CadContent read_step(const std::string& path, const std::string& refusal,
+                     const surface::Progress& progress);
+CadContent read_iges(const std::string& path, const std::string& refusal,
+                     const surface::Progress& progress);
 
-}  // namespace hull
+}  // namespace hull::exchange

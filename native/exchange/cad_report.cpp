@@ -28,7 +28,7 @@
 #include "exchange/occt_session.h"
 #include "files/atomic_file.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 // Share of the time that reading takes; checks take the rest.
@@ -66,9 +66,9 @@ using Areas = NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher>
 
 Areas measure(const TopoDS_Shape& shape, CadReport& report) {
   Areas areas;
-  SurfaceIntegrals sum;
+  conversion::SurfaceIntegrals sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    const SurfaceIntegrals own = integrals_of_face(TopoDS::Face(face.Current()));
+    const conversion::SurfaceIntegrals own = integrals_of_face(TopoDS::Face(face.Current()));
     areas.Bind(face.Current(), own.area);
     sum += own;
   }
@@ -120,39 +120,40 @@ void find_layers(const std::vector<CadLayer>& layers, const Areas& areas, CadRep
 
 // The first line of a file that is not too long for one of text.
 std::string first_line(const std::string& path, const std::string& refusal) {
-  if (std::filesystem::is_directory(path)) throw FileError(refusal + "it is a folder");
+  if (std::filesystem::is_directory(path)) throw files::FileError(refusal + "it is a folder");
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(refusal + std::strerror(errno));
+  if (!file) throw files::FileError(refusal + std::strerror(errno));
   std::string line(80, ' ');
   file.read(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(file.gcount()));
   return line;
 }
 
-CadContent read(const std::string& path, const std::string& refusal, const Progress& progress) {
+CadContent read(const std::string& path, const std::string& refusal,
+                const surface::Progress& progress) {
   const std::string line = first_line(path, refusal);
   if (line.find("ISO-10303-21") != line.npos) return read_step(path, refusal, progress);
   // Lines of IGES name their section in column 73.
   if (line.size() > 72 && line[72] == 'S') return read_iges(path, refusal, progress);
-  throw FileError(refusal + "it is neither a STEP nor an IGES file");
+  throw files::FileError(refusal + "it is neither a STEP nor an IGES file");
 }
 
 }  // namespace
 
 CadReport read_cad_report(const std::string& path, const std::string& name,
-                          const Progress& progress) {
+                          const surface::Progress& progress) {
   const std::string refusal = "Cannot read \"" + name + "\": ";
   try {
     const OcctSession session;
-    const CadContent content = read(path, refusal, part_of(progress, 0.0, kRead));
-    if (content.shape.IsNull()) throw FileError(refusal + "it holds no shape");
+    const CadContent content = read(path, refusal, surface::part_of(progress, 0.0, kRead));
+    if (content.shape.IsNull()) throw files::FileError(refusal + "it holds no shape");
     CadReport report;
     report.format = content.format;
     report.unit = content.unit;
     report.product = content.product;
     report.bytes = std::filesystem::file_size(path);
     report.valid = BRepCheck_Analyzer(content.shape).IsValid();
-    tell(progress, 0.95, 1.0);
+    surface::tell(progress, 0.95, 1.0);
     report.solids = count(content.shape, TopAbs_SOLID);
     report.shells = count(content.shape, TopAbs_SHELL);
     report.faces = count(content.shape, TopAbs_FACE);
@@ -160,11 +161,11 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     const Areas areas = measure(content.shape, report);
     find_box(content.shape, report);
     find_layers(content.layers, areas, report);
-    tell(progress, 1.0, 1.0);
+    surface::tell(progress, 1.0, 1.0);
     return report;
   } catch (const Standard_Failure& failure) {
-    throw FileError(refusal + describe(failure));
+    throw files::FileError(refusal + describe(failure));
   }
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -10,7 +10,7 @@
 #include "exchange/cad_options.h"
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::exchange {
 
 constexpr int kBoxSteps = 8;
 
@@ -54,7 +54,7 @@ struct CadReport {
 // Throws FileError if the file can't be read, is of neither format, or holds no shape Open CASCADE
 // can translate.
 CadReport read_cad_report(const std::string& path, const std::string& name,
-                          const Progress& progress = {});
+                          const surface::Progress& progress = {});
 inline CadReport read_cad_report(const std::string& path) { return read_cad_report(path, path); }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -17,7 +17,7 @@
 
 #include "exchange/occt_geometry.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 constexpr double kIntegralTolerance = 1e-8;
@@ -42,7 +42,7 @@ bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) 
   return true;
 }
 
-std::optional<SurfaceIntegrals> of_whole_patch(const TopoDS_Face& face) {
+std::optional<conversion::SurfaceIntegrals> of_whole_patch(const TopoDS_Face& face) {
   TopLoc_Location location;
   const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
   if (surface.IsNull() || !location.IsIdentity() || surface->IsURational() ||
@@ -76,7 +76,7 @@ Vector3d area_along(const TopoDS_Edge& edge, const Vector3d& origin) {
 }
 
 // As oriented FORWARD.
-std::optional<SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
+std::optional<conversion::SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
   const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
   if (plane.IsNull()) return std::nullopt;
   const Vector3d origin = in_metres(plane->Location());
@@ -87,10 +87,10 @@ std::optional<SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
   for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
     area += area_along(TopoDS::Edge(edge.Current()), origin).dot(normal);
   }
-  return SurfaceIntegrals{area, area * origin.dot(normal) / 3.0};
+  return conversion::SurfaceIntegrals{area, area * origin.dot(normal) / 3.0};
 }
 
-SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
+conversion::SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
   GProp_GProps area, volume;
   BRepGProp::SurfaceProperties(face, area, kIntegralTolerance);
   BRepGProp::VolumeProperties(face, volume, kIntegralTolerance);
@@ -100,21 +100,21 @@ SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
 
 }  // namespace
 
-SurfaceIntegrals integrals_of_face(const TopoDS_Face& face) {
+conversion::SurfaceIntegrals integrals_of_face(const TopoDS_Face& face) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  std::optional<SurfaceIntegrals> found = of_whole_patch(forward);
+  std::optional<conversion::SurfaceIntegrals> found = of_whole_patch(forward);
   if (!found) found = of_plane(forward);
   if (!found) found = by_open_cascade(forward);
   if (face.Orientation() == TopAbs_REVERSED) found->volume = -found->volume;
   return *found;
 }
 
-SurfaceIntegrals integrals_of(const TopoDS_Shape& shape) {
-  SurfaceIntegrals sum;
+conversion::SurfaceIntegrals integrals_of(const TopoDS_Shape& shape) {
+  conversion::SurfaceIntegrals sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     sum += integrals_of_face(TopoDS::Face(face.Current()));
   }
   return sum;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -29,7 +29,7 @@
 #include "exchange/step_text.h"
 #include "files/atomic_file.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 using Entity = Handle(IGESData_IGESEntity);
@@ -40,7 +40,7 @@ Handle(TCollection_HAsciiString) text_of(const std::string& utf8) {
 
 class IgesText {
  public:
-  IgesText(const CadModel& model, const CadOptions& options, const Progress& progress)
+  IgesText(const CadModel& model, const CadOptions& options, const surface::Progress& progress)
       : model_(model),
         options_(options),
         progress_(progress),
@@ -61,7 +61,7 @@ class IgesText {
     name_levels();
     writer_.ComputeModel();
     set_header();
-    tell(progress_, 0.6, 1.0);
+    surface::tell(progress_, 0.6, 1.0);
     return printed();
   }
 
@@ -70,7 +70,7 @@ class IgesText {
     Handle(OcctProgress) indicator = new OcctProgress(progress_, begin, end);
     const bool done = writer_.AddShape(shape, indicator->Start());
     indicator->rethrow();
-    if (!done) throw FileError("Open CASCADE could not translate the patches to IGES");
+    if (!done) throw files::FileError("Open CASCADE could not translate the patches to IGES");
   }
 
   Entity entity_of(const TopoDS_Shape& shape) const {
@@ -144,26 +144,28 @@ class IgesText {
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
     std::ostringstream stream;
-    if (!text.Print(stream)) throw FileError("Open CASCADE could not print the IGES file");
+    if (!text.Print(stream)) throw files::FileError("Open CASCADE could not print the IGES file");
     return stream.str();
   }
 
   const CadModel& model_;
   const CadOptions& options_;
-  const Progress& progress_;
+  const surface::Progress& progress_;
   IGESControl_Writer writer_;
   std::map<std::string, int> levels_;
   std::map<std::string, Handle(IGESGraph_Color)> colours_;
 };
 
-std::string iges_text(const CadModel& model, const CadOptions& options, const Progress& progress) {
+std::string iges_text(const CadModel& model, const CadOptions& options,
+                      const surface::Progress& progress) {
   return IgesText(model, options, progress).make();
 }
 
 }  // namespace
 
-CadReport write_iges(const PatchSet& patches, const std::string& path, const CadOptions& options) {
+CadReport write_iges(const conversion::PatchSet& patches, const std::string& path,
+                     const CadOptions& options) {
   return write_cad_file(patches, path, options, iges_text);
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

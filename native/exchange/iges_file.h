@@ -6,7 +6,7 @@
 #include "conversion/patches/patch_set.h"
 #include "exchange/cad_report.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Writes patches as an IGES 5.3 file of B-rep entities: one manifold solid (186) or shell (514) of
 // faces (510) that share their edges (504), as write_step() does; `schema` does not matter. Regions
@@ -14,7 +14,7 @@ namespace hull {
 // definitions (314); curves are B-spline curves (126) with a name property (406, form 15).
 //
 // IGES is ASCII: characters beyond it are written as in STEP files, \X2\hhhh\X0\.
-CadReport write_iges(const PatchSet& patches, const std::string& path,
+CadReport write_iges(const conversion::PatchSet& patches, const std::string& path,
                      const CadOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::exchange

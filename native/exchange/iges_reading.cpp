@@ -16,7 +16,7 @@
 #include "exchange/step_text.h"
 #include "files/atomic_file.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 std::string text_of(const Handle(TCollection_HAsciiString) & text) {
@@ -65,12 +65,12 @@ void find_layers(IGESControl_Reader& reader, CadContent& content) {
 }  // namespace
 
 CadContent read_iges(const std::string& path, const std::string& refusal,
-                     const Progress& progress) {
+                     const surface::Progress& progress) {
   IGESControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
-    throw FileError(refusal + "it is not an IGES file");
+    throw files::FileError(refusal + "it is not an IGES file");
   }
-  tell(progress, 0.5, 1.0);
+  surface::tell(progress, 0.5, 1.0);
   Handle(OcctProgress) indicator = new OcctProgress(progress, 0.5, 1.0);
   reader.TransferRoots(indicator->Start());
   indicator->rethrow();
@@ -84,4 +84,4 @@ CadContent read_iges(const std::string& path, const std::string& refusal,
   return content;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

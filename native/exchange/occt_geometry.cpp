@@ -7,7 +7,7 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 // Knots as Open CASCADE wants them: each once, with how often it is repeated.
@@ -50,7 +50,7 @@ Vector3d in_metres(const gp_Pnt& point) {
   return Vector3d(point.X(), point.Y(), point.Z()) / kMillimetresPerMetre;
 }
 
-Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch) {
+Handle(Geom_BSplineSurface) make_surface(const conversion::BSplinePatch& patch) {
   TColgp_Array2OfPnt poles(1, patch.count_u, 1, patch.count_v);
   for (int i = 0; i < patch.count_u; ++i) {
     for (int j = 0; j < patch.count_v; ++j) {
@@ -62,7 +62,7 @@ Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch) {
                                  v.multiplicities(), patch.degree_u, patch.degree_v);
 }
 
-Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve) {
+Handle(Geom_BSplineCurve) make_curve(const conversion::BSplineCurve& curve) {
   TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
   for (size_t i = 0; i < curve.points.size(); ++i)
     poles(static_cast<int>(i) + 1) = in_millimetres(curve.points[i]);
@@ -78,8 +78,8 @@ Handle(Geom2d_BSplineCurve) make_curve(const ParameterCurve& curve) {
   return new Geom2d_BSplineCurve(poles, knots.array(), knots.multiplicities(), curve.degree);
 }
 
-BSplinePatch patch_of(const Geom_BSplineSurface& surface) {
-  BSplinePatch patch;
+conversion::BSplinePatch patch_of(const Geom_BSplineSurface& surface) {
+  conversion::BSplinePatch patch;
   patch.degree_u = surface.UDegree();
   patch.degree_v = surface.VDegree();
   patch.knots_u = unit_knots(surface.UKnotSequence());
@@ -94,4 +94,4 @@ BSplinePatch patch_of(const Geom_BSplineSurface& surface) {
   return patch;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

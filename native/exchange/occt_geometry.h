@@ -10,7 +10,7 @@
 
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Open CASCADE works in millimetres.
 constexpr double kMillimetresPerMetre = 1000.0;
@@ -23,8 +23,8 @@ gp_Pnt in_millimetres(const Vector3d& point);
 Vector3d in_metres(const gp_Pnt& point);
 
 // Curves and patches have parameters from 0 to 1.
-Handle(Geom_BSplineSurface) make_surface(const BSplinePatch& patch);
-Handle(Geom_BSplineCurve) make_curve(const BSplineCurve& curve);
+Handle(Geom_BSplineSurface) make_surface(const conversion::BSplinePatch& patch);
+Handle(Geom_BSplineCurve) make_curve(const conversion::BSplineCurve& curve);
 
 // A curve in a surface's parameters, from 0 to 1 as well.
 struct ParameterCurve {
@@ -35,6 +35,6 @@ struct ParameterCurve {
 Handle(Geom2d_BSplineCurve) make_curve(const ParameterCurve& curve);
 
 // The surface as a patch over [0, 1] x [0, 1]. REQUIRES: it is neither rational nor periodic.
-BSplinePatch patch_of(const Geom_BSplineSurface& surface);
+conversion::BSplinePatch patch_of(const Geom_BSplineSurface& surface);
 
-}  // namespace hull
+}  // namespace hull::exchange

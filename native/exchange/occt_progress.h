@@ -6,13 +6,13 @@
 
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Open CASCADE's progress as part of a task's: shares from `begin` to `end`. What the task's
 // progress throws stops Open CASCADE in order, and is thrown by rethrow() afterwards.
 class OcctProgress : public Message_ProgressIndicator {
  public:
-  OcctProgress(const Progress& progress, double begin, double end)
+  OcctProgress(const surface::Progress& progress, double begin, double end)
       : progress_(progress), begin_(begin), end_(end) {}
 
   void rethrow() const {
@@ -31,9 +31,9 @@ class OcctProgress : public Message_ProgressIndicator {
   }
 
  private:
-  Progress progress_;
+  surface::Progress progress_;
   double begin_, end_;
   std::exception_ptr error_;
 };
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -8,7 +8,7 @@
 #include <STEPControl_Controller.hxx>
 #include <stdexcept>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 std::mutex& occt_mutex() {
@@ -73,4 +73,4 @@ std::string describe(const Standard_Failure& failure) {
   return message != nullptr && *message != '\0' ? type + ": " + message : type;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

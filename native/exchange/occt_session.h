@@ -8,7 +8,7 @@
 
 #include "exchange/cad_options.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Sole use of Open CASCADE's data exchange, whose settings and messages are global to the process
 // and not safe to share between threads. While a session lives, nothing is printed; the printers
@@ -30,4 +30,4 @@ class OcctSession {
 // What an Open CASCADE exception says; they do not derive from std::exception.
 std::string describe(const Standard_Failure& failure);
 
-}  // namespace hull
+}  // namespace hull::exchange

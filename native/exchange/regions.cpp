@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <limits>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 // Of the size; models in single precision have flat parts that are no flatter.
 constexpr double kFlat = 1e-6;
 
-std::string region_of(const BSplinePatch& patch, double tolerance, double aft) {
+std::string region_of(const conversion::BSplinePatch& patch, double tolerance, double aft) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& point : patch.control_points) box.extend(point);
   const Vector3d extent = box.sizes();
@@ -19,7 +19,7 @@ std::string region_of(const BSplinePatch& patch, double tolerance, double aft) {
     return box.center().cwiseAbs().y() > tolerance ? "flat side" : "shell";
   }
   if (extent.z() <= tolerance) {
-    const SurfaceJet middle = patch.evaluate(0.5, 0.5);
+    const surface::SurfaceJet middle = patch.evaluate(0.5, 0.5);
     return middle.du.cross(middle.dv).z() < 0.0 ? "flat bottom" : "deck";
   }
   return extent.x() <= tolerance && box.min().x() <= aft + tolerance ? "transom" : "shell";
@@ -27,28 +27,28 @@ std::string region_of(const BSplinePatch& patch, double tolerance, double aft) {
 
 }  // namespace
 
-std::vector<std::string> find_regions(const PatchSet& set) {
+std::vector<std::string> find_regions(const conversion::PatchSet& set) {
   double aft = std::numeric_limits<double>::infinity();
-  for (const BSplinePatch& patch : set.patches) {
+  for (const conversion::BSplinePatch& patch : set.patches) {
     for (const Vector3d& point : patch.control_points) aft = std::min(aft, point.x());
   }
   const double tolerance = kFlat * set.size();
   std::vector<std::string> regions;
-  for (const BSplinePatch& patch : set.patches) {
+  for (const conversion::BSplinePatch& patch : set.patches) {
     regions.push_back(region_of(patch, tolerance, aft));
   }
   return regions;
 }
 
-std::string region_of(Cap::Kind kind) {
+std::string region_of(conversion::Cap::Kind kind) {
   switch (kind) {
-    case Cap::Kind::kDeck:
+    case conversion::Cap::Kind::kDeck:
       return "deck";
-    case Cap::Kind::kTransom:
+    case conversion::Cap::Kind::kTransom:
       return "transom";
-    case Cap::Kind::kCentrePlane:
+    case conversion::Cap::Kind::kCentrePlane:
       return "centre plane";
-    case Cap::Kind::kOpening:
+    case conversion::Cap::Kind::kOpening:
       break;
   }
   return "opening";
@@ -66,4 +66,4 @@ Colour region_colour(const std::string& region) {
   return found != kColours.end() ? found->second : kColours.at("shell");
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

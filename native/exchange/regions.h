@@ -7,18 +7,18 @@
 #include "conversion/caps/caps.h"
 #include "exchange/cad_options.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Of every patch the part of the hull that it belongs to as a whole: "flat side" (y constant, away
 // from the centre plane), "flat bottom" (z constant, normal down), "deck" (z constant, normal up),
 // "transom" (x constant, furthest aft); all others, and those that are plane only in part, "shell".
 // Constant to 1e-6 of the set's size.
-std::vector<std::string> find_regions(const PatchSet& set);
+std::vector<std::string> find_regions(const conversion::PatchSet& set);
 
 // "deck", "transom", "centre plane", "opening".
-std::string region_of(Cap::Kind kind);
+std::string region_of(conversion::Cap::Kind kind);
 
 // The colour that a region of this name has unless another one is asked for.
 Colour region_colour(const std::string& region);
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 constexpr std::size_t kLongestLine = 100;
@@ -98,4 +98,4 @@ class Shortener {
 
 std::string short_step(std::string_view text) { return Shortener(text).make(); }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace hull {
+namespace hull::exchange {
 
 // The text of a STEP file (ISO 10303-21) with as few characters as mean the same: numbers with a
 // point as the shortest ones that are read as the same doubles, no space between tokens, and a new
@@ -12,4 +12,4 @@ namespace hull {
 // are. REQUIRES: no comments.
 std::string short_step(std::string_view text);
 
-}  // namespace hull
+}  // namespace hull::exchange

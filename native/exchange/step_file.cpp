@@ -29,7 +29,7 @@
 #include "exchange/text_holders.h"
 #include "files/atomic_file.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 using Item = Handle(StepRepr_RepresentationItem);
@@ -40,7 +40,7 @@ Handle(TCollection_HAsciiString) text_of(const char* value) {
 
 class StepText {
  public:
-  StepText(const CadModel& model, const CadOptions& options, const Progress& progress)
+  StepText(const CadModel& model, const CadOptions& options, const surface::Progress& progress)
       : model_(model), options_(options), progress_(progress) {
     // Millimetres come in, others go out. Release 7.8 heeds this and not the global setting for the
     // numbers, but that setting for the unit it declares.
@@ -53,7 +53,7 @@ class StepText {
     add_regions();
     add_curves();
     set_names();
-    tell(progress_, 0.6, 1.0);
+    surface::tell(progress_, 0.6, 1.0);
     return short_step(texts_.filled(printed()));
   }
 
@@ -66,7 +66,7 @@ class StepText {
         writer_.Transfer(shape, type, Standard_False, indicator->Start());
     indicator->rethrow();
     if (status != IFSelect_RetDone) {
-      throw FileError("Open CASCADE could not translate the patches to STEP");
+      throw files::FileError("Open CASCADE could not translate the patches to STEP");
     }
   }
 
@@ -134,26 +134,28 @@ class StepText {
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(Handle(StepData_Protocol)::DownCast(writer_.WS()->Protocol()));
     std::ostringstream stream;
-    if (!text.Print(stream)) throw FileError("Open CASCADE could not print the STEP file");
+    if (!text.Print(stream)) throw files::FileError("Open CASCADE could not print the STEP file");
     return stream.str();
   }
 
   const CadModel& model_;
   const CadOptions& options_;
-  const Progress& progress_;
+  const surface::Progress& progress_;
   STEPControl_Writer writer_;
   TextHolders texts_;
   std::vector<std::string> products_;  // after the hull
 };
 
-std::string step_text(const CadModel& model, const CadOptions& options, const Progress& progress) {
+std::string step_text(const CadModel& model, const CadOptions& options,
+                      const surface::Progress& progress) {
   return StepText(model, options, progress).make();
 }
 
 }  // namespace
 
-CadReport write_step(const PatchSet& patches, const std::string& path, const CadOptions& options) {
+CadReport write_step(const conversion::PatchSet& patches, const std::string& path,
+                     const CadOptions& options) {
   return write_cad_file(patches, path, options, step_text);
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -6,7 +6,7 @@
 #include "conversion/patches/patch_set.h"
 #include "exchange/cad_report.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Writes patches as a STEP file: one shell, a closed one as a solid, several where the patches fall
 // into parts that share no edge. Each patch is one face, its normal outwards; joined patches share
@@ -22,7 +22,7 @@ namespace hull {
 // where a solid is asked for, or what is read back is not what was meant; FileError if the file
 // can't be written. Open CASCADE serves one caller at a time: calls from several threads wait for
 // one another.
-CadReport write_step(const PatchSet& patches, const std::string& path,
+CadReport write_step(const conversion::PatchSet& patches, const std::string& path,
                      const CadOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::exchange

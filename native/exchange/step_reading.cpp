@@ -16,7 +16,7 @@
 #include "exchange/step_text.h"
 #include "files/atomic_file.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 std::string product_name(const Handle(StepData_StepModel) & model) {
@@ -67,12 +67,12 @@ void find_layers(STEPControl_Reader& reader, CadContent& content) {
 }  // namespace
 
 CadContent read_step(const std::string& path, const std::string& refusal,
-                     const Progress& progress) {
+                     const surface::Progress& progress) {
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
-    throw FileError(refusal + "it is not a STEP file");
+    throw files::FileError(refusal + "it is not a STEP file");
   }
-  tell(progress, 0.5, 1.0);
+  surface::tell(progress, 0.5, 1.0);
   Handle(OcctProgress) indicator = new OcctProgress(progress, 0.5, 1.0);
   reader.TransferRoots(indicator->Start());
   indicator->rethrow();
@@ -85,4 +85,4 @@ CadContent read_step(const std::string& path, const std::string& refusal,
   return content;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

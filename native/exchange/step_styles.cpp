@@ -27,7 +27,7 @@
 
 #include "exchange/step_text.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 Handle(TCollection_HAsciiString) no_text() { return new TCollection_HAsciiString(""); }
@@ -167,4 +167,4 @@ std::map<Standard_Transient*, Colour> step_colours(const Handle(StepData_StepMod
   return colours;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -10,7 +10,7 @@
 #include "exchange/cad_options.h"
 #include "exchange/text_holders.h"
 
-namespace hull {
+namespace hull::exchange {
 
 // Puts items on a layer (PRESENTATION_LAYER_ASSIGNMENT).
 void add_step_layer(const Handle(StepData_StepModel) & model, TextHolders& texts,
@@ -40,4 +40,4 @@ struct StepLayer {
 std::vector<StepLayer> step_layers(const Handle(StepData_StepModel) & model);
 std::map<Standard_Transient*, Colour> step_colours(const Handle(StepData_StepModel) & model);
 
-}  // namespace hull
+}  // namespace hull::exchange

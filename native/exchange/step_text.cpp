@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 constexpr char32_t kBad = 0xFFFFFFFF;
@@ -96,4 +96,4 @@ std::string decode_step_string(std::string_view text) {
   return utf8;
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

@@ -6,7 +6,7 @@
 
 #include "exchange/step_text.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 constexpr char kPrefix[] = "HULL-TEXT-";
@@ -34,4 +34,4 @@ std::string TextHolders::filled(const std::string& text) const {
   return result.append(text, done, text.npos);
 }
 
-}  // namespace hull
+}  // namespace hull::exchange

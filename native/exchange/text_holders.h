@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hull {
+namespace hull::exchange {
 
 // Stand-ins for text until a file's text is there: Open CASCADE writes bytes above 127 as they are,
 // which STEP forbids, and would double the backslashes of the directives for them.
@@ -19,4 +19,4 @@ class TextHolders {
   std::vector<std::string> texts_;  // encoded
 };
 
-}  // namespace hull
+}  // namespace hull::exchange

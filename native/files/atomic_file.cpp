@@ -11,7 +11,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace hull {
+namespace hull::files {
 
 namespace fs = std::filesystem;
 
@@ -113,4 +113,4 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
   file.replace();
 }
 
-}  // namespace hull
+}  // namespace hull::files

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace hull {
+namespace hull::files {
 
 // A file could not be read or written; what() names it and says why.
 class FileError : public std::runtime_error {
@@ -45,4 +45,4 @@ class ReplacingFile {
 // not exist or can't be written to, if `path` is a folder, or if the disk is full.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
-}  // namespace hull
+}  // namespace hull::files

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::mesh {
 namespace {
 
 double diagonal(const std::vector<Eigen::Vector3d>& points) {
@@ -72,4 +72,4 @@ std::vector<int> ControlMesh::irregular_vertices() const {
   return vertices;
 }
 
-}  // namespace hull
+}  // namespace hull::mesh

@@ -7,8 +7,9 @@
 
 #include "mesh/mesh_check.h"
 #include "mesh/topology.h"
+#include "mesh/vectors.h"
 
-namespace hull {
+namespace hull::mesh {
 
 // A valid control mesh: points (m; x forward, y to port, z up), polygon faces, creases, corners.
 // Immutable; copies share the topology.
@@ -44,4 +45,4 @@ class ControlMesh {
   std::shared_ptr<const Tags> tags_;
 };
 
-}  // namespace hull
+}  // namespace hull::mesh

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace hull {
+namespace hull::mesh {
 namespace {
 
 // Elements found with one kind of problem.
@@ -335,4 +335,4 @@ std::vector<MeshProblem> check_mesh(const MeshArrays& mesh) {
   return problems;
 }
 
-}  // namespace hull
+}  // namespace hull::mesh

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace hull {
+namespace hull::mesh {
 
 // A control mesh as it comes from outside: nothing about it is known to be right.
 struct MeshArrays {
@@ -44,4 +44,4 @@ inline constexpr double kMaxCoordinate = 1e9;  // m
 // looked at.
 std::vector<MeshProblem> check_mesh(const MeshArrays& mesh);
 
-}  // namespace hull
+}  // namespace hull::mesh

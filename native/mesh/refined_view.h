@@ -3,7 +3,7 @@
 
 #include "mesh/topology.h"
 
-namespace hull {
+namespace hull::mesh {
 
 // The topology of a once more subdivided mesh, computed on demand from the coarser one: the same
 // queries as Topology, with nothing stored. Numbering as in Topology::refined(). `Base` is Topology
@@ -125,4 +125,4 @@ class RefinedView {
   const Base* base_;
 };
 
-}  // namespace hull
+}  // namespace hull::mesh

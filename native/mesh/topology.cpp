@@ -10,7 +10,7 @@
 
 #include "mesh/refined_view.h"
 
-namespace hull {
+namespace hull::mesh {
 
 namespace far = OpenSubdiv::OPENSUBDIV_VERSION::Far;
 
@@ -165,4 +165,4 @@ Topology Topology::refined() const {
   return fine;
 }
 
-}  // namespace hull
+}  // namespace hull::mesh

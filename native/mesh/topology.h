@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hull {
+namespace hull::mesh {
 
 // What the subdivision rules do at a vertex (the number of its crease edges tells, unless the
 // user tags a corner). A border edge counts as a crease edge.
@@ -100,4 +100,4 @@ int turn_right(const T& t, int h) {
   return t.is_crease(h) ? -1 : t.next(t.twin(h));
 }
 
-}  // namespace hull
+}  // namespace hull::mesh

@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 using Eigen::Vector2d;
@@ -116,7 +116,7 @@ class RoundedCorner {
   Vector2d side_;
 };
 
-Vector2d spline(const std::vector<Vector2d>& points, int span, const Basis& basis) {
+Vector2d spline(const std::vector<Vector2d>& points, int span, const surface::Basis& basis) {
   Vector2d sum(0.0, 0.0);
   for (int b = 0; b < 4; ++b) sum += basis[b] * points[span + b];
   return sum;
@@ -139,7 +139,7 @@ struct FitSamples {
 
   explicit FitSamples(const BilgeShape& shape) {
     for_curve(shape.size(), kFitSamples, [&](int span, double t) {
-      const Basis basis = cubic_basis(t);
+      const surface::Basis basis = surface::cubic_basis(t);
       fixed.push_back(spline(shape.fixed(), span, basis));
       parts.emplace_back();
       for (const auto& part : shape.parts()) parts.back().push_back(spline(part, span, basis));
@@ -190,9 +190,9 @@ BilgeArc measured(const std::vector<Vector2d>& points, const RoundedCorner& want
       {points.begin() + 1, points.end() - 1}, 0.0, std::numeric_limits<double>::infinity(), 0.0};
   const int size = static_cast<int>(points.size()), spans = size - 3;
   for_curve(size, kFinalSamples, [&](int span, double t) {
-    const Vector2d q = spline(points, span, cubic_basis(t));
-    const Vector2d d1 = spline(points, span, cubic_basis_d1(t));
-    const Vector2d d2 = spline(points, span, cubic_basis_d2(t));
+    const Vector2d q = spline(points, span, surface::cubic_basis(t));
+    const Vector2d d1 = spline(points, span, surface::cubic_basis_d1(t));
+    const Vector2d d2 = spline(points, span, surface::cubic_basis_d2(t));
     const double curvature = (d1.x() * d2.y() - d1.y() * d2.x()) / std::pow(d1.norm(), 3);
     arc.deviation = std::max(arc.deviation, std::abs(wanted.distance(q)));
     arc.greatest_curvature = std::max(arc.greatest_curvature, curvature);
@@ -247,4 +247,4 @@ BilgeArc bilge_arc(int count, double angle, const BilgeBorder& bottom, const Bil
   return measured(points, wanted);
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace hull {
+namespace hull::modelling {
 
 inline constexpr int kFewestBilgePoints = 3, kMostBilgePoints = 8;
 
@@ -41,4 +41,4 @@ struct BilgeArc {
 BilgeArc bilge_arc(int count, double angle, const BilgeBorder& bottom = {},
                    const BilgeBorder& side = {});
 
-}  // namespace hull
+}  // namespace hull::modelling

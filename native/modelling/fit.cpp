@@ -9,9 +9,9 @@
 #include "modelling/fit_curves.h"
 #include "modelling/fit_feet.h"
 #include "modelling/thin_plate.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 using fit_internal::CurvePulls;
@@ -25,7 +25,7 @@ constexpr int kIdleSteps = 3;
 
 void check_points(const std::vector<Vector3d>& points, const char* what) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() <= kMaxCoordinate) continue;
+    if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() <= mesh::kMaxCoordinate) continue;
     throw std::invalid_argument(std::string(what) + " " + std::to_string(i) +
                                 " is no place within " + std::to_string(1e9) + " m.");
   }
@@ -76,8 +76,8 @@ void check_options(const FitOptions& options) {
 
 // The surface at some step, and all that its cost is made of.
 struct State {
-  LimitSurface surface;
-  SurfaceTree tree;
+  surface::LimitSurface surface;
+  surface::SurfaceTree tree;
   Feet feet;
   CurvePulls curves;
   double energy = 0.0;       // of the surface
@@ -86,8 +86,8 @@ struct State {
 
 class Fitting {
  public:
-  Fitting(const LimitSurface& surface, const FitTarget& target, const std::vector<FitCurve>& curves,
-          const FitOptions& options)
+  Fitting(const surface::LimitSurface& surface, const FitTarget& target,
+          const std::vector<FitCurve>& curves, const FitOptions& options)
       : target_(target),
         curves_(curves),
         options_(options),
@@ -95,7 +95,7 @@ class Fitting {
         freedoms_(freedoms_within(options.limits, surface.mesh().topology().vertex_count())),
         size_(surface.mesh().size()),
         start_(surface),
-        state_{surface, SurfaceTree(surface), {}, {}} {
+        state_{surface, surface::SurfaceTree(surface), {}, {}} {
     measure(state_);
     if (!target.points.empty() && state_.feet.weight <= 0.0) {
       throw std::invalid_argument(
@@ -108,14 +108,14 @@ class Fitting {
     int step = 0, idle = 0;
     bool settled = false;
     for (; step < options_.most_steps && !settled; ++step) {
-      tell(options_.progress, step, options_.most_steps);
+      surface::tell(options_.progress, step, options_.most_steps);
       const double before = cost(state_);
       const double move = advance();
       const double gain = before - cost(state_);
       idle = gain > kNoGain * before ? 0 : idle + 1;
       settled = move <= options_.least_move * size_ || idle >= kIdleSteps;
     }
-    tell(options_.progress, 1.0, 1.0);
+    surface::tell(options_.progress, 1.0, 1.0);
     return report(step, settled || options_.most_steps == 0);
   }
 
@@ -137,7 +137,7 @@ class Fitting {
     }
   }
 
-  double energy_of(const LimitSurface& surface) const {
+  double energy_of(const surface::LimitSurface& surface) const {
     return thin_plate_energy(surface, pieces_, surface.mesh().points());
   }
 
@@ -198,10 +198,10 @@ class Fitting {
   const FitTarget& target_;
   const std::vector<FitCurve>& curves_;
   const FitOptions& options_;
-  PieceWeights pieces_;
+  surface::PieceWeights pieces_;
   std::vector<Freedom> freedoms_;
   double size_;
-  const LimitSurface& start_;
+  const surface::LimitSurface& start_;
   State state_;
   double damping_ = kFirstDamping;
 };
@@ -242,12 +242,12 @@ Fit Fitting::report(int steps, bool settled) const {
 
 }  // namespace
 
-Fit fit(const LimitSurface& surface, const FitTarget& target, const std::vector<FitCurve>& curves,
-        const FitOptions& options) {
+Fit fit(const surface::LimitSurface& surface, const FitTarget& target,
+        const std::vector<FitCurve>& curves, const FitOptions& options) {
   check_target(target);
   check_options(options);
-  check_curves(curves, static_cast<int>(crease_curves(surface).size()));
+  check_curves(curves, static_cast<int>(surface::crease_curves(surface).size()));
   return Fitting(surface, target, curves, options).run();
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

@@ -8,7 +8,7 @@
 #include "surface/limit_surface.h"
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::modelling {
 
 // Points that a surface is to go through.
 struct FitTarget {
@@ -44,7 +44,7 @@ struct FitOptions {
   bool draw_border = false;
   int most_steps = 60;
   double least_move = 1e-10;  // of the mesh's size: the fit ends when no control point moves more
-  Progress progress;
+  surface::Progress progress;
 };
 
 // Where the surface came to lie.
@@ -78,7 +78,7 @@ struct Fit {
 //
 // The same arguments give the same points. Throws std::invalid_argument for what is none of a
 // target, a curve or a limit, and where no target lies within reach.
-Fit fit(const LimitSurface& surface, const FitTarget& target, const std::vector<FitCurve>& curves,
-        const FitOptions& options = {});
+Fit fit(const surface::LimitSurface& surface, const FitTarget& target,
+        const std::vector<FitCurve>& curves, const FitOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::modelling

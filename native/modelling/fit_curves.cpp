@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hull::fit_internal {
+namespace hull::modelling::fit_internal {
 namespace {
 
 constexpr int kSamplesAnEdge = 8;
@@ -22,14 +22,14 @@ struct OnChain {
 // A chain with points on it, from which searches start.
 class Chain {
  public:
-  explicit Chain(const CreaseCurve& curve) : curve_(curve) {
+  explicit Chain(const surface::CreaseCurve& curve) : curve_(curve) {
     const int count = kSamplesAnEdge * curve.edge_count();
     for (int i = 0; i <= count; ++i) {
       samples_.push_back(curve.evaluate(static_cast<double>(i) / kSamplesAnEdge, 0).point);
     }
   }
 
-  const CreaseCurve& curve() const { return curve_; }
+  const surface::CreaseCurve& curve() const { return curve_; }
   double end() const { return curve_.edge_count(); }
   Vector3d tangent(double t) const { return curve_.evaluate(t, 1).d1.normalized(); }
 
@@ -53,7 +53,7 @@ class Chain {
   OnChain within(const Vector3d& p, double low, double high) const {
     double t = 0.5 * (low + high);
     for (int i = 0; i < 60 && high - low > 1e-15 * end(); ++i) {
-      const CurveJet jet = curve_.evaluate(t, 2);
+      const surface::CurveJet jet = curve_.evaluate(t, 2);
       const double slope = (jet.point - p).dot(jet.d1);
       const double change = jet.d1.squaredNorm() + (jet.point - p).dot(jet.d2);
       (slope > 0.0 ? high : low) = t;
@@ -71,12 +71,12 @@ class Chain {
     return best;
   }
 
-  const CreaseCurve& curve_;
+  const surface::CreaseCurve& curve_;
   std::vector<Vector3d> samples_;
 };
 
-CellPlace place_at(const CreaseCurve& curve, double t) {
-  const CellPlace left = curve.left(t);
+surface::CellPlace place_at(const surface::CreaseCurve& curve, double t) {
+  const surface::CellPlace left = curve.left(t);
   return left.cell >= 0 ? left : curve.right(t);
 }
 
@@ -161,9 +161,9 @@ class Collector {
     weight_ += 2.0 * weight;
   }
 
-  void add_row(const CreaseCurve& curve, double t, const Vector3d& direction, const Vector3d& off,
-               double weight) {
-    const CellPlace place = place_at(curve, t);
+  void add_row(const surface::CreaseCurve& curve, double t, const Vector3d& direction,
+               const Vector3d& off, double weight) {
+    const surface::CellPlace place = place_at(curve, t);
     pulls_.rows.push_back({place.cell, place.u, place.v, direction, off.dot(direction), weight});
   }
 
@@ -175,14 +175,14 @@ class Collector {
 
 }  // namespace
 
-CurvePulls find_curve_pulls(const LimitSurface& surface, const std::vector<FitCurve>& curves,
-                            const FitOptions& options) {
+CurvePulls find_curve_pulls(const surface::LimitSurface& surface,
+                            const std::vector<FitCurve>& curves, const FitOptions& options) {
   if (curves.empty()) return {};
-  const std::vector<CreaseCurve> creases = crease_curves(surface);
+  const std::vector<surface::CreaseCurve> creases = surface::crease_curves(surface);
   const std::vector<Chain> chains(creases.begin(), creases.end());
   Collector collector(chains, options.reach);
   for (const FitCurve& curve : curves) collector.add(curve);
   return collector.finish();
 }
 
-}  // namespace hull::fit_internal
+}  // namespace hull::modelling::fit_internal

@@ -5,9 +5,9 @@
 
 #include "modelling/fit.h"
 #include "modelling/fit_rows.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull::fit_internal {
+namespace hull::modelling::fit_internal {
 
 // What points of curves want of the surface's creases and borders.
 struct CurvePulls {
@@ -18,7 +18,7 @@ struct CurvePulls {
 
 // Each point of a curve wants the chain's point nearest to it nearer, across the chain; ends of
 // whole curves want the chain's ends.
-CurvePulls find_curve_pulls(const LimitSurface& surface, const std::vector<FitCurve>& curves,
-                            const FitOptions& options);
+CurvePulls find_curve_pulls(const surface::LimitSurface& surface,
+                            const std::vector<FitCurve>& curves, const FitOptions& options);
 
-}  // namespace hull::fit_internal
+}  // namespace hull::modelling::fit_internal

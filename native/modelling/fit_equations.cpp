@@ -3,7 +3,7 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace hull {
+namespace hull::modelling {
 
 void FitEquations::add(const std::vector<int>& points, const Eigen::MatrixXd& hessian,
                        const Eigen::VectorXd& gradient) {
@@ -80,4 +80,4 @@ std::optional<std::vector<Vector3d>> FitEquations::solve(const std::vector<Freed
   return moves;
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

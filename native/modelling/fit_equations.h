@@ -9,7 +9,7 @@
 
 #include "modelling/freedom.h"
 
-namespace hull {
+namespace hull::modelling {
 
 // Normal equations of moves of control points: H x = g for the least ½ xᵀHx - gᵀx, sparse, by 3 x 3
 // blocks of pairs of points.
@@ -45,4 +45,4 @@ class FitEquations {
   std::uint64_t count_;
 };
 
-}  // namespace hull
+}  // namespace hull::modelling

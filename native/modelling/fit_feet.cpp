@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "modelling/fit_rows.h"
-#include "surface/closest_point.h"
 #include "surface/parallel_for.h"
+#include "surface/queries/closest_point.h"
 
-namespace hull::fit_internal {
+namespace hull::modelling::fit_internal {
 namespace {
 
 // Of the size: nearer targets are on the surface, and p - foot has no direction.
@@ -18,8 +18,8 @@ constexpr double kAcross = 0.7;
 // Cosine of the largest angle between the normals of target and surface.
 constexpr double kSameSide = 0.5;
 
-bool is_on_border(const LimitSurface& surface, const ClosestPoint& at) {
-  const Topology& cells = surface.cells();
+bool is_on_border(const surface::LimitSurface& surface, const surface::ClosestPoint& at) {
+  const mesh::Topology& cells = surface.cells();
   const bool sides[] = {at.v == 0.0, at.u == 1.0, at.v == 1.0, at.u == 0.0};
   for (int k = 0; k < 4; ++k) {
     if (sides[k] && cells.twin(4 * at.cell + k) < 0) return true;
@@ -27,15 +27,16 @@ bool is_on_border(const LimitSurface& surface, const ClosestPoint& at) {
   return false;
 }
 
-Foot foot_of(const LimitSurface& surface, const ClosestPoint& at, const Vector3d& target,
-             const Vector3d* normal, double on_surface, bool draw_border) {
+Foot foot_of(const surface::LimitSurface& surface, const surface::ClosestPoint& at,
+             const Vector3d& target, const Vector3d* normal, double on_surface, bool draw_border) {
   if (at.cell < 0) return {};
   const Vector3d own = surface.normal(at.cell, at.u, at.v);
   if (normal && own.dot(*normal) < kSameSide * normal->norm()) return {};
   Foot foot{at.cell, at.u, at.v, at.point, own, 0.0};
   const Vector3d off = target - at.point;
   foot.distance = off.dot(own);
-  if (at.distance <= on_surface || (at.kind == FootKind::kSmooth && !own.isZero())) return foot;
+  if (at.distance <= on_surface || (at.kind == surface::FootKind::kSmooth && !own.isZero()))
+    return foot;
   if (!draw_border && is_on_border(surface, at)) {
     // Across the surface only, so that the border is not drawn out by and by.
     return std::abs(foot.distance) > kAcross * at.distance ? foot : Foot{};
@@ -48,17 +49,18 @@ Foot foot_of(const LimitSurface& surface, const ClosestPoint& at, const Vector3d
 
 }  // namespace
 
-Feet find_feet(const LimitSurface& surface, const SurfaceTree& tree, const FitTarget& target,
-               const FitOptions& options) {
+Feet find_feet(const surface::LimitSurface& surface, const surface::SurfaceTree& tree,
+               const FitTarget& target, const FitOptions& options) {
   Feet feet;
   feet.all.resize(target.points.size());
   const double on_surface = kOnSurface * tree.error_size();
-  parallel_for(
+  surface::parallel_for(
       target.points.size(), 0,
       [&](std::size_t begin, std::size_t end) {
         const std::vector<Vector3d> some(target.points.begin() + static_cast<std::ptrdiff_t>(begin),
                                          target.points.begin() + static_cast<std::ptrdiff_t>(end));
-        const std::vector<ClosestPoint> closest = closest_points(tree, some, options.reach);
+        const std::vector<surface::ClosestPoint> closest =
+            surface::closest_points(tree, some, options.reach);
         for (std::size_t i = begin; i < end; ++i) {
           feet.all[i] = foot_of(surface, closest[i - begin], target.points[i],
                                 target.normals.empty() ? nullptr : &target.normals[i], on_surface,
@@ -77,8 +79,8 @@ Feet find_feet(const LimitSurface& surface, const SurfaceTree& tree, const FitTa
   return feet;
 }
 
-void add_feet(const Feet& feet, const FitTarget& target, const LimitSurface& surface,
-              const PieceWeights& pieces, FitEquations& equations) {
+void add_feet(const Feet& feet, const FitTarget& target, const surface::LimitSurface& surface,
+              const surface::PieceWeights& pieces, FitEquations& equations) {
   if (!(feet.weight > 0.0)) return;
   std::vector<FitRow> rows;
   rows.reserve(feet.all.size());
@@ -91,4 +93,4 @@ void add_feet(const Feet& feet, const FitTarget& target, const LimitSurface& sur
   add_rows(rows, surface, pieces, equations);
 }
 
-}  // namespace hull::fit_internal
+}  // namespace hull::modelling::fit_internal

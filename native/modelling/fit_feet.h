@@ -5,10 +5,10 @@
 
 #include "modelling/fit.h"
 #include "modelling/fit_equations.h"
-#include "surface/piece_weights.h"
-#include "surface/surface_tree.h"
+#include "surface/pieces/piece_weights.h"
+#include "surface/queries/surface_tree.h"
 
-namespace hull::fit_internal {
+namespace hull::modelling::fit_internal {
 
 // A target and the surface's closest point to it.
 struct Foot {
@@ -25,11 +25,11 @@ struct Feet {
   double weight = 0.0;       // the sum of those that count
 };
 
-Feet find_feet(const LimitSurface& surface, const SurfaceTree& tree, const FitTarget& target,
-               const FitOptions& options);
+Feet find_feet(const surface::LimitSurface& surface, const surface::SurfaceTree& tree,
+               const FitTarget& target, const FitOptions& options);
 
 // Adds the mean square of the distances, each along its direction.
-void add_feet(const Feet& feet, const FitTarget& target, const LimitSurface& surface,
-              const PieceWeights& pieces, FitEquations& equations);
+void add_feet(const Feet& feet, const FitTarget& target, const surface::LimitSurface& surface,
+              const surface::PieceWeights& pieces, FitEquations& equations);
 
-}  // namespace hull::fit_internal
+}  // namespace hull::modelling::fit_internal

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "surface/point_weights.h"
+#include "surface/pieces/point_weights.h"
 
-namespace hull::fit_internal {
+namespace hull::modelling::fit_internal {
 namespace {
 
 // Row of 3 numbers a point: weight times direction, times the root of the row's weight.
@@ -24,10 +24,10 @@ void add_products(const std::vector<int>& points, const Eigen::MatrixXd& matrix,
   equations.add(points, hessian, matrix.transpose() * right);
 }
 
-void add_deep_row(const FitRow& row, PointWeights& weights, FitEquations& equations) {
+void add_deep_row(const FitRow& row, surface::PointWeights& weights, FitEquations& equations) {
   std::vector<int> points;
   std::vector<double> values;
-  for (const PointWeight& w : weights.at(row.cell, row.u, row.v)) {
+  for (const surface::PointWeight& w : weights.at(row.cell, row.u, row.v)) {
     points.push_back(w.point);
     values.push_back(w.weight);
   }
@@ -40,10 +40,10 @@ void add_deep_row(const FitRow& row, PointWeights& weights, FitEquations& equati
 
 }  // namespace
 
-void add_rows(const std::vector<FitRow>& rows, const LimitSurface& surface,
-              const PieceWeights& pieces, FitEquations& equations) {
-  PointWeights deep(surface);
-  std::vector<std::vector<std::pair<const FitRow*, PieceWeights::Place>>> by_piece(
+void add_rows(const std::vector<FitRow>& rows, const surface::LimitSurface& surface,
+              const surface::PieceWeights& pieces, FitEquations& equations) {
+  surface::PointWeights deep(surface);
+  std::vector<std::vector<std::pair<const FitRow*, surface::PieceWeights::Place>>> by_piece(
       pieces.piece_count());
   for (const FitRow& row : rows) {
     if (const auto place = pieces.find(row.cell, row.u, row.v)) {
@@ -68,4 +68,4 @@ void add_rows(const std::vector<FitRow>& rows, const LimitSurface& surface,
   }
 }
 
-}  // namespace hull::fit_internal
+}  // namespace hull::modelling::fit_internal

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "modelling/fit_equations.h"
-#include "surface/piece_weights.h"
+#include "surface/pieces/piece_weights.h"
 
-namespace hull::fit_internal {
+namespace hull::modelling::fit_internal {
 
 // A place of the surface that is wanted `distance` farther along `direction`.
 struct FitRow {
@@ -18,7 +18,7 @@ struct FitRow {
 };
 
 // Adds all rows' weighted squares to the equations.
-void add_rows(const std::vector<FitRow>& rows, const LimitSurface& surface,
-              const PieceWeights& pieces, FitEquations& equations);
+void add_rows(const std::vector<FitRow>& rows, const surface::LimitSurface& surface,
+              const surface::PieceWeights& pieces, FitEquations& equations);
 
-}  // namespace hull::fit_internal
+}  // namespace hull::modelling::fit_internal

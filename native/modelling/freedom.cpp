@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 // Two held directions of a point closer than this (sine of their angle) are one.
@@ -66,4 +66,4 @@ std::vector<Freedom> freedoms_within(const MoveLimits& limits, int point_count) 
   return freedoms;
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

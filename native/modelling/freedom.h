@@ -5,9 +5,9 @@
 #include <array>
 #include <vector>
 
-namespace hull {
+#include "mesh/vectors.h"
 
-using Eigen::Vector3d;
+namespace hull::modelling {
 
 // A control point may move across this direction only. Several may be given for one point.
 struct HeldDirection {
@@ -31,4 +31,4 @@ struct Freedom {
 // are square to them. Throws std::invalid_argument for points or normals that are none.
 std::vector<Freedom> freedoms_within(const MoveLimits& limits, int point_count);
 
-}  // namespace hull
+}  // namespace hull::modelling

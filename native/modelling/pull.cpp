@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "surface/point_weights.h"
+#include "surface/pieces/point_weights.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 // Singular values are those of weights that sum to 1: below this a direction counts as held.
@@ -21,7 +21,7 @@ constexpr double kLeastWeight = 1e-6;
 // far below.
 constexpr double kMiss = 1e-8;
 
-void check_targets(const LimitSurface& surface, const std::vector<PullTarget>& targets) {
+void check_targets(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const PullTarget& t = targets[i];
     const std::string name = "Target " + std::to_string(i);
@@ -33,21 +33,21 @@ void check_targets(const LimitSurface& surface, const std::vector<PullTarget>& t
     if (!(t.u >= 0.0 && t.u <= 1.0 && t.v >= 0.0 && t.v <= 1.0)) {
       throw std::invalid_argument(name + ": u and v must be within [0, 1].");
     }
-    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > kMaxCoordinate) {
+    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > mesh::kMaxCoordinate) {
       throw std::invalid_argument(name + " is no place within " + std::to_string(1e9) + " m.");
     }
   }
 }
 
 // What each of the control points with a weight may do.
-std::map<int, Freedom> freedoms(const LimitSurface& surface,
-                                const std::vector<std::vector<PointWeight>>& rows,
+std::map<int, Freedom> freedoms(const surface::LimitSurface& surface,
+                                const std::vector<std::vector<surface::PointWeight>>& rows,
                                 const MoveLimits& limits) {
   const int count = surface.mesh().topology().vertex_count();
   const std::vector<Freedom> of_all = freedoms_within(limits, count);
   std::map<int, Freedom> result;
   for (const auto& row : rows) {
-    for (const PointWeight& w : row) result.try_emplace(w.point, of_all[w.point]);
+    for (const surface::PointWeight& w : row) result.try_emplace(w.point, of_all[w.point]);
   }
   for (int point : limits.locked) result.erase(point);
   return result;
@@ -59,7 +59,8 @@ struct LinearProblem {
   std::map<int, Eigen::Index> first_column;
   Eigen::MatrixXd A;
 
-  LinearProblem(std::map<int, Freedom> of_points, const std::vector<std::vector<PointWeight>>& rows)
+  LinearProblem(std::map<int, Freedom> of_points,
+                const std::vector<std::vector<surface::PointWeight>>& rows)
       : freedoms(std::move(of_points)) {
     Eigen::Index columns = 0;
     for (const auto& [point, freedom] : freedoms) {
@@ -68,7 +69,7 @@ struct LinearProblem {
     }
     A.setZero(3 * static_cast<Eigen::Index>(rows.size()), columns);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const PointWeight& w : rows[i]) {
+      for (const surface::PointWeight& w : rows[i]) {
         const auto it = freedoms.find(w.point);
         if (it == freedoms.end()) continue;
         for (int k = 0; k < it->second.count; ++k) {
@@ -122,11 +123,11 @@ std::string number(double value) {
 
 }  // namespace
 
-Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
+Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
           const MoveLimits& limits) {
   check_targets(surface, targets);
-  PointWeights weights(surface);
-  std::vector<std::vector<PointWeight>> rows;
+  surface::PointWeights weights(surface);
+  std::vector<std::vector<surface::PointWeight>> rows;
   Eigen::VectorXd r(3 * static_cast<Eigen::Index>(targets.size()));
   double longest = 0.0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -156,4 +157,4 @@ Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

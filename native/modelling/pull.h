@@ -6,7 +6,7 @@
 #include "modelling/freedom.h"
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::modelling {
 
 // A point of the surface, by its place, and where it is wanted.
 struct PullTarget {
@@ -36,7 +36,7 @@ struct Pull {
 // Throws std::invalid_argument, naming the target, where the limits allow no such move (directions
 // in which a place can be moved by less than 1e-6 of its control points' moves count as held) or
 // targets contradict one another; for places, points or normals that are none.
-Pull pull(const LimitSurface& surface, const std::vector<PullTarget>& targets,
+Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
           const MoveLimits& limits = {});
 
-}  // namespace hull
+}  // namespace hull::modelling

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -27,7 +27,7 @@ Points some_of(const std::vector<Vector3d>& values, const std::vector<int>& whic
 // Rows of weights whose products with the points are the components of the second derivatives in
 // orthonormal directions of the tangent plane, times the square root of dA: the energy is the sum
 // of their squares. The mixed one counts twice, by its factor. Empty where there is no area.
-Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const PieceWeights::Jet& jet,
+Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const surface::PieceWeights::Jet& jet,
                                                       const Points& points, double weight) {
   const Vector3d s = points.transpose() * jet.ds, t = points.transpose() * jet.dt;
   const double area = s.cross(t).norm();
@@ -55,7 +55,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const PieceWeights::Jet& j
 
 // Calls visit(rows) for each place of the quadrature on a piece.
 template <class Visit>
-void for_each_place(const PieceWeights& pieces, int piece, const Points& points,
+void for_each_place(const surface::PieceWeights& pieces, int piece, const Points& points,
                     const Visit& visit) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -68,7 +68,7 @@ void for_each_place(const PieceWeights& pieces, int piece, const Points& points,
 
 }  // namespace
 
-double thin_plate_energy(const LimitSurface& surface, const PieceWeights& pieces,
+double thin_plate_energy(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                          const std::vector<Vector3d>& values) {
   double energy = 0.0;
   for (int i = 0; i < pieces.piece_count(); ++i) {
@@ -80,7 +80,7 @@ double thin_plate_energy(const LimitSurface& surface, const PieceWeights& pieces
   return energy;
 }
 
-void add_thin_plate(const LimitSurface& surface, const PieceWeights& pieces,
+void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations) {
   for (int i = 0; i < pieces.piece_count(); ++i) {
     const std::vector<int>& which = pieces.piece(i).points;
@@ -92,4 +92,4 @@ void add_thin_plate(const LimitSurface& surface, const PieceWeights& pieces,
   }
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "modelling/fit_equations.h"
-#include "surface/piece_weights.h"
+#include "surface/pieces/piece_weights.h"
 
-namespace hull {
+namespace hull::modelling {
 
 // The thin-plate energy of the exact surface, ∫ |second derivatives|² dA, of something that the
 // control points carry, `values`: of their places it is ∫ κ1² + κ2² dA (a number: a sphere has 8π);
@@ -17,11 +17,11 @@ namespace hull {
 // knots, and pieces without area, are left out; nothing is counted across creases.
 //
 // REQUIRES: as many values as control points.
-double thin_plate_energy(const LimitSurface& surface, const PieceWeights& pieces,
+double thin_plate_energy(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                          const std::vector<Vector3d>& values);
 
 // Adds `factor` times that energy to the equations for what is added to the values.
-void add_thin_plate(const LimitSurface& surface, const PieceWeights& pieces,
+void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations);
 
-}  // namespace hull
+}  // namespace hull::modelling

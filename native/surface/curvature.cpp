@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-namespace hull {
+namespace hull::surface {
 
 Curvature curvature_of(const SurfaceJet& jet) {
   Curvature result;
@@ -44,4 +44,4 @@ Curvature curvature(const LimitSurface& surface, int cell, double u, double v) {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::surface

@@ -3,7 +3,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::surface {
 
 // Curvature of a surface at a point. Signs: a surface that bulges towards its normal's side, as a
 // hull does into the water, is positive; a hollow one negative.
@@ -30,4 +30,4 @@ inline constexpr double kKnotOffset = 0x1p-20;
 // and flagged. REQUIRES: as LimitSurface::evaluate.
 Curvature curvature(const LimitSurface& surface, int cell, double u, double v);
 
-}  // namespace hull
+}  // namespace hull::surface

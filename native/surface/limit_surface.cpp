@@ -8,7 +8,7 @@
 
 #include "surface/place_in_cell.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 // Derivatives with respect to the square's own parameters from those seen from corner `turn`.
@@ -29,7 +29,7 @@ bool is_knot(const PlaceInCell& place) {
 
 }  // namespace
 
-LimitSurface::LimitSurface(ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
+LimitSurface::LimitSurface(mesh::ControlMesh mesh, Scheme scheme, std::shared_ptr<BasisCache> cache)
     : mesh_(std::move(mesh)),
       layout_(std::make_shared<const SurfaceLayout>(mesh_.topology(), scheme, *cache)) {
   leaves_.resize(layout_->leaf_count());
@@ -126,4 +126,4 @@ Vector3d LimitSurface::normal(int cell, double u, double v) const {
   return unit_normal(jet.du, jet.dv);
 }
 
-}  // namespace hull
+}  // namespace hull::surface

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "mesh/control_mesh.h"
-#include "surface/basis_cache.h"
-#include "surface/bicubic.h"
+#include "surface/eigenbasis/basis_cache.h"
+#include "surface/pieces/bicubic.h"
 #include "surface/scheme.h"
 #include "surface/surface_layout.h"
 
-namespace hull {
+namespace hull::surface {
 
 // The exact limit surface of a control mesh under crease-tagged Catmull–Clark subdivision
 // (Greshake 2021, chapters 4 and 5): a function of a cell and (u, v) in [0, 1]^2.
@@ -24,7 +24,7 @@ namespace hull {
 // themselves.
 class LimitSurface {
  public:
-  explicit LimitSurface(ControlMesh mesh, Scheme scheme = Scheme::kBiermann,
+  explicit LimitSurface(mesh::ControlMesh mesh, Scheme scheme = Scheme::kBiermann,
                         std::shared_ptr<BasisCache> cache = std::make_shared<BasisCache>());
 
   // Moves the control points; nothing that depends on topology alone is done again, nor anything
@@ -37,11 +37,11 @@ class LimitSurface {
   int revision() const { return revision_; }
   int moved_at(int cell) const { return moved_at_[cell]; }
 
-  const ControlMesh& mesh() const { return mesh_; }
+  const mesh::ControlMesh& mesh() const { return mesh_; }
   Scheme scheme() const { return layout_->scheme(); }
   // Topology of the once-subdivided mesh: face c is cell c, its half-edges 4c … 4c+3 are the sides
   // v = 0, u = 1, v = 1, u = 0.
-  const Topology& cells() const { return layout_->cells(); }
+  const mesh::Topology& cells() const { return layout_->cells(); }
   int cell_count() const { return cells().face_count(); }
 
   // REQUIRES of all: 0 <= cell < cell_count(), u and v in [0, 1].
@@ -67,7 +67,7 @@ class LimitSurface {
   bool take_node(const SurfaceNode& node, const std::vector<Vector3d>& refined,
                  const std::vector<char>& moved);
 
-  ControlMesh mesh_;
+  mesh::ControlMesh mesh_;
   std::shared_ptr<const SurfaceLayout> layout_;
   std::vector<BicubicPoints> leaves_;
   std::vector<CornerPoints> corners_;
@@ -76,4 +76,4 @@ class LimitSurface {
   std::vector<int> moved_at_;  // by cell
 };
 
-}  // namespace hull
+}  // namespace hull::surface

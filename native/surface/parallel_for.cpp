@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace hull {
+namespace hull::surface {
 
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, std::size_t)>& work, std::size_t grain) {
@@ -44,4 +44,4 @@ void parallel_for(std::size_t count, int threads,
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace hull
+}  // namespace hull::surface

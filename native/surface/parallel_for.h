@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace hull {
+namespace hull::surface {
 
 // Calls work(begin, end) for ranges that together are [0, count), on up to `threads` threads (0:
 // one for each processor), the caller's among them. Which thread does which range is left to
@@ -17,4 +17,4 @@ void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t begin, std::size_t end)>& work,
                   std::size_t grain = 2048);
 
-}  // namespace hull
+}  // namespace hull::surface

@@ -5,7 +5,7 @@
 
 #include "surface/surface_layout.h"
 
-namespace hull {
+namespace hull::surface {
 
 // A place in the tree of squares of a cell.
 struct PlaceInCell {
@@ -39,4 +39,4 @@ inline Eigen::Vector2d turned(int turn, double u, double v) {
   }
 }
 
-}  // namespace hull
+}  // namespace hull::surface

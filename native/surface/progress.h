@@ -3,7 +3,7 @@
 
 #include <functional>
 
-namespace hull {
+namespace hull::surface {
 
 // Is told now and then how much of a long task is done, from 0 to 1, by the thread that does it.
 // To end the task early, throw: the exception goes through to the caller, and nothing half-done
@@ -21,4 +21,4 @@ inline void tell(const Progress& progress, double done, double count) {
   if (progress) progress(count > 0.0 ? done / count : 1.0);
 }
 
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace hull {
+namespace hull::surface {
 
 // Which weights a smooth edge between a crease or corner vertex and a smooth vertex takes.
 enum class Scheme {
@@ -9,4 +9,4 @@ enum class Scheme {
   kCatmullClark  // always 1/4: what Blender's Subdivision Surface modifier and OpenSubdiv show
 };
 
-}  // namespace hull
+}  // namespace hull::surface

@@ -5,14 +5,14 @@
 #include <unordered_map>
 
 #include "mesh/refined_view.h"
-#include "surface/neighbourhood.h"
+#include "surface/eigenbasis/neighbourhood.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
-using Level1 = Topology;
-using Level2 = RefinedView<Level1>;
-using Level3 = RefinedView<Level2>;
+using Level1 = mesh::Topology;
+using Level2 = mesh::RefinedView<Level1>;
+using Level3 = mesh::RefinedView<Level2>;
 
 // Whether the corner of h, a neighbour along one of the two rays of an irregular corner, has no
 // modified edge but those rays. The ring structure around the irregular corner allows for these.
@@ -36,15 +36,15 @@ bool is_corner_cell(const T& t, Scheme scheme, int h) {
   }
   // Creases may run along the two rays only.
   if (t.is_crease(right) || t.is_crease(opposite)) return false;
-  if (t.kind_at(opposite) != VertexKind::kSmooth) return false;
-  if (t.kind_at(right) != VertexKind::kSmooth && !t.is_crease(h)) return false;
-  if (t.kind_at(left) != VertexKind::kSmooth && !t.is_crease(left)) return false;
+  if (t.kind_at(opposite) != mesh::VertexKind::kSmooth) return false;
+  if (t.kind_at(right) != mesh::VertexKind::kSmooth && !t.is_crease(h)) return false;
+  if (t.kind_at(left) != mesh::VertexKind::kSmooth && !t.is_crease(left)) return false;
   return touches_only_ray(t, scheme, right, h) && touches_only_ray(t, scheme, left, left) &&
          !touches_modified_edge(t, scheme, opposite);
 }
 
-std::vector<Vector3d> refined_points(const Topology& control_topology, Scheme scheme,
-                                     const Topology& cells,
+std::vector<Vector3d> refined_points(const mesh::Topology& control_topology, Scheme scheme,
+                                     const mesh::Topology& cells,
                                      const std::vector<Vector3d>& control_points) {
   std::vector<Vector3d> points(cells.vertex_count(), Vector3d::Zero());
   const auto get = [&](int h) -> const Vector3d& {
@@ -172,12 +172,13 @@ class SurfaceLayout::Builder {
   std::map<CornerKey, std::shared_ptr<const CornerBasis>> bases_;
 };
 
-SurfaceLayout::SurfaceLayout(const Topology& control_topology, Scheme scheme, BasisCache& cache)
+SurfaceLayout::SurfaceLayout(const mesh::Topology& control_topology, Scheme scheme,
+                             BasisCache& cache)
     : scheme_(scheme), cells_(control_topology.refined()) {
   Builder(*this, cache).build();
 }
 
-std::vector<Vector3d> SurfaceLayout::refine(const Topology& control_topology,
+std::vector<Vector3d> SurfaceLayout::refine(const mesh::Topology& control_topology,
                                             const std::vector<Vector3d>& control_points) const {
   std::vector<Vector3d> points = refined_points(control_topology, scheme_, cells_, control_points);
   points.reserve(points.size() + second_.size() + third_.size());
@@ -217,4 +218,4 @@ void SurfaceLayout::take_corner(int corner, const std::vector<Vector3d>& refined
   from.basis->prepare(points);
 }
 
-}  // namespace hull
+}  // namespace hull::surface

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "mesh/topology.h"
-#include "surface/basis_cache.h"
-#include "surface/bicubic.h"
+#include "surface/eigenbasis/basis_cache.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::surface {
 
 // What evaluates a square of the domain.
 struct SurfaceNode {
@@ -29,10 +29,10 @@ struct SurfaceNode {
 // they are needed), and which control points each takes. Immutable.
 class SurfaceLayout {
  public:
-  SurfaceLayout(const Topology& control_topology, Scheme scheme, BasisCache& cache);
+  SurfaceLayout(const mesh::Topology& control_topology, Scheme scheme, BasisCache& cache);
 
   Scheme scheme() const { return scheme_; }
-  const Topology& cells() const { return cells_; }
+  const mesh::Topology& cells() const { return cells_; }
   const SurfaceNode& root(int cell) const { return roots_[cell]; }
   // Children (lower left, lower right, upper left, upper right) of a split.
   const std::array<SurfaceNode, 4>& split(int index) const { return splits_[index]; }
@@ -51,7 +51,7 @@ class SurfaceLayout {
 
   // Points of the once-subdivided mesh, then those of the second and third subdivision that
   // quadrants need, from the control points.
-  std::vector<Vector3d> refine(const Topology& control_topology,
+  std::vector<Vector3d> refine(const mesh::Topology& control_topology,
                                const std::vector<Vector3d>& control_points) const;
   // What the surface keeps of each leaf and corner, from these.
   void take_leaf(int leaf, const std::vector<Vector3d>& refined, BicubicPoints& points) const;
@@ -65,7 +65,7 @@ class SurfaceLayout {
   class Builder;
 
   Scheme scheme_;
-  Topology cells_;
+  mesh::Topology cells_;
   std::vector<SurfaceNode> roots_;
   std::vector<std::array<SurfaceNode, 4>> splits_;
   std::vector<std::array<int, 16>> leaves_;  // indices of refined points, or kNoPoint
@@ -74,4 +74,4 @@ class SurfaceLayout {
       third_;  // half-edges of finer levels at whose origins points are wanted
 };
 
-}  // namespace hull
+}  // namespace hull::surface

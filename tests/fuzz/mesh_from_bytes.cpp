@@ -14,8 +14,8 @@ using Faces = std::vector<std::vector<int>>;
 constexpr std::size_t kMostFaces = 120;
 constexpr int kMostEdits = 40;
 
-MeshArrays nonsense(ByteReader& bytes) {
-  MeshArrays mesh;
+mesh::MeshArrays nonsense(ByteReader& bytes) {
+  mesh::MeshArrays mesh;
   for (int i = bytes.below(12); i > 0; --i) {
     mesh.points.emplace_back(bytes.number(), bytes.number(), bytes.number());
   }
@@ -30,7 +30,7 @@ MeshArrays nonsense(ByteReader& bytes) {
   return mesh;
 }
 
-MeshArrays sound_mesh(ByteReader& bytes) {
+mesh::MeshArrays sound_mesh(ByteReader& bytes) {
   const int kind = bytes.below(5);
   // High valences are slow under the sanitizers: draw them seldom.
   const int size = bytes.byte();
@@ -44,7 +44,7 @@ MeshArrays sound_mesh(ByteReader& bytes) {
 // Changes to the faces, kept as lists; afterwards they are arrays again.
 class Editor {
  public:
-  Editor(MeshArrays& mesh, ByteReader& bytes) : mesh_(mesh), bytes_(bytes) {
+  Editor(mesh::MeshArrays& mesh, ByteReader& bytes) : mesh_(mesh), bytes_(bytes) {
     std::size_t begin = 0;
     for (int size : mesh.face_sizes) {
       faces_.emplace_back(mesh.face_vertices.begin() + begin,
@@ -205,13 +205,13 @@ class Editor {
     }
   }
 
-  MeshArrays& mesh_;
+  mesh::MeshArrays& mesh_;
   ByteReader& bytes_;
   Faces faces_;
 };
 
 // A second body beside the first, sharing no point with it.
-void append(MeshArrays& mesh, const MeshArrays& other) {
+void append(mesh::MeshArrays& mesh, const mesh::MeshArrays& other) {
   const int offset = static_cast<int>(mesh.points.size());
   mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
   mesh.face_sizes.insert(mesh.face_sizes.end(), other.face_sizes.begin(), other.face_sizes.end());
@@ -242,10 +242,10 @@ double ByteReader::number() {
   return kWild[drawn - 240];
 }
 
-MeshArrays mesh_from_bytes(ByteReader& bytes) {
+mesh::MeshArrays mesh_from_bytes(ByteReader& bytes) {
   const int kind = bytes.byte();
   if (kind % 8 == 0) return nonsense(bytes);
-  MeshArrays mesh = sound_mesh(bytes);
+  mesh::MeshArrays mesh = sound_mesh(bytes);
   if (kind % 8 == 1) append(mesh, sound_mesh(bytes));
   Editor(mesh, bytes).edit();
   return mesh;

@@ -31,6 +31,6 @@ class ByteReader {
 // A small mesh told by the bytes: arrays without any sense, or a sound mesh of testing:: with edits
 // that keep it sound (faces cut, joined, extruded; creases; points moved) or may not (faces turned,
 // points welded, indices changed). At most about 1500 face corners.
-MeshArrays mesh_from_bytes(ByteReader& bytes);
+mesh::MeshArrays mesh_from_bytes(ByteReader& bytes);
 
 }  // namespace hull::fuzz

@@ -9,13 +9,13 @@
 
 #include "analysis/sections/feature_curves.h"
 #include "mesh_from_bytes.h"
-#include "surface/closest_point.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 #include "surface/curvature.h"
-#include "surface/grid_samples.h"
-#include "surface/pieces.h"
-#include "surface/ray_hits.h"
-#include "surface/tessellation.h"
+#include "surface/pieces/pieces.h"
+#include "surface/queries/closest_point.h"
+#include "surface/queries/ray_hits.h"
+#include "surface/sampling/grid_samples.h"
+#include "surface/sampling/tessellation.h"
 
 namespace hull::fuzz {
 namespace {
@@ -34,9 +34,9 @@ struct Bounds {
   Eigen::AlignedBox3d box;
   double tolerance;
 
-  explicit Bounds(const ControlMesh& mesh) {
+  explicit Bounds(const mesh::ControlMesh& mesh) {
     double largest = 0.0;
-    const Topology& t = mesh.topology();
+    const mesh::Topology& t = mesh.topology();
     for (int h = 0; h < t.half_edge_count(); ++h) {  // isolated points have no influence
       const Vector3d& p = mesh.points()[t.origin(h)];
       box.extend(p);
@@ -53,15 +53,16 @@ bool unit_or_zero(const Vector3d& normal) {
   return normal.isZero(0.0) || std::abs(normal.norm() - 1.0) < 1e-12;
 }
 
-void check_place(const LimitSurface& surface, const Bounds& bounds, int cell, double u, double v) {
-  const SurfaceJet jet = surface.evaluate(cell, u, v, 2);
+void check_place(const surface::LimitSurface& surface, const Bounds& bounds, int cell, double u,
+                 double v) {
+  const surface::SurfaceJet jet = surface.evaluate(cell, u, v, 2);
   require(bounds.holds(jet.point), "a point lies within the box of the control points");
   require(jet.point == surface.position(cell, u, v), "the order does not change the point");
   for (const Vector3d& d : {jet.du, jet.dv, jet.duu, jet.duv, jet.dvv}) {
     require(d.allFinite(), "derivatives are finite");
   }
   require(unit_or_zero(surface.normal(cell, u, v)), "normals are of length one or zero");
-  const Curvature k = curvature(surface, cell, u, v);
+  const surface::Curvature k = surface::curvature(surface, cell, u, v);
   require(!(k.maximum < k.minimum), "principal curvatures are ordered");
   require(k.defined || k.maximum == 0.0, "undefined curvature is zero");
   if (k.defined) {
@@ -69,8 +70,8 @@ void check_place(const LimitSurface& surface, const Bounds& bounds, int cell, do
   }
 }
 
-void check_sides(const LimitSurface& surface, const Bounds& bounds) {
-  const Topology& cells = surface.cells();
+void check_sides(const surface::LimitSurface& surface, const Bounds& bounds) {
+  const mesh::Topology& cells = surface.cells();
   const auto on_side = [](int k, double t) {
     const Eigen::Vector2d places[] = {{t, 0.0}, {1.0, t}, {1.0 - t, 1.0}, {0.0, 1.0 - t}};
     return places[k];
@@ -88,14 +89,14 @@ void check_sides(const LimitSurface& surface, const Bounds& bounds) {
   }
 }
 
-void check_pieces(const LimitSurface& surface, const Bounds& bounds) {
+void check_pieces(const surface::LimitSurface& surface, const Bounds& bounds) {
   constexpr double kSmallest = 1.0 / 64.0;
   const int step = 1 + surface.cell_count() / kMostCells;
   for (int cell = 0; cell < surface.cell_count(); cell += step) {
     double area = 0.0;
-    for_each_piece(
+    surface::for_each_piece(
         surface, cell,
-        [&](const CornerSquare& square) {
+        [&](const surface::CornerSquare& square) {
           if (square.size > kSmallest) return true;
           for (const Vector3d& p : square.points()) {
             require(bounds.holds(p), "control points of squares lie within the box");
@@ -103,9 +104,9 @@ void check_pieces(const LimitSurface& surface, const Bounds& bounds) {
           area += square.size * square.size;
           return false;
         },
-        [&](const SurfacePiece& piece) {
+        [&](const surface::SurfacePiece& piece) {
           area += piece.size * piece.size;
-          const Vector3d ours = evaluate_bicubic(piece.points, 0.4, 0.7, 0).point;
+          const Vector3d ours = surface::evaluate_bicubic(piece.points, 0.4, 0.7, 0).point;
           const Vector3d same =
               surface.position(cell, piece.u + 0.4 * piece.size, piece.v + 0.7 * piece.size);
           require((ours - same).norm() <= bounds.tolerance, "pieces are the surface");
@@ -114,9 +115,9 @@ void check_pieces(const LimitSurface& surface, const Bounds& bounds) {
   }
 }
 
-void check_samples(const LimitSurface& surface, const Bounds& bounds) {
+void check_samples(const surface::LimitSurface& surface, const Bounds& bounds) {
   constexpr int kN = 3;
-  const GridSamples samples = evaluate_grid(surface, kN, 2);
+  const surface::GridSamples samples = surface::evaluate_grid(surface, kN, 2);
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     for (int i = 0; i <= kN; ++i) {
       for (int j = 0; j <= kN; ++j) {
@@ -127,7 +128,7 @@ void check_samples(const LimitSurface& surface, const Bounds& bounds) {
       }
     }
   }
-  const Tessellation net = tessellate(surface, 2);
+  const surface::Tessellation net = surface::tessellate(surface, 2);
   require(net.quads.size() == 4u * surface.cell_count(), "n x n quadrilaterals a cell");
   for (const auto& quad : net.quads) {
     for (int point : quad) require(bounds.holds(net.points.at(point)), "tessellations are bounded");
@@ -136,17 +137,17 @@ void check_samples(const LimitSurface& surface, const Bounds& bounds) {
   for (const auto& corners : net.corner_normals) {
     for (int normal : corners) require(normal < static_cast<int>(net.normals.size()), "in range");
   }
-  for (const FeatureCurve& curve : feature_curves(surface, 4)) {
+  for (const analysis::FeatureCurve& curve : analysis::feature_curves(surface, 4)) {
     for (const Vector3d& p : curve.points) require(bounds.holds(p), "creases are bounded");
   }
 }
 
-void check_creases(const LimitSurface& surface, const Bounds& bounds) {
-  for (const CreaseCurve& curve : crease_curves(surface)) {
+void check_creases(const surface::LimitSurface& surface, const Bounds& bounds) {
+  for (const surface::CreaseCurve& curve : surface::crease_curves(surface)) {
     for (double part : {0.0, 0.37, 1.0}) {
       const double t = part * curve.edge_count();
       const Vector3d p = curve.evaluate(t, 1).point;
-      for (const CellPlace& place : {curve.left(t), curve.right(t)}) {
+      for (const surface::CellPlace& place : {curve.left(t), curve.right(t)}) {
         if (place.cell < 0) continue;
         const Vector3d of_surface = surface.position(place.cell, place.u, place.v);
         require((p - of_surface).norm() <= 10.0 * bounds.tolerance + curve.dart_error(),
@@ -157,12 +158,12 @@ void check_creases(const LimitSurface& surface, const Bounds& bounds) {
 }
 
 // A probe anywhere around, and a ray from it to a place of the surface.
-void check_queries(const LimitSurface& surface, const Bounds& bounds, ByteReader& bytes) {
-  const SurfaceTree tree(surface);
+void check_queries(const surface::LimitSurface& surface, const Bounds& bounds, ByteReader& bytes) {
+  const surface::SurfaceTree tree(surface);
   const double size = bounds.box.diagonal().norm();
   Vector3d probe = bounds.box.center();
   for (double& x : probe) x += size * (bytes.byte() - 128) / 128.0;
-  const ClosestPoint foot = closest_point(tree, probe);
+  const surface::ClosestPoint foot = surface::closest_point(tree, probe);
   require(foot.cell >= 0, "there is a closest point");
   const Vector3d there = surface.position(foot.cell, foot.u, foot.v);
   const double tolerance = 10.0 * bounds.tolerance;
@@ -175,7 +176,7 @@ void check_queries(const LimitSurface& surface, const Bounds& bounds, ByteReader
   require(foot.distance <= reach + foot.gap + tolerance, "no point is nearer than the closest");
   if (reach < 1e-3 * size || size == 0.0) return;
   const Vector3d direction = (target - probe) / reach;
-  const auto hit = first_ray_hit(tree, {probe, direction});
+  const auto hit = surface::first_ray_hit(tree, {probe, direction});
   const double slope = std::abs(surface.normal(cell, u, v).dot(direction));
   // Crossings closer together than this may be told as one (ray_hits.h: 2e-7 of the size).
   const double nearly_touching = 1e-6 * tree.error_size();
@@ -183,12 +184,12 @@ void check_queries(const LimitSurface& surface, const Bounds& bounds, ByteReader
   if (hit) require(bounds.box.exteriorDistance(hit->point) <= 1e-9 * size, "hits are bounded");
 }
 
-void check_surface(const ControlMesh& mesh, Scheme scheme, ByteReader& bytes) {
+void check_surface(const mesh::ControlMesh& mesh, surface::Scheme scheme, ByteReader& bytes) {
   // The bases are shared as they are in the Python module, but not for ever.
-  static std::shared_ptr<BasisCache> cache;
+  static std::shared_ptr<surface::BasisCache> cache;
   static int uses = 0;
-  if (uses++ % 200 == 0) cache = std::make_shared<BasisCache>();
-  LimitSurface surface(mesh, scheme, cache);
+  if (uses++ % 200 == 0) cache = std::make_shared<surface::BasisCache>();
+  surface::LimitSurface surface(mesh, scheme, cache);
   const Bounds bounds(mesh);
   constexpr double kPlaces[] = {0.0, 1e-300, 1e-30, 1e-5, 0.24, 0.5, 0.75, 1.0 - 1e-16, 1.0};
   const int step = 1 + surface.cell_count() / kMostCells;
@@ -212,13 +213,13 @@ void check_surface(const ControlMesh& mesh, Scheme scheme, ByteReader& bytes) {
 }
 
 void check_bytes(ByteReader& bytes) {
-  const MeshArrays arrays = mesh_from_bytes(bytes);
-  const std::vector<MeshProblem> problems = check_mesh(arrays);
-  const bool sound = problems.empty() || problems.front().severity == Severity::kWarning;
+  const mesh::MeshArrays arrays = mesh_from_bytes(bytes);
+  const std::vector<mesh::MeshProblem> problems = mesh::check_mesh(arrays);
+  const bool sound = problems.empty() || problems.front().severity == mesh::Severity::kWarning;
   try {
-    const ControlMesh mesh(arrays);
+    const mesh::ControlMesh mesh(arrays);
     require(sound, "meshes with errors are refused");
-    for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
+    for (surface::Scheme scheme : {surface::Scheme::kBiermann, surface::Scheme::kCatmullClark}) {
       check_surface(mesh, scheme, bytes);
     }
   } catch (const std::invalid_argument& refused) {

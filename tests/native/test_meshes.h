@@ -13,14 +13,14 @@
 // Small meshes, each made for one feature.
 namespace hull::testing {
 
-inline void add_face(MeshArrays& mesh, const std::vector<int>& corners) {
+inline void add_face(mesh::MeshArrays& mesh, const std::vector<int>& corners) {
   mesh.face_sizes.push_back(static_cast<int>(corners.size()));
   mesh.face_vertices.insert(mesh.face_vertices.end(), corners.begin(), corners.end());
 }
 
 // The cube [-1, 1]^3, faces turned outwards.
-inline MeshArrays cube() {
-  MeshArrays mesh;
+inline mesh::MeshArrays cube() {
+  mesh::MeshArrays mesh;
   for (int i = 0; i < 8; ++i) {
     mesh.points.emplace_back(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
   }
@@ -32,8 +32,8 @@ inline MeshArrays cube() {
 }
 
 // The box [0, length] x [-beam/2, beam/2] x [0, depth], all edges creases.
-inline MeshArrays creased_box(double length, double beam, double depth) {
-  MeshArrays mesh = cube();
+inline mesh::MeshArrays creased_box(double length, double beam, double depth) {
+  mesh::MeshArrays mesh = cube();
   for (auto& p : mesh.points) {
     p = {0.5 * (p.x() + 1.0) * length, 0.5 * p.y() * beam, 0.5 * (p.z() + 1.0) * depth};
   }
@@ -46,8 +46,8 @@ inline MeshArrays creased_box(double length, double beam, double depth) {
 }
 
 // m x n quadrilaterals over [0, m] x [0, n] in the plane z = 0, normals up.
-inline MeshArrays grid(int m, int n) {
-  MeshArrays mesh;
+inline mesh::MeshArrays grid(int m, int n) {
+  mesh::MeshArrays mesh;
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= m; ++i) mesh.points.emplace_back(i, j, 0.0);
   }
@@ -61,8 +61,8 @@ inline MeshArrays grid(int m, int n) {
 }
 
 // n quadrilaterals around point 0, then two more rings: an inner vertex of valence n.
-inline MeshArrays fan(int n) {
-  MeshArrays mesh;
+inline mesh::MeshArrays fan(int n) {
+  mesh::MeshArrays mesh;
   mesh.points.emplace_back(0.0, 0.0, 0.3);
   constexpr int kRings = 3;
   // Ring r holds 2 n points.
@@ -83,8 +83,8 @@ inline MeshArrays fan(int n) {
 }
 
 // A prism with two n-gons, closed; or a double pyramid of 2 n triangles.
-inline MeshArrays prism(int n) {
-  MeshArrays mesh;
+inline mesh::MeshArrays prism(int n) {
+  mesh::MeshArrays mesh;
   for (int z : {-1, 1}) {
     for (int k = 0; k < n; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / n;
@@ -102,8 +102,8 @@ inline MeshArrays prism(int n) {
   return mesh;
 }
 
-inline MeshArrays double_pyramid(int n) {
-  MeshArrays mesh;
+inline mesh::MeshArrays double_pyramid(int n) {
+  mesh::MeshArrays mesh;
   for (int k = 0; k < n; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / n;
     mesh.points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
@@ -119,7 +119,7 @@ inline MeshArrays double_pyramid(int n) {
 
 // Draws tags: each edge a crease with probability `crease`, each point a corner with `corner`;
 // moves every coordinate by up to `move`.
-inline void randomise(MeshArrays& mesh, std::mt19937& random, double crease, double corner,
+inline void randomise(mesh::MeshArrays& mesh, std::mt19937& random, double crease, double corner,
                       double move) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::size_t begin = 0;
@@ -139,18 +139,18 @@ inline void randomise(MeshArrays& mesh, std::mt19937& random, double crease, dou
 }
 
 // A mesh of random kind, size, valence up to `max_valence`, tags and positions.
-inline MeshArrays random_mesh(std::mt19937& random, int max_valence) {
+inline mesh::MeshArrays random_mesh(std::mt19937& random, int max_valence) {
   const auto draw = [&random](int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
   };
   const int kind = draw(0, 4);
   // High valences are costly: draw them seldom.
   const int n = draw(0, 9) == 0 ? draw(3, max_valence) : draw(3, std::min(8, max_valence));
-  MeshArrays mesh = kind == 0   ? cube()
-                    : kind == 1 ? grid(draw(1, 4), draw(1, 4))
-                    : kind == 2 ? fan(n)
-                    : kind == 3 ? prism(n)
-                                : double_pyramid(n);
+  mesh::MeshArrays mesh = kind == 0   ? cube()
+                          : kind == 1 ? grid(draw(1, 4), draw(1, 4))
+                          : kind == 2 ? fan(n)
+                          : kind == 3 ? prism(n)
+                                      : double_pyramid(n);
   constexpr double kCreases[] = {0.0, 0.1, 0.3, 0.7};
   constexpr double kCorners[] = {0.0, 0.0, 0.1};
   randomise(mesh, random, kCreases[draw(0, 3)], kCorners[draw(0, 2)], 0.2);

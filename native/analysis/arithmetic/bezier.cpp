@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // The two halves of a cubic (de Casteljau at 1/2).
@@ -142,4 +142,4 @@ BezierBicubic BezierBicubic::quarter(int i, int j) const {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/arithmetic/small_list.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A cubic on [0, 1] by its Bézier coefficients.
 using BezierCubic = std::array<double, 4>;
@@ -47,4 +47,4 @@ class BezierBicubic {
   std::array<double, 16> c_{};
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,9 +3,9 @@
 
 #include "surface/wide_code.h"
 
-namespace hull {
+namespace hull::analysis {
 
-HULL_WIDE BezierNet bezier_net(const BicubicPoints& points, const Vector3d& direction,
+HULL_WIDE BezierNet bezier_net(const surface::BicubicPoints& points, const Vector3d& direction,
                                double offset) {
   BezierNet rows, net;
   for (int j = 0; j < 4; ++j) {
@@ -26,4 +26,4 @@ HULL_WIDE BezierNet bezier_net(const BicubicPoints& points, const Vector3d& dire
   return net;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

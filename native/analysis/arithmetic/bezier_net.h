@@ -5,16 +5,17 @@
 #include <array>
 
 #include "analysis/arithmetic/bezier.h"
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // One coordinate of a bicubic on [0, 1]^2 by its Bézier coefficients, index 4 j + i, i along u:
 // open to arithmetic, where BezierBicubic is for one question at a time.
 using BezierNet = std::array<double, 16>;
 
 // Of the coordinate `direction`·p - offset of a uniform B-spline span.
-BezierNet bezier_net(const BicubicPoints& points, const Vector3d& direction, double offset);
+BezierNet bezier_net(const surface::BicubicPoints& points, const Vector3d& direction,
+                     double offset);
 
 // Coefficients of rounding size are zero, so that what lies in a plane does not cross it.
 inline void flush_to_zero(BezierNet& net, double tolerance) {
@@ -140,4 +141,4 @@ struct NetJet {
   }
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

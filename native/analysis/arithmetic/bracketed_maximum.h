@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
 struct Maximum {
   double place, value;
@@ -61,4 +61,4 @@ Maximum bracketed_maximum(const Function& f, double a, double b, double width) {
   return {x, fx};
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
 // A root of a continuous function between a and b, where its values fa and fb differ in sign (or
 // one is zero), to `tolerance` in the argument or rounding. Anderson and Björck's rule (1973) of
@@ -40,4 +40,4 @@ double bracketed_root(const Function& f, double a, double fa, double b, double f
   return b;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
 EstimatingRule::EstimatingRule(int n) : rule_(gauss_rule(n)) {
   for (int i = 0; i < n; ++i) {
@@ -36,4 +36,4 @@ double EstimatingRule::error(const Values& values) const {
   return mean > 0.0 ? top * std::min(1.0, top / mean) : 0.0;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

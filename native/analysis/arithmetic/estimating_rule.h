@@ -5,7 +5,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A Gauss rule on [0, 1] that tells from the integrand's values at its nodes how much it may be
 // off: the coefficients of an analytic function's Legendre series fall geometrically, and the error
@@ -31,4 +31,4 @@ class EstimatingRule {
   Values high_{}, highest_{};  // weights times those two polynomials, at the nodes
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

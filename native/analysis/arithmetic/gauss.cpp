@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hull {
+namespace hull::analysis {
 
 GaussRule gauss_rule(int n) {
   GaussRule rule{std::vector<double>(n), std::vector<double>(n)};
@@ -30,4 +30,4 @@ GaussRule gauss_rule(int n) {
   return rule;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

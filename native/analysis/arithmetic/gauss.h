@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace hull {
+namespace hull::analysis {
 
 // Gauss–Legendre quadrature on [0, 1]: exact for polynomials of degree 2 n - 1.
 struct GaussRule {
@@ -13,4 +13,4 @@ struct GaussRule {
 // The rule of n >= 1 nodes, to rounding.
 GaussRule gauss_rule(int n);
 
-}  // namespace hull
+}  // namespace hull::analysis

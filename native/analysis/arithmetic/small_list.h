@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
-namespace hull {
+namespace hull::analysis {
 
 // A list of at most `kCapacity` values, without memory of its own on the heap.
 template <class Value, std::size_t kCapacity>
@@ -38,4 +38,4 @@ class SmallList {
   std::size_t size_ = 0;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

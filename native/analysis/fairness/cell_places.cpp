@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/fairness/cell_places.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kCornerU[] = {0.0, 1.0, 1.0, 0.0};
@@ -16,7 +16,7 @@ double snapped(double t) {
 }
 
 // A side's place `t` of the way along its half-edge.
-CellPlace on_side(int h, double t) {
+surface::CellPlace on_side(int h, double t) {
   switch (h % 4) {
     case 0:
       return {h / 4, t, 0.0};
@@ -29,7 +29,7 @@ CellPlace on_side(int h, double t) {
   }
 }
 
-void add_fan(const Topology& cells, int h, CellPlaces& places) {
+void add_fan(const mesh::Topology& cells, int h, CellPlaces& places) {
   const auto add = [&](int at) { places.push_back({at / 4, kCornerU[at % 4], kCornerV[at % 4]}); };
   int at = h;
   do {
@@ -47,7 +47,7 @@ void add_fan(const Topology& cells, int h, CellPlaces& places) {
 
 }  // namespace
 
-CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& uv) {
+CellPlaces cell_places(const mesh::Topology& cells, int cell, const Eigen::Vector2d& uv) {
   CellPlaces places{{cell, uv.x(), uv.y()}};
   const double u = snapped(uv.x()), v = snapped(uv.y());
   const int h = 4 * cell;
@@ -67,4 +67,4 @@ CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& u
   return places;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

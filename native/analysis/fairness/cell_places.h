@@ -4,15 +4,15 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // All cells that have a point in common, and where each has it.
-using CellPlaces = std::vector<CellPlace>;
+using CellPlaces = std::vector<surface::CellPlace>;
 
 // The given place first, as it is; a place is on a side or a corner of its cell where u or v is
 // within 1e-9 of 0 or 1. REQUIRES: `cells` as LimitSurface::cells(); u and v in [0, 1].
-CellPlaces cell_places(const Topology& cells, int cell, const Eigen::Vector2d& uv);
+CellPlaces cell_places(const mesh::Topology& cells, int cell, const Eigen::Vector2d& uv);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // The ends, which differ in hue and also in how the colour blind see them (the blue and vermilion
@@ -107,4 +107,4 @@ Colour sequential_colour(double t) {
   return from_table(table, t);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

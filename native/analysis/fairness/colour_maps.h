@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace hull {
+namespace hull::analysis {
 
 // Red, green and blue of sRGB, each in [0, 1], as screens take them.
 using Colour = std::array<double, 3>;
@@ -22,4 +22,4 @@ Colour sequential_colour(double t);
 // Neither: for places without a value.
 inline constexpr Colour kNoValueColour{0.55, 0.55, 0.55};
 
-}  // namespace hull
+}  // namespace hull::analysis

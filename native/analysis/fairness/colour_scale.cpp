@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kNearZero = 1e-3;  // of the range: where the logarithmic scale becomes linear
@@ -135,4 +135,4 @@ std::vector<ColourScale::Tick> ColourScale::ticks() const {
   return ticks;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

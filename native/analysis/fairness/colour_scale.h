@@ -9,7 +9,7 @@
 #include "analysis/fairness/colour_maps.h"
 #include "analysis/fairness/surface_field.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // From values of a field to colours, and back to a legend.
 //
@@ -64,4 +64,4 @@ class ColourScale {
   double low_, high_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -12,7 +12,7 @@
 #include "analysis/fairness/section_course.h"
 #include "surface/parallel_for.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kStep = 1.0 / 200.0;  // of the mesh's size
@@ -29,7 +29,7 @@ struct Rules {
   bool marks;
 };
 
-Rules rules_from(const LimitSurface& surface, const FairnessOptions& options) {
+Rules rules_from(const surface::LimitSurface& surface, const FairnessOptions& options) {
   const double size = surface.mesh().size();
   if (options.step && options.count) {
     throw std::invalid_argument("Give either the step between samples or their count, not both.");
@@ -76,8 +76,8 @@ void add_stretch(const MeasuredCurve& curve, const Rules& rules, CurveFairness& 
   }
 }
 
-CurveFairness judged(const LimitSurface& surface, const Plane& plane, const SectionCurve& curve,
-                     const Rules& rules) {
+CurveFairness judged(const surface::LimitSurface& surface, const Plane& plane,
+                     const SectionCurve& curve, const Rules& rules) {
   CurveFairness result{CurveFairness::Kind::kSection, {}, curve.closed, 0.0, {}, {}, {0}, {}};
   for (const SmoothStretch& stretch : smooth_stretches(curve)) {
     add_stretch(SectionCourse(surface, plane, curve, stretch), rules, result);
@@ -96,7 +96,7 @@ int count_of(const std::vector<CurveMark>& marks, bool inflections) {
 int CurveFairness::inflection_count() const { return count_of(marks, true); }
 int CurveFairness::extremum_count() const { return count_of(marks, false); }
 
-std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& surface,
+std::vector<std::vector<CurveFairness>> section_fairness(const surface::LimitSurface& surface,
                                                          const std::vector<Plane>& planes,
                                                          const SectionOptions& sampling,
                                                          const FairnessOptions& options) {
@@ -112,14 +112,14 @@ std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& sur
 }
 
 std::vector<std::vector<CurveFairness>> section_fairness(
-    const LimitSurface& surface, const std::vector<Plane>& planes,
+    const surface::LimitSurface& surface, const std::vector<Plane>& planes,
     const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options) {
   assert(curves.size() == planes.size());
   const Rules rules = rules_from(surface, options);
   std::vector<std::vector<CurveFairness>> result(planes.size());
   constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a plane's curves take some 100 microseconds
-  parallel_for(
+  surface::parallel_for(
       planes.size(), kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -132,7 +132,7 @@ std::vector<std::vector<CurveFairness>> section_fairness(
   return result;
 }
 
-std::vector<CurveFairness> feature_fairness(const LimitSurface& surface,
+std::vector<CurveFairness> feature_fairness(const surface::LimitSurface& surface,
                                             const std::optional<Vector3d>& direction,
                                             const FairnessOptions& options) {
   const Rules rules = rules_from(surface, options);
@@ -145,9 +145,9 @@ std::vector<CurveFairness> feature_fairness(const LimitSurface& surface,
     view = *direction / length;
   }
   std::vector<CurveFairness> result;
-  for (const CreaseCurve& curve : crease_curves(surface)) {
-    const auto kind = curve.kind() == CreaseKind::kBorder ? CurveFairness::Kind::kBorder
-                                                          : CurveFairness::Kind::kCrease;
+  for (const surface::CreaseCurve& curve : surface::crease_curves(surface)) {
+    const auto kind = curve.kind() == surface::CreaseKind::kBorder ? CurveFairness::Kind::kBorder
+                                                                   : CurveFairness::Kind::kCrease;
     result.push_back({kind, curve.vertices(), curve.closed(), 0.0, {}, {}, {0}, {}});
     const auto seen_along =
         view ? view : normal_of_plane_curve(curve, kPlaneCurve * surface.mesh().size());
@@ -197,4 +197,4 @@ double suggested_comb_scale(const std::vector<CurveFairness>& curves, double hei
   return tallest > 0.0 ? height / tallest : 1.0;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -7,9 +7,9 @@
 
 #include "analysis/fairness/curve_marks.h"
 #include "analysis/sections/sections.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A curve as its fairness is judged: samples at even arc lengths between knuckles, and marks.
 struct CurveFairness {
@@ -41,7 +41,7 @@ struct FairnessOptions {
 // lengths are right to about 1e-6, as sections are never sampled more coarsely than to 1e-5 of the
 // mesh's size, and more so with a finer chord tolerance. Throws std::invalid_argument as
 // sections() does, and for options out of range.
-std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& surface,
+std::vector<std::vector<CurveFairness>> section_fairness(const surface::LimitSurface& surface,
                                                          const std::vector<Plane>& planes,
                                                          const SectionOptions& sampling,
                                                          const FairnessOptions& options);
@@ -49,14 +49,14 @@ std::vector<std::vector<CurveFairness>> section_fairness(const LimitSurface& sur
 // The same of sections that are there: curves[i] are those by planes[i], as sections() gives them
 // to a chord tolerance no coarser than 1e-5 of the mesh's size. REQUIRES: as many as planes.
 std::vector<std::vector<CurveFairness>> section_fairness(
-    const LimitSurface& surface, const std::vector<Plane>& planes,
+    const surface::LimitSurface& surface, const std::vector<Plane>& planes,
     const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options);
 
 // Creases and borders, as crease_curves() gives them. With a direction of view (of any length) they
 // are judged as seen along it. Else plane curves are judged in their plane, seen against that
 // normal whose largest component is positive; others by the length of their curvature vector, which
 // has no sign, so that they have extrema but no inflections.
-std::vector<CurveFairness> feature_fairness(const LimitSurface& surface,
+std::vector<CurveFairness> feature_fairness(const surface::LimitSurface& surface,
                                             const std::optional<Vector3d>& direction,
                                             const FairnessOptions& options);
 
@@ -72,4 +72,4 @@ std::vector<Segment3> comb(const CurveFairness& curve, double scale);
 // all are straight. Throws std::invalid_argument unless height > 0.
 double suggested_comb_scale(const std::vector<CurveFairness>& curves, double height);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,7 +8,7 @@
 #include "analysis/arithmetic/bracketed_maximum.h"
 #include "analysis/arithmetic/bracketed_root.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Between two breaks probes are no further apart than a part of the curve's length, as far as the
@@ -171,4 +171,4 @@ std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNo
   return Marker(curve, std::move(along), threshold).marks();
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/fairness/measured_curve.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What of a curve's bending counts.
 struct CurvatureNoise {
@@ -37,4 +37,4 @@ struct CurveMark {
 // straight part.
 std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise);
 
-}  // namespace hull
+}  // namespace hull::analysis

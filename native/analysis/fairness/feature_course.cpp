@@ -8,7 +8,7 @@
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/fairness/plane_fit.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kPartsOfSpan = 4;
@@ -19,7 +19,7 @@ const GaussRule& rule() {
   return gauss;
 }
 
-double length_between(const CreaseCurve& curve, double t0, double t1) {
+double length_between(const surface::CreaseCurve& curve, double t0, double t1) {
   double sum = 0.0;
   for (int i = 0; i < kNodes; ++i) {
     sum += rule().weights[i] * curve.evaluate(t0 + (t1 - t0) * rule().nodes[i], 1).d1.norm();
@@ -29,7 +29,8 @@ double length_between(const CreaseCurve& curve, double t0, double t1) {
 
 }  // namespace
 
-FeatureCourse::FeatureCourse(const CreaseCurve& curve, const std::optional<Vector3d>& seen_along)
+FeatureCourse::FeatureCourse(const surface::CreaseCurve& curve,
+                             const std::optional<Vector3d>& seen_along)
     : MeasuredCurve({0.0}, curve.closed()),
       curve_(curve),
       seen_along_(seen_along),
@@ -64,7 +65,7 @@ double FeatureCourse::parameter_at(double s) const {
 }
 
 CurveSample FeatureCourse::at(double s) const {
-  const CurveJet jet = curve_.evaluate(parameter_at(s), 2);
+  const surface::CurveJet jet = curve_.evaluate(parameter_at(s), 2);
   CurveSample sample;
   sample.point = jet.point;
   const double speed = jet.d1.norm();
@@ -86,7 +87,7 @@ CurveSample FeatureCourse::at(double s) const {
   return sample;
 }
 
-std::optional<Vector3d> normal_of_plane_curve(const CreaseCurve& curve, double tolerance) {
+std::optional<Vector3d> normal_of_plane_curve(const surface::CreaseCurve& curve, double tolerance) {
   const std::vector<Vector3d>& points = curve.spline().points();
   const PlaneFit fit = fit_plane(points);
   double off_plane = 0.0, off_line = 0.0;
@@ -98,4 +99,4 @@ std::optional<Vector3d> normal_of_plane_curve(const CreaseCurve& curve, double t
   return fit.plane.normal;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -11,7 +11,7 @@
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/fairness/plane_fit.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMostFits = 4;
@@ -22,15 +22,15 @@ constexpr double kEigenvalueError = 1e-12;  // of the greatest, by far
 using Points = std::vector<Vector3d>;
 
 // The points in whose convex hull a cell lies.
-Points control_points(const LimitSurface& surface, int cell) {
+Points control_points(const surface::LimitSurface& surface, int cell) {
   Points points;
-  for_each_piece(
+  surface::for_each_piece(
       surface, cell,
-      [&](const CornerSquare& square) {
+      [&](const surface::CornerSquare& square) {
         points.insert(points.end(), square.points().begin(), square.points().end());
         return false;
       },
-      [&](const SurfacePiece& piece) {
+      [&](const surface::SurfacePiece& piece) {
         points.insert(points.end(), piece.points.begin(), piece.points.end());
       });
   return points;
@@ -56,12 +56,12 @@ bool may_lie_in_a_plane(const Points& points, double tolerance) {
          2.0 * count * tolerance * tolerance + kEigenvalueError * squares.trace();
 }
 
-double area_of(const LimitSurface& surface, int cell) {
+double area_of(const surface::LimitSurface& surface, int cell) {
   static const GaussRule rule = gauss_rule(kAreaNodes);
   double area = 0.0;
   for (int i = 0; i < kAreaNodes; ++i) {
     for (int j = 0; j < kAreaNodes; ++j) {
-      const SurfaceJet jet = surface.evaluate(cell, rule.nodes[i], rule.nodes[j], 1);
+      const surface::SurfaceJet jet = surface.evaluate(cell, rule.nodes[i], rule.nodes[j], 1);
       area += rule.weights[i] * rule.weights[j] * jet.du.cross(jet.dv).norm();
     }
   }
@@ -71,19 +71,19 @@ double area_of(const LimitSurface& surface, int cell) {
 // The side of a half-edge of cells(), cubic by cubic along it.
 class SideCubics {
  public:
-  SideCubics(const LimitSurface& surface, int half_edge)
+  SideCubics(const surface::LimitSurface& surface, int half_edge)
       : surface_(surface), cell_(half_edge / 4), side_(half_edge % 4) {}
 
   void add_to(std::vector<std::array<Vector3d, 4>>& cubics) {
-    for_each_piece(
+    surface::for_each_piece(
         surface_, cell_,
-        [&](const CornerSquare& square) {
+        [&](const surface::CornerSquare& square) {
           if (!touches(square.u, square.v, square.size)) return false;
           if (square.size > kSmallestSquare) return true;
           take(square.u, square.v, square.size);
           return false;
         },
-        [&](const SurfacePiece& piece) {
+        [&](const surface::SurfacePiece& piece) {
           if (touches(piece.u, piece.v, piece.size)) take(piece.u, piece.v, piece.size);
         });
     std::sort(parts_.begin(), parts_.end());
@@ -109,15 +109,15 @@ class SideCubics {
     parts_.push_back(side_ < 2 ? std::array<double, 2>{from, from + size}
                                : std::array<double, 2>{1.0 - from - size, 1.0 - from});
   }
-  SurfaceJet at(double t) const {
+  surface::SurfaceJet at(double t) const {
     const double s = side_ < 2 ? t : 1.0 - t;
     if (side_ % 2 == 0) return surface_.evaluate(cell_, s, side_ == 0 ? 0.0 : 1.0, 1);
     return surface_.evaluate(cell_, side_ == 1 ? 1.0 : 0.0, s, 1);
   }
   std::array<Vector3d, 4> cubic(double from, double to) const {
-    const SurfaceJet a = at(from), b = at(to);
+    const surface::SurfaceJet a = at(from), b = at(to);
     const double third = (side_ < 2 ? 1.0 : -1.0) * (to - from) / 3.0;
-    const auto step = [&](const SurfaceJet& jet) -> Vector3d {
+    const auto step = [&](const surface::SurfaceJet& jet) -> Vector3d {
       const Vector3d d = side_ % 2 == 0 ? jet.du : jet.dv;
       // At an irregular knot there is no derivative.
       if (d.isZero(0.0)) return (b.point - a.point) / 3.0;
@@ -126,14 +126,14 @@ class SideCubics {
     return {a.point, a.point + step(a), b.point - step(b), b.point};
   }
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   int cell_, side_;
   std::vector<std::array<double, 2>> parts_;
 };
 
 class RegionFinder {
  public:
-  RegionFinder(const LimitSurface& surface, double tolerance)
+  RegionFinder(const surface::LimitSurface& surface, double tolerance)
       : surface_(surface),
         tolerance_(tolerance),
         areas_(surface.cell_count(), -1.0),
@@ -229,7 +229,7 @@ class RegionFinder {
   }
 
   std::vector<FlatBorder> borders(const std::vector<int>& cells) const {
-    const Topology& topology = surface_.cells();
+    const mesh::Topology& topology = surface_.cells();
     std::vector<char> inside(points_.size(), 0), done(4 * points_.size(), 0);
     for (const int cell : cells) inside[cell] = 1;
     const auto is_border = [&](int h) {
@@ -252,7 +252,7 @@ class RegionFinder {
     return result;
   }
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   double tolerance_;
   std::vector<Points> points_;
   std::vector<double> areas_;
@@ -261,8 +261,9 @@ class RegionFinder {
 
 }  // namespace
 
-std::vector<FlatRegion> flat_regions(const LimitSurface& surface, const std::optional<Plane>& plane,
-                                     double tolerance, double smallest_area) {
+std::vector<FlatRegion> flat_regions(const surface::LimitSurface& surface,
+                                     const std::optional<Plane>& plane, double tolerance,
+                                     double smallest_area) {
   if (!(tolerance > 0.0) || !std::isfinite(tolerance)) {
     throw std::invalid_argument("The tolerance of flat regions must be a positive length, not " +
                                 std::to_string(tolerance) + " m.");
@@ -275,4 +276,4 @@ std::vector<FlatRegion> flat_regions(const LimitSurface& surface, const std::opt
   return regions;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

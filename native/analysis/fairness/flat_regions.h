@@ -7,7 +7,7 @@
 
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A closed curve around a flat region, by the Bézier points of its cubics, in order; the region is
 // on its left, seen from outside.
@@ -30,7 +30,8 @@ struct FlatRegion {
 // Borders are the sides of cells, exactly: a cubic is a whole side, or a half of it and so on
 // towards an irregular knot, where the last 2^-10 is a cubic with the right ends only. Regions go
 // on across creases. Throws std::invalid_argument for a tolerance that is not above zero.
-std::vector<FlatRegion> flat_regions(const LimitSurface& surface, const std::optional<Plane>& plane,
-                                     double tolerance, double smallest_area = 0.0);
+std::vector<FlatRegion> flat_regions(const surface::LimitSurface& surface,
+                                     const std::optional<Plane>& plane, double tolerance,
+                                     double smallest_area = 0.0);
 
-}  // namespace hull
+}  // namespace hull::analysis

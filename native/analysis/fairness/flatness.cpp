@@ -8,7 +8,7 @@
 
 #include "analysis/fairness/plane_fit.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kFits = 50;
@@ -69,13 +69,13 @@ Plane plane_of_most(const std::vector<Vector3d>& points, double size, double tol
 // Looks for the point furthest from a plane.
 class Furthest {
  public:
-  Furthest(const LimitSurface& surface, const Plane& plane)
+  Furthest(const surface::LimitSurface& surface, const Plane& plane)
       : surface_(surface), plane_(plane), exact_(kExact * surface.mesh().size()) {}
 
   void look_at(int cell) {
-    for_each_piece(
+    surface::for_each_piece(
         surface_, cell,
-        [&](const CornerSquare& square) {
+        [&](const surface::CornerSquare& square) {
           double bound = 0.0;
           for (const Vector3d& p : square.points()) {
             bound = std::max(bound, std::abs(plane_.height(p)));
@@ -88,7 +88,7 @@ class Furthest {
           }
           return true;
         },
-        [&](const SurfacePiece& piece) {
+        [&](const surface::SurfacePiece& piece) {
           look_at(piece, heights(piece.points, plane_, 0.0), {0.0, 0.0, 1.0}, 0);
         });
   }
@@ -106,8 +106,8 @@ class Furthest {
     found_ = true;
   }
 
-  void look_at(const SurfacePiece& piece, const BezierBicubic& height, const DomainSquare& square,
-               int depth) {
+  void look_at(const surface::SurfacePiece& piece, const BezierBicubic& height,
+               const surface::DomainSquare& square, int depth) {
     if (found_ && std::max(-height.lowest(), height.highest()) <= distance_ + exact_) return;
     const double u = square.u + 0.5 * square.size, v = square.v + 0.5 * square.size;
     for (const auto& at : {std::array{square.u, square.v}, std::array{u, v},
@@ -119,13 +119,14 @@ class Furthest {
     }
     if (depth == kDeepestSquare) return;
     for (int i = 0; i < 4; ++i) {
-      const DomainSquare quarter{square.u + 0.5 * square.size * (i & 1),
-                                 square.v + 0.5 * square.size * (i >> 1), 0.5 * square.size};
+      const surface::DomainSquare quarter{square.u + 0.5 * square.size * (i & 1),
+                                          square.v + 0.5 * square.size * (i >> 1),
+                                          0.5 * square.size};
       look_at(piece, height.quarter(i & 1, i >> 1), quarter, depth + 1);
     }
   }
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const Plane& plane_;
   double exact_;
   double distance_ = 0.0;
@@ -134,7 +135,7 @@ class Furthest {
 };
 
 // The control points of the faces around those of the part, as far as creases let them through.
-std::vector<int> points_around(const Topology& topology, const std::vector<int>& faces) {
+std::vector<int> points_around(const mesh::Topology& topology, const std::vector<int>& faces) {
   std::vector<int> around;
   const auto add_face = [&](int h) {
     const int face = topology.face(h), first = topology.first_half_edge(face);
@@ -145,10 +146,11 @@ std::vector<int> points_around(const Topology& topology, const std::vector<int>&
   for (const int face : faces) {
     const int first = topology.first_half_edge(face);
     for (int h = first; h < first + topology.face_size(face); ++h) {
-      int at = turn_left(topology, h);
-      for (; at >= 0 && at != h; at = turn_left(topology, at)) add_face(at);
+      int at = mesh::turn_left(topology, h);
+      for (; at >= 0 && at != h; at = mesh::turn_left(topology, at)) add_face(at);
       if (at == h) continue;
-      for (at = turn_right(topology, h); at >= 0; at = turn_right(topology, at)) add_face(at);
+      for (at = mesh::turn_right(topology, h); at >= 0; at = mesh::turn_right(topology, at))
+        add_face(at);
     }
   }
   sort_unique(around);
@@ -157,8 +159,8 @@ std::vector<int> points_around(const Topology& topology, const std::vector<int>&
 
 }  // namespace
 
-FlatPart flat_part_of_faces(const LimitSurface& surface, std::vector<int> faces) {
-  const Topology& topology = surface.mesh().topology();
+FlatPart flat_part_of_faces(const surface::LimitSurface& surface, std::vector<int> faces) {
+  const mesh::Topology& topology = surface.mesh().topology();
   check_indices(faces, topology.face_count(), "face");
   sort_unique(faces);
   FlatPart part{std::move(faces), {}};
@@ -172,8 +174,8 @@ FlatPart flat_part_of_faces(const LimitSurface& surface, std::vector<int> faces)
   return part;
 }
 
-FlatPart flat_part_of_vertices(const LimitSurface& surface, std::vector<int> vertices) {
-  const Topology& topology = surface.mesh().topology();
+FlatPart flat_part_of_vertices(const surface::LimitSurface& surface, std::vector<int> vertices) {
+  const mesh::Topology& topology = surface.mesh().topology();
   check_indices(vertices, topology.vertex_count(), "control point");
   sort_unique(vertices);
   FlatPart part{{}, std::move(vertices)};
@@ -188,14 +190,14 @@ FlatPart flat_part_of_vertices(const LimitSurface& surface, std::vector<int> ver
   return part;
 }
 
-Flatness flatness(const LimitSurface& surface, const FlatPart& part,
+Flatness flatness(const surface::LimitSurface& surface, const FlatPart& part,
                   const std::optional<Plane>& plane, double tolerance) {
   if (!(tolerance > 0.0) || !std::isfinite(tolerance)) {
     throw std::invalid_argument("The tolerance of flat parts must be a positive length, not " +
                                 std::to_string(tolerance) + " m.");
   }
-  const ControlMesh& mesh = surface.mesh();
-  const Topology& topology = mesh.topology();
+  const mesh::ControlMesh& mesh = surface.mesh();
+  const mesh::Topology& topology = mesh.topology();
   std::vector<Vector3d> points;
   for (const int v : part.vertices) points.push_back(mesh.points()[v]);
   if (!plane && points.size() < 3) {
@@ -228,4 +230,4 @@ Flatness flatness(const LimitSurface& surface, const FlatPart& part,
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

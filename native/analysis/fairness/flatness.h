@@ -6,7 +6,7 @@
 
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // How flat a part of the surface is that is meant to be.
 struct Flatness {
@@ -27,17 +27,17 @@ struct FlatPart {
   std::vector<int> vertices;  // those of the faces, or more
 };
 // REQUIRES of neither: the faces with all their control points, …
-FlatPart flat_part_of_faces(const LimitSurface& surface, std::vector<int> faces);
+FlatPart flat_part_of_faces(const surface::LimitSurface& surface, std::vector<int> faces);
 // … the control points, with the faces all of whose corners are among them. Both throw
 // std::invalid_argument for indices that the mesh has not, and for none at all.
-FlatPart flat_part_of_vertices(const LimitSurface& surface, std::vector<int> vertices);
+FlatPart flat_part_of_vertices(const surface::LimitSurface& surface, std::vector<int> vertices);
 
 // Distances from the plane; without one from that which most of the part's control points lie in:
 // the least sum of distances, so that a few points at fault do not tilt it, and then the least
 // squares of those within the tolerance. The surface's distance is the largest to 1e-9 of the
 // mesh's size. Throws std::invalid_argument for a tolerance that is not above zero, and, without a
 // plane, for fewer than three control points or such in a line.
-Flatness flatness(const LimitSurface& surface, const FlatPart& part,
+Flatness flatness(const surface::LimitSurface& surface, const FlatPart& part,
                   const std::optional<Plane>& plane, double tolerance);
 
-}  // namespace hull
+}  // namespace hull::analysis

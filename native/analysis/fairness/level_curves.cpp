@@ -14,7 +14,7 @@
 #include "analysis/fairness/cell_places.h"
 #include "surface/parallel_for.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Values this little below a level are on it: of flat regions the whole is on one side.
@@ -29,7 +29,7 @@ struct Place {
 
 // The surface and the function on the grid, whatever the level.
 struct Samples {
-  Tessellation grid;
+  surface::Tessellation grid;
   std::vector<double> values;  // per normal
   struct Range {
     double at, low, high;  // values are from at + low to at + high, by the shortest way round
@@ -42,9 +42,9 @@ double step_between(double from, double to, double period) {
   return std::isinf(period) ? to - from : std::remainder(to - from, period);
 }
 
-Samples take_samples(const LimitSurface& surface, const NormalFunction& function, int divisions,
-                     double period) {
-  Samples samples{tessellate(surface, divisions), {}, {}};
+Samples take_samples(const surface::LimitSurface& surface, const NormalFunction& function,
+                     int divisions, double period) {
+  Samples samples{surface::tessellate(surface, divisions), {}, {}};
   samples.values = normal_field(samples.grid, function);
   const std::size_t squares = static_cast<std::size_t>(divisions) * divisions;
   for (std::size_t q = 0; q < samples.grid.quads.size(); ++q) {
@@ -67,8 +67,8 @@ Samples take_samples(const LimitSurface& surface, const NormalFunction& function
 
 class Tracer {
  public:
-  Tracer(const LimitSurface& surface, const NormalFunction& function, const Samples& samples,
-         const LevelOptions& options, double period, double level)
+  Tracer(const surface::LimitSurface& surface, const NormalFunction& function,
+         const Samples& samples, const LevelOptions& options, double period, double level)
       : surface_(surface),
         function_(function),
         samples_(samples),
@@ -95,8 +95,8 @@ class Tracer {
 
   double wrapped(double value) const { return step_between(level_, value, period_); }
   double height(int cell, const Eigen::Vector2d& uv) const {
-    const SurfaceJet jet = surface_.evaluate(cell, uv.x(), uv.y(), 1);
-    Vector3d normal = unit_normal(jet.du, jet.dv);
+    const surface::SurfaceJet jet = surface_.evaluate(cell, uv.x(), uv.y(), 1);
+    Vector3d normal = surface::unit_normal(jet.du, jet.dv);
     if (normal.isZero(0.0)) normal = surface_.normal(cell, uv.x(), uv.y());
     return wrapped(function_(jet.point, normal));
   }
@@ -223,7 +223,7 @@ class Tracer {
   Eigen::Vector2d in_cell(const Crossing& crossing, int cell) const {
     const Place& place = crossing.place;
     if (place.cell == cell) return place.uv;
-    for (const CellPlace& at : cell_places(surface_.cells(), place.cell, place.uv)) {
+    for (const surface::CellPlace& at : cell_places(surface_.cells(), place.cell, place.uv)) {
       if (at.cell == cell) return {at.u, at.v};
     }
     return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -280,7 +280,7 @@ class Tracer {
     return true;
   }
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const NormalFunction& function_;
   const Samples& samples_;
   int n_;
@@ -292,7 +292,8 @@ class Tracer {
 
 }  // namespace
 
-std::vector<LevelCurve> level_curves(const LimitSurface& surface, const NormalFunction& function,
+std::vector<LevelCurve> level_curves(const surface::LimitSurface& surface,
+                                     const NormalFunction& function,
                                      const std::vector<double>& levels, const LevelOptions& options,
                                      double period) {
   if (options.divisions < 1 || options.divisions > 64) {
@@ -309,7 +310,7 @@ std::vector<LevelCurve> level_curves(const LimitSurface& surface, const NormalFu
   const Samples samples = take_samples(surface, function, options.divisions, period);
   std::vector<std::vector<LevelCurve>> found(levels.size());
   constexpr int kAllProcessors = 0;
-  parallel_for(
+  surface::parallel_for(
       levels.size(), kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -324,4 +325,4 @@ std::vector<LevelCurve> level_curves(const LimitSurface& surface, const NormalFu
   return curves;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

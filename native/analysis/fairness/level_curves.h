@@ -6,7 +6,7 @@
 
 #include "analysis/fairness/surface_field.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A curve on the surface along which a function of point and normal has one value.
 struct LevelCurve {
@@ -32,8 +32,9 @@ inline constexpr double kNoPeriod = std::numeric_limits<double>::infinity();
 // Curves end at creases, where the normal jumps, at borders, and where the function is not a
 // number; of regions with the very value the border is given. Throws std::invalid_argument for
 // divisions outside of 1 to 64, a chord tolerance that is not positive, levels that are not finite.
-std::vector<LevelCurve> level_curves(const LimitSurface& surface, const NormalFunction& function,
+std::vector<LevelCurve> level_curves(const surface::LimitSurface& surface,
+                                     const NormalFunction& function,
                                      const std::vector<double>& levels, const LevelOptions& options,
                                      double period = kNoPeriod);
 
-}  // namespace hull
+}  // namespace hull::analysis

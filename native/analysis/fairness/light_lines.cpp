@@ -9,9 +9,9 @@
 #include <string>
 
 #include "analysis/arithmetic/bracketed_root.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
@@ -49,7 +49,8 @@ double require_positive(double value, const char* name) {
 // Creases as seen: one side turned to the eye, the other one away.
 class CreaseOutline {
  public:
-  CreaseOutline(const LimitSurface& surface, const Eye& eye, const CreaseCurve& curve)
+  CreaseOutline(const surface::LimitSurface& surface, const Eye& eye,
+                const surface::CreaseCurve& curve)
       : surface_(surface), eye_(eye), curve_(curve) {}
 
   void add_to(std::vector<LevelCurve>& curves) {
@@ -62,7 +63,7 @@ class CreaseOutline {
   }
 
  private:
-  double turned(const CellPlace& place) const {
+  double turned(const surface::CellPlace& place) const {
     const Vector3d normal = surface_.normal(place.cell, place.u, place.v);
     return normal.dot(eye_.from(surface_.position(place.cell, place.u, place.v)));
   }
@@ -91,16 +92,16 @@ class CreaseOutline {
   }
 
   void add_point(double t, LevelCurve& curve) const {
-    const CellPlace place = curve_.left(t);
+    const surface::CellPlace place = curve_.left(t);
     curve.points.push_back(curve_.evaluate(t, 0).point);
     curve.cells.push_back(place.cell);
     curve.uv.emplace_back(place.u, place.v);
   }
 
   static constexpr double kFacing = 1e-12;
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const Eye& eye_;
-  const CreaseCurve& curve_;
+  const surface::CreaseCurve& curve_;
   bool open_ = false;  // the last curve goes on
 };
 
@@ -158,13 +159,13 @@ std::vector<double> LightLines::numbers() const {
   return numbers;
 }
 
-std::vector<LevelCurve> reflection_lines(const LimitSurface& surface, const LightBank& bank,
-                                         const LevelOptions& options) {
+std::vector<LevelCurve> reflection_lines(const surface::LimitSurface& surface,
+                                         const LightBank& bank, const LevelOptions& options) {
   const LightLines lines(bank);
   return level_curves(surface, lines, lines.numbers(), options, lines.period());
 }
 
-std::vector<LevelCurve> isophotes(const LimitSurface& surface, const Vector3d& direction,
+std::vector<LevelCurve> isophotes(const surface::LimitSurface& surface, const Vector3d& direction,
                                   const std::vector<double>& angles, const LevelOptions& options) {
   const Vector3d along = unit(direction, "The direction of isophotes");
   std::vector<double> levels;
@@ -188,17 +189,18 @@ std::vector<LevelCurve> isophotes(const LimitSurface& surface, const Vector3d& d
   return curves;
 }
 
-std::vector<LevelCurve> silhouette(const LimitSurface& surface, const Eye& eye,
+std::vector<LevelCurve> silhouette(const surface::LimitSurface& surface, const Eye& eye,
                                    const LevelOptions& options) {
   const Eye from = checked(eye);
   const auto function = [from](const Vector3d& point, const Vector3d& normal) {
     return normal.dot(from.from(point));
   };
   std::vector<LevelCurve> curves = level_curves(surface, function, {0.0}, options);
-  for (const CreaseCurve& crease : crease_curves(surface)) {
-    if (crease.kind() == CreaseKind::kCrease) CreaseOutline(surface, from, crease).add_to(curves);
+  for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
+    if (crease.kind() == surface::CreaseKind::kCrease)
+      CreaseOutline(surface, from, crease).add_to(curves);
   }
   return curves;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/fairness/level_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // From where a surface is seen: along parallel rays, or from a point.
 struct Eye {
@@ -54,19 +54,19 @@ class LightLines {
 
 // The curves in which the lines of light are seen; `level` is the number of the line. Back sides
 // have theirs, too: what hides them is not looked at.
-std::vector<LevelCurve> reflection_lines(const LimitSurface& surface, const LightBank& bank,
-                                         const LevelOptions& options);
+std::vector<LevelCurve> reflection_lines(const surface::LimitSurface& surface,
+                                         const LightBank& bank, const LevelOptions& options);
 
 // Curves along which the normal has an angle (radians, between 0 and π) to a direction, of any
 // length but zero: `level` is the angle (Poeschl 1984, "Detecting surface irregularities using
 // isophotes").
-std::vector<LevelCurve> isophotes(const LimitSurface& surface, const Vector3d& direction,
+std::vector<LevelCurve> isophotes(const surface::LimitSurface& surface, const Vector3d& direction,
                                   const std::vector<double>& angles, const LevelOptions& options);
 
 // The outline of the surface as seen: where it is smooth, and turns away from the eye; and parts of
 // creases with one side turned to the eye and one away. What lies behind other parts is given, too;
 // borders are not.
-std::vector<LevelCurve> silhouette(const LimitSurface& surface, const Eye& eye,
+std::vector<LevelCurve> silhouette(const surface::LimitSurface& surface, const Eye& eye,
                                    const LevelOptions& options);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A point of a curve and how it bends there.
 struct CurveSample {
@@ -39,4 +39,4 @@ class MeasuredCurve {
   bool closed_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

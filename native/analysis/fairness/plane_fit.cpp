@@ -4,7 +4,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
 PlaneFit fit_plane(const std::vector<Vector3d>& points, const std::vector<double>& weights) {
   Vector3d centre = Vector3d::Zero();
@@ -33,4 +33,4 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points) {
   return fit_plane(points, std::vector<double>(points.size(), 1.0));
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The plane with the least sum of weighted squared distances, its normal's largest component
 // positive, and how far the points spread within it.
@@ -18,4 +18,4 @@ struct PlaneFit {
 PlaneFit fit_plane(const std::vector<Vector3d>& points, const std::vector<double>& weights);
 PlaneFit fit_plane(const std::vector<Vector3d>& points);
 
-}  // namespace hull
+}  // namespace hull::analysis

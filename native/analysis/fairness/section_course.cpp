@@ -8,7 +8,7 @@
 
 #include "analysis/fairness/cell_places.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMostSteps = 20;
@@ -52,7 +52,7 @@ Course course_of(const Vector3d& d1, const Vector3d& d2, const Vector3d& normal)
 }
 
 // Where the height above a plane stays the same.
-Course level_course(const SurfaceJet& jet, const Vector3d& normal) {
+Course level_course(const surface::SurfaceJet& jet, const Vector3d& normal) {
   const double gu = normal.dot(jet.du), gv = normal.dot(jet.dv);
   const double slope2 = gu * gu + gv * gv;
   if (!(slope2 > 0.0)) return {};
@@ -65,7 +65,7 @@ Course level_course(const SurfaceJet& jet, const Vector3d& normal) {
 
 }  // namespace
 
-SectionCourse::SectionCourse(const LimitSurface& surface, const Plane& plane,
+SectionCourse::SectionCourse(const surface::LimitSurface& surface, const Plane& plane,
                              const SectionCurve& curve, const SmoothStretch& stretch)
     : MeasuredCurve(lengths_along(curve, stretch), curve.closed && curve.knuckles.empty()),
       surface_(surface),
@@ -82,8 +82,8 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
   Segment best{-1, {}, {}, false};
   double best_height = std::numeric_limits<double>::infinity();
-  for (const CellPlace& q : to) {
-    for (const CellPlace& p : from) {
+  for (const surface::CellPlace& q : to) {
+    for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
       const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, p.u == q.u || p.v == q.v};
       const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
@@ -113,7 +113,7 @@ CurveSample SectionCourse::known(int index) const {
 bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample& result) const {
   const Eigen::Vector2d step = segment.to - segment.from;
   const Eigen::Vector2d uv = segment.from + fraction * step;
-  const SurfaceJet jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
+  const surface::SurfaceJet jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
   const Vector3d d1 = step.x() * jet.du + step.y() * jet.dv;
   const Vector3d d2 = step.x() * step.x() * jet.duu + step.y() * step.y() * jet.dvv;
   const Course course = course_of(d1, d2, plane_.normal);
@@ -125,7 +125,7 @@ bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vect
                              const Vector3d& along, CurveSample& result) const {
   const double size = surface_.mesh().size();
   Eigen::Vector2d uv = segment.from + fraction * (segment.to - segment.from);
-  SurfaceJet jet;
+  surface::SurfaceJet jet;
   double off = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps && off > kConverged * size; ++step) {
     surface_.evaluate(segment.cell, uv.x(), uv.y(), 1, jet);
@@ -173,4 +173,4 @@ CurveSample SectionCourse::at(double s) const {
                 (1.0 - fraction) * a.signed_curvature + fraction * b.signed_curvature);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,7 +6,7 @@
 #include "analysis/fairness/measured_curve.h"
 #include "analysis/sections/sections.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A stretch of a section between knuckles, exact between its points too: every point lies on
 // surface and plane, and tangent and curvature are those of the two there.
@@ -17,7 +17,7 @@ namespace hull {
 class SectionCourse : public MeasuredCurve {
  public:
   // Keeps references to the surface and the curve.
-  SectionCourse(const LimitSurface& surface, const Plane& plane, const SectionCurve& curve,
+  SectionCourse(const surface::LimitSurface& surface, const Plane& plane, const SectionCurve& curve,
                 const SmoothStretch& stretch);
 
   CurveSample at(double s) const override;
@@ -36,11 +36,11 @@ class SectionCourse : public MeasuredCurve {
   bool on_plane(const Segment& segment, double fraction, const Vector3d& near,
                 const Vector3d& along, CurveSample& sample) const;
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   Plane plane_;
   const SectionCurve& curve_;
   SmoothStretch stretch_;
   std::vector<Segment> segments_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

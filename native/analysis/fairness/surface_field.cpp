@@ -8,7 +8,7 @@
 
 #include "surface/parallel_for.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
@@ -16,7 +16,7 @@ constexpr int kAllProcessors = 0;
 constexpr std::size_t kGrain = 512;  // a place takes about a third of a microsecond
 
 // From the fundamental forms (do Carmo 1976, 3-3), without directions.
-double curvature_value(const SurfaceJet& jet, FieldKind kind) {
+double curvature_value(const surface::SurfaceJet& jet, FieldKind kind) {
   const Vector3d cross = jet.du.cross(jet.dv);
   const double area2 = cross.squaredNorm();
   const double e = jet.du.squaredNorm(), f = jet.du.dot(jet.dv), g = jet.dv.squaredNorm();
@@ -37,13 +37,15 @@ double slope_of(const Vector3d& normal, const Vector3d& direction) {
   return std::atan2(normal.cross(direction).norm(), normal.dot(direction));
 }
 
-double value_at(const LimitSurface& surface, int cell, const Eigen::Vector2d& uv, FieldKind kind,
-                const Vector3d& direction) {
+double value_at(const surface::LimitSurface& surface, int cell, const Eigen::Vector2d& uv,
+                FieldKind kind, const Vector3d& direction) {
   if (kind == FieldKind::kSlope) {
     return slope_of(surface.normal(cell, uv.x(), uv.y()), direction);
   }
   if (surface.is_irregular_knot(cell, uv.x(), uv.y())) {
-    const auto beside = [](double t) { return t > 0.5 ? 1.0 - kKnotOffset : kKnotOffset; };
+    const auto beside = [](double t) {
+      return t > 0.5 ? 1.0 - surface::kKnotOffset : surface::kKnotOffset;
+    };
     return curvature_value(surface.evaluate(cell, beside(uv.x()), beside(uv.y()), 2), kind);
   }
   return curvature_value(surface.evaluate(cell, uv.x(), uv.y(), 2), kind);
@@ -51,7 +53,7 @@ double value_at(const LimitSurface& surface, int cell, const Eigen::Vector2d& uv
 
 // Means of neighbours for the values that are not `known`; those without any wait for another
 // round.
-void fill_from_neighbours(const Tessellation& tessellation, std::vector<char>& known,
+void fill_from_neighbours(const surface::Tessellation& tessellation, std::vector<char>& known,
                           std::vector<double>& values) {
   std::vector<double> sums(values.size());
   std::vector<int> counts(values.size());
@@ -80,11 +82,12 @@ void fill_from_neighbours(const Tessellation& tessellation, std::vector<char>& k
 
 }  // namespace
 
-std::vector<double> surface_field(const LimitSurface& surface, const std::vector<int>& cells,
+std::vector<double> surface_field(const surface::LimitSurface& surface,
+                                  const std::vector<int>& cells,
                                   const std::vector<Eigen::Vector2d>& uv, FieldKind kind,
                                   const Vector3d& direction) {
   std::vector<double> values(cells.size());
-  parallel_for(
+  surface::parallel_for(
       cells.size(), kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -95,8 +98,9 @@ std::vector<double> surface_field(const LimitSurface& surface, const std::vector
   return values;
 }
 
-std::vector<double> surface_field(const LimitSurface& surface, const Tessellation& tessellation,
-                                  FieldKind kind, const Vector3d& direction) {
+std::vector<double> surface_field(const surface::LimitSurface& surface,
+                                  const surface::Tessellation& tessellation, FieldKind kind,
+                                  const Vector3d& direction) {
   if (kind == FieldKind::kSlope) {
     return normal_field(tessellation, [&](const Vector3d&, const Vector3d& normal) {
       return slope_of(normal, direction);
@@ -116,7 +120,8 @@ std::vector<double> surface_field(const LimitSurface& surface, const Tessellatio
   return values;
 }
 
-std::vector<double> normal_field(const Tessellation& tessellation, const NormalFunction& function) {
+std::vector<double> normal_field(const surface::Tessellation& tessellation,
+                                 const NormalFunction& function) {
   std::vector<const Vector3d*> points(tessellation.normals.size(), nullptr);
   for (std::size_t q = 0; q < tessellation.quads.size(); ++q) {
     for (int k = 0; k < 4; ++k) {
@@ -131,7 +136,7 @@ std::vector<double> normal_field(const Tessellation& tessellation, const NormalF
   return values;
 }
 
-std::vector<double> field_weights(const Tessellation& tessellation) {
+std::vector<double> field_weights(const surface::Tessellation& tessellation) {
   std::vector<double> weights(tessellation.normals.size(), 0.0);
   for (std::size_t q = 0; q < tessellation.quads.size(); ++q) {
     const auto& corners = tessellation.quads[q];
@@ -143,4 +148,4 @@ std::vector<double> field_weights(const Tessellation& tessellation) {
   return weights;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "surface/curvature.h"
-#include "surface/tessellation.h"
+#include "surface/sampling/tessellation.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What is shown of a surface at its points.
 enum class FieldKind {
@@ -20,22 +20,25 @@ enum class FieldKind {
 
 // At places of the surface. `direction`, a unit vector, is for the slope only. Curvature at
 // irregular knots is that beside them (see curvature()); NaN where there is no tangent plane.
-std::vector<double> surface_field(const LimitSurface& surface, const std::vector<int>& cells,
+std::vector<double> surface_field(const surface::LimitSurface& surface,
+                                  const std::vector<int>& cells,
                                   const std::vector<Eigen::Vector2d>& uv, FieldKind kind,
                                   const Vector3d& direction);
 
 // One value for each of the tessellation's normals, so that both sides of a crease have their own.
 // At irregular knots, where curvature may diverge, and where it is undefined, it is the mean of the
 // neighbours along quadrilaterals that have a value of their own.
-std::vector<double> surface_field(const LimitSurface& surface, const Tessellation& tessellation,
-                                  FieldKind kind, const Vector3d& direction);
+std::vector<double> surface_field(const surface::LimitSurface& surface,
+                                  const surface::Tessellation& tessellation, FieldKind kind,
+                                  const Vector3d& direction);
 
 // A function of a point and the unit normal there, for each normal of the tessellation; NaN where
 // there is no normal.
 using NormalFunction = std::function<double(const Vector3d& point, const Vector3d& normal)>;
-std::vector<double> normal_field(const Tessellation& tessellation, const NormalFunction& function);
+std::vector<double> normal_field(const surface::Tessellation& tessellation,
+                                 const NormalFunction& function);
 
 // The area (m²) that each normal of a tessellation stands for: a quarter of its quadrilaterals'.
-std::vector<double> field_weights(const Tessellation& tessellation);
+std::vector<double> field_weights(const surface::Tessellation& tessellation);
 
-}  // namespace hull
+}  // namespace hull::analysis

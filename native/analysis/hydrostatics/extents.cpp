@@ -5,7 +5,7 @@
 
 #include "analysis/sections/arc_square.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kTolerance = 1e-10;       // of the size
@@ -63,8 +63,8 @@ void for_each_critical(const BezierCubic& c, const Visit& visit) {
 
 class PieceSearch {
  public:
-  PieceSearch(const SurfacePiece& piece, const Vector3d& direction, const Plane& water, double size,
-              FarthestPoint& best)
+  PieceSearch(const surface::SurfacePiece& piece, const Vector3d& direction, const Plane& water,
+              double size, FarthestPoint& best)
       : piece_(piece),
         direction_(direction),
         tolerance_(kTolerance * size),
@@ -93,7 +93,7 @@ class PieceSearch {
       {0, 1, 2, 3}, {0, 4, 8, 12}, {3, 7, 11, 15}, {12, 13, 14, 15}};
 
   void take(double u, double v) {
-    const Vector3d point = evaluate_bicubic(piece_.points, u, v, 0).point;
+    const Vector3d point = surface::evaluate_bicubic(piece_.points, u, v, 0).point;
     const double value = direction_.dot(point);
     if (value < best_.value - tolerance_) return;
     const bool is_tie = best_.found && value <= best_.value + tolerance_;
@@ -207,7 +207,7 @@ class PieceSearch {
     return along_u == along_v ? r.width_u >= r.width_v : along_u > along_v;
   }
 
-  const SurfacePiece& piece_;
+  const surface::SurfacePiece& piece_;
   const Vector3d& direction_;
   double tolerance_;
   FarthestPoint& best_;
@@ -216,7 +216,8 @@ class PieceSearch {
 
 }  // namespace
 
-ExtentSearch::ExtentSearch(const LimitSurface& surface, const CellBoxes& boxes, const Plane& water)
+ExtentSearch::ExtentSearch(const surface::LimitSurface& surface, const CellBoxes& boxes,
+                           const Plane& water)
     : surface_(&surface), boxes_(&boxes), water_(water), size_(surface.mesh().size()) {
   for (int c = 0; c < surface.cell_count(); ++c) {
     const double low = boxes.least(c, water.normal) - water.offset;
@@ -230,7 +231,7 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
   const double tolerance = kTolerance * size_;
   FarthestPoint best;
   const auto search_cell = [&](int c) {
-    const auto descend = [&](const CornerSquare& square) {
+    const auto descend = [&](const surface::CornerSquare& square) {
       if (square.extent() < kSmallestCorner * size_) return false;
       double low = std::numeric_limits<double>::infinity(), high = -low, top = -low;
       for (const Vector3d& p : square.points()) {
@@ -240,7 +241,7 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
       }
       return has_part(low, high, part) && top > best.value + tolerance;
     };
-    for_each_piece(*surface_, c, descend, [&](const SurfacePiece& piece) {
+    surface::for_each_piece(*surface_, c, descend, [&](const surface::SurfacePiece& piece) {
       PieceSearch(piece, direction, water_, size_, best).search(part);
     });
   };
@@ -266,4 +267,4 @@ const FarthestPoint& farther(const FarthestPoint& a, const FarthestPoint& b) {
   return b.value > a.value ? b : a;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

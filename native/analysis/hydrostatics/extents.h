@@ -8,7 +8,7 @@
 #include "analysis/sections/plane_cut.h"
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The point of a surface that is farthest in some direction.
 struct FarthestPoint {
@@ -31,7 +31,7 @@ class ExtentSearch {
   enum class Part { kImmersed, kWaterline };
 
   // `surface` and its boxes must outlive the search.
-  ExtentSearch(const LimitSurface& surface, const CellBoxes& boxes, const Plane& water);
+  ExtentSearch(const surface::LimitSurface& surface, const CellBoxes& boxes, const Plane& water);
 
   FarthestPoint farthest(const Vector3d& direction, Part part) const;
 
@@ -41,7 +41,7 @@ class ExtentSearch {
     return part == Part::kImmersed ? immersed_ : waterline_;
   }
 
-  const LimitSurface* surface_;
+  const surface::LimitSurface* surface_;
   const CellBoxes* boxes_;
   Plane water_;
   double size_;
@@ -51,4 +51,4 @@ class ExtentSearch {
 // Of two, the farther one.
 const FarthestPoint& farther(const FarthestPoint& a, const FarthestPoint& b);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -13,7 +13,7 @@
 #include "analysis/stations/profile_area.h"
 #include "analysis/stations/station_cutter.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 using Part = ExtentSearch::Part;
@@ -136,8 +136,8 @@ void take_waterplane(const Immersion& immersion, const FloatingPosition& positio
 }
 
 // Between the waterline's tangent at its forward end and the way ahead.
-double entrance_angle(const LimitSurface& surface, const FarthestPoint& end, const Vector3d& up,
-                      const Vector3d& ahead) {
+double entrance_angle(const surface::LimitSurface& surface, const FarthestPoint& end,
+                      const Vector3d& up, const Vector3d& ahead) {
   const Vector3d normal = surface.normal(end.cell, end.uv.x(), end.uv.y());
   const Vector3d across = up.cross(ahead);
   // The tangent is square to the normal's level part.
@@ -216,8 +216,9 @@ std::vector<Particulars> hydrostatic_table(const HullBody& body, const std::vect
   return rows;
 }
 
-Particulars upright_hydrostatics(const LimitSurface& surface, double draft, bool mirrored) {
+Particulars upright_hydrostatics(const surface::LimitSurface& surface, double draft,
+                                 bool mirrored) {
   return hydrostatics(HullBody(surface, mirrored), {draft, 0.0, 0.0, 0.0}, {});
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

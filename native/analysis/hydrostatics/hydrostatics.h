@@ -7,7 +7,7 @@
 #include "analysis/immersion/hull_body.h"
 #include "analysis/stations/section_areas.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The ship's dimensions that coefficients refer to, m. Midship is at x = length_pp / 2. A zero
 // means "not given".
@@ -96,6 +96,6 @@ std::vector<Particulars> hydrostatic_table(const HullBody& body, const std::vect
                                            double water_density = kSeaWater);
 
 // For a single upright draft, without project dimensions. `mirrored`: as for HullBody.
-Particulars upright_hydrostatics(const LimitSurface& surface, double draft, bool mirrored);
+Particulars upright_hydrostatics(const surface::LimitSurface& surface, double draft, bool mirrored);
 
-}  // namespace hull
+}  // namespace hull::analysis

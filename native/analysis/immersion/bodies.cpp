@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/immersion/bodies.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
-void mark_nodes(const SurfaceLayout& layout, const SurfaceNode& node, int body, Bodies& bodies) {
+void mark_nodes(const surface::SurfaceLayout& layout, const surface::SurfaceNode& node, int body,
+                Bodies& bodies) {
   switch (node.kind) {
-    case SurfaceNode::Kind::kLeaf:
+    case surface::SurfaceNode::Kind::kLeaf:
       bodies.of_leaf[node.index] = body;
       break;
-    case SurfaceNode::Kind::kCorner:
+    case surface::SurfaceNode::Kind::kCorner:
       bodies.of_corner[node.index] = body;
       break;
-    case SurfaceNode::Kind::kSplit:
-      for (const SurfaceNode& child : layout.split(node.index)) {
+    case surface::SurfaceNode::Kind::kSplit:
+      for (const surface::SurfaceNode& child : layout.split(node.index)) {
         mark_nodes(layout, child, body, bodies);
       }
       break;
@@ -22,9 +23,9 @@ void mark_nodes(const SurfaceLayout& layout, const SurfaceNode& node, int body, 
 
 }  // namespace
 
-Bodies bodies_of(const LimitSurface& surface) {
-  const SurfaceLayout& layout = surface.layout();
-  const Topology& cells = surface.cells();
+Bodies bodies_of(const surface::LimitSurface& surface) {
+  const surface::SurfaceLayout& layout = surface.layout();
+  const mesh::Topology& cells = surface.cells();
   Bodies bodies;
   bodies.of_cell.assign(surface.cell_count(), -1);
   bodies.of_leaf.resize(layout.leaf_count());
@@ -50,4 +51,4 @@ Bodies bodies_of(const LimitSurface& surface) {
   return bodies;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

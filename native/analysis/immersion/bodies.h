@@ -5,7 +5,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Which connected part of the surface (hull, rudder, demi-hull) something belongs to.
 struct Bodies {
@@ -13,6 +13,6 @@ struct Bodies {
   std::vector<int> of_cell, of_leaf, of_corner;  // the latter as numbered by SurfaceLayout
 };
 
-Bodies bodies_of(const LimitSurface& surface);
+Bodies bodies_of(const surface::LimitSurface& surface);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Of the mesh's size, or of its powers.
@@ -36,7 +36,7 @@ Extent extent_of(const std::vector<Vector3d>& points) {
 
 }  // namespace
 
-BodyRules body_rules(const LimitSurface& surface, bool mirrored, double tolerance) {
+BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
   const Extent extent = extent_of(surface.mesh().points());
   const double size = power_of_two(surface.mesh().size());
   BodyRules rules;
@@ -77,4 +77,4 @@ bool operator==(const BodyRules& a, const BodyRules& b) {
          a.cut.span == b.cut.span && a.cut.along == b.cut.along;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 #include "analysis/immersion/cut_moments.h"
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Errors relative to the whole body that its integrals may have: as small as they get (1e-13, the
 // wetted surface 1e-9), and small enough for numbers that follow the mouse.
@@ -24,8 +24,8 @@ struct BodyRules {
 // For a surface in its present shape. Lengths that rules depend on are rounded to powers of two,
 // and the centre to a coarse grid: rules, and what was computed by them, stay as they are while
 // some points are dragged.
-BodyRules body_rules(const LimitSurface& surface, bool mirrored, double tolerance);
+BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance);
 
 bool operator==(const BodyRules& a, const BodyRules& b);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Of the mesh's size: what lies in a plane, of models with single-precision coordinates too.
@@ -79,10 +79,10 @@ Cubic bspline_from_bezier(const Cubic& b) {
 }
 
 // The ruled surface from the border, run through against the surface's direction, to `target`.
-BicubicPoints ruled(const Cubic& border, const Cubic& target) {
+surface::BicubicPoints ruled(const Cubic& border, const Cubic& target) {
   const Cubic near = bspline_from_bezier({border[3], border[2], border[1], border[0]});
   const Cubic far = bspline_from_bezier({target[3], target[2], target[1], target[0]});
-  BicubicPoints points;
+  surface::BicubicPoints points;
   for (int b = 0; b < 4; ++b) {
     // Coefficients -1, 0, 1, 2 make the straight line from 0 to 1.
     for (int a = 0; a < 4; ++a) points[4 * b + a] = near[a] + (b - 1) * (far[a] - near[a]);
@@ -102,7 +102,7 @@ bool is_transverse(const Extent& extent, double size) {
 
 }  // namespace
 
-std::vector<ClosingSpan> closing_spans(const LimitSurface& surface,
+std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
                                        const std::vector<BorderEdge>& edges, bool mirrored) {
   const double size = surface.mesh().size();
   std::vector<ClosingSpan> result;
@@ -145,4 +145,4 @@ FloodingPoint lowest_point(const std::array<Vector3d, 4>& c, const Vector3d& up)
   return lowest;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,12 +6,12 @@
 
 #include "analysis/sections/border_edges.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The piece of a closing surface at one edge of a border.
 struct ClosingSpan {
   int cell;                        // at whose side it is
-  BicubicPoints cap;               // as a bicubic span, normal outwards
+  surface::BicubicPoints cap;      // as a bicubic span, normal outwards
   std::array<Vector3d, 4> border;  // Bézier points of the border curve that it closes from
   bool open;  // whether water could flow in here, if the opening is not declared closed
 };
@@ -25,7 +25,7 @@ struct ClosingSpan {
 //
 // Borders in the centre plane of a half hull are no openings. Closings in planes across the ship,
 // open transoms and the ends of cut bodies, are taken for closed; all others are open.
-std::vector<ClosingSpan> closing_spans(const LimitSurface& surface,
+std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
                                        const std::vector<BorderEdge>& border, bool mirrored);
 
 // The lowest point at which water can flow in.
@@ -37,4 +37,4 @@ struct FloodingPoint {
 // The lowest point of a Bézier cubic along `up`.
 FloodingPoint lowest_point(const std::array<Vector3d, 4>& cubic, const Vector3d& up);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,7 +8,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMostRings = 60;
@@ -23,7 +23,8 @@ Eigen::Matrix<double, 16, 16> span_area_form() {
   Eigen::Matrix4d slopes = Eigen::Matrix4d::Zero();  // ∫ N_i' N_k
   const GaussRule rule = gauss_rule(3);              // degree 5
   for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
-    const Basis value = cubic_basis(rule.nodes[n]), slope = cubic_basis_d1(rule.nodes[n]);
+    const surface::Basis value = surface::cubic_basis(rule.nodes[n]),
+                         slope = surface::cubic_basis_d1(rule.nodes[n]);
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 4; ++k) slopes(i, k) += rule.weights[n] * slope[i] * value[k];
     }
@@ -38,9 +39,9 @@ Eigen::Matrix<double, 16, 16> span_area_form() {
 using Moduli = std::vector<double>;  // falling, each as often as it occurs
 
 // Of the local matrix's largest eigenvalues but the 1.
-Moduli largest_moduli(const CornerBasis& basis) {
+Moduli largest_moduli(const surface::CornerBasis& basis) {
   Moduli moduli;
-  for (const SlowBlock& block : basis.spectrum().blocks) {
+  for (const surface::SlowBlock& block : basis.spectrum().blocks) {
     if (block.begin > 0) moduli.insert(moduli.end(), block.size, std::abs(block.eigenvalue));
   }
   moduli.insert(moduli.end(), 2, basis.spectrum().rest);
@@ -117,11 +118,11 @@ class Extrapolation {
 
 }  // namespace
 
-AreaForm::AreaForm(const CornerBasis& basis) {
+AreaForm::AreaForm(const surface::CornerBasis& basis) {
   static const Eigen::Matrix<double, 16, 16> span = span_area_form();
   const int n = basis.point_count();
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n, n);
-  for (const RingSegment& segment : basis.segments()) {
+  for (const surface::RingSegment& segment : basis.segments()) {
     G += segment.rows.transpose() * span * segment.rows;
   }
   // ∑ (Aᵏ)ᵀ G_ring Aᵏ by doubling: terms fall at least like 0.8², so that 2⁸ are plenty.
@@ -149,7 +150,7 @@ Vector3d AreaForm::operator()(const std::vector<Vector3d>& points) const {
   return sum;
 }
 
-CornerSeries::CornerSeries(const CornerBasis& basis) : area_form(basis) {
+CornerSeries::CornerSeries(const surface::CornerBasis& basis) : area_form(basis) {
   const Moduli modes = largest_moduli(basis);
   excess_ratios = basis.tangent_rule().defined ? excess_moduli(modes) : normal_moduli(modes, 1);
   first_ratios = products(normal_moduli(modes, 1), modes);
@@ -167,9 +168,9 @@ double still_to_come(double change, double before) {
 
 }  // namespace
 
-ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const CornerPoints& points,
-                            const CornerSeries& series, const Vector3d& origin,
-                            const CornerRules& rules) {
+ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasis& basis,
+                            const surface::CornerPoints& points, const CornerSeries& series,
+                            const Vector3d& origin, const CornerRules& rules) {
   const Vector3d& limit = ring.limit();
   const Vector3d normal = series.area_form(ring.points());
   const Vector3d direction = basis.corner_normal(points).normalized();
@@ -183,7 +184,7 @@ ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const Co
   for (int k = 0; k < kMostRings; ++k) {
     if (k > 0) ring.advance();
     for (int s = 0; s < basis.segment_count(); ++s) {
-      const BicubicPoints span = ring.segment_points(s);
+      const surface::BicubicPoints span = ring.segment_points(s);
       sum += k == 0 ? span_moments({span, limit}, rules.outer, rules.area)
                     : span_moments({span, limit}, inner);
     }
@@ -209,4 +210,4 @@ ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const Co
   return moved(whole, limit - origin);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "analysis/immersion/piece_moments.h"
-#include "surface/corner_basis.h"
+#include "surface/eigenbasis/corner_basis.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The oriented area ∫ n dS of a square with one irregular corner as a quadratic form of its control
 // points, ∑ G_ij q_i x q_j, exact. The square is its outer ring and the square that is left, whose
@@ -12,7 +12,7 @@ namespace hull {
 // sets bounded by subdivision surfaces).
 class AreaForm {
  public:
-  explicit AreaForm(const CornerBasis& basis);
+  explicit AreaForm(const surface::CornerBasis& basis);
   Vector3d operator()(const std::vector<Vector3d>& points) const;
 
  private:
@@ -25,7 +25,7 @@ class AreaForm {
 // the area's excess over that of its projection along the corner's normal, which is quadratic in
 // the normals' deviations.
 struct CornerSeries {
-  explicit CornerSeries(const CornerBasis& basis);
+  explicit CornerSeries(const surface::CornerBasis& basis);
 
   AreaForm area_form;
   std::vector<double> excess_ratios, first_ratios, second_ratios;
@@ -41,8 +41,8 @@ struct CornerRules {
 // Moments of all that `ring`, which walks around a corner of `points`, has still to pass, positions
 // counted from `origin`. Rings are summed, and the sums extrapolated by their known ratios
 // (Richardson), until that settles; ∫ n dS is exact. The ring is left at the last of them.
-ShellMoments corner_moments(CornerRing& ring, const CornerBasis& basis, const CornerPoints& points,
-                            const CornerSeries& series, const Vector3d& origin,
-                            const CornerRules& rules);
+ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasis& basis,
+                            const surface::CornerPoints& points, const CornerSeries& series,
+                            const Vector3d& origin, const CornerRules& rules);
 
-}  // namespace hull
+}  // namespace hull::analysis

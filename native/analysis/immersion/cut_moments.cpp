@@ -6,7 +6,7 @@
 
 #include "analysis/arithmetic/estimating_rule.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMostHalvings = 6;
@@ -15,8 +15,9 @@ constexpr int kMostHalvings = 6;
 struct Across {
   std::array<Vector3d, 4> points, slopes;
 
-  Across(const BicubicPoints& span, double along, bool swapped) {
-    const Basis value = cubic_basis(along), slope = cubic_basis_d1(along);
+  Across(const surface::BicubicPoints& span, double along, bool swapped) {
+    const surface::Basis value = surface::cubic_basis(along),
+                         slope = surface::cubic_basis_d1(along);
     for (int b = 0; b < 4; ++b) {
       points[b].setZero();
       slopes[b].setZero();
@@ -31,7 +32,7 @@ struct Across {
 
 class CutIntegrator {
  public:
-  CutIntegrator(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
+  CutIntegrator(const surface::BicubicPoints& points, const Vector3d& origin, const Plane& water,
                 const CutRules& rules)
       : points_(points), origin_(origin), water_(water), rules_(rules) {}
 
@@ -91,7 +92,7 @@ class CutIntegrator {
     const double scale = sign * weight * (to - from) * square.size * square.size;
     for (std::size_t j = 0; j < inner.nodes.size(); ++j) {
       const double t = begin + square.size * (from + (to - from) * inner.nodes[j]);
-      const Basis value = cubic_basis(t), slope = cubic_basis_d1(t);
+      const surface::Basis value = surface::cubic_basis(t), slope = surface::cubic_basis_d1(t);
       Vector3d p = -origin_, along = Vector3d::Zero(), over = Vector3d::Zero();
       for (int b = 0; b < 4; ++b) {
         p += value[b] * across.points[b];
@@ -102,7 +103,7 @@ class CutIntegrator {
     }
   }
 
-  const BicubicPoints& points_;
+  const surface::BicubicPoints& points_;
   const Vector3d& origin_;
   const Plane& water_;
   const CutRules& rules_;
@@ -110,8 +111,8 @@ class CutIntegrator {
 
 }  // namespace
 
-ShellMoments wet_moments(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
-                         const CutRules& rules) {
+ShellMoments wet_moments(const surface::BicubicPoints& points, const Vector3d& origin,
+                         const Plane& water, const CutRules& rules) {
   CutIntegrator integrator(points, origin, water, rules);
   const BezierBicubic height = heights(points, water, rules.zero);
   cut_piece(height, [&](const CutSquare& square) {
@@ -125,4 +126,4 @@ ShellMoments wet_moments(const BicubicPoints& points, const Vector3d& origin, co
   return integrator.sum;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include "analysis/immersion/piece_moments.h"
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // How closely the part of a span below the water is integrated.
 struct CutRules {
@@ -19,7 +19,7 @@ struct CutRules {
 // in the span's own coordinates. Between the exact crossings of the water's surface by Gauss
 // quadrature: with an error of about 1e-13 of the span's share, estimated in volume_error (the
 // error of the volume, height times oriented area along the normal) and area_error.
-ShellMoments wet_moments(const BicubicPoints& points, const Vector3d& origin, const Plane& water,
-                         const CutRules& rules);
+ShellMoments wet_moments(const surface::BicubicPoints& points, const Vector3d& origin,
+                         const Plane& water, const CutRules& rules);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
 Vector3d up_direction(double trim, double heel) {
   return {std::sin(trim), std::sin(heel) * std::cos(trim), std::cos(heel) * std::cos(trim)};
@@ -28,4 +28,4 @@ double draft_in(const Plane& water, double draft_at) {
   return (water.offset - water.normal.x() * draft_at) / water.normal.z();
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,7 +3,7 @@
 
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // How a ship lies in the water. Angles in rad, below 90° of trim; any heel.
 struct FloatingPosition {
@@ -27,4 +27,4 @@ Plane water_plane(const FloatingPosition& position);
 // vertical does not meet it, at 90° of heel.
 double draft_in(const Plane& water, double draft_at);
 
-}  // namespace hull
+}  // namespace hull::analysis

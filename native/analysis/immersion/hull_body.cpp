@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Of the mesh's size.
@@ -33,7 +33,8 @@ Plane mirror_image(const Plane& plane) {
 
 }  // namespace
 
-HullBody::HullBody(const LimitSurface& surface, bool mirrored, Openings openings, double tolerance)
+HullBody::HullBody(const surface::LimitSurface& surface, bool mirrored, Openings openings,
+                   double tolerance)
     : mirrored_(mirrored),
       openings_(openings),
       tolerance_(checked(tolerance)),
@@ -55,7 +56,7 @@ void HullBody::close() {
   closings_ = closing_spans(surface(), border_, mirrored_);
   caps_.resize(closings_.size());
   for (std::size_t i = 0; i < caps_.size(); ++i) {
-    const BicubicPoints& points = closings_[i].cap;
+    const surface::BicubicPoints& points = closings_[i].cap;
     place(caps_[i], points.data(), points.size(), centre);
     caps_[i].moments = span_moments({points, centre}, parts_.rules().span);
   }
@@ -91,12 +92,12 @@ std::string HullBody::inversion() const {
 
 // The part of a corner's square below the water, which crosses the hull of its control points.
 ShellMoments HullBody::wet_corner(int corner, const Plane& water) const {
-  const CornerBasis& basis = surface().layout().basis(corner);
-  const CornerPoints& kept = surface().corner(corner);
+  const surface::CornerBasis& basis = surface().layout().basis(corner);
+  const surface::CornerPoints& kept = surface().corner(corner);
   const BodyRules& rules = parts_.rules();
   const double smallest = kSmallestCorner * surface().mesh().size();
   ShellMoments sum;
-  for (CornerRing ring(basis, kept);; ring.advance()) {
+  for (surface::CornerRing ring(basis, kept);; ring.advance()) {
     const std::vector<Vector3d>& points = ring.points();
     double lowest = water.height(points[0]), highest = lowest, farthest = 0.0;
     for (const Vector3d& p : points) {
@@ -136,7 +137,7 @@ void HullBody::add_wet(const std::vector<ShellPart>& parts, const Plane& water, 
 
 HullBody::Wet HullBody::wet_part(const Plane& water) const {
   const BodyRules& rules = parts_.rules();
-  const auto wet_span = [&](const BicubicPoints& points) {
+  const auto wet_span = [&](const surface::BicubicPoints& points) {
     return wet_moments(points, rules.centre, water, rules.cut);
   };
   Wet wet;
@@ -154,7 +155,7 @@ ShellMoments HullBody::shell_moments() const {
   for (const ShellPart& leaf : parts_.leaves()) sum += leaf.moments;
   for (const ShellPart& corner : parts_.corners()) sum += corner.moments;
   sum = moved(sum, parts_.rules().centre);
-  if (mirrored_) sum += hull::mirrored(sum);
+  if (mirrored_) sum += analysis::mirrored(sum);
   return sum;
 }
 
@@ -202,8 +203,8 @@ Immersion HullBody::immersion(const Plane& water) const {
   Wet wet = wet_part(water);
   if (mirrored_) {
     const Wet other = water.normal.y() == 0.0 ? wet : wet_part(mirror_image(water));
-    wet.shell += hull::mirrored(other.shell);
-    wet.caps += hull::mirrored(other.caps);
+    wet.shell += analysis::mirrored(other.shell);
+    wet.caps += analysis::mirrored(other.caps);
   }
   ShellMoments all = wet.shell;
   all += without_area(wet.caps);
@@ -220,4 +221,4 @@ Immersion HullBody::immersion(const Plane& water) const {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

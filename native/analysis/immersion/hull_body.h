@@ -11,7 +11,7 @@
 #include "analysis/sections/cell_boxes.h"
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // How the openings of a shell are taken (closings.h tells which are open at all): they let the
 // water in, or are covered, as by a weathertight deck.
@@ -28,13 +28,13 @@ class HullBody {
  public:
   // `mirrored`: the surface is the port half (y >= 0) and counts twice. `surface` must outlive the
   // body. Throws std::invalid_argument unless the tolerance is positive and below 1e-2.
-  HullBody(const LimitSurface& surface, bool mirrored, Openings openings = Openings::kClosed,
-           double tolerance = kFinest);
+  HullBody(const surface::LimitSurface& surface, bool mirrored,
+           Openings openings = Openings::kClosed, double tolerance = kFinest);
 
   // To be called after surface.set_points(). Only what has moved is computed again.
   void update();
 
-  const LimitSurface& surface() const { return parts_.surface(); }
+  const surface::LimitSurface& surface() const { return parts_.surface(); }
   bool mirrored() const { return mirrored_; }
   double tolerance() const { return tolerance_; }
   Openings openings() const { return openings_; }
@@ -88,4 +88,4 @@ class HullBody {
   std::string inversion_;  // what is wrong with the direction of faces; empty if nothing is
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/immersion/immersion.h"
 
-namespace hull {
+namespace hull::analysis {
 
 Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
   const Vector3d& e = water.normal;
@@ -35,4 +35,4 @@ Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include "analysis/immersion/shell_moments.h"
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What the water does to a body that lies in it: the displaced volume and the waterplane, in the
 // body's own axes.
@@ -28,4 +28,4 @@ struct Immersion {
 // the water's surface.
 Immersion immersion_of(const ShellMoments& wet, const Plane& water);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -7,7 +7,7 @@
 
 #include "surface/wide_code.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMostNodes = 8;  // along a line, padded with nodes of no weight
@@ -16,15 +16,15 @@ constexpr int kDeepestArea = 6;
 // Basis functions at the nodes of a Gauss rule on an interval, node by node, and for each function.
 struct LineRule {
   int count = 0;
-  std::array<Basis, kMostNodes> value{}, slope{};
+  std::array<surface::Basis, kMostNodes> value{}, slope{};
   alignas(32) std::array<std::array<double, kMostNodes>, 4> values{}, slopes{};
   alignas(32) std::array<double, kMostNodes> weights{};
 
   LineRule(const GaussRule& rule, double begin, double size)
       : count(static_cast<int>(rule.nodes.size())) {
     for (int i = 0; i < count; ++i) {
-      value[i] = cubic_basis(begin + size * rule.nodes[i]);
-      slope[i] = cubic_basis_d1(begin + size * rule.nodes[i]);
+      value[i] = surface::cubic_basis(begin + size * rule.nodes[i]);
+      slope[i] = surface::cubic_basis_d1(begin + size * rule.nodes[i]);
       weights[i] = rule.weights[i] * size;
       for (int a = 0; a < 4; ++a) {
         values[a][i] = value[i][a];
@@ -100,7 +100,7 @@ inline __attribute__((always_inline)) void take_columns(const SpanSquare& square
   load(weights, &u.weights[4 * quad]);
   const int stride = row_stride(u.count);
   for (int j = 0; j < v.count; ++j) {
-    const Basis &at = v.value[j], &rise = v.slope[j];
+    const surface::Basis &at = v.value[j], &rise = v.slope[j];
     Four p[3], du[3], dv[3];
     for (int c = 0; c < 3; ++c) {
       p[c] = at[0] * cubic[0][c] + at[1] * cubic[1][c] + at[2] * cubic[2][c] + at[3] * cubic[3][c] -
@@ -321,4 +321,4 @@ ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_t
   return moments;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

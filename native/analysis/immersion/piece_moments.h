@@ -5,9 +5,9 @@
 
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/shell_moments.h"
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Points of a surface with normals times their quadrature weights.
 struct ShellNodes {
@@ -23,7 +23,7 @@ void add_nodes(ShellNodes& nodes, ShellMoments& sum);
 
 // A square [u, u + size] x [v, v + size] of a bicubic span, positions counted from `origin`.
 struct SpanSquare {
-  const BicubicPoints& points;
+  const surface::BicubicPoints& points;
   Vector3d origin = Vector3d::Zero();
   double u = 0.0, v = 0.0, size = 1.0;
 };
@@ -41,4 +41,4 @@ ShellMoments span_moments(const SpanSquare& square, SpanRule rule);
 // area_tolerance. REQUIRES: the rule has at least four nodes.
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance);
 
-}  // namespace hull
+}  // namespace hull::analysis

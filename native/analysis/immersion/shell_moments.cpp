@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // The two factors of each product of ShellMoments::second.
@@ -62,4 +62,4 @@ ShellMoments mirrored(const ShellMoments& moments) {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
-namespace hull {
+#include "mesh/vectors.h"
 
-using Eigen::Vector3d;
+namespace hull::analysis {
 
 // Integrals over a piece of surface, p the position, n the unit normal. Everything that water does
 // to an immersed piece follows from them, whatever the water's level and direction; so they are
@@ -30,4 +30,4 @@ struct ShellMoments {
 ShellMoments moved(const ShellMoments& moments, const Vector3d& shift);
 ShellMoments mirrored(const ShellMoments& moments);
 
-}  // namespace hull
+}  // namespace hull::analysis

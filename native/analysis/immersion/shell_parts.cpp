@@ -3,7 +3,7 @@
 
 #include <map>
 
-namespace hull {
+namespace hull::analysis {
 
 void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vector3d& centre) {
   Vector3d low = points[0], high = low;
@@ -15,13 +15,13 @@ void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vec
   part.half = 0.5 * (high - low);
 }
 
-ShellParts::ShellParts(const LimitSurface& surface, bool mirrored, double tolerance)
+ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, double tolerance)
     : surface_(&surface),
       mirrored_(mirrored),
       tolerance_(tolerance),
       rules_(body_rules(surface, mirrored, tolerance)) {
-  const SurfaceLayout& layout = surface.layout();
-  std::map<const CornerBasis*, int> numbers;
+  const surface::SurfaceLayout& layout = surface.layout();
+  std::map<const surface::CornerBasis*, int> numbers;
   for (int i = 0; i < layout.corner_count(); ++i) {
     const auto [place, is_new] = numbers.emplace(&layout.basis(i), numbers.size());
     if (is_new) series_.emplace_back(layout.basis(i));
@@ -50,20 +50,20 @@ void ShellParts::update() {
 }
 
 void ShellParts::update_leaf(int leaf) {
-  const BicubicPoints& points = surface_->leaf(leaf);
+  const surface::BicubicPoints& points = surface_->leaf(leaf);
   leaf_points_[leaf] = points;
   place(leaves_[leaf], points.data(), points.size(), rules_.centre);
   leaves_[leaf].moments = span_moments({points, rules_.centre}, rules_.span, rules_.span_area);
 }
 
 void ShellParts::update_corner(int corner) {
-  const CornerPoints& points = surface_->corner(corner);
-  const CornerBasis& basis = surface_->layout().basis(corner);
+  const surface::CornerPoints& points = surface_->corner(corner);
+  const surface::CornerBasis& basis = surface_->layout().basis(corner);
   corner_points_[corner] = points.outer;
   place(corners_[corner], points.outer.data(), points.outer.size(), rules_.centre);
-  CornerRing ring(basis, points);
+  surface::CornerRing ring(basis, points);
   corners_[corner].moments =
       corner_moments(ring, basis, points, series(corner), rules_.centre, rules_.corner);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/immersion/body_rules.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A part of a shell whose moments are known.
 struct ShellPart {
@@ -19,13 +19,13 @@ struct ShellPart {
 class ShellParts {
  public:
   // `surface` must outlive the parts.
-  ShellParts(const LimitSurface& surface, bool mirrored, double tolerance);
+  ShellParts(const surface::LimitSurface& surface, bool mirrored, double tolerance);
 
   // After surface.set_points(): computes again the parts whose control points have moved. The
   // results do not depend on what was there before.
   void update();
 
-  const LimitSurface& surface() const { return *surface_; }
+  const surface::LimitSurface& surface() const { return *surface_; }
   const BodyRules& rules() const { return rules_; }
   // As SurfaceLayout numbers them.
   const std::vector<ShellPart>& leaves() const { return leaves_; }
@@ -36,7 +36,7 @@ class ShellParts {
   void update_leaf(int leaf);
   void update_corner(int corner);
 
-  const LimitSurface* surface_;
+  const surface::LimitSurface* surface_;
   bool mirrored_;
   double tolerance_;
   BodyRules rules_;
@@ -44,11 +44,11 @@ class ShellParts {
   std::vector<int> series_of_;        // of each corner
   std::vector<ShellPart> leaves_, corners_;
   // What the parts were computed from.
-  std::vector<BicubicPoints> leaf_points_;
+  std::vector<surface::BicubicPoints> leaf_points_;
   std::vector<std::vector<Vector3d>> corner_points_;
 };
 
 // A part's box. REQUIRES: count > 0.
 void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vector3d& centre);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "analysis/offsets/line_planes.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 namespace {
 
@@ -23,7 +23,7 @@ constexpr double kCentreSlack = 1e-3;
 // Chains go on in one another where they turn by less than about 45 degrees.
 constexpr double kStraightOn = -0.7;
 
-using Chains = std::vector<CreaseCurve>;
+using Chains = std::vector<surface::CreaseCurve>;
 
 // Where a chain leaves its end vertex, and in which direction.
 struct ChainEnd {
@@ -32,7 +32,7 @@ struct ChainEnd {
 };
 
 ChainEnd end_of(const Chains& chains, int chain, bool at_start) {
-  const CreaseCurve& curve = chains[chain];
+  const surface::CreaseCurve& curve = chains[chain];
   const double length = curve.edge_count();
   const double end = at_start ? 0.0 : length;
   const double inside = at_start ? std::min(0.05, length) : std::max(length - 0.05, 0.0);
@@ -81,7 +81,7 @@ std::vector<int> group_chains(const Chains& chains) {
 }
 
 // The points of the chain at the station x, those nearer to its ends than `same` with it.
-std::vector<Vector3d> points_at(const CreaseCurve& chain, double x, double same) {
+std::vector<Vector3d> points_at(const surface::CreaseCurve& chain, double x, double same) {
   std::vector<Vector3d> found;
   const int steps = chain.edge_count() * kStepsPerEdge;
   Vector3d previous = chain.evaluate(0.0, 0).point;
@@ -110,7 +110,7 @@ struct Measured {
 };
 
 // The extents of a chain that decide whether it is a feature of the table.
-bool runs_along_off_centre(const CreaseCurve& chain, double size) {
+bool runs_along_off_centre(const surface::CreaseCurve& chain, double size) {
   double most = 0.0, low = chain.evaluate(0.0, 0).point.x(), high = low;
   const int steps = chain.edge_count() * kStepsPerEdge;
   for (int i = 0; i <= steps; ++i) {
@@ -126,7 +126,9 @@ void name_in_order(std::vector<Measured>& features) {
   std::stable_sort(features.begin(), features.end(), [](const Measured& a, const Measured& b) {
     return a.mean_height < b.mean_height;
   });
-  const auto is_border = [](const Measured& m) { return m.offsets.kind == CreaseKind::kBorder; };
+  const auto is_border = [](const Measured& m) {
+    return m.offsets.kind == surface::CreaseKind::kBorder;
+  };
   const auto borders = std::count_if(features.begin(), features.end(), is_border);
   int edge = 0, knuckle = 0;
   for (Measured& feature : features) {
@@ -142,11 +144,11 @@ void name_in_order(std::vector<Measured>& features) {
 
 }  // namespace
 
-std::vector<FeatureOffsets> feature_offsets(const LimitSurface& surface,
+std::vector<FeatureOffsets> feature_offsets(const surface::LimitSurface& surface,
                                             const std::vector<double>& stations) {
   const double size = surface.mesh().size();
   const double same = kSamePosition * size;
-  const Chains chains = crease_curves(surface);
+  const Chains chains = surface::crease_curves(surface);
   const std::vector<int> groups = group_chains(chains);
   std::map<int, std::vector<int>> members;
   for (int i = 0; i < static_cast<int>(chains.size()); ++i) {
@@ -178,4 +180,4 @@ std::vector<FeatureOffsets> feature_offsets(const LimitSurface& surface,
   return named;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,10 +5,10 @@
 
 #include "analysis/offsets/offset_table.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The features of offset_table(), at stations that are finite.
-std::vector<FeatureOffsets> feature_offsets(const LimitSurface& surface,
+std::vector<FeatureOffsets> feature_offsets(const surface::LimitSurface& surface,
                                             const std::vector<double>& stations);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
-Plane line_plane(const LimitSurface& surface, Axis axis, double position) {
+Plane line_plane(const surface::LimitSurface& surface, Axis axis, double position) {
   const int coordinate = static_cast<int>(axis);
   const auto& points = surface.mesh().points();
   double low = points.front()[coordinate], high = low;
@@ -20,4 +20,4 @@ Plane line_plane(const LimitSurface& surface, Axis axis, double position) {
   return plane_across(axis, position);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

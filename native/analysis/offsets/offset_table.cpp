@@ -9,7 +9,7 @@
 #include "analysis/offsets/line_planes.h"
 #include "analysis/sections/sections.h"
 
-namespace hull {
+namespace hull::analysis {
 
 namespace {
 
@@ -33,7 +33,7 @@ void check_positions(const std::vector<double>& positions, const std::string& ki
 // The station's curves to port.
 class Station {
  public:
-  Station(const LimitSurface& surface, double x)
+  Station(const surface::LimitSurface& surface, double x)
       : same_(kSamePosition * surface.mesh().size()),
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
         curves_(section(surface, line_plane(surface, Axis::kX, x),
@@ -94,7 +94,7 @@ class Station {
 
 }  // namespace
 
-OffsetTable offset_table(const LimitSurface& surface, const std::vector<double>& stations,
+OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector<double>& stations,
                          const std::vector<double>& waterlines,
                          const std::vector<double>& buttocks) {
   check_positions(stations, "station");
@@ -116,4 +116,4 @@ OffsetTable offset_table(const LimitSurface& surface, const std::vector<double>&
   return table;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "surface/crease_chains.h"
+#include "surface/creases/crease_chains.h"
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // One length of the table, m; not a number where the station has no such point.
 struct Offset {
@@ -20,7 +20,7 @@ struct Offset {
 // A crease or border that runs along the hull: its point at each station, NaN where it has none.
 struct FeatureOffsets {
   std::string name;  // "Deck edge", "Knuckle 1"
-  CreaseKind kind;
+  surface::CreaseKind kind;
   std::vector<double> half_breadths, heights;
 };
 
@@ -52,10 +52,10 @@ struct OffsetTable {
 //
 // Throws std::invalid_argument for a position that is not finite, a negative buttock, and more than
 // kMostOffsetPositions of a kind.
-OffsetTable offset_table(const LimitSurface& surface, const std::vector<double>& stations,
+OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector<double>& stations,
                          const std::vector<double>& waterlines,
                          const std::vector<double>& buttocks);
 
 inline constexpr std::size_t kMostOffsetPositions = 1000;
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -9,7 +9,7 @@
 
 #include "analysis/sections/section_point.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A point of an arc and its derivative with respect to the arc's parameter.
 struct ArcSample {
@@ -89,4 +89,4 @@ inline void reverse_points(std::vector<SectionPoint>& points, std::size_t first)
   }
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,7 +3,7 @@
 
 #include "surface/wide_code.h"
 
-namespace hull {
+namespace hull::analysis {
 
 HULL_WIDE ArcPoint arc_point(const ArcSquare& square, double u) {
   const BernsteinBasis at_u(u);
@@ -26,4 +26,4 @@ bool is_monotonic(const ArcSquare& square) {
   return first.low - second.high > 0.0 || first.high - second.low < 0.0;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

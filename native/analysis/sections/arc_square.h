@@ -4,7 +4,7 @@
 #include "analysis/arithmetic/bezier_net.h"
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A square of a piece in which the surface crosses a plane, at most once for each u: there two
 // coordinates a and b are functions of u.
@@ -40,4 +40,4 @@ void for_each_stretch(const ArcSquare& square, const Visit& visit) {
   }
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

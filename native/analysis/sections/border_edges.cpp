@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/sections/border_edges.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
-Vector3d on_side(const LimitSurface& surface, int half_edge, double t) {
+Vector3d on_side(const surface::LimitSurface& surface, int half_edge, double t) {
   const int cell = half_edge / 4;
   switch (half_edge % 4) {
     case 0:
@@ -20,7 +20,7 @@ Vector3d on_side(const LimitSurface& surface, int half_edge, double t) {
 
 // A border is a uniform cubic B-spline of its own control points, also beside irregular points:
 // four of an edge's points tell the cubic.
-std::array<Vector3d, 4> cubic_of(const LimitSurface& surface, int half_edge) {
+std::array<Vector3d, 4> cubic_of(const surface::LimitSurface& surface, int half_edge) {
   const Vector3d p0 = on_side(surface, half_edge, 0.0), p3 = on_side(surface, half_edge, 1.0);
   const Vector3d a = on_side(surface, half_edge, 1.0 / 3.0);
   const Vector3d b = on_side(surface, half_edge, 2.0 / 3.0);
@@ -28,7 +28,7 @@ std::array<Vector3d, 4> cubic_of(const LimitSurface& surface, int half_edge) {
           (2.0 * p0 - 9.0 * a + 18.0 * b - 5.0 * p3) / 6.0, p3};
 }
 
-int next_along_border(const Topology& cells, int half_edge) {
+int next_along_border(const mesh::Topology& cells, int half_edge) {
   int h = cells.next(half_edge);
   while (cells.twin(h) >= 0) h = cells.next(cells.twin(h));
   return h;
@@ -41,8 +41,8 @@ std::array<double, 4> BorderEdge::along(const Vector3d& direction, double offset
           direction.dot(points[2]) - offset, direction.dot(points[3]) - offset};
 }
 
-std::vector<BorderEdge> border_edges(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
+std::vector<BorderEdge> border_edges(const surface::LimitSurface& surface) {
+  const mesh::Topology& cells = surface.cells();
   std::vector<BorderEdge> edges;
   std::vector<char> used(cells.half_edge_count(), 0);
   int loop = 0;
@@ -57,4 +57,4 @@ std::vector<BorderEdge> border_edges(const LimitSurface& surface) {
   return edges;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,7 +6,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The surface's border along one side of a cell: a cubic, by its Bézier points, run through with
 // the surface on its left, seen from the water.
@@ -20,6 +20,6 @@ struct BorderEdge {
 };
 
 // All of them, loop by loop, each loop in its order.
-std::vector<BorderEdge> border_edges(const LimitSurface& surface);
+std::vector<BorderEdge> border_edges(const surface::LimitSurface& surface);
 
-}  // namespace hull
+}  // namespace hull::analysis

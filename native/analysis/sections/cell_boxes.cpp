@@ -3,27 +3,28 @@
 
 #include <limits>
 
-namespace hull {
+namespace hull::analysis {
 
-CellBoxes::CellBoxes(const LimitSurface& surface)
+CellBoxes::CellBoxes(const surface::LimitSurface& surface)
     : low_(surface.cell_count()), high_(surface.cell_count()), revision_(surface.revision()) {
   for (int cell = 0; cell < surface.cell_count(); ++cell) take(surface, cell);
 }
 
-void CellBoxes::update(const LimitSurface& surface) {
+void CellBoxes::update(const surface::LimitSurface& surface) {
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     if (surface.moved_at(cell) > revision_) take(surface, cell);
   }
   revision_ = surface.revision();
 }
 
-void CellBoxes::take(const LimitSurface& surface, int cell) {
+void CellBoxes::take(const surface::LimitSurface& surface, int cell) {
   low_[cell].setConstant(std::numeric_limits<double>::infinity());
   high_[cell].setConstant(-std::numeric_limits<double>::infinity());
   add(surface, surface.layout().root(cell), cell);
 }
 
-void CellBoxes::add(const LimitSurface& surface, const SurfaceNode& node, int cell) {
+void CellBoxes::add(const surface::LimitSurface& surface, const surface::SurfaceNode& node,
+                    int cell) {
   Vector3d low = low_[cell], high = high_[cell];
   const auto extend = [&](const auto& points) {
     for (const Vector3d& p : points) {
@@ -32,14 +33,14 @@ void CellBoxes::add(const LimitSurface& surface, const SurfaceNode& node, int ce
     }
   };
   switch (node.kind) {
-    case SurfaceNode::Kind::kLeaf:
+    case surface::SurfaceNode::Kind::kLeaf:
       extend(surface.leaf(node.index));
       break;
-    case SurfaceNode::Kind::kCorner:
+    case surface::SurfaceNode::Kind::kCorner:
       extend(surface.corner(node.index).outer);
       break;
-    case SurfaceNode::Kind::kSplit:
-      for (const SurfaceNode& child : surface.layout().split(node.index)) {
+    case surface::SurfaceNode::Kind::kSplit:
+      for (const surface::SurfaceNode& child : surface.layout().split(node.index)) {
         add(surface, child, cell);
       }
       return;
@@ -48,4 +49,4 @@ void CellBoxes::add(const LimitSurface& surface, const SurfaceNode& node, int ce
   high_[cell] = high;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,16 +5,16 @@
 
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Axis-aligned boxes around the cells of a surface, from their control points: what a query need
 // not look at.
 class CellBoxes {
  public:
-  explicit CellBoxes(const LimitSurface& surface);
+  explicit CellBoxes(const surface::LimitSurface& surface);
 
   // After set_points() of the same surface.
-  void update(const LimitSurface& surface);
+  void update(const surface::LimitSurface& surface);
 
   int size() const { return static_cast<int>(low_.size()); }
   // Bounds of direction·p over a cell.
@@ -36,11 +36,11 @@ class CellBoxes {
     }
     return sum;
   }
-  void take(const LimitSurface& surface, int cell);
-  void add(const LimitSurface& surface, const SurfaceNode& node, int cell);
+  void take(const surface::LimitSurface& surface, int cell);
+  void add(const surface::LimitSurface& surface, const surface::SurfaceNode& node, int cell);
 
   std::vector<Vector3d> low_, high_;
   int revision_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

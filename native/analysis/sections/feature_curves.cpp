@@ -4,16 +4,17 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::analysis {
 
-std::vector<FeatureCurve> feature_curves(const LimitSurface& surface, int samples_per_edge) {
+std::vector<FeatureCurve> feature_curves(const surface::LimitSurface& surface,
+                                         int samples_per_edge) {
   if (samples_per_edge < 1 || samples_per_edge > 1024) {
     throw std::invalid_argument("Feature curves take 1 to 1024 samples per edge, not " +
                                 std::to_string(samples_per_edge) + ".");
   }
   const int samples = samples_per_edge + samples_per_edge % 2;
   std::vector<FeatureCurve> curves;
-  for (const CreaseCurve& crease : crease_curves(surface)) {
+  for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
     FeatureCurve& curve =
         curves.emplace_back(FeatureCurve{crease.kind(), crease.vertices(), {}, crease.closed()});
     const int count = crease.edge_count() * samples;
@@ -26,4 +27,4 @@ std::vector<FeatureCurve> feature_curves(const LimitSurface& surface, int sample
   return curves;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

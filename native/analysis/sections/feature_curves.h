@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A CreaseCurve by points on it.
 struct FeatureCurve {
-  CreaseKind kind;
+  surface::CreaseKind kind;
   std::vector<int> vertices;     // the chain's control vertices, in order; a closed chain's first
                                  // vertex is not repeated
   std::vector<Vector3d> points;  // points of the surface, m; a closed curve's first is repeated
@@ -18,6 +18,7 @@ struct FeatureCurve {
 
 // All crease_curves(), with `samples_per_edge` intervals per edge of the control mesh (rounded up
 // to an even number). Throws std::invalid_argument unless 1 <= samples_per_edge <= 1024.
-std::vector<FeatureCurve> feature_curves(const LimitSurface& surface, int samples_per_edge = 16);
+std::vector<FeatureCurve> feature_curves(const surface::LimitSurface& surface,
+                                         int samples_per_edge = 16);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Coefficient k of a side's own row, and of the rows j = 0 … 3 from it inwards.
@@ -47,7 +47,7 @@ BezierCubic HeightNet::along(int side) const {
   return cubic;
 }
 
-HeightNet height_net(const BicubicPoints& points, const Plane& plane,
+HeightNet height_net(const surface::BicubicPoints& points, const Plane& plane,
                      const HeightTolerances& tolerances, const SideFlags& may_lie) {
   HeightNet result{bezier_net(points, plane.normal, plane.offset), {}, false, false};
   BezierNet& net = result.net;
@@ -104,4 +104,4 @@ HeightJet height_jet(const BezierNet& net, double u, double v) {
   return jet;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

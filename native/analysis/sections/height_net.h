@@ -6,7 +6,7 @@
 #include "analysis/arithmetic/bezier_net.h"
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Heights below `zero` are rounding; those up to `flat` (at least `zero`) may be: a span or a side
 // that lies as near to the plane as that lies in it. m.
@@ -30,7 +30,7 @@ struct HeightNet {
 // `may_lie` tells which sides may be taken for lying in the plane; the whole piece if all may.
 using SideFlags = std::array<bool, 4>;
 inline constexpr SideFlags kAllSides{true, true, true, true};
-HeightNet height_net(const BicubicPoints& points, const Plane& plane,
+HeightNet height_net(const surface::BicubicPoints& points, const Plane& plane,
                      const HeightTolerances& tolerances, const SideFlags& may_lie);
 
 // Value and derivatives up to the second of a net on [0, 1]^2.
@@ -39,4 +39,4 @@ struct HeightJet {
 };
 HeightJet height_jet(const BezierNet& net, double u, double v);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 
-MoveWatch::MoveWatch(const LimitSurface& surface)
+MoveWatch::MoveWatch(const surface::LimitSurface& surface)
     : surface_(&surface), boxes_(surface), revision_(surface.revision()) {}
 
 void MoveWatch::update() {
@@ -33,4 +33,4 @@ bool MoveWatch::comes_near(const Plane& plane, double margin) const {
   });
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,14 +6,14 @@
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Where a surface was and is that has moved last: sections by planes that do not come near need not
 // be cut again. They are what a new cut would give, as long as it is cut to the same tolerances.
 class MoveWatch {
  public:
   // Nothing has moved yet. `surface` must outlive the watch.
-  explicit MoveWatch(const LimitSurface& surface);
+  explicit MoveWatch(const surface::LimitSurface& surface);
 
   // After surface.set_points(): what has moved since the last update, or the beginning, is what
   // counts from now on.
@@ -30,11 +30,11 @@ class MoveWatch {
     Vector3d middle, half;
   };
 
-  const LimitSurface* surface_;
+  const surface::LimitSurface* surface_;
   CellBoxes boxes_;
   int revision_;
   std::vector<int> cells_;
   std::vector<Box> moved_;  // around each of these before and after
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

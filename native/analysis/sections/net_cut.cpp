@@ -6,7 +6,7 @@
 #include "analysis/arithmetic/bezier.h"
 #include "surface/wide_code.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Slopes that vary by more than this factor along v make zeros a badly behaved function of u.
@@ -123,4 +123,4 @@ CrossingPairs pair_crossings(const BezierNet& net, const SideCrossings& crossing
   return pairs;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

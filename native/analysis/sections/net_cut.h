@@ -5,7 +5,7 @@
 
 #include "analysis/arithmetic/bezier_net.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A part of a net's square [0, 1]^2.
 struct NetSquare {
@@ -46,4 +46,4 @@ SideCrossings side_crossings(const BezierNet& net);
 using CrossingPairs = SmallList<std::array<int, 2>, 6>;
 CrossingPairs pair_crossings(const BezierNet& net, const SideCrossings& crossings);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Slopes along v that vary by more than this factor make the crossing a badly behaved function of
@@ -34,7 +34,7 @@ Shape shape_of(const BezierBicubic& height, bool deepest) {
 
 }  // namespace plane_cut_internal
 
-BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double tolerance) {
+BezierBicubic heights(const surface::BicubicPoints& points, const Plane& plane, double tolerance) {
   std::array<double, 16> values;
   for (int i = 0; i < 16; ++i) {
     const double height = plane.height(points[i]);
@@ -43,7 +43,7 @@ BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double to
   return BezierBicubic::from_bspline(values);
 }
 
-std::array<double, 2> height_range(const CornerSquare& square, const Plane& plane) {
+std::array<double, 2> height_range(const surface::CornerSquare& square, const Plane& plane) {
   const std::vector<Vector3d> points = square.points();
   std::array<double, 2> range{plane.height(points[0]), plane.height(points[0])};
   for (const Vector3d& p : points) {
@@ -70,4 +70,4 @@ Breaks crossing_breaks(const BezierBicubic& height) {
   return breaks;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

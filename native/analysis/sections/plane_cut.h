@@ -5,9 +5,9 @@
 #include <array>
 
 #include "analysis/arithmetic/bezier.h"
-#include "surface/pieces.h"
+#include "surface/pieces/pieces.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The plane n·x = offset; n of unit length. A point is below where n·x < offset.
 struct Plane {
@@ -17,10 +17,10 @@ struct Plane {
 };
 
 // Height above the plane over a piece, heights below `tolerance` in absolute value taken for zero.
-BezierBicubic heights(const BicubicPoints& points, const Plane& plane, double tolerance);
+BezierBicubic heights(const surface::BicubicPoints& points, const Plane& plane, double tolerance);
 
 // Bounds of the height over the square left at an irregular knot.
-std::array<double, 2> height_range(const CornerSquare& square, const Plane& plane);
+std::array<double, 2> height_range(const surface::CornerSquare& square, const Plane& plane);
 
 // A square of a piece on one side of the plane, or cut so simply that for each u (or, if `swapped`,
 // for each v) the surface meets the plane at most once, and not at a grazing angle.
@@ -82,4 +82,4 @@ double crossing(const BezierCubic& column);
 using Breaks = SmallList<double, 8>;
 Breaks crossing_breaks(const BezierBicubic& height);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -7,7 +7,7 @@
 
 #include "analysis/sections/arc_sampling.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 using State = PlaneSides::State;
@@ -25,7 +25,7 @@ State state_of(const BezierCubic& beside, double t) {
 // The course of the surface along a line, as a cell has it.
 class PlaneSides::SideCurve {
  public:
-  SideCurve(const LimitSurface& surface, const Plane& plane, const Claim& claim)
+  SideCurve(const surface::LimitSurface& surface, const Plane& plane, const Claim& claim)
       : surface_(surface), normal_(plane.normal), cell_(claim.cell) {
     const Line& line = claim.line;
     if (line.kind != Line::Kind::kEdge) {
@@ -50,7 +50,7 @@ class PlaneSides::SideCurve {
     SectionPoint& p = sample.p;
     p.cell = cell_;
     p.uv = place(t);
-    SurfaceJet jet = surface_.evaluate(cell_, p.uv.x(), p.uv.y(), 2);
+    surface::SurfaceJet jet = surface_.evaluate(cell_, p.uv.x(), p.uv.y(), 2);
     p.point = jet.point;
     if (surface_.is_irregular_knot(cell_, p.uv.x(), p.uv.y())) {
       const Eigen::Vector2d near = place(t < 0.5 ? t + kBesideKnot : t - kBesideKnot);
@@ -68,18 +68,18 @@ class PlaneSides::SideCurve {
   }
 
  private:
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const Vector3d& normal_;
   int cell_;
   bool along_v_, falls_;
   double at_;
 };
 
-void PlaneSides::add_flat(int cell, const DomainSquare& square) {
+void PlaneSides::add_flat(int cell, const surface::DomainSquare& square) {
   for (int side = 0; side < 4; ++side) add(cell, square, side, 0.0, 1.0, State::kFlat);
 }
 
-void PlaneSides::add_side(int cell, const DomainSquare& square, int side,
+void PlaneSides::add_side(int cell, const surface::DomainSquare& square, int side,
                           const BezierCubic& beside) {
   double from = 0.0;
   for (const double root : sign_changes(beside)) {
@@ -91,8 +91,8 @@ void PlaneSides::add_side(int cell, const DomainSquare& square, int side,
   add(cell, square, side, from, 1.0, state_of(beside, 0.5 * (from + 1.0)));
 }
 
-void PlaneSides::add(int cell, const DomainSquare& square, int side, double from, double to,
-                     State state) {
+void PlaneSides::add(int cell, const surface::DomainSquare& square, int side, double from,
+                     double to, State state) {
   const bool along_v = side % 2 == 1;
   const double begin = along_v ? square.v : square.u;
   const double t0 = begin + square.size * from, t1 = begin + square.size * to;
@@ -175,4 +175,4 @@ void PlaneSides::add_arc(const Claim& claim, double t0, double t1, bool backward
       {static_cast<int>(first), static_cast<int>(parts.points.size()), sense, true});
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

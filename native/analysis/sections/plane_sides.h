@@ -8,7 +8,7 @@
 #include "analysis/sections/plane_cut.h"
 #include "analysis/sections/section_point.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The sides of pieces that lie in a plane. Each piece says what it knows of its own sides; the two
 // sides of a line are then seen together.
@@ -23,15 +23,15 @@ class PlaneSides {
  public:
   enum class State { kNone, kFlat, kAbove, kBelow };
 
-  PlaneSides(const LimitSurface& surface, const Plane& plane)
+  PlaneSides(const surface::LimitSurface& surface, const Plane& plane)
       : surface_(&surface), plane_(&plane) {}
 
   bool empty() const { return claims_.empty(); }
   // A square that lies in the plane with all of its sides.
-  void add_flat(int cell, const DomainSquare& square);
+  void add_flat(int cell, const surface::DomainSquare& square);
   // Side 0 … 3 of a square; the sign of `beside`, in the direction of rising u or v, is that of the
   // height beside it.
-  void add_side(int cell, const DomainSquare& square, int side, const BezierCubic& beside);
+  void add_side(int cell, const surface::DomainSquare& square, int side, const BezierCubic& beside);
 
   // Adds what belongs to the section.
   void add_arcs(double chord_tolerance, SectionParts& parts);
@@ -55,14 +55,15 @@ class PlaneSides {
 
   class SideCurve;
 
-  void add(int cell, const DomainSquare& square, int side, double from, double to, State state);
+  void add(int cell, const surface::DomainSquare& square, int side, double from, double to,
+           State state);
   void add_line(const Claim* begin, const Claim* end, double chord_tolerance, SectionParts& parts);
   void add_arc(const Claim& claim, double t0, double t1, bool backward, SectionArc::Sense sense,
                double chord_tolerance, SectionParts& parts) const;
 
-  const LimitSurface* surface_;
+  const surface::LimitSurface* surface_;
   const Plane* plane_;
   std::vector<Claim> claims_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

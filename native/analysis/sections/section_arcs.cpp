@@ -7,19 +7,19 @@
 #include "analysis/sections/arc_sampling.h"
 #include "analysis/sections/arc_square.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // A place on a piece, and the jets there.
 struct Place {
   double u, v;
-  SurfaceJet jet;
+  surface::SurfaceJet jet;
   HeightJet g;
 };
 
 class PieceArcs {
  public:
-  PieceArcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
+  PieceArcs(const surface::SurfacePiece& piece, const HeightNet& height, const Plane& plane,
             double chord_tolerance, double zero, SectionParts& parts)
       : piece_(piece),
         height_(height),
@@ -38,11 +38,11 @@ class PieceArcs {
   SectionPoint point(double u, double v, Place& place) const {
     place.u = u;
     place.v = v;
-    evaluate_bicubic(piece_.points, u, v, 2, place.jet);
+    surface::evaluate_bicubic(piece_.points, u, v, 2, place.jet);
     if (height_.divided) {
       place.g = height_jet(height_.net, u, v);
     } else {
-      const SurfaceJet& jet = place.jet;
+      const surface::SurfaceJet& jet = place.jet;
       place.g = {normal_.dot(jet.du), normal_.dot(jet.dv), normal_.dot(jet.duu),
                  normal_.dot(jet.duv), normal_.dot(jet.dvv)};
     }
@@ -57,7 +57,7 @@ class PieceArcs {
  private:
   void close_arc(std::size_t first);
 
-  const SurfacePiece& piece_;
+  const surface::SurfacePiece& piece_;
   const HeightNet& height_;
   const Vector3d& normal_;
   double chord_tolerance_, zero_;
@@ -173,7 +173,7 @@ void PieceArcs::close_arc(std::size_t first) {
 
 }  // namespace
 
-void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane_normal,
+void set_course(const surface::SurfaceJet& jet, const HeightJet& g, const Vector3d& plane_normal,
                 SectionPoint& p) {
   const double steepness = g.u * g.u + g.v * g.v;
   if (steepness == 0.0) return;
@@ -191,8 +191,9 @@ void set_course(const SurfaceJet& jet, const HeightJet& g, const Vector3d& plane
   p.curvature = plane_normal.dot(d1.cross(d2)) / (speed * speed * speed);
 }
 
-void add_section_arcs(const SurfacePiece& piece, const HeightNet& height, const Plane& plane,
-                      double chord_tolerance, double zero, NetCut& cut, SectionParts& parts) {
+void add_section_arcs(const surface::SurfacePiece& piece, const HeightNet& height,
+                      const Plane& plane, double chord_tolerance, double zero, NetCut& cut,
+                      SectionParts& parts) {
   cut.divide(height.net);
   PieceArcs arcs(piece, height, plane, chord_tolerance, zero, parts);
   for (const NetCut::Part& part : cut.parts) {
@@ -204,4 +205,4 @@ void add_section_arcs(const SurfacePiece& piece, const HeightNet& height, const 
   }
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace hull::section_chains_internal {
+namespace hull::analysis::section_chains_internal {
 namespace {
 
 // Along a direction, of about unit length, that no usual plane is square to, few ends share a
@@ -106,4 +106,4 @@ std::vector<SectionChain> Matcher::chains() const {
   return chains;
 }
 
-}  // namespace hull::section_chains_internal
+}  // namespace hull::analysis::section_chains_internal

@@ -5,7 +5,7 @@
 
 #include "analysis/sections/section_point.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Arcs joined end to end: numbers of arcs, in order.
 struct SectionChain {
@@ -89,4 +89,4 @@ std::vector<SectionChain> join_arcs(const SectionParts& parts, const JoinToleran
   return matcher.chains();
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -7,7 +7,7 @@
 
 #include "analysis/sections/section_chains.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Of the mesh's size.
@@ -27,17 +27,17 @@ bool on_side(int cell, const Eigen::Vector2d& uv, const IsSuch& is_such) {
          (uv.y() == 1.0 && is_such(h + 2)) || (uv.x() == 0.0 && is_such(h + 3));
 }
 
-bool on_crease(const Topology& cells, int cell, const Eigen::Vector2d& uv) {
+bool on_crease(const mesh::Topology& cells, int cell, const Eigen::Vector2d& uv) {
   return on_side(cell, uv, [&](int h) { return cells.is_crease(h); });
 }
 
-bool on_border(const Topology& cells, int cell, const Eigen::Vector2d& uv) {
+bool on_border(const mesh::Topology& cells, int cell, const Eigen::Vector2d& uv) {
   return on_side(cell, uv, [&](int h) { return cells.twin(h) < 0; });
 }
 
 class CurveBuilder {
  public:
-  CurveBuilder(const LimitSurface& surface, const SectionParts& parts)
+  CurveBuilder(const surface::LimitSurface& surface, const SectionParts& parts)
       : surface_(surface), parts_(parts), size_(surface.mesh().size()) {}
 
   SectionCurve build(const SectionChain& chain);
@@ -63,7 +63,7 @@ class CurveBuilder {
   void close(const SectionChain::Link& last, const SectionChain::Link& first);
   void start_at_knuckle();
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const SectionParts& parts_;
   double size_;
   SectionCurve curve_;
@@ -183,7 +183,8 @@ void CurveBuilder::start_at_knuckle() {
 
 }  // namespace
 
-std::vector<SectionCurve> section_curves(const LimitSurface& surface, const SectionParts& parts) {
+std::vector<SectionCurve> section_curves(const surface::LimitSurface& surface,
+                                         const SectionParts& parts) {
   const double size = surface.mesh().size();
   const auto at_border = [&](const SectionPoint& p) {
     return on_border(surface.cells(), p.cell, p.uv);
@@ -213,4 +214,4 @@ std::vector<SmoothStretch> smooth_stretches(const SectionCurve& curve) {
   return stretches;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

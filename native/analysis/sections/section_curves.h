@@ -4,9 +4,10 @@
 #include "analysis/sections/section_point.h"
 #include "analysis/sections/sections.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The parts of a section joined to curves.
-std::vector<SectionCurve> section_curves(const LimitSurface& surface, const SectionParts& parts);
+std::vector<SectionCurve> section_curves(const surface::LimitSurface& surface,
+                                         const SectionParts& parts);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A point of a section, where it lies and how the section runs through it.
 struct SectionPoint {
@@ -48,4 +48,4 @@ struct SectionParts {
   }
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Where splines through all points of a section are too far from it, four times finer ones are
@@ -126,7 +126,7 @@ std::vector<Vector3d> slopes(const Course& course, const std::vector<std::size_t
   return m;
 }
 
-CubicSpline spline_through(const Course& course, const std::vector<std::size_t>& nodes) {
+surface::CubicSpline spline_through(const Course& course, const std::vector<std::size_t>& nodes) {
   const std::vector<Vector3d> m = slopes(course, nodes);
   const std::size_t n = nodes.size() - 1;
   const auto at = [&](std::size_t i) { return course.at[nodes[i]]; };
@@ -155,10 +155,10 @@ CubicSpline spline_through(const Course& course, const std::vector<std::size_t>&
 }
 
 // The distance from the spline near its parameter t.
-double distance_to(const CubicSpline& spline, const Vector3d& p, double t) {
+double distance_to(const surface::CubicSpline& spline, const Vector3d& p, double t) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    const CurveJet jet = spline.evaluate(t, 1);
+    const surface::CurveJet jet = spline.evaluate(t, 1);
     const Vector3d r = p - jet.point;
     nearest = std::min(nearest, r.norm());
     const double speed2 = jet.d1.squaredNorm();
@@ -169,7 +169,7 @@ double distance_to(const CubicSpline& spline, const Vector3d& p, double t) {
 }
 
 // The largest distance of the course from the spline over the points from a to b.
-double largest_distance(const Course& course, const CubicSpline& spline, std::size_t a,
+double largest_distance(const Course& course, const surface::CubicSpline& spline, std::size_t a,
                         std::size_t b) {
   double largest = 0.0;
   for (std::size_t i = a; i < b; ++i) {
@@ -219,8 +219,8 @@ SectionSpline fit(const Course& course, double tolerance) {
 
 }  // namespace
 
-std::vector<SectionSplines> section_splines(const LimitSurface& surface, const Plane& plane,
-                                            double tolerance,
+std::vector<SectionSplines> section_splines(const surface::LimitSurface& surface,
+                                            const Plane& plane, double tolerance,
                                             std::optional<double> flat_tolerance) {
   std::vector<SectionSplines> result;
   // Between the points the course is known to a part of their chords' distances from it.
@@ -241,4 +241,4 @@ std::vector<SectionSplines> section_splines(const LimitSurface& surface, const P
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "analysis/sections/sections.h"
-#include "surface/cubic_spline.h"
+#include "surface/creases/cubic_spline.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A stretch of a section between knuckles as a cubic B-spline curve: twice continuously
 // differentiable, knots rising from 0 to about the arc length in m, the first and last of them
 // fourfold, so that it starts and ends in its first and last control points. Control points lie in
 // the section's plane to rounding.
 struct SectionSpline {
-  CubicSpline curve;
+  surface::CubicSpline curve;
   // The stretch is a whole closed curve without knuckles; the spline's derivatives agree there,
   // too.
   bool closed;
@@ -31,8 +31,8 @@ struct SectionSplines {
 //
 // What belongs to the section, and the direction of running, are as in section(). Throws
 // std::invalid_argument as section() does, `tolerance` in the place of its chord tolerance.
-std::vector<SectionSplines> section_splines(const LimitSurface& surface, const Plane& plane,
-                                            double tolerance,
+std::vector<SectionSplines> section_splines(const surface::LimitSurface& surface,
+                                            const Plane& plane, double tolerance,
                                             std::optional<double> flat_tolerance = {});
 
-}  // namespace hull
+}  // namespace hull::analysis

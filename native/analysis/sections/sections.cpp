@@ -10,7 +10,7 @@
 #include "analysis/sections/section_arcs.h"
 #include "analysis/sections/section_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Of the mesh's size: heights below are rounding, and squares at irregular knots smaller than that
@@ -42,7 +42,7 @@ void check(const std::vector<Plane>& planes, const SectionOptions& options) {
 // Cuts one surface by plane after plane.
 class Cutter {
  public:
-  Cutter(const LimitSurface& surface, const SectionOptions& options)
+  Cutter(const surface::LimitSurface& surface, const SectionOptions& options)
       : surface_(surface),
         size_(surface.mesh().size()),
         chord_tolerance_(options.chord_tolerance),
@@ -53,24 +53,26 @@ class Cutter {
     parts_.clear();
     PlaneSides sides(surface_, plane);
     const double low = plane.offset - heights_.flat, high = plane.offset + heights_.flat;
-    const auto descend = [&](const CornerSquare& square) { return wants(square, plane, sides); };
-    const auto take = [&](const SurfacePiece& piece) { add_piece(piece, plane, sides); };
+    const auto descend = [&](const surface::CornerSquare& square) {
+      return wants(square, plane, sides);
+    };
+    const auto take = [&](const surface::SurfacePiece& piece) { add_piece(piece, plane, sides); };
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
       if (boxes.least(cell, plane.normal) > high || boxes.most(cell, plane.normal) < low) continue;
       lines_.clear();
-      for_each_piece(surface_, cell, descend, take);
+      surface::for_each_piece(surface_, cell, descend, take);
     }
     if (!sides.empty()) sides.add_arcs(chord_tolerance_, parts_);
     return section_curves(surface_, parts_);
   }
 
  private:
-  bool wants(const CornerSquare& square, const Plane& plane, PlaneSides& sides);
-  void add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides& sides);
-  SideFlags sides_that_may_lie(const SurfacePiece& piece) const;
-  void add_spot(const CornerSquare& square, const Plane& plane, double radius);
+  bool wants(const surface::CornerSquare& square, const Plane& plane, PlaneSides& sides);
+  void add_piece(const surface::SurfacePiece& piece, const Plane& plane, PlaneSides& sides);
+  SideFlags sides_that_may_lie(const surface::SurfacePiece& piece) const;
+  void add_spot(const surface::CornerSquare& square, const Plane& plane, double radius);
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   double size_;
   double chord_tolerance_;
   HeightTolerances heights_;
@@ -82,7 +84,7 @@ class Cutter {
     double at;
     bool operator==(const Line&) const = default;
   };
-  static Line line_of(const DomainSquare& square, int side) {
+  static Line line_of(const surface::DomainSquare& square, int side) {
     switch (side) {
       case 0:
         return {false, square.v};
@@ -97,7 +99,7 @@ class Cutter {
   std::vector<Line> lines_;  // in the plane, of the cell's smaller pieces so far
 };
 
-bool Cutter::wants(const CornerSquare& square, const Plane& plane, PlaneSides& sides) {
+bool Cutter::wants(const surface::CornerSquare& square, const Plane& plane, PlaneSides& sides) {
   const auto [lowest, highest] = height_range(square, plane);
   if (lowest > heights_.flat || highest < -heights_.flat) return false;
   if (lowest >= -heights_.flat && highest <= heights_.flat) {
@@ -114,7 +116,7 @@ bool Cutter::wants(const CornerSquare& square, const Plane& plane, PlaneSides& s
   return false;
 }
 
-void Cutter::add_spot(const CornerSquare& square, const Plane& plane, double radius) {
+void Cutter::add_spot(const surface::CornerSquare& square, const Plane& plane, double radius) {
   SectionPoint knot;
   knot.point = square.ring.limit();
   knot.cell = square.cell;
@@ -127,7 +129,7 @@ void Cutter::add_spot(const CornerSquare& square, const Plane& plane, double rad
   parts_.spots.push_back({knot, 2.0 * radius, plane.height(knot.point)});
 }
 
-void Cutter::add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides& sides) {
+void Cutter::add_piece(const surface::SurfacePiece& piece, const Plane& plane, PlaneSides& sides) {
   double low = plane.height(piece.points[0]), high = low;
   for (int i = 1; i < 16; ++i) {
     const double height = plane.height(piece.points[i]);
@@ -135,7 +137,7 @@ void Cutter::add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides
     high = std::max(high, height);
   }
   if (low > heights_.flat || high < -heights_.flat) return;
-  const DomainSquare square{piece.u, piece.v, piece.size};
+  const surface::DomainSquare square{piece.u, piece.v, piece.size};
   const HeightNet height = height_net(piece.points, plane, heights_, sides_that_may_lie(piece));
   if (height.flat) return sides.add_flat(piece.cell, square);
   for (int side = 0; side < 4 && height.divided; ++side) {
@@ -146,7 +148,7 @@ void Cutter::add_piece(const SurfacePiece& piece, const Plane& plane, PlaneSides
   add_section_arcs(piece, height, plane, chord_tolerance_, heights_.zero, net_cut_, parts_);
 }
 
-SideFlags Cutter::sides_that_may_lie(const SurfacePiece& piece) const {
+SideFlags Cutter::sides_that_may_lie(const surface::SurfacePiece& piece) const {
   if (piece.size >= kSmallestFlat) return kAllSides;
   SideFlags flags;
   for (int side = 0; side < 4; ++side) {
@@ -166,7 +168,7 @@ Plane diagonal_plane(double height, double angle) {
   return {Vector3d(0.0, std::sin(angle), std::cos(angle)), height * std::cos(angle)};
 }
 
-std::vector<std::vector<SectionCurve>> sections(const LimitSurface& surface,
+std::vector<std::vector<SectionCurve>> sections(const surface::LimitSurface& surface,
                                                 const std::vector<Plane>& planes,
                                                 const SectionOptions& options) {
   check(planes, options);
@@ -178,19 +180,19 @@ std::vector<std::vector<SectionCurve>> sections(const LimitSurface& surface,
   return result;
 }
 
-std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plane,
+std::vector<SectionCurve> section(const surface::LimitSurface& surface, const Plane& plane,
                                   const SectionOptions& options) {
   return std::move(sections(surface, {plane}, options).front());
 }
 
-std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plane,
+std::vector<SectionCurve> section(const surface::LimitSurface& surface, const Plane& plane,
                                   double chord_tolerance) {
   return section(surface, plane, SectionOptions{chord_tolerance, {}});
 }
 
-std::vector<SectionCurve> section(const LimitSurface& surface, Axis axis, double position,
+std::vector<SectionCurve> section(const surface::LimitSurface& surface, Axis axis, double position,
                                   double chord_tolerance) {
   return section(surface, plane_across(axis, position), chord_tolerance);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

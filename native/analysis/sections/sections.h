@@ -6,7 +6,7 @@
 
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 enum class Axis { kX, kY, kZ };
 
@@ -73,16 +73,16 @@ struct SectionOptions {
 //
 // Throws std::invalid_argument unless the plane's normal is of unit length and its offset finite,
 // chord_tolerance is positive and flat_tolerance not negative.
-std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plane,
+std::vector<SectionCurve> section(const surface::LimitSurface& surface, const Plane& plane,
                                   const SectionOptions& options);
-std::vector<SectionCurve> section(const LimitSurface& surface, const Plane& plane,
+std::vector<SectionCurve> section(const surface::LimitSurface& surface, const Plane& plane,
                                   double chord_tolerance);
-std::vector<SectionCurve> section(const LimitSurface& surface, Axis axis, double position,
+std::vector<SectionCurve> section(const surface::LimitSurface& surface, Axis axis, double position,
                                   double chord_tolerance);
 
 // The sections by several planes, in their order; for many planes much cheaper than one by one.
-std::vector<std::vector<SectionCurve>> sections(const LimitSurface& surface,
+std::vector<std::vector<SectionCurve>> sections(const surface::LimitSurface& surface,
                                                 const std::vector<Plane>& planes,
                                                 const SectionOptions& options);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,7 +8,7 @@
 
 #include "analysis/stability/weathertight.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 void check(const std::vector<double>& volumes, const std::vector<double>& heels,
@@ -60,4 +60,4 @@ std::vector<CrossCurve> cross_curves(const HullBody& body, const std::vector<dou
   return curves;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/stability/heeling_path.h"
 
-namespace hull {
+namespace hull::analysis {
 
 struct CrossCurveOptions {
   TrimMode trim_mode = TrimMode::kFree;
@@ -33,4 +33,4 @@ std::vector<CrossCurve> cross_curves(const HullBody& body, const std::vector<dou
                                      const std::vector<double>& heels,
                                      const CrossCurveOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
-bool runs_along_the_ship(const CreaseCurve& curve, double size) {
+bool runs_along_the_ship(const surface::CreaseCurve& curve, double size) {
   const std::vector<Vector3d>& points = curve.spline().points();
   Vector3d low = points.front(), high = low;
   for (const Vector3d& p : points) {
@@ -39,12 +39,13 @@ double least_of_cubic(double h0, double d0, double h1, double d1) {
   return least;
 }
 
-double lowest_of(const CubicSpline& spline, const Vector3d& up) {
+double lowest_of(const surface::CubicSpline& spline, const Vector3d& up) {
   double least = std::numeric_limits<double>::infinity();
   const std::vector<double>& knots = spline.knots();
   for (std::size_t k = 3; k + 4 < knots.size(); ++k) {
     const double width = knots[k + 1] - knots[k];
-    const CurveJet from = spline.evaluate(knots[k], 1), to = spline.evaluate(knots[k + 1], 1);
+    const surface::CurveJet from = spline.evaluate(knots[k], 1),
+                            to = spline.evaluate(knots[k + 1], 1);
     least = std::min(least, least_of_cubic(up.dot(from.point), width * up.dot(from.d1),
                                            up.dot(to.point), width * up.dot(to.d1)));
   }
@@ -55,8 +56,8 @@ double lowest_of(const CubicSpline& spline, const Vector3d& up) {
 
 DeckEdge::DeckEdge(const HullBody& body) : mirrored_(body.mirrored()) {
   const double size = body.surface().mesh().size();
-  for (CreaseCurve& curve : crease_curves(body.surface())) {
-    if (curve.kind() == CreaseKind::kBorder && runs_along_the_ship(curve, size)) {
+  for (surface::CreaseCurve& curve : surface::crease_curves(body.surface())) {
+    if (curve.kind() == surface::CreaseKind::kBorder && runs_along_the_ship(curve, size)) {
       curves_.push_back(std::move(curve));
     }
   }
@@ -72,7 +73,7 @@ DeckEdge::DeckEdge(const HullBody& body, const std::vector<int>& vertices)
                                 " only.");
   }
   const std::set<int> given(vertices.begin(), vertices.end());
-  for (CreaseCurve& curve : crease_curves(body.surface())) {
+  for (surface::CreaseCurve& curve : surface::crease_curves(body.surface())) {
     const std::vector<int>& chain = curve.vertices();
     if (std::all_of(chain.begin(), chain.end(), [&](int v) { return given.count(v) > 0; })) {
       curves_.push_back(std::move(curve));
@@ -88,11 +89,11 @@ DeckEdge::DeckEdge(const HullBody& body, const std::vector<int>& vertices)
 double DeckEdge::lowest(const Vector3d& up) const {
   double least = std::numeric_limits<double>::infinity();
   const Vector3d other_side(up.x(), -up.y(), up.z());
-  for (const CreaseCurve& curve : curves_) {
+  for (const surface::CreaseCurve& curve : curves_) {
     least = std::min(least, lowest_of(curve.spline(), up));
     if (mirrored_) least = std::min(least, lowest_of(curve.spline(), other_side));
   }
   return least;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "analysis/immersion/hull_body.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The edge where the deck meets the sides, of both sides of a mirrored hull.
 class DeckEdge {
@@ -23,8 +23,8 @@ class DeckEdge {
   double lowest(const Vector3d& up) const;
 
  private:
-  std::vector<CreaseCurve> curves_;
+  std::vector<surface::CreaseCurve> curves_;
   bool mirrored_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -10,7 +10,7 @@
 #include "analysis/stability/floating_descent.h"
 #include "analysis/stability/weathertight.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kStartVolume = 1e-2;  // relative error of the start's displacement
@@ -219,4 +219,4 @@ std::vector<Equilibrium> equilibria(const HullBody& body, const std::vector<Load
   return results;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

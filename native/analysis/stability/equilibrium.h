@@ -9,7 +9,7 @@
 #include "analysis/immersion/hull_body.h"
 #include "analysis/stability/load_case.h"
 
-namespace hull {
+namespace hull::analysis {
 
 enum class EquilibriumStatus {
   kStable,        // at rest, and comes back when trimmed or heeled a little
@@ -72,4 +72,4 @@ Equilibrium equilibrium(const HullBody& body, const LoadCase& load,
 std::vector<Equilibrium> equilibria(const HullBody& body, const std::vector<LoadCase>& loads,
                                     const EquilibriumOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::analysis

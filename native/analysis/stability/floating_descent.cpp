@@ -9,7 +9,7 @@
 
 #include "analysis/immersion/floating_position.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kFirstReach = 0.2;  // rad: how far derivatives are trusted at the start
@@ -254,4 +254,4 @@ double offset_of_volume(const HullBody& body, const Vector3d& up, double volume,
   return c;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/immersion/hull_body.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The rest of a floating body as a minimum of potential energy. For water n·x = c, displaced volume
 // ∇ wanted, centre of gravity G, immersed volume V with its centre B, the energy over density and
@@ -92,4 +92,4 @@ double greatest_volume(const HullBody& body, const Vector3d& up);
 double offset_of_volume(const HullBody& body, const Vector3d& up, double volume,
                         double whole_volume, double tolerance, int& evaluations);
 
-}  // namespace hull
+}  // namespace hull::analysis

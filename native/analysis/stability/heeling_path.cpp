@@ -10,7 +10,7 @@
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/floating_position.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Neighbours farther apart than this say nothing of one another, rad.
@@ -172,4 +172,4 @@ double lever_area(const HeelingPath& path, double from, double to, double tolera
   return refined(path, from, to, gauss_sum(path, from, to), tolerance);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/stability/floating_descent.h"
 
-namespace hull {
+namespace hull::analysis {
 
 enum class TrimMode {
   kFree,   // weight and buoyancy are kept above one another lengthwise
@@ -68,4 +68,4 @@ class HeelingPath {
 // smaller angle is negative.
 double lever_area(const HeelingPath& path, double from, double to, double tolerance);
 
-}  // namespace hull
+}  // namespace hull::analysis

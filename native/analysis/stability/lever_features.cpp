@@ -5,7 +5,7 @@
 
 #include "analysis/arithmetic/bracketed_root.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kAngleTolerance = 1e-12;
@@ -66,4 +66,4 @@ std::optional<double> immersion_heel(const HeelingPath& path, const LowestPoint&
   return first_fall(path, from, to, clearance);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/stability/heeling_path.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What to read from a curve of righting levers between two heels, from < to. The states the path
 // has solved there say where to look: a feature between two of them that shows at neither end is
@@ -28,4 +28,4 @@ using LowestPoint = std::function<double(const Vector3d& up)>;
 std::optional<double> immersion_heel(const HeelingPath& path, const LowestPoint& lowest,
                                      double from, double to);
 
-}  // namespace hull
+}  // namespace hull::analysis

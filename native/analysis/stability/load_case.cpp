@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 void refuse_unless_positive(double value, const char* what, const char* unit) {
@@ -26,4 +26,4 @@ double LoadCase::displaced_volume() const {
   return mass / water_density;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

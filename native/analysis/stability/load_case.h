@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What a body carries, its own weight included.
 struct LoadCase {
@@ -16,4 +16,4 @@ struct LoadCase {
   double displaced_volume() const;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

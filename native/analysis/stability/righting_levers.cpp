@@ -10,7 +10,7 @@
 #include "analysis/stability/deck_edge.h"
 #include "analysis/stability/weathertight.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
@@ -97,4 +97,4 @@ RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -9,7 +9,7 @@
 #include "analysis/stability/lever_features.h"
 #include "analysis/stability/load_case.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What floods a ship, and where her deck is.
 struct StabilityEdges {
@@ -61,4 +61,4 @@ std::optional<double> flooding_heel(const HeelingPath& path, const HullBody& bod
 // Whether there is anything of that kind.
 bool can_flood(const HullBody& body, const StabilityEdges& edges);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -9,7 +9,7 @@
 
 #include "analysis/stability/weathertight.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -145,4 +145,4 @@ StabilityReport stability_criteria(const HullBody& body, const LoadCase& load,
   return IntactCriteria(path, body, options.edges).report();
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

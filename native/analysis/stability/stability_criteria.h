@@ -7,7 +7,7 @@
 
 #include "analysis/stability/righting_levers.h"
 
-namespace hull {
+namespace hull::analysis {
 
 enum class CriterionOutcome { kPass, kFail, kNotComputed };
 
@@ -48,4 +48,4 @@ struct StabilityReport {
 StabilityReport stability_criteria(const HullBody& body, const LoadCase& load,
                                    const StabilityOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/immersion/hull_body.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A body with all its openings closed: itself, or if it has open ones a twin without. How a ship
 // heels and rests is computed of this, and then where she floods.
@@ -27,4 +27,4 @@ class Weathertight {
   const HullBody* body_;
 };
 
-}  // namespace hull
+}  // namespace hull::analysis

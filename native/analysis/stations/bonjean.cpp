@@ -7,7 +7,7 @@
 
 #include "analysis/stations/station_cutter.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 void check_finite(const std::vector<double>& values, const char* what) {
@@ -35,4 +35,4 @@ BonjeanCurves bonjean(const HullBody& body, std::vector<double> stations,
   return curves;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

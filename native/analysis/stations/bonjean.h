@@ -5,7 +5,7 @@
 
 #include "analysis/stations/section_areas.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // Immersed stations over a range of upright drafts: Bonjean's curves.
 struct BonjeanCurves {
@@ -22,4 +22,4 @@ struct BonjeanCurves {
 BonjeanCurves bonjean(const HullBody& body, std::vector<double> stations,
                       std::vector<double> drafts);
 
-}  // namespace hull
+}  // namespace hull::analysis

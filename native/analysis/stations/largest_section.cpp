@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kScanned = 8;  // intervals
@@ -117,4 +117,4 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   return searched_coarsely ? immersed_station(cutter, found.position, water) : found;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,7 +8,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Exact for the polynomials of degree 8 along a cubic.
@@ -78,7 +78,7 @@ void add_border(const HullBody& ship, const Profile& profile, const SectionFrame
 // Sides of a port piece that lie in the centre plane, run through with the piece on their left.
 void add_sides_in_plane(const ArcPiece& piece, const SectionFrame& frame, SectionIntegrals& sum) {
   constexpr int kSides[4][4] = {{0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
-  const BicubicPoints& points = piece.piece.points;
+  const surface::BicubicPoints& points = piece.piece.points;
   for (const auto& side : kSides) {
     const auto in_plane = [&](int k) { return piece.h[k] == 0.0; };
     if (!std::all_of(side, side + 4, in_plane)) continue;
@@ -129,4 +129,4 @@ ProfileArea profile_area(const StationCutter& cutter, const Plane& water) {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

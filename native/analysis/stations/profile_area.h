@@ -3,7 +3,7 @@
 
 #include "analysis/stations/station_cutter.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The underwater profile: the part of the centre plane y = 0 that is inside the body and below the
 // water; openings are closed athwartships, so that their borders' projections bound it. Of a body
@@ -20,4 +20,4 @@ struct ProfileArea {
 
 ProfileArea profile_area(const StationCutter& cutter, const Plane& water);
 
-}  // namespace hull
+}  // namespace hull::analysis

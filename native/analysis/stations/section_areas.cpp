@@ -6,7 +6,7 @@
 
 #include "analysis/stations/station_cutter.h"
 
-namespace hull {
+namespace hull::analysis {
 
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water) {
@@ -27,4 +27,4 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
   return section_areas(body, positions, water_plane(position));
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

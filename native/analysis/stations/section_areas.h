@@ -6,7 +6,7 @@
 #include "analysis/immersion/floating_position.h"
 #include "analysis/immersion/hull_body.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // What of a station x = position is under water: both sides, closed by the water and, where a
 // border is immersed, by straight lines athwartships, to the centre plane or to the border's other
@@ -32,4 +32,4 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water);
 
-}  // namespace hull
+}  // namespace hull::analysis

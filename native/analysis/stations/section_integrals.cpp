@@ -6,7 +6,7 @@
 
 #include "analysis/arithmetic/estimating_rule.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kDeepestClip = 12;
@@ -162,4 +162,4 @@ void add_line(double a0, double b0, double a1, double b1, double level, SectionI
   sum.breadth += da;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -7,7 +7,7 @@
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/plane_cut.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A plane with coordinates a and b in it: `up` is the direction of b, and across x up = normal.
 struct SectionFrame {
@@ -56,18 +56,18 @@ void add_line(double a0, double b0, double a1, double b1, double level, SectionI
 // Calls visit(const ArcPiece&) for all pieces that may reach the plane below b = level. Squares at
 // irregular knots are left out once they are below 1e-9 of the size.
 struct ArcPiece {
-  const SurfacePiece& piece;
+  const surface::SurfacePiece& piece;
   BezierNet h;  // heights of rounding size are zero
 };
 template <class Visit>
-void for_each_arc_piece(const LimitSurface& surface, const CellBoxes& boxes,
+void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& boxes,
                         const SectionFrame& frame, double level, const Visit& visit);
 
 // Calls visit(const ArcSquare&) for all squares that the section crosses and that reach below
 // b = level. What lies in the plane counts as above it.
 template <class Visit>
-void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
-                  double level, const Visit& visit);
+void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
+                  const SectionFrame& frame, double level, const Visit& visit);
 
 namespace section_internal {
 
@@ -89,17 +89,17 @@ inline bool reaches(const Vector3d* begin, const Vector3d* end, const SectionFra
 }  // namespace section_internal
 
 template <class Visit>
-void for_each_arc_piece(const LimitSurface& surface, const CellBoxes& boxes,
+void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& boxes,
                         const SectionFrame& frame, double level, const Visit& visit) {
   using namespace section_internal;
   const double size = surface.mesh().size();
   const double top = level + frame.up.dot(frame.origin);
-  const auto descend = [&](const CornerSquare& square) {
+  const auto descend = [&](const surface::CornerSquare& square) {
     const std::vector<Vector3d>& points = square.points();
     if (!reaches(points.data(), points.data() + points.size(), frame, top)) return false;
     return square.extent() > kSmallestCorner * size;
   };
-  const auto take = [&](const SurfacePiece& piece) {
+  const auto take = [&](const surface::SurfacePiece& piece) {
     const Vector3d* begin = piece.points.data();
     if (!reaches(begin, begin + 16, frame, top)) return;
     ArcPiece found{piece, bezier_net(piece.points, frame.plane.normal, frame.plane.offset)};
@@ -110,7 +110,7 @@ void for_each_arc_piece(const LimitSurface& surface, const CellBoxes& boxes,
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     if (boxes.least(cell, normal) >= frame.plane.offset) continue;
     if (boxes.most(cell, normal) < frame.plane.offset) continue;
-    if (boxes.least(cell, frame.up) < top) for_each_piece(surface, cell, descend, take);
+    if (boxes.least(cell, frame.up) < top) surface::for_each_piece(surface, cell, descend, take);
   }
 }
 
@@ -120,7 +120,7 @@ void for_each_arc_of(const ArcPiece& piece, const SectionFrame& frame, double le
                      const Visit& visit) {
   const BezierNet& h = piece.h;
   if (lowest(h) >= 0.0 || highest(h) < 0.0) return;
-  const BicubicPoints& points = piece.piece.points;
+  const surface::BicubicPoints& points = piece.piece.points;
   const BezierNet b = bezier_net(points, frame.up, frame.up.dot(frame.origin));
   if (lowest(b) >= level) return;
   const BezierNet a = bezier_net(points, frame.across, frame.across.dot(frame.origin));
@@ -141,10 +141,10 @@ void for_each_arc_of(const ArcPiece& piece, const SectionFrame& frame, double le
 }
 
 template <class Visit>
-void for_each_arc(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
-                  double level, const Visit& visit) {
+void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
+                  const SectionFrame& frame, double level, const Visit& visit) {
   for_each_arc_piece(surface, boxes, frame, level,
                      [&](const ArcPiece& piece) { for_each_arc_of(piece, frame, level, visit); });
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

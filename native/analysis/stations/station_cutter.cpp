@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 using section_internal::kZeroHeight;
@@ -79,7 +79,7 @@ double farthest(const Points& points, double position) {
 
 }  // namespace
 
-SectionOutline::SectionOutline(const LimitSurface& surface, const CellBoxes& boxes,
+SectionOutline::SectionOutline(const surface::LimitSurface& surface, const CellBoxes& boxes,
                                const SectionFrame& frame, std::vector<ClosingLine> closing,
                                double highest_level, const ArcRule& rule)
     : rule_(rule), closing_(std::move(closing)) {
@@ -113,7 +113,7 @@ StationCutter::StationCutter(const HullBody& body)
     : body_(&body), rule_(arc_rule(body.surface().mesh().size(), body.tolerance())) {}
 
 std::optional<double> StationCutter::distance_of_flats(double position) const {
-  const LimitSurface& surface = body_->surface();
+  const surface::LimitSurface& surface = body_->surface();
   const double most = kAlmostFlat * surface.mesh().size();
   std::optional<double> distance;
   const auto take = [&](const auto& points) {
@@ -204,4 +204,4 @@ SectionArea immersed_station(const StationCutter& cutter, double position, const
   return StationViews(cutter, position, water, 0.0, rule).below(0.0);
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -9,7 +9,7 @@
 #include "analysis/stations/section_areas.h"
 #include "analysis/stations/section_integrals.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // A straight line that closes a section between borders, in a frame's coordinates.
 struct ClosingLine {
@@ -20,8 +20,9 @@ struct ClosingLine {
 class SectionOutline {
  public:
   // For levels up to `highest_level`.
-  SectionOutline(const LimitSurface& surface, const CellBoxes& boxes, const SectionFrame& frame,
-                 std::vector<ClosingLine> closing, double highest_level, const ArcRule& rule);
+  SectionOutline(const surface::LimitSurface& surface, const CellBoxes& boxes,
+                 const SectionFrame& frame, std::vector<ClosingLine> closing, double highest_level,
+                 const ArcRule& rule);
 
   SectionIntegrals below(double level) const;
   // Makes it cheaper to immerse to many levels: squares that are wholly immersed are integrated
@@ -91,4 +92,4 @@ SectionArea immersed_station(const StationCutter& cutter, double position, const
 SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water,
                              const ArcRule& rule);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,12 +8,12 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/groups.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 class Cutter {
  public:
-  explicit Cutter(const LimitSurface& surface)
+  explicit Cutter(const surface::LimitSurface& surface)
       : cells_(surface.cells()),
         cuts_(cells_.edge_count(), 0),
         crossed_(cells_.vertex_count(), 0),
@@ -138,7 +138,7 @@ class Cutter {
     }
   }
 
-  const Topology& cells_;
+  const mesh::Topology& cells_;
   std::vector<char> cuts_;       // per edge
   std::vector<char> crossed_;    // per vertex: a cut passes or ends there
   std::vector<char> irregular_;  // per vertex
@@ -146,11 +146,15 @@ class Cutter {
 };
 
 // The cell beyond a cell's side u = 1, and beyond v = 1, by its side v = 0.
-int right_of(const Topology& cells, int side) { return cells.next(cells.twin(cells.next(side))); }
-int above(const Topology& cells, int side) { return cells.twin(cells.next(cells.next(side))); }
+int right_of(const mesh::Topology& cells, int side) {
+  return cells.next(cells.twin(cells.next(side)));
+}
+int above(const mesh::Topology& cells, int side) {
+  return cells.twin(cells.next(cells.next(side)));
+}
 
 // The block with the cell that has `side` at its lower left corner.
-Block block_from(const Topology& cells, const Cutter& cutter, int side) {
+Block block_from(const mesh::Topology& cells, const Cutter& cutter, int side) {
   Block block;
   for (int column = side;; column = right_of(cells, column)) {
     int height = 0;
@@ -169,7 +173,7 @@ Block block_from(const Topology& cells, const Cutter& cutter, int side) {
 
 }  // namespace
 
-std::vector<int> Block::half_edges(const Topology& cells, int k) const {
+std::vector<int> Block::half_edges(const mesh::Topology& cells, int k) const {
   std::vector<int> result;
   const int last_u = count_u - 1, last_v = count_v - 1;
   for (int i = 0; i < (k % 2 == 0 ? count_u : count_v); ++i) {
@@ -183,8 +187,8 @@ std::vector<int> Block::half_edges(const Topology& cells, int k) const {
   return result;
 }
 
-BlockLayout::BlockLayout(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
+BlockLayout::BlockLayout(const surface::LimitSurface& surface) {
+  const mesh::Topology& cells = surface.cells();
   Cutter cutter(surface);
   cutter.cut_between_irregular_points();
   cutter.cut_from_irregular_points();
@@ -213,8 +217,8 @@ BlockLayout::BlockLayout(const LimitSurface& surface) {
   cuts = cutter.cuts();
 }
 
-int least_block_count(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
+int least_block_count(const surface::LimitSurface& surface) {
+  const mesh::Topology& cells = surface.cells();
   Groups groups(cells.face_count());
   for (int h = 0; h < cells.half_edge_count(); ++h) {
     if (!cells.is_crease(h)) groups.join(h / 4, cells.twin(h) / 4);
@@ -230,4 +234,4 @@ int least_block_count(const LimitSurface& surface) {
   return count;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,7 +5,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // A rectangle of cells without a crease, or a point where the surface is only C¹, inside.
 struct Block {
@@ -19,7 +19,7 @@ struct Block {
   int side(int i, int j) const { return sides[i * count_v + j]; }
 
   // The half-edges along side k (numbered as those of a BSplinePatch), in its direction.
-  std::vector<int> half_edges(const Topology& cells, int k) const;
+  std::vector<int> half_edges(const mesh::Topology& cells, int k) const;
 };
 
 // The cells of a surface, cut into few blocks.
@@ -31,7 +31,7 @@ struct Block {
 // ends at another irregular point, where it makes another one unnecessary; such lines are cut
 // first. What has neither irregular points nor borders, as tubes, is cut along a line of it.
 struct BlockLayout {
-  explicit BlockLayout(const LimitSurface& surface);
+  explicit BlockLayout(const surface::LimitSurface& surface);
 
   std::vector<Block> blocks;
   std::vector<char> cuts;  // per edge of cells()
@@ -41,6 +41,6 @@ struct BlockLayout {
 // In a region between creases a cell's corner at an irregular point is one, and so is a border's
 // convex corner; a line that ends in a cut makes two more, and one that joins two irregular points
 // none. All pairs that a straight line joins are taken for joined, whether or not such lines cross.
-int least_block_count(const LimitSurface& surface);
+int least_block_count(const surface::LimitSurface& surface);
 
-}  // namespace hull
+}  // namespace hull::conversion

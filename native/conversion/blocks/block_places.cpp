@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace hull {
+namespace hull::conversion {
 
-std::vector<Vector3d> vertex_points(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
+std::vector<Vector3d> vertex_points(const surface::LimitSurface& surface) {
+  const mesh::Topology& cells = surface.cells();
   std::vector<Vector3d> points(cells.vertex_count(), Vector3d::Zero());
   std::vector<char> known(points.size(), 0);
   for (int h = 0; h < cells.half_edge_count(); ++h) {
@@ -40,4 +40,4 @@ std::array<double, 2> part_of_side(const Block& block, int k) {
   return k < 2 ? std::array{begin, end} : std::array{1.0 - end, 1.0 - begin};
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -7,7 +7,7 @@
 #include "conversion/blocks/block_layout.h"
 #include "conversion/blocks/near_point.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The place `along` half-edge h of the cells and `across` it to its left, both from its begin; of
 // h / 4, in [0, 1].
@@ -25,19 +25,19 @@ inline CellPoint place_beside_half_edge(int h, double along, double across) {
 }
 
 // The point of the surface there.
-inline Vector3d point_on_half_edge(const LimitSurface& surface, int h, double along) {
+inline Vector3d point_on_half_edge(const surface::LimitSurface& surface, int h, double along) {
   const CellPoint place = place_beside_half_edge(h, along, 0.0);
   return surface.position(place.cell, place.u, place.v);
 }
 
 // Whether the surface is only C¹ in cell h / 4 where half-edge h begins.
-inline bool begins_at_irregular_knot(const LimitSurface& surface, int h) {
+inline bool begins_at_irregular_knot(const surface::LimitSurface& surface, int h) {
   const CellPoint place = place_beside_half_edge(h, 0.0, 0.0);
   return surface.is_irregular_knot(place.cell, place.u, place.v);
 }
 
 // Of each vertex of the cells the point of the surface, found once.
-std::vector<Vector3d> vertex_points(const LimitSurface& surface);
+std::vector<Vector3d> vertex_points(const surface::LimitSurface& surface);
 
 // The place of the surface that has (u, v) in [0, 1]^2 of a block's patch. REQUIRES: the block has
 // cells.
@@ -56,4 +56,4 @@ inline std::array<double, 2> place_on_side(int k, double s) {
                   : std::array<double, 2>{0.0, 1.0 - s};
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,25 +5,25 @@
 #include <cmath>
 #include <utility>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
-using pieces_internal::turned_points;
-using pieces_internal::turned_square;
+using surface::pieces_internal::turned_points;
+using surface::pieces_internal::turned_square;
 
 // A corner square of a cell.
 struct GradedCorner {
-  DomainSquare square;
+  surface::DomainSquare square;
   int inner;
 };
 
-bool contains(const DomainSquare& square, const SurfacePiece& piece) {
+bool contains(const surface::DomainSquare& square, const surface::SurfacePiece& piece) {
   return piece.u >= square.u && piece.u < square.u + square.size && piece.v >= square.v &&
          piece.v < square.v + square.size;
 }
 
 // The corner of the cell that a smaller square lies at.
-int corner_of(const CornerSquare& square) {
+int corner_of(const surface::CornerSquare& square) {
   const bool at_begin_u = square.u == 0.0, at_begin_v = square.v == 0.0;
   return at_begin_u ? (at_begin_v ? 0 : 3) : (at_begin_v ? 1 : 2);
 }
@@ -45,13 +45,14 @@ std::vector<double> places_between(const std::vector<double>& lines) {
 
 }  // namespace
 
-BlockSpans::BlockSpans(const LimitSurface& surface, const Block& block, const Gradings& gradings) {
-  const Topology& cells = surface.cells();
+BlockSpans::BlockSpans(const surface::LimitSurface& surface, const Block& block,
+                       const Gradings& gradings) {
+  const mesh::Topology& cells = surface.cells();
   for (int i = 0; i < block.count_u; ++i) {
     for (int j = 0; j < block.count_v; ++j) {
       const int side = block.side(i, j), turn_back = (4 - side % 4) % 4;
       std::vector<GradedCorner> corners;
-      const auto descend = [&](const CornerSquare& square) {
+      const auto descend = [&](const surface::CornerSquare& square) {
         if (square.size == 1.0) return true;
         const Grading& grading = gradings[cells.origin(4 * square.cell + corner_of(square))];
         if (square.size == std::exp2(-grading.halvings)) {
@@ -59,11 +60,11 @@ BlockSpans::BlockSpans(const LimitSurface& surface, const Block& block, const Gr
         }
         return square.size > std::exp2(-grading.halvings - grading.inner - 1);
       };
-      for_each_piece(surface, side / 4, descend, [&](const SurfacePiece& piece) {
+      surface::for_each_piece(surface, side / 4, descend, [&](const surface::SurfacePiece& piece) {
         const bool is_in_corner = std::any_of(corners.begin(), corners.end(), [&](const auto& c) {
           return contains(c.square, piece);
         });
-        const DomainSquare seen = turned_square(turn_back, {piece.u, piece.v, piece.size});
+        const surface::DomainSquare seen = turned_square(turn_back, {piece.u, piece.v, piece.size});
         const BlockSpan span{i + seen.u, j + seen.v, seen.size,
                              turned_points(turn_back, piece.points), is_in_corner};
         spans_.push_back(span);
@@ -72,7 +73,7 @@ BlockSpans::BlockSpans(const LimitSurface& surface, const Block& block, const Gr
         for (double end : {span.v, span.v + span.size}) lines_v_.push_back(end);
       });
       for (const GradedCorner& corner : corners) {
-        const DomainSquare seen = turned_square(turn_back, corner.square);
+        const surface::DomainSquare seen = turned_square(turn_back, corner.square);
         // Halved towards the corner, which is at a corner of the cell.
         const bool at_begin_u = seen.u == 0.0, at_begin_v = seen.v == 0.0;
         for (int k = 1; k <= corner.inner; ++k) {
@@ -106,4 +107,4 @@ void BlockSpans::find_spans_at_places() {
   }
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "conversion/blocks/block_layout.h"
-#include "surface/pieces.h"
+#include "surface/pieces/pieces.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // How knots are halved around an irregular point: `halvings` times, and `inner` times more within
 // the corner squares of 2^-halvings of a cell that are left.
@@ -26,7 +26,7 @@ using Gradings = std::vector<Grading>;
 // which every cell is a unit square.
 struct BlockSpan {
   double u, v, size;
-  BicubicPoints points;
+  surface::BicubicPoints points;
   bool is_in_corner;  // in one of the corner squares
 };
 
@@ -34,7 +34,7 @@ struct BlockSpan {
 // left at irregular corners.
 class BlockSpans {
  public:
-  BlockSpans(const LimitSurface& surface, const Block& block, const Gradings& gradings);
+  BlockSpans(const surface::LimitSurface& surface, const Block& block, const Gradings& gradings);
   BlockSpans(const BlockSpans&) = delete;
 
   // The lines between spans outside the corner squares, rising, from 0 to the number of cells; and
@@ -59,4 +59,4 @@ class BlockSpans {
   std::vector<const BlockSpan*> at_places_;  // index k * places_v_.size() + l
 };
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr int kMaxSteps = 12;
@@ -16,12 +16,12 @@ constexpr double kWorthwhile = 0.99;  // a step that gains less than 1 % is the 
 
 // Gauss-Newton with shortened steps, kept within the cell. Every point of the surface gives an
 // upper bound, so it does not matter how far the search comes.
-NearPoint near_point(const LimitSurface& surface, const Vector3d& point, const CellPoint& start,
-                     double enough) {
+NearPoint near_point(const surface::LimitSurface& surface, const Vector3d& point,
+                     const CellPoint& start, double enough) {
   NearPoint found{start, (point - surface.position(start.cell, start.u, start.v)).norm()};
   auto& [cell, u, v] = found.place;
   for (int step = 0; step < kMaxSteps && found.distance > enough; ++step) {
-    const SurfaceJet jet = surface.evaluate(cell, u, v, 1);
+    const surface::SurfaceJet jet = surface.evaluate(cell, u, v, 1);
     Eigen::Matrix<double, 3, 2> slope;
     slope << jet.du, jet.dv;
     Eigen::Matrix2d normal = slope.transpose() * slope;
@@ -42,4 +42,4 @@ NearPoint near_point(const LimitSurface& surface, const Vector3d& point, const C
   return found;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -6,7 +6,7 @@
 
 #include "conversion/blocks/block_places.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Around a point of high valence the nearest point may be some cells further on.
@@ -32,9 +32,9 @@ double to_corner(const CellPoint& place) {
 
 }  // namespace
 
-NearPoint near_surface(const LimitSurface& surface, const Vector3d& point, const CellPoint& start,
-                       double enough) {
-  const Topology& cells = surface.cells();
+NearPoint near_surface(const surface::LimitSurface& surface, const Vector3d& point,
+                       const CellPoint& start, double enough) {
+  const mesh::Topology& cells = surface.cells();
   // No search can begin at an irregular corner, which has no derivatives: as far from it as here.
   const double inset = 0.5 * to_corner(start);
   NearPoint best = near_point(surface, point, start, enough);
@@ -54,4 +54,4 @@ NearPoint near_surface(const LimitSurface& surface, const Vector3d& point, const
   return best;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

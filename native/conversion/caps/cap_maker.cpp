@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 BSplineCurve straight_line(const Vector3d& from, const Vector3d& to) {
@@ -262,7 +262,7 @@ void CapMaker::add_patch(const BorderStep& step, const Run& run, const EdgePath&
     patch.control_points.emplace_back(point.x(), y, point.z());
     patch.control_points.push_back(point);
   }
-  const SurfaceJet middle = patch.evaluate(0.5, 0.5);
+  const surface::SurfaceJet middle = patch.evaluate(0.5, 0.5);
   Cap cap;
   cap.kind = kind_of(middle.du.cross(middle.dv));
   cap.loops = {backwards(run.finish), {{step.edge, true}}, run.start, far_edge};
@@ -294,4 +294,4 @@ void CapMaker::close(const BorderChain& chain, FarSide& far, const EdgePath& sta
   for (const Run& run : runs) close_run(chain, run, far);
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

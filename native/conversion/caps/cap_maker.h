@@ -9,7 +9,7 @@
 #include "conversion/patches/edge_uses.h"
 #include "conversion/patches/mirror.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // An edge of a border, its curve in the direction of the set's patch.
 struct BorderStep {
@@ -84,4 +84,4 @@ class CapMaker {
 // "(x, y, z) m" for messages.
 std::string place_text(const Vector3d& point);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -12,7 +12,7 @@
 #include "conversion/caps/centre_plane.h"
 #include "conversion/patches/mirror.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr double kOneSide = 1e-6;  // of the size: how far a half hull may cross the centre plane
@@ -239,4 +239,4 @@ Closing closing_of(PatchSet& set) {
   return Closer(set).close();
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

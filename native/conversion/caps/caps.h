@@ -6,7 +6,7 @@
 
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // An edge, against the direction of its curve if reversed.
 struct DirectedEdge {
@@ -69,4 +69,4 @@ inline constexpr double kInPlane = 1e-8;
 // kOnCentrePlane (mirror.h).
 Closing closing_of(PatchSet& set);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 using Eigen::Vector2d;
@@ -149,4 +149,4 @@ void close_centre_plane(CapMaker& maker, const EdgePath& edges, bool is_port_hal
   }
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/exact/blossom.h"
 
-namespace hull {
+namespace hull::conversion {
 
-Basis blossom_weights(double a, double b, double c) {
+surface::Basis blossom_weights(double a, double b, double c) {
   const double a0 = (1.0 - a) / 3.0, a1 = 1.0 - a0, a2 = (2.0 - a) / 3.0, a3 = 1.0 - a2,
                a4 = (3.0 - a) / 3.0, a5 = 1.0 - a4;
   const double b0 = (1.0 - b) / 2.0, b1 = 1.0 - b0, b2 = (2.0 - b) / 2.0, b3 = 1.0 - b2;
@@ -12,7 +12,8 @@ Basis blossom_weights(double a, double b, double c) {
           c0 * b1 * a3 + c1 * (b2 * a3 + b3 * a4), c1 * b3 * a5};
 }
 
-Vector3d blossom(const BicubicPoints& points, const Basis& along_u, const Basis& along_v) {
+Vector3d blossom(const surface::BicubicPoints& points, const surface::Basis& along_u,
+                 const surface::Basis& along_v) {
   Vector3d sum = Vector3d::Zero();
   for (int b = 0; b < 4; ++b) {
     Vector3d row = Vector3d::Zero();
@@ -22,4 +23,4 @@ Vector3d blossom(const BicubicPoints& points, const Basis& along_u, const Basis&
   return sum;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

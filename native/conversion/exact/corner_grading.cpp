@@ -9,7 +9,7 @@
 #include "conversion/blocks/near_surface.h"
 #include "conversion/exact/seam_fit.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Of the fit: more where squares come too far off the surface, and time was spent already.
@@ -43,7 +43,7 @@ int jump_from(double before, double now) {
 
 // An upper bound of the distance of the squares from the surface, m, at samples. Below `enough` it
 // is not looked for closer.
-double fan_distance(const LimitSurface& surface, const GradedFan& graded, double enough) {
+double fan_distance(const surface::LimitSurface& surface, const GradedFan& graded, double enough) {
   const SquareFan& fan = graded.fan;
   const double size = std::exp2(-graded.grading.halvings);
   double largest = 0.0;
@@ -70,9 +70,9 @@ bool GradedFan::is_better_than(const GradedFan& other) const {
   return angle < kUseful * other.angle;
 }
 
-GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& grading,
+GradedFan graded_fan(const surface::LimitSurface& surface, int vertex, const Grading& grading,
                      const CornerLimits& limits) {
-  const bool has_tangent_plane = surface.cells().kind(vertex) != VertexKind::kCone;
+  const bool has_tangent_plane = surface.cells().kind(vertex) != mesh::VertexKind::kCone;
   const auto measure = [&](GradedFan& graded, double angle) {
     const bool counts = has_tangent_plane && extent(graded.fan) >= limits.distance;
     graded.angle = counts ? angle / limits.angle : 0.0;
@@ -95,8 +95,8 @@ GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& gra
   return result;
 }
 
-GradedFan least_graded_fan(const LimitSurface& surface, int vertex, const CornerLimits& limits,
-                           const Grading& first, int last) {
+GradedFan least_graded_fan(const surface::LimitSurface& surface, int vertex,
+                           const CornerLimits& limits, const Grading& first, int last) {
   GradedFan best = graded_fan(surface, vertex, first, limits);
   double before = best.outlook, least = before, now = before;
   int halvings = first.halvings, useful = halvings;
@@ -113,4 +113,4 @@ GradedFan least_graded_fan(const LimitSurface& surface, int vertex, const Corner
   return best;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

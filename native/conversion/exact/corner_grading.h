@@ -3,7 +3,7 @@
 
 #include "conversion/exact/square_fan.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // How many points of the corner squares around an irregular point are moved together at most, by
 // fits whose time grows with the cube of that.
@@ -33,12 +33,12 @@ struct GradedFan {
   bool is_better_than(const GradedFan& other) const;
 };
 
-GradedFan graded_fan(const LimitSurface& surface, int vertex, const Grading& grading,
+GradedFan graded_fan(const surface::LimitSurface& surface, int vertex, const Grading& grading,
                      const CornerLimits& limits);
 
 // The fan with a grading from `first` to `last` halvings, as few as can be foretold, that keeps the
 // limits. Where none does, the last one that was of use.
-GradedFan least_graded_fan(const LimitSurface& surface, int vertex, const CornerLimits& limits,
-                           const Grading& first, int last);
+GradedFan least_graded_fan(const surface::LimitSurface& surface, int vertex,
+                           const CornerLimits& limits, const Grading& first, int last);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -7,13 +7,13 @@
 
 #include "conversion/exact/blossom.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // A span of a ring, in units of the corner square within that ring.
 struct Span {
   double u, v, size;
-  BicubicPoints points;
+  surface::BicubicPoints points;
 };
 
 // The spans of a ring that touch the corner square, or the lines to it from the corner.
@@ -27,24 +27,25 @@ struct KnotNode {
   int halvings = 0;  // the square's size is 2^-halvings of the cell
 };
 
-KnotNode knot_node(const LimitSurface& surface, int cell, int k) {
+KnotNode knot_node(const surface::LimitSurface& surface, int cell, int k) {
   // Children are in rows, corners counter-clockwise.
   static constexpr std::array<int, 4> kChildAt{0, 1, 3, 2};
-  SurfaceNode node = surface.layout().root(cell);
+  surface::SurfaceNode node = surface.layout().root(cell);
   int halvings = 0;
-  while (node.kind == SurfaceNode::Kind::kSplit) {
+  while (node.kind == surface::SurfaceNode::Kind::kSplit) {
     node = surface.layout().split(node.index)[kChildAt[k]];
     ++halvings;
   }
-  assert(node.kind == SurfaceNode::Kind::kCorner && node.turn == k);
+  assert(node.kind == surface::SurfaceNode::Kind::kCorner && node.turn == k);
   return {node.index, halvings};
 }
 
 // `scale`: the size of the ring's square, in corner squares.
-RingSpans ring_spans(const CornerBasis& basis, const CornerRing& ring, double scale) {
+RingSpans ring_spans(const surface::CornerBasis& basis, const surface::CornerRing& ring,
+                     double scale) {
   const auto span_at = [&](double u, double v) {
     const auto& segments = basis.segments();
-    const auto holds = [&](const RingSegment& s) {
+    const auto holds = [&](const surface::RingSegment& s) {
       return u > s.u && u < s.u + s.size && v > s.v && v < s.v + s.size;
     };
     const auto found = std::find_if(segments.begin(), segments.end(), holds);
@@ -100,10 +101,10 @@ CornerFunctions corner_functions(int inner, double beyond, double t) {
   return result;
 }
 
-SurfaceJet CornerNet::evaluate(double u, double v) const {
+surface::SurfaceJet CornerNet::evaluate(double u, double v) const {
   const CornerFunctions fu = corner_functions(inner, beyond_u, u);
   const CornerFunctions fv = corner_functions(inner, beyond_v, v);
-  SurfaceJet jet;
+  surface::SurfaceJet jet;
   for (int i = 0; i < count(); ++i) {
     Vector3d point = Vector3d::Zero(), slope = Vector3d::Zero();
     for (int j = 0; j < count(); ++j) {
@@ -117,11 +118,11 @@ SurfaceJet CornerNet::evaluate(double u, double v) const {
   return jet;
 }
 
-CornerNet corner_net(const LimitSurface& surface, int h, const Grading& grading) {
+CornerNet corner_net(const surface::LimitSurface& surface, int h, const Grading& grading) {
   const KnotNode node = knot_node(surface, h / 4, h % 4);
   assert(grading.halvings > node.halvings && grading.inner <= kMostInner);
-  const CornerBasis& basis = surface.layout().basis(node.index);
-  CornerRing ring(basis, surface.corner(node.index));
+  const surface::CornerBasis& basis = surface.layout().basis(node.index);
+  surface::CornerRing ring(basis, surface.corner(node.index));
   for (int k = node.halvings + 1; k < grading.halvings; ++k) ring.advance();
   // The ring around the corner square, then those within.
   std::vector<RingSpans> rings;
@@ -147,4 +148,4 @@ CornerNet corner_net(const LimitSurface& surface, int h, const Grading& grading)
   return net;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -6,7 +6,7 @@
 
 #include "conversion/blocks/block_spans.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The control points of a graded patch that its corner square depends on, seen from the corner: u
 // along the half-edge that leaves it, the square being [0, 1]². Knots along either direction are
@@ -24,7 +24,7 @@ struct CornerNet {
   Vector3d& at(int i, int j) { return points[i * count() + j]; }
 
   // Position and first derivatives. REQUIRES: u and v are from 0 to 1.
-  SurfaceJet evaluate(double u, double v) const;
+  surface::SurfaceJet evaluate(double u, double v) const;
 };
 
 // Values and slopes of the functions along one direction at t in [0, 1].
@@ -36,6 +36,6 @@ CornerFunctions corner_functions(int inner, double beyond, double t);
 // Of half-edge h of LimitSurface::cells(), whose origin is an irregular knot of its cell. The
 // points that may be chosen continue what is around. REQUIRES: at least 2 halvings, 1 <= inner <=
 // kMostInner.
-CornerNet corner_net(const LimitSurface& surface, int h, const Grading& grading);
+CornerNet corner_net(const surface::LimitSurface& surface, int h, const Grading& grading);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -13,14 +13,14 @@
 #include "conversion/patches/divide.h"
 #include "conversion/patches/matched_knots.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr double kInPlane = 1e-7;  // of the mesh's size
 
 class SetBuilder {
  public:
-  SetBuilder(const LimitSurface& surface, const BlockLayout& layout)
+  SetBuilder(const surface::LimitSurface& surface, const BlockLayout& layout)
       : surface_(surface),
         cells_(surface.cells()),
         layout_(layout),
@@ -95,8 +95,8 @@ class SetBuilder {
     return side;
   }
 
-  const LimitSurface& surface_;
-  const Topology& cells_;
+  const surface::LimitSurface& surface_;
+  const mesh::Topology& cells_;
   const BlockLayout& layout_;
   std::vector<Vector3d> points_;  // per vertex
   std::vector<char> is_end_;      // per vertex: edges end there
@@ -123,8 +123,8 @@ void check(const ExactOptions& options) {
 
 }  // namespace
 
-PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options,
-                       const Progress& progress) {
+PatchSet exact_patches(const surface::LimitSurface& surface, const ExactOptions& options,
+                       const surface::Progress& progress) {
   check(options);
   const BlockLayout layout(surface);
   const SetBuilder builder(surface, layout);
@@ -135,4 +135,4 @@ PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options,
   return divided(set, cuts_for_most_points(set, options.most_control_points));
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,7 +5,7 @@
 #include "conversion/patches/patch_set.h"
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::conversion {
 
 struct ExactOptions {
   // Of the largest extent of the mesh: how far the patches may be from the surface.
@@ -37,7 +37,7 @@ struct ExactOptions {
 //
 // Throws std::invalid_argument unless the tolerance is from 1e-10 to 0.1, the angle 0 to 1, the
 // grading 0 or one of exact_patch(), and the most control points 0 or at least 16.
-PatchSet exact_patches(const LimitSurface& surface, const ExactOptions& options = {},
-                       const Progress& progress = {});
+PatchSet exact_patches(const surface::LimitSurface& surface, const ExactOptions& options = {},
+                       const surface::Progress& progress = {});
 
-}  // namespace hull
+}  // namespace hull::conversion

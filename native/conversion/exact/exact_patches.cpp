@@ -11,7 +11,7 @@
 #include "conversion/blocks/block_spans.h"
 #include "conversion/exact/blossom.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Of the mesh's size: a smaller jump of third differences is none.
@@ -77,7 +77,7 @@ KnotLine knot_line(const BlockSpans& spans, bool along_u, double tolerance) {
 
 class PatchBuilder {
  public:
-  PatchBuilder(const LimitSurface& surface, const Block& block, const Gradings& gradings)
+  PatchBuilder(const surface::LimitSurface& surface, const Block& block, const Gradings& gradings)
       : surface_(surface),
         block_(block),
         spans_(surface, block, gradings),
@@ -143,7 +143,7 @@ class PatchBuilder {
     return surface_.position(side / 4, corner == 1 || corner == 2, corner >= 2);
   }
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const Block& block_;
   BlockSpans spans_;
   KnotLine u_, v_;
@@ -151,11 +151,11 @@ class PatchBuilder {
 
 }  // namespace
 
-BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, int grading) {
+BSplinePatch exact_patch(const surface::LimitSurface& surface, const Block& block, int grading) {
   return exact_patch(surface, block, Gradings(surface.cells().vertex_count(), Grading{grading}));
 }
 
-BSplinePatch exact_patch(const LimitSurface& surface, const Block& block,
+BSplinePatch exact_patch(const surface::LimitSurface& surface, const Block& block,
                          const Gradings& gradings) {
   for (const Grading& grading : gradings) {
     if (grading.halvings >= kLeastGrading && grading.halvings <= kMostGrading) continue;
@@ -166,4 +166,4 @@ BSplinePatch exact_patch(const LimitSurface& surface, const Block& block,
   return PatchBuilder(surface, block, gradings).build();
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -4,7 +4,7 @@
 #include "conversion/blocks/block_spans.h"
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // How often the knots around an irregular corner are halved.
 inline constexpr int kLeastGrading = 2, kMostGrading = 30;
@@ -21,7 +21,8 @@ inline constexpr int kLeastGrading = 2, kMostGrading = 30;
 // irregular, their gradings must be the same.
 //
 // Throws std::invalid_argument unless kLeastGrading <= grading <= kMostGrading.
-BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, int grading);
-BSplinePatch exact_patch(const LimitSurface& surface, const Block& block, const Gradings& gradings);
+BSplinePatch exact_patch(const surface::LimitSurface& surface, const Block& block, int grading);
+BSplinePatch exact_patch(const surface::LimitSurface& surface, const Block& block,
+                         const Gradings& gradings);
 
-}  // namespace hull
+}  // namespace hull::conversion

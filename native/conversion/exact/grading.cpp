@@ -12,7 +12,7 @@
 #include "conversion/exact/exact_patches.h"
 #include "conversion/groups.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr int kFirstGrading = 2, kFirstWithInner = 3;
@@ -27,13 +27,13 @@ constexpr double kWithinReach = 20.0;
 // Of the time: the search for gradings; the rest is for the patches.
 constexpr double kSearchShare = 0.6;
 
-double largest_extent(const ControlMesh& mesh) {
+double largest_extent(const mesh::ControlMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& point : mesh.points()) box.extend(point);
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
-CornerLimits limits_of(const LimitSurface& surface, const ExactOptions& options) {
+CornerLimits limits_of(const surface::LimitSurface& surface, const ExactOptions& options) {
   const double in_proportion =
       0.02 * std::numbers::pi / 180.0 * std::sqrt(options.tolerance / 1e-6);
   return {kReserve * options.tolerance * largest_extent(surface.mesh()),
@@ -42,7 +42,8 @@ CornerLimits limits_of(const LimitSurface& surface, const ExactOptions& options)
 
 class Grader {
  public:
-  Grader(const LimitSurface& surface, const BlockLayout& layout, const ExactOptions& options)
+  Grader(const surface::LimitSurface& surface, const BlockLayout& layout,
+         const ExactOptions& options)
       : surface_(surface),
         cells_(surface.cells()),
         layout_(layout),
@@ -54,15 +55,16 @@ class Grader {
     find_groups();
   }
 
-  std::vector<BSplinePatch> patches(const Progress& progress) {
-    search_ = part_of(progress, 0.0, kSearchShare);
+  std::vector<BSplinePatch> patches(const surface::Progress& progress) {
+    search_ = surface::part_of(progress, 0.0, kSearchShare);
     find_gradings();
     Gradings gradings;
     for (int i = 0; i < cells_.vertex_count(); ++i) gradings.push_back(of_group_[groups_.find(i)]);
-    const Progress second = part_of(progress, kSearchShare, 1.0);
+    const surface::Progress second = surface::part_of(progress, kSearchShare, 1.0);
     std::vector<BSplinePatch> result;
     for (const Block& block : layout_.blocks) {
-      tell(second, static_cast<double>(result.size()), static_cast<double>(layout_.blocks.size()));
+      surface::tell(second, static_cast<double>(result.size()),
+                    static_cast<double>(layout_.blocks.size()));
       result.push_back(exact_patch(surface_, block, gradings));
       for (int k = 0; k < 4; ++k) take_net(corner(block, k), k, result.back());
     }
@@ -168,7 +170,7 @@ class Grader {
 
   // Raises the group's halvings to what the point needs.
   void raise(int point) {
-    tell(search_, searched_, 1.0);
+    surface::tell(search_, searched_, 1.0);
     Grading& grading = of_group_[groups_.find(point)];
     const int last = options_.grading > 0 ? grading.halvings : last_[groups_.find(point)];
     fans_[point] = least_graded_fan(surface_, point, limits_, grading, last);
@@ -190,8 +192,8 @@ class Grader {
     }
   }
 
-  const LimitSurface& surface_;
-  const Topology& cells_;
+  const surface::LimitSurface& surface_;
+  const mesh::Topology& cells_;
   const BlockLayout& layout_;
   const ExactOptions& options_;
   CornerLimits limits_;
@@ -200,15 +202,16 @@ class Grader {
   std::vector<int> last_;  // of groups, the most halvings
   std::vector<Grading> of_group_;
   std::vector<GradedFan> fans_;  // per vertex, of the irregular ones
-  Progress search_;
+  surface::Progress search_;
   double searched_ = 0.0;
 };
 
 }  // namespace
 
-std::vector<BSplinePatch> graded_patches(const LimitSurface& surface, const BlockLayout& layout,
-                                         const ExactOptions& options, const Progress& progress) {
+std::vector<BSplinePatch> graded_patches(const surface::LimitSurface& surface,
+                                         const BlockLayout& layout, const ExactOptions& options,
+                                         const surface::Progress& progress) {
   return Grader(surface, layout, options).patches(progress);
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <span>
 
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // A residual's derivative by three unknowns: those of a point.
 struct PointSlope {
@@ -95,4 +95,4 @@ void minimise(const Problem& problem, const LeastSquaresLimits& limits, Eigen::V
   }
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

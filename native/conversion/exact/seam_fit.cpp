@@ -11,7 +11,7 @@
 #include "conversion/exact/least_squares.h"
 #include "conversion/exact/seam_samples.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // What a move as long as the first leg of a seam's control polygon weighs, of the largest angle
@@ -119,8 +119,8 @@ class SeamProblem {
   // Of the points off the sides, and of those on the seam after the square if it is smooth.
   void number_unknowns(int i, double stiffness) {
     const CornerNet& net = fan_.nets[i];
-    const SurfaceJet jet = net.evaluate(0.5, 0.5);
-    const Vector3d normal = unit_normal(jet.du, jet.dv);
+    const surface::SurfaceJet jet = net.evaluate(0.5, 0.5);
+    const Vector3d normal = surface::unit_normal(jet.du, jet.dv);
     const double more = std::max(normal_stiffness_ - stiffness, 0.0);
     const Eigen::Matrix3d stiff =
         stiffness * Eigen::Matrix3d::Identity() + more * normal * normal.transpose();
@@ -192,7 +192,8 @@ bool is_unfolded(const SquareFan& fan, const SquareFan& model) {
     if (!fan.graded[i]) continue;
     for (double u : {0.1, 0.5, 0.9}) {
       for (double v : {0.1, 0.5, 0.9}) {
-        const SurfaceJet one = fan.nets[i].evaluate(u, v), two = model.nets[i].evaluate(u, v);
+        const surface::SurfaceJet one = fan.nets[i].evaluate(u, v),
+                                  two = model.nets[i].evaluate(u, v);
         if (!(one.du.cross(one.dv).dot(two.du.cross(two.dv)) > 0.0)) return false;
       }
     }
@@ -236,4 +237,4 @@ double fit_seams(SquareFan& fan, double enough, double normal_stiffness) {
   return least;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

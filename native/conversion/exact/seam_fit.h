@@ -3,7 +3,7 @@
 
 #include "conversion/exact/square_fan.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // Moves the points of the nets that may be chosen, within the corner squares and so that neighbours
 // keep the same border curves, until the angles between normals at the smooth seams are least:
@@ -15,4 +15,4 @@ namespace hull {
 // takes the squares off the surface.
 double fit_seams(SquareFan& fan, double enough, double normal_stiffness);
 
-}  // namespace hull
+}  // namespace hull::conversion

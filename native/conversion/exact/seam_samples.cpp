@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Between two knots of a seam.
@@ -53,4 +53,4 @@ SeamVectors SeamSamples::vectors(int k, const CornerNet& before, const CornerNet
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

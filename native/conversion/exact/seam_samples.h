@@ -5,7 +5,7 @@
 
 #include "conversion/exact/corner_net.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The functions along a seam, as the nets of the squares before and after it have them.
 struct SeamPoint {
@@ -39,4 +39,4 @@ class SeamSamples {
   std::vector<SeamPoint> points_;
 };
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -8,7 +8,7 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/exact/seam_samples.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 double angle_of(const SeamVectors& vectors) {
@@ -19,7 +19,7 @@ double angle_of(const SeamVectors& vectors) {
 
 }  // namespace
 
-std::vector<int> half_edges_around(const Topology& cells, int vertex) {
+std::vector<int> half_edges_around(const mesh::Topology& cells, int vertex) {
   std::vector<int> result;
   const int first = cells.outgoing(vertex);
   for (int h = first; h >= 0; h = cells.twin(cells.prev(h))) {
@@ -29,8 +29,8 @@ std::vector<int> half_edges_around(const Topology& cells, int vertex) {
   return result;
 }
 
-SquareFan square_fan(const LimitSurface& surface, int vertex, const Grading& grading) {
-  const Topology& cells = surface.cells();
+SquareFan square_fan(const surface::LimitSurface& surface, int vertex, const Grading& grading) {
+  const mesh::Topology& cells = surface.cells();
   SquareFan fan;
   fan.half_edges = half_edges_around(cells, vertex);
   for (int h : fan.half_edges) {
@@ -57,4 +57,4 @@ double seam_angle(const SquareFan& fan) {
   return largest;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

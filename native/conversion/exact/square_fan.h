@@ -5,7 +5,7 @@
 
 #include "conversion/exact/corner_net.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The corner squares around an irregular point, counter-clockwise.
 //
@@ -23,13 +23,13 @@ struct SquareFan {
 };
 
 // The half-edges around a vertex, counter-clockwise, the first at a border if there is one.
-std::vector<int> half_edges_around(const Topology& cells, int vertex);
+std::vector<int> half_edges_around(const mesh::Topology& cells, int vertex);
 
 // REQUIRES: the vertex is irregular; of the grading what corner_net() does.
-SquareFan square_fan(const LimitSurface& surface, int vertex, const Grading& grading);
+SquareFan square_fan(const surface::LimitSurface& surface, int vertex, const Grading& grading);
 
 // The largest angle (radians) between the normals of neighbours at a smooth seam, at samples of it.
 // Where one of them has no normal there is no angle.
 double seam_angle(const SquareFan& fan);
 
-}  // namespace hull
+}  // namespace hull::conversion

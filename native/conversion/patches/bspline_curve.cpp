@@ -6,7 +6,7 @@
 
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // The knot at t but for the rounding of reversed knots, otherwise t itself.
@@ -118,4 +118,4 @@ double gap_between(const BSplineCurve& one, const BSplineCurve& two) {
   return largest;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace hull {
+#include "mesh/vectors.h"
 
-using Eigen::Vector3d;
+namespace hull::conversion {
 
 // A B-spline curve, clamped over [0, 1].
 struct BSplineCurve {
@@ -35,4 +35,4 @@ BSplineCurve clamped(BSplineCurve curve);
 // both, that it is 0 to rounding only for curves that are equal.
 double gap_between(const BSplineCurve& one, const BSplineCurve& two);
 
-}  // namespace hull
+}  // namespace hull::conversion

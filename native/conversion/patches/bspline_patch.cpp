@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // The last span [knots[k], knots[k + 1]) of positive length that holds t; t = 1 is in the last one.
@@ -117,10 +117,10 @@ void BSplinePatch::check() const {
 
 Vector3d BSplinePatch::position(double u, double v) const { return evaluate(u, v).point; }
 
-SurfaceJet BSplinePatch::evaluate(double u, double v) const {
+surface::SurfaceJet BSplinePatch::evaluate(double u, double v) const {
   const BasisValues along_u = basis_values(knots_u, degree_u, u);
   const BasisValues along_v = basis_values(knots_v, degree_v, v);
-  SurfaceJet result;
+  surface::SurfaceJet result;
   for (int i = 0; i <= degree_u; ++i) {
     Eigen::Matrix3d row = Eigen::Matrix3d::Zero();  // column d: d-th derivative along v
     for (int j = 0; j <= degree_v; ++j) {
@@ -206,4 +206,4 @@ BSplinePatch BSplinePatch::transposed() const {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "conversion/patches/bspline_curve.h"
-#include "surface/bicubic.h"
+#include "surface/pieces/bicubic.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // Knots of an open-uniform (clamped) B-spline over [0, 1]: both ends repeated degree + 1 times, the
 // count - degree - 1 interior knots equally spaced and simple. REQUIRES: count > degree >= 1.
@@ -35,7 +35,7 @@ struct BSplinePatch {
 
   // With first and second derivatives; at an interior knot those from above where the two sides
   // differ (at 1, from below).
-  SurfaceJet evaluate(double u, double v) const;
+  surface::SurfaceJet evaluate(double u, double v) const;
 
   const Vector3d& control_point(int i, int j) const { return control_points[i * count_v + j]; }
 
@@ -67,4 +67,4 @@ struct BasisValues {
 };
 BasisValues basis_values(const std::vector<double>& knots, int degree, double t);
 
-}  // namespace hull
+}  // namespace hull::conversion

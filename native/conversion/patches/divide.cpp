@@ -9,7 +9,7 @@
 #include "conversion/patches/edge_uses.h"
 #include "conversion/patches/patch_rows.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr double kSame = 1e-12;  // closer parameters differ by rounding
@@ -287,4 +287,4 @@ std::vector<PatchCuts> cuts_for_most_points(const PatchSet& set, int most) {
   return cuts;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

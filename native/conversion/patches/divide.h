@@ -5,7 +5,7 @@
 
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // Where a patch is cut: parameters inside (0, 1), rising, those of its knots bit for bit.
 struct PatchCuts {
@@ -27,4 +27,4 @@ inline constexpr int kLeastControlPoints = 16;
 // std::invalid_argument unless most >= kLeastControlPoints.
 std::vector<PatchCuts> cuts_for_most_points(const PatchSet& set, int most);
 
-}  // namespace hull
+}  // namespace hull::conversion

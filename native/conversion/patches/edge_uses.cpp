@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/patches/edge_uses.h"
 
-namespace hull {
+namespace hull::conversion {
 
 EdgeUses::EdgeUses(const PatchSet& set)
     : set_(set), uses_(set.edge_count), collapsed_(set.edge_count, false) {
@@ -49,4 +49,4 @@ std::vector<std::vector<EdgeUse>> border_loops(const EdgeUses& uses, int edge_co
   return loops;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -7,7 +7,7 @@
 #include "conversion/groups.h"
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // Of a set's size: shorter sides have no length.
 inline constexpr double kCollapsed = 1e-9;
@@ -52,4 +52,4 @@ class EdgeUses {
 // those of no length. Where borders touch in a vertex each goes on along its own patches.
 std::vector<std::vector<EdgeUse>> border_loops(const EdgeUses& uses, int edge_count);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -7,7 +7,7 @@
 
 #include "conversion/groups.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr double kFlat = 1e-9;  // of the size
@@ -16,7 +16,7 @@ constexpr double kFlat = 1e-9;  // of the size
 bool is_flat(const BSplinePatch& patch, double width) {
   for (double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     for (double v : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-      const SurfaceJet jet = patch.evaluate(u, v);
+      const surface::SurfaceJet jet = patch.evaluate(u, v);
       const double longer = std::max(jet.du.norm(), jet.dv.norm());
       if (longer > width && jet.du.cross(jet.dv).norm() > width * longer) return false;
     }
@@ -201,4 +201,4 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,7 +5,7 @@
 
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::conversion {
 
 struct WithoutFlatPatches {
   PatchSet patches;           // numbers of vertices and edges as before; some may be unused
@@ -24,4 +24,4 @@ struct WithoutFlatPatches {
 // REQUIRES: set.check() does not throw.
 WithoutFlatPatches without_flat_patches(const PatchSet& set);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -8,7 +8,7 @@
 #include "conversion/patches/edge_uses.h"
 #include "conversion/patches/patch_rows.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Closer knots are one: they differ by rounding.
@@ -94,4 +94,4 @@ class Matcher {
 
 void match_knots(PatchSet& set) { Matcher(set).match(); }
 
-}  // namespace hull
+}  // namespace hull::conversion

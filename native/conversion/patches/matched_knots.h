@@ -3,7 +3,7 @@
 
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The same patches with knots inserted until the two curves of every edge have the same ones: for
 // systems that join faces only where their borders agree in that. Knots run through patches, so
@@ -12,4 +12,4 @@ namespace hull {
 // REQUIRES: inner knots are simple, or as often there on both sides of an edge.
 void match_knots(PatchSet& set);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 struct Seam {
@@ -104,4 +104,4 @@ PatchSet with_mirror_image(const PatchSet& half) {
   return whole;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -3,7 +3,7 @@
 
 #include "conversion/patches/patch_set.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // Of a set's size: what lies in the centre plane y = 0.
 inline constexpr double kOnCentrePlane = 1e-7;
@@ -25,4 +25,4 @@ PatchSet with_seam_in_plane(const PatchSet& half);
 // REQUIRES: half.check() does not throw.
 PatchSet with_mirror_image(const PatchSet& half);
 
-}  // namespace hull
+}  // namespace hull::conversion

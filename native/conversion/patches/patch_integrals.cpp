@@ -6,7 +6,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Widths of spans, of the parameters from 0 to 1: wide ones may bend much, narrow ones are knots
@@ -20,13 +20,14 @@ struct Node {
 };
 
 std::vector<Node> nodes_of(const std::vector<double>& knots, int degree) {
-  static const GaussRule usual = gauss_rule(kNodes), fine = gauss_rule(kNodesOfWide),
-                         coarse = gauss_rule(kNodesOfNarrow);
+  static const analysis::GaussRule usual = analysis::gauss_rule(kNodes),
+                                   fine = analysis::gauss_rule(kNodesOfWide),
+                                   coarse = analysis::gauss_rule(kNodesOfNarrow);
   std::vector<Node> nodes;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const double width = knots[k + 1] - knots[k];
     if (!(width > 0.0)) continue;
-    const GaussRule& rule = width > kWide ? fine : width < kNarrow ? coarse : usual;
+    const analysis::GaussRule& rule = width > kWide ? fine : width < kNarrow ? coarse : usual;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double t = knots[k] + width * rule.nodes[i];
       nodes.push_back({width * rule.weights[i], basis_values(knots, degree, t)});
@@ -68,4 +69,4 @@ SurfaceIntegrals integrals_of(const BSplinePatch& patch) {
   return sum;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -3,7 +3,7 @@
 
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 
 struct SurfaceIntegrals {
   double area = 0.0;    // m²
@@ -21,4 +21,4 @@ struct SurfaceIntegrals {
 // tenth power of the spans' size.
 SurfaceIntegrals integrals_of(const BSplinePatch& patch);
 
-}  // namespace hull
+}  // namespace hull::conversion

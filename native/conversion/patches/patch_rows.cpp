@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/patches/patch_rows.h"
 
-namespace hull {
+namespace hull::conversion {
 
 BSplinePatch with_rows_along_u(const BSplinePatch& patch,
                                const std::function<BSplineCurve(const BSplineCurve&)>& change) {
@@ -37,4 +37,4 @@ BSplinePatch with_rows_along_v(const BSplinePatch& patch,
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,7 +5,7 @@
 
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The patch whose rows along u, taken as curves, are changed; `change` does the same to the knots
 // of every row.
@@ -16,4 +16,4 @@ BSplinePatch with_rows_along_u(const BSplinePatch& patch,
 BSplinePatch with_rows_along_v(const BSplinePatch& patch,
                                const std::function<BSplineCurve(const BSplineCurve&)>& change);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 struct Use {
@@ -166,4 +166,4 @@ void PatchSet::check() const {
   });
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

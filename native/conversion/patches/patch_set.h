@@ -7,7 +7,7 @@
 #include "conversion/blocks/block_layout.h"
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // A part of a patch's side: an edge that the patch shares with at most one other.
 struct SideEdge {
@@ -58,4 +58,4 @@ struct PatchSet {
 // A side that is one edge between two corners of its patch.
 inline PatchSide whole_side(int edge, int from, int to) { return {{edge, from, to, 0.0, 1.0}}; }
 
-}  // namespace hull
+}  // namespace hull::conversion

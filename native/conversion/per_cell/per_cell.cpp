@@ -8,16 +8,16 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/per_cell/uniform_fit.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Enough data for the fit to be a good average (the section leaves the number open).
 int data_intervals(int control_points) { return 2 * control_points + 2; }
 
 // The control points of one edge in the direction of its half-edge h.
-std::vector<Vector3d> edge_curve(const LimitSurface& surface, const UniformFit& fit, int h,
+std::vector<Vector3d> edge_curve(const surface::LimitSurface& surface, const UniformFit& fit, int h,
                                  const std::vector<Vector3d>& vertices) {
-  const Topology& cells = surface.cells();
+  const mesh::Topology& cells = surface.cells();
   std::vector<Vector3d> data{vertices[cells.origin(h)]};
   for (int i = 1; i < fit.intervals(); ++i) {
     data.push_back(point_on_half_edge(surface, h, static_cast<double>(i) / fit.intervals()));
@@ -26,7 +26,7 @@ std::vector<Vector3d> edge_curve(const LimitSurface& surface, const UniformFit& 
   return fit.curve(data);
 }
 
-std::vector<Vector3d> inner_data(const LimitSurface& surface, int cell, int intervals) {
+std::vector<Vector3d> inner_data(const surface::LimitSurface& surface, int cell, int intervals) {
   const int rows = intervals + 1;
   std::vector<Vector3d> data(rows * rows, Vector3d::Zero());
   for (int i = 1; i < intervals; ++i) {
@@ -40,7 +40,7 @@ std::vector<Vector3d> inner_data(const LimitSurface& surface, int cell, int inte
 
 }  // namespace
 
-PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
+PatchSet fit_per_cell(const surface::LimitSurface& surface, int control_points) {
   if (control_points < kMinControlPoints || control_points > kMaxControlPoints) {
     throw std::invalid_argument("control_points must be from " + std::to_string(kMinControlPoints) +
                                 " to " + std::to_string(kMaxControlPoints) + ", not " +
@@ -48,7 +48,7 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
   }
   const int n = control_points;
   const UniformFit fit(n, data_intervals(n));
-  const Topology& cells = surface.cells();
+  const mesh::Topology& cells = surface.cells();
   const std::vector<Vector3d> vertices = vertex_points(surface);
 
   // Each edge's curve and the half-edge it was computed along.
@@ -85,4 +85,4 @@ PatchSet fit_per_cell(const LimitSurface& surface, int control_points) {
   return set;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -4,7 +4,7 @@
 #include "conversion/patches/patch_set.h"
 #include "surface/limit_surface.h"
 
-namespace hull {
+namespace hull::conversion {
 
 constexpr int kMinControlPoints = 4, kMaxControlPoints = 16;
 
@@ -19,6 +19,6 @@ constexpr int kMinControlPoints = 4, kMaxControlPoints = 16;
 //   - A cell with borders of no length (points that coincide) gets a patch like any other.
 //
 // Throws std::invalid_argument unless kMinControlPoints <= control_points <= kMaxControlPoints.
-PatchSet fit_per_cell(const LimitSurface& surface, int control_points = 5);
+PatchSet fit_per_cell(const surface::LimitSurface& surface, int control_points = 5);
 
-}  // namespace hull
+}  // namespace hull::conversion

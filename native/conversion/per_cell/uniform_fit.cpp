@@ -8,7 +8,7 @@
 
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 
 UniformFit::UniformFit(int control_points, int intervals) {
   if (control_points < 4) {
@@ -67,4 +67,4 @@ void UniformFit::interior(const std::vector<Vector3d>& data, std::vector<Vector3
   }
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

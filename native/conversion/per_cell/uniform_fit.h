@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace hull {
+#include "mesh/vectors.h"
 
-using Eigen::Vector3d;
+namespace hull::conversion {
 
 // Least-squares fit of cubic open-uniform B-splines to data on a uniform parameter grid, borders
 // fixed (Greshake 2021, section 7.2). The operators depend on the two counts only: they are
@@ -40,4 +40,4 @@ class UniformFit {
       solver_;  // (control_points - 2, intervals - 1): data off the ends to control points
 };
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -9,7 +9,7 @@
 #include "conversion/quality/patch_measure.h"
 #include "conversion/quality/seam_measure.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr int kMostSamples = 16;
@@ -17,13 +17,14 @@ constexpr double kNormalReach = 1e-6;  // of the length
 // How much of the time is needed for patches, the rest for seams.
 constexpr double kShareOfPatches = 0.8;
 
-double largest_extent(const ControlMesh& mesh) {
+double largest_extent(const mesh::ControlMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& point : mesh.points()) box.extend(point);
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
-void check(const LimitSurface& surface, const PatchSet& set, const QualityOptions& options) {
+void check(const surface::LimitSurface& surface, const PatchSet& set,
+           const QualityOptions& options) {
   if (options.samples < 1 || options.samples > kMostSamples) {
     throw std::invalid_argument("The samples of an interval must be from 1 to " +
                                 std::to_string(kMostSamples) + ", not " +
@@ -69,18 +70,18 @@ void SeamQuality::take_values(const SeamQuality& other) {
   curvature_jump_at_points.take(other.curvature_jump_at_points);
 }
 
-QualityReport measure_quality(const LimitSurface& surface, const PatchSet& set,
-                              const QualityOptions& options, const Progress& progress) {
+QualityReport measure_quality(const surface::LimitSurface& surface, const PatchSet& set,
+                              const QualityOptions& options, const surface::Progress& progress) {
   check(surface, set, options);
   QualityReport report;
   report.length = largest_extent(surface.mesh());
   report.normal_reach = options.normal_reach.value_or(kNormalReach * report.length);
   report.theoretical_patch_count = least_block_count(surface);
-  const SurfaceTree tree(surface);
+  const surface::SurfaceTree tree(surface);
   const QualityGauge gauge{surface,
                            tree,
                            set,
-                           gauss_rule(options.samples),
+                           analysis::gauss_rule(options.samples),
                            report.length,
                            report.normal_reach,
                            irregular_vertices(surface)};
@@ -90,8 +91,8 @@ QualityReport measure_quality(const LimitSurface& surface, const PatchSet& set,
   }
   for (std::size_t p = 0; p < set.patches.size(); ++p) {
     const double next = done + static_cast<double>(set.patches[p].control_points.size());
-    const Progress part =
-        part_of(progress, kShareOfPatches * done / points, kShareOfPatches * next / points);
+    const surface::Progress part = surface::part_of(progress, kShareOfPatches * done / points,
+                                                    kShareOfPatches * next / points);
     take_patch(report, squares, exact, measure_patch(gauge, static_cast<int>(p), part));
     done = next;
   }
@@ -100,14 +101,14 @@ QualityReport measure_quality(const LimitSurface& surface, const PatchSet& set,
     report.exact_share = exact / report.area;
   }
   const std::vector<Seam> seams = seams_of(set);
-  const Progress rest = part_of(progress, kShareOfPatches, 1.0);
+  const surface::Progress rest = surface::part_of(progress, kShareOfPatches, 1.0);
   for (std::size_t i = 0; i < seams.size(); ++i) {
-    tell(rest, static_cast<double>(i), static_cast<double>(seams.size()));
+    surface::tell(rest, static_cast<double>(i), static_cast<double>(seams.size()));
     report.seams.push_back(measure_seam(gauge, seams[i]));
     report.worst_seams.take_values(report.seams.back());
   }
-  tell(progress, 1.0, 1.0);
+  surface::tell(progress, 1.0, 1.0);
   return report;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

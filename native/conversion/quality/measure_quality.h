@@ -8,7 +8,7 @@
 #include "surface/limit_surface.h"
 #include "surface/progress.h"
 
-namespace hull {
+namespace hull::conversion {
 
 struct QualityOptions {
   // In each interval between knots, and in each direction; 1 to 16.
@@ -38,7 +38,8 @@ struct QualityOptions {
 //
 // Throws std::invalid_argument unless the set has a block for each patch, with cells of this
 // surface, and the options are in range. REQUIRES: set.check() does not throw.
-QualityReport measure_quality(const LimitSurface& surface, const PatchSet& set,
-                              const QualityOptions& options = {}, const Progress& progress = {});
+QualityReport measure_quality(const surface::LimitSurface& surface, const PatchSet& set,
+                              const QualityOptions& options = {},
+                              const surface::Progress& progress = {});
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -9,9 +9,9 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/blocks/near_surface.h"
 #include "conversion/quality/sample_line.h"
-#include "surface/closest_point.h"
+#include "surface/queries/closest_point.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Of a largest distance: what a longer search for it may gain.
@@ -63,10 +63,10 @@ class PatchMeasure {
     largest_.assign(intervals, 0.0);
   }
 
-  PatchQuality measure(const Progress& progress) {
+  PatchQuality measure(const surface::Progress& progress) {
     const std::vector<BasisValues> along_u = basis_at(patch_.knots_u, patch_.degree_u, u_);
     for (std::size_t i = 0; i < along_u.size(); ++i) {
-      tell(progress, static_cast<double>(i), static_cast<double>(along_u.size()));
+      surface::tell(progress, static_cast<double>(i), static_cast<double>(along_u.size()));
       contract(along_u[i]);
       for (std::size_t j = 0; j < along_v_.size(); ++j) take_sample(i, j);
     }
@@ -84,7 +84,7 @@ class PatchMeasure {
 
  private:
   std::array<bool, 4> irregular_corners() const {
-    const Topology& cells = gauge_.surface.cells();
+    const mesh::Topology& cells = gauge_.surface.cells();
     std::array<bool, 4> result{};
     for (int k = 0; k < 4; ++k) {
       if (!is_on_side(block_, k) || !is_on_side(block_, (k + 3) % 4)) continue;
@@ -138,7 +138,8 @@ class PatchMeasure {
               [](const Candidate& a, const Candidate& b) { return a.found.value > b.found.value; });
     for (const auto& [found, area] : candidates_) {
       if (kAlmost * found.value <= found_.distance.value) return;
-      const ClosestPoint closest = closest_point(gauge_.tree, found.point, found.value);
+      const surface::ClosestPoint closest =
+          surface::closest_point(gauge_.tree, found.point, found.value);
       if (closest.cell >= 0 && closest.distance < found.value) {
         const CellPoint place{closest.cell, closest.u, closest.v};
         found_.distance.take(closest.distance, found.point, place);
@@ -163,8 +164,8 @@ class PatchMeasure {
 
 }  // namespace
 
-std::vector<char> irregular_vertices(const LimitSurface& surface) {
-  const Topology& cells = surface.cells();
+std::vector<char> irregular_vertices(const surface::LimitSurface& surface) {
+  const mesh::Topology& cells = surface.cells();
   std::vector<char> result(cells.vertex_count(), 0);
   for (int h = 0; h < cells.half_edge_count(); ++h) {
     const CellPoint corner = place_beside_half_edge(h, 0.0, 0.0);
@@ -173,7 +174,8 @@ std::vector<char> irregular_vertices(const LimitSurface& surface) {
   return result;
 }
 
-PatchQuality measure_patch(const QualityGauge& gauge, int patch, const Progress& progress) {
+PatchQuality measure_patch(const QualityGauge& gauge, int patch,
+                           const surface::Progress& progress) {
   const BSplinePatch& measured = gauge.set.patches[patch];
   const Block& block = gauge.set.blocks[patch];
   PatchQuality found;
@@ -184,4 +186,4 @@ PatchQuality measure_patch(const QualityGauge& gauge, int patch, const Progress&
   return found;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -7,16 +7,16 @@
 #include "conversion/patches/patch_set.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/progress.h"
-#include "surface/surface_tree.h"
+#include "surface/queries/surface_tree.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // What patches and seams are measured with.
 struct QualityGauge {
-  const LimitSurface& surface;
-  const SurfaceTree& tree;  // of the surface
+  const surface::LimitSurface& surface;
+  const surface::SurfaceTree& tree;  // of the surface
   const PatchSet& set;
-  GaussRule rule;
+  analysis::GaussRule rule;
   double length = 0.0;          // m
   double reach = 0.0;           // m, around irregular points
   std::vector<char> irregular;  // per vertex of the cells
@@ -26,9 +26,9 @@ struct QualityGauge {
 };
 
 // The vertices of the cells where the surface is only C¹, seen from any cell.
-std::vector<char> irregular_vertices(const LimitSurface& surface);
+std::vector<char> irregular_vertices(const surface::LimitSurface& surface);
 
 // Distances of one patch. rms_distance is the root of the mean, over its area, of squares.
-PatchQuality measure_patch(const QualityGauge& gauge, int patch, const Progress& progress);
+PatchQuality measure_patch(const QualityGauge& gauge, int patch, const surface::Progress& progress);
 
-}  // namespace hull
+}  // namespace hull::conversion

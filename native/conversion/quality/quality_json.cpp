@@ -7,7 +7,7 @@
 
 #include "conversion/quality/quality_report.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -151,4 +151,4 @@ std::string QualityReport::json() const {
   return list.between('{', '}') + "\n";
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

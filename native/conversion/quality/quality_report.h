@@ -8,7 +8,7 @@
 
 #include "conversion/blocks/near_point.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // The largest of some values and where it was met.
 struct Worst {
@@ -84,4 +84,4 @@ struct QualityReport {
   std::string json() const;
 };
 
-}  // namespace hull
+}  // namespace hull::conversion

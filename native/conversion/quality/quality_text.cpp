@@ -7,7 +7,7 @@
 
 #include "conversion/quality/quality_report.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr int kWorstPatches = 5;
@@ -114,4 +114,4 @@ std::string QualityReport::text() const {
   return text;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr double kRounding = 1e-14;
@@ -32,7 +32,7 @@ void refine_ends(std::vector<double>& breaks, bool at_begin, bool at_end) {
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
 }
 
-SampleLine sample_line(const std::vector<double>& breaks, const GaussRule& rule) {
+SampleLine sample_line(const std::vector<double>& breaks, const analysis::GaussRule& rule) {
   SampleLine line;
   const auto add = [&line](double at, double weight, int interval) {
     line.at.push_back(at);
@@ -51,4 +51,4 @@ SampleLine sample_line(const std::vector<double>& breaks, const GaussRule& rule)
   return line;
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -5,7 +5,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 
-namespace hull {
+namespace hull::conversion {
 
 // Samples along [0, 1]: Gauss nodes of intervals, and both ends with the weight 0.
 struct SampleLine {
@@ -21,6 +21,6 @@ std::vector<double> breaks_between(std::vector<double> numbers);
 // Halves the first or the last interval again and again towards the end.
 void refine_ends(std::vector<double>& breaks, bool at_begin, bool at_end);
 
-SampleLine sample_line(const std::vector<double>& breaks, const GaussRule& rule);
+SampleLine sample_line(const std::vector<double>& breaks, const analysis::GaussRule& rule);
 
-}  // namespace hull
+}  // namespace hull::conversion

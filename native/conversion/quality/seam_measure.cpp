@@ -10,7 +10,7 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/quality/sample_line.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 double angle_between(const Vector3d& one, const Vector3d& two) {
@@ -19,7 +19,7 @@ double angle_between(const Vector3d& one, const Vector3d& two) {
 
 // Of the normal section in a direction of the tangent plane, positive where the surface bulges
 // towards its normal; none where there is no normal.
-std::optional<double> section_curvature(const SurfaceJet& jet, const Vector3d& normal,
+std::optional<double> section_curvature(const surface::SurfaceJet& jet, const Vector3d& normal,
                                         const Vector3d& direction) {
   Eigen::Matrix<double, 3, 2> slope;
   slope << jet.du, jet.dv;
@@ -68,11 +68,11 @@ class Bank {
     const auto [u, v] = place_on_side(use_.side, on_side(t));
     return place_in_block(block_, u, v);
   }
-  SurfaceJet jet(double t) const {
+  surface::SurfaceJet jet(double t) const {
     const auto [u, v] = place_on_side(use_.side, on_side(t));
     return patch_.evaluate(u, v);
   }
-  Vector3d tangent(const SurfaceJet& jet) const {
+  Vector3d tangent(const surface::SurfaceJet& jet) const {
     const Vector3d along = use_.side % 2 == 0 ? jet.du : jet.dv;
     return use_.side < 2 ? along : Vector3d(-along);
   }
@@ -92,7 +92,7 @@ class Bank {
   double distance(const Vector3d& point, double t) const {
     double best = (point - jet(t).point).norm();
     for (int step = 0; step < 6; ++step) {
-      const SurfaceJet here = jet(t);
+      const surface::SurfaceJet here = jet(t);
       const Vector3d slope = (use_.part.end - use_.part.begin) * tangent(here);
       if (!(slope.squaredNorm() > 0.0)) break;
       t = std::clamp(t + slope.dot(point - here.point) / slope.squaredNorm(), 0.0, 1.0);
@@ -106,7 +106,7 @@ class Bank {
  private:
   double on_side(double t) const { return use_.part.begin + t * (use_.part.end - use_.part.begin); }
 
-  const Topology& cells_;
+  const mesh::Topology& cells_;
   const BSplinePatch& patch_;
   const Block& block_;
   const SeamSide& use_;
@@ -146,7 +146,7 @@ class SeamMeasure {
   }
 
   void take_sample(double t) {
-    const SurfaceJet here = one_.jet(t), there = two_.jet(1.0 - t);
+    const surface::SurfaceJet here = one_.jet(t), there = two_.jet(1.0 - t);
     const Vector3d middle = 0.5 * (here.point + there.point);
     const CellPoint place = one_.has_cells() ? one_.place(t) : two_.place(1.0 - t);
     double gap = (here.point - there.point).norm();
@@ -154,7 +154,8 @@ class SeamMeasure {
     found_.gap.take(gap, middle, place);
     found_.is_smooth = found_.is_smooth && is_smooth_at(t);
     if (!found_.is_smooth) return;
-    const Vector3d normal = unit_normal(here.du, here.dv), other = unit_normal(there.du, there.dv);
+    const Vector3d normal = surface::unit_normal(here.du, here.dv),
+                   other = surface::unit_normal(there.du, there.dv);
     if (normal.isZero(0.0) || other.isZero(0.0)) return;
     const bool at_point = is_at_irregular_point(middle);
     (at_point ? found_.angle_at_points : found_.angle)
@@ -171,7 +172,7 @@ class SeamMeasure {
   // Not on creases, nor where patches were joined across something left out.
   bool is_smooth_at(double t) const {
     if (!one_.is_along_cells() || !two_.is_along_cells()) return true;  // within a block
-    const Topology& cells = gauge_.surface.cells();
+    const mesh::Topology& cells = gauge_.surface.cells();
     const int here = one_.half_edge(t), there = two_.half_edge(1.0 - t);
     return cells.twin(here) == there && !cells.is_crease(here);
   }
@@ -214,4 +215,4 @@ SeamQuality measure_seam(const QualityGauge& gauge, const Seam& seam) {
   return SeamMeasure(gauge, seam).measure();
 }
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -6,7 +6,7 @@
 
 #include "conversion/quality/patch_measure.h"
 
-namespace hull {
+namespace hull::conversion {
 
 struct SeamSide {
   int patch = -1, side = -1;
@@ -20,4 +20,4 @@ std::vector<Seam> seams_of(const PatchSet& set);
 
 SeamQuality measure_seam(const QualityGauge& gauge, const Seam& seam);
 
-}  // namespace hull
+}  // namespace hull::conversion

@@ -30,8 +30,8 @@ inline Polygon box_section(double beam, double depth) {
 }
 
 // From x = 0 to the length, all edges creases. Points k are aft, n + k forward.
-inline MeshArrays barge(const Polygon& section, double length) {
-  MeshArrays mesh;
+inline mesh::MeshArrays barge(const Polygon& section, double length) {
+  mesh::MeshArrays mesh;
   const int n = static_cast<int>(section.size());
   for (double x : {0.0, length}) {
     for (const auto& p : section) mesh.points.emplace_back(x, p.x(), p.y());

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Zero counts as positive: at an end it is no change of sign where the cubic goes on above.
@@ -25,4 +25,4 @@ TEST(SignChanges, AreAtEndsThatTheCubicLeavesDownwards) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Hills of many shapes, smooth, with kinks and cusps, skew and flat: all are found to the width
@@ -59,4 +59,4 @@ TEST(BracketedMaximum, MayBeAtAnEnd) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

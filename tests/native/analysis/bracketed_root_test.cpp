@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 TEST(BracketedRoot, IsThatOfSmoothFunctions) {
@@ -35,4 +35,4 @@ TEST(BracketedRoot, NeverAsksOutsideOfTheBracket) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

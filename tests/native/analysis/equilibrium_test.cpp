@@ -12,7 +12,7 @@
 #include "analysis/stability/floating_descent.h"
 #include "barges.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -23,7 +23,8 @@ constexpr double kBM = kBeam * kBeam / 12.0 / kDraft;
 // A box barge in fresh water.
 class BoxBarge : public ::testing::Test {
  protected:
-  LimitSurface surface{ControlMesh(testing::barge(testing::box_section(kBeam, kDepth), kLength))};
+  surface::LimitSurface surface{
+      mesh::ControlMesh(testing::barge(testing::box_section(kBeam, kDepth), kLength))};
   HullBody body{surface, false};
 
   LoadCase load(double x, double y, double z) const { return {kVolume, {x, y, z}, 1.0}; }
@@ -136,10 +137,10 @@ TEST_F(Equilibria, SinksOrIsNoLoad) {
 }
 
 TEST_F(Equilibria, FloodsThroughAnOpening) {
-  MeshArrays mesh = testing::barge(testing::box_section(kBeam, kDepth), kLength);
+  mesh::MeshArrays mesh = testing::barge(testing::box_section(kBeam, kDepth), kLength);
   mesh.face_sizes.erase(mesh.face_sizes.begin() + 2);  // the deck
   mesh.face_vertices.erase(mesh.face_vertices.begin() + 8, mesh.face_vertices.begin() + 12);
-  const LimitSurface undecked{ControlMesh(mesh)};
+  const surface::LimitSurface undecked{mesh::ControlMesh(mesh)};
   const HullBody open(undecked, false, Openings::kOpen);
   EXPECT_EQ(equilibrium(open, load(10.0, 0.0, 2.5)).status, EquilibriumStatus::kStable);
   const Equilibrium listing = equilibrium(open, load(10.0, -2.5, 2.5));
@@ -168,9 +169,9 @@ TEST_F(Equilibria, FromAnyStart) {
 // The gradient and the second derivatives of the energy that the descent relies on.
 TEST(FloatingDescent, DerivativesAreThoseOfTheEnergy) {
   std::mt19937 random(42);
-  MeshArrays mesh = testing::cube();
+  mesh::MeshArrays mesh = testing::cube();
   testing::randomise(mesh, random, 0.0, 0.0, 0.2);
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody body(surface, false);
   constexpr double kWanted = 1.4;
   const Vector3d gravity(0.1, -0.05, 0.2);
@@ -217,10 +218,10 @@ TEST(Equilibrium, OfRandomBodies) {
   std::mt19937 random(43);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int trial = 0; trial < 12; ++trial) {
-    MeshArrays mesh = trial % 2 ? testing::cube() : testing::prism(5);
+    mesh::MeshArrays mesh = trial % 2 ? testing::cube() : testing::prism(5);
     testing::randomise(mesh, random, 0.2, 0.0, 0.2);
     for (auto& p : mesh.points) p.x() *= 4.0;
-    const LimitSurface surface{ControlMesh(mesh)};
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     const HullBody body(surface, false);
     const double whole = greatest_volume(body, Vector3d::UnitZ());
     const LoadCase load{whole * (0.5 + 0.4 * unit(random)),
@@ -243,11 +244,11 @@ TEST(Equilibrium, OfRandomBodies) {
     // Turned about x by an angle, which then is missing in the heel.
     const double angle = 0.3;
     const Eigen::AngleAxisd turn(angle, Vector3d::UnitX());
-    MeshArrays turned = mesh;
+    mesh::MeshArrays turned = mesh;
     for (auto& p : turned.points) p = turn * p;
     LoadCase turned_load = load;
     turned_load.centre_of_gravity = turn * load.centre_of_gravity;
-    const LimitSurface turned_surface{ControlMesh(turned)};
+    const surface::LimitSurface turned_surface{mesh::ControlMesh(turned)};
     EquilibriumOptions options;
     options.start.heel = -angle;
     const Equilibrium t = equilibrium(HullBody(turned_surface, false), turned_load, options);
@@ -260,8 +261,8 @@ TEST(Equilibrium, OfRandomBodies) {
 // Several loads at once, each as if alone, whatever the numbering of the mesh.
 TEST(Equilibrium, DoesNotDependOnNumberingOrCompany) {
   const testing::Polygon section = testing::round_section(7, 3.0, 2.0, 2.0, 0.2);
-  const MeshArrays mesh = testing::barge(section, 15.0);
-  MeshArrays renumbered = mesh;
+  const mesh::MeshArrays mesh = testing::barge(section, 15.0);
+  mesh::MeshArrays renumbered = mesh;
   const int n = static_cast<int>(mesh.points.size());
   std::vector<int> place(n);
   for (int i = 0; i < n; ++i) place[i] = (5 * i + 3) % n;
@@ -271,7 +272,7 @@ TEST(Equilibrium, DoesNotDependOnNumberingOrCompany) {
     a = place[a];
     b = place[b];
   }
-  const LimitSurface a{ControlMesh(mesh)}, b{ControlMesh(renumbered)};
+  const surface::LimitSurface a{mesh::ControlMesh(mesh)}, b{mesh::ControlMesh(renumbered)};
   const std::vector<LoadCase> loads{{60.0, {7.0, 0.1, 1.5}, 1.0}, {120.0, {8.0, -0.2, 1.2}, 1.0}};
   const HullBody body_a(a, false), body_b(b, false);
   const std::vector<Equilibrium> results = equilibria(body_a, loads);
@@ -286,4 +287,4 @@ TEST(Equilibrium, DoesNotDependOnNumberingOrCompany) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -12,7 +12,7 @@
 #include "analysis/fairness/light_lines.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMeshes = 150;
@@ -27,7 +27,7 @@ Vector3d random_direction(std::mt19937& random) {
 TEST(CellPlaces, AreOnePointOfTheSurface) {
   std::mt19937 random(1);
   for (int mesh = 0; mesh < kMeshes; ++mesh) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const double near = 1e-12 * surface.mesh().size();
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       for (const auto& uv :
@@ -35,7 +35,7 @@ TEST(CellPlaces, AreOnePointOfTheSurface) {
             Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(0.3, 0.0), Eigen::Vector2d(1.0, 0.3),
             Eigen::Vector2d(0.3, 1.0), Eigen::Vector2d(0.0, 0.3)}) {
         const Vector3d p = surface.position(cell, uv.x(), uv.y());
-        for (const CellPlace& at : cell_places(surface.cells(), cell, uv)) {
+        for (const surface::CellPlace& at : cell_places(surface.cells(), cell, uv)) {
           ASSERT_LE((surface.position(at.cell, at.u, at.v) - p).norm(), near);
         }
       }
@@ -55,7 +55,7 @@ TEST(CurveFairness, SamplesOfRandomSectionsAreInTheirPlanes) {
   std::mt19937 random(2);
   int curves = 0;
   for (int i = 0; i < kMeshes; ++i) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const double size = surface.mesh().size();
     const Vector3d normal = random_direction(random);
     const Plane plane{normal, normal.dot(surface.position(0, 0.37, 0.59))};
@@ -85,7 +85,7 @@ TEST(CurveFairness, SamplesOfRandomSectionsAreInTheirPlanes) {
 TEST(CurveFairness, RandomFeaturesHaveFiniteMarks) {
   std::mt19937 random(3);
   for (int i = 0; i < kMeshes; ++i) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     for (const CurveFairness& curve : feature_fairness(surface, random_direction(random), {})) {
       ASSERT_GT(curve.length, 0.0);
       for (const CurveSample& at : curve.samples) ASSERT_TRUE(at.point.allFinite());
@@ -98,7 +98,7 @@ TEST(LevelCurves, OfRandomSurfacesAreExact) {
   std::mt19937 random(4);
   int points = 0, points_off = 0;
   for (int i = 0; i < kMeshes; ++i) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const Vector3d direction = random_direction(random);
     const double size = surface.mesh().size();
     for (const LevelCurve& curve : isophotes(surface, direction, {0.6, 1.3}, {6, 1e-3 * size})) {
@@ -121,10 +121,10 @@ TEST(LevelCurves, OfRandomSurfacesAreExact) {
 TEST(FlatRegions, BordersOfRandomFlatSheetsEncloseTheirAreas) {
   std::mt19937 random(5);
   for (int i = 0; i < 40; ++i) {
-    MeshArrays arrays = testing::fan(std::uniform_int_distribution<int>(3, 9)(random));
+    mesh::MeshArrays arrays = testing::fan(std::uniform_int_distribution<int>(3, 9)(random));
     testing::randomise(arrays, random, 0.1, 0.0, 0.05);
     for (Vector3d& p : arrays.points) p.z() = 0.0;
-    const LimitSurface surface{ControlMesh(arrays)};
+    const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     const auto regions = flat_regions(surface, {}, 1e-9);
     ASSERT_EQ(regions.size(), 1u);
     ASSERT_EQ(regions[0].borders.size(), 1u);
@@ -148,7 +148,7 @@ TEST(Flatness, LargestDistanceIsAboveAllSamples) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < kMeshes; ++i) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const Vector3d normal = random_direction(random);
     const Plane plane{normal, 0.2};
     std::vector<int> faces;
@@ -167,4 +167,4 @@ TEST(Flatness, LargestDistanceIsAboveAllSamples) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

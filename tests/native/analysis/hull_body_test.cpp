@@ -12,7 +12,7 @@
 #include "analysis/immersion/floating_position.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kL = 40.0, kB = 8.0, kD = 5.0;
@@ -57,10 +57,10 @@ Plane random_water(std::mt19937& random, const Vector3d& through, double spread)
 }
 
 // Half of creased_box: y >= 0, open at the centre plane and, if asked, on deck and at the stern.
-MeshArrays half_box(bool open) {
-  MeshArrays mesh = testing::creased_box(kL, 0.5 * kB, kD);
+mesh::MeshArrays half_box(bool open) {
+  mesh::MeshArrays mesh = testing::creased_box(kL, 0.5 * kB, kD);
   for (auto& p : mesh.points) p.y() += 0.25 * kB;
-  MeshArrays result = mesh;
+  mesh::MeshArrays result = mesh;
   result.face_sizes.clear();
   result.face_vertices.clear();
   for (int f = 0; f < 6; ++f) {
@@ -80,7 +80,7 @@ MeshArrays half_box(bool open) {
 
 // Volumes, waterplanes and heights of centres of a box in any water.
 TEST(HullBody, BoxInAnyWater) {
-  const LimitSurface box{ControlMesh(testing::creased_box(kL, kB, kD))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(kL, kB, kD))};
   const HullBody body(box, false);
   constexpr unsigned kSeed = 411;
   std::mt19937 random(kSeed);
@@ -100,8 +100,8 @@ TEST(HullBody, BoxInAnyWater) {
 }
 
 // The regular prism of n sides along x, all edges creased: a polyhedron.
-MeshArrays creased_prism(int n) {
-  MeshArrays mesh = testing::prism(n);
+mesh::MeshArrays creased_prism(int n) {
+  mesh::MeshArrays mesh = testing::prism(n);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) mesh.corners.push_back(static_cast<int>(v));
   int first = 0;
   for (int size : mesh.face_sizes) {
@@ -121,7 +121,7 @@ struct Clipped {
   Vector3d waterplane = Vector3d::Zero();
 };
 
-Clipped clipped(const MeshArrays& mesh, const Plane& water) {
+Clipped clipped(const mesh::MeshArrays& mesh, const Plane& water) {
   Clipped sum;
   const Vector3d origin = water.offset * water.normal;
   int first = 0;
@@ -149,8 +149,8 @@ TEST(HullBody, PrismsInAnyWater) {
   std::mt19937 random(kSeed);
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   for (int n : {3, 5, 6, 9}) {
-    const MeshArrays mesh = creased_prism(n);
-    const LimitSurface surface{ControlMesh(mesh)};
+    const mesh::MeshArrays mesh = creased_prism(n);
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     const HullBody body(surface, false);
     for (int trial = 0; trial < 50; ++trial) {
       const Plane water = random_water(random, Vector3d::Zero(), 1.0);
@@ -166,11 +166,11 @@ TEST(HullBody, PrismsInAnyWater) {
 TEST(HullBody, KeepsToTheTolerance) {
   std::mt19937 random(417);
   for (int trial = 0; trial < 60; ++trial) {
-    MeshArrays arrays = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 14)
-                        : trial % 3 == 1 ? testing::prism(3 + trial % 14)
-                                         : testing::creased_box(2.0, 2.0, 2.0);
+    mesh::MeshArrays arrays = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 14)
+                              : trial % 3 == 1 ? testing::prism(3 + trial % 14)
+                                               : testing::creased_box(2.0, 2.0, 2.0);
     testing::randomise(arrays, random, 0.25, 0.1, 0.2);
-    const LimitSurface surface{ControlMesh(arrays)};
+    const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     const HullBody finest(surface, false);
     const Plane water = random_water(random, Vector3d::Zero(), 0.4);
     const Immersion a = finest.immersion(water);
@@ -187,7 +187,7 @@ TEST(HullBody, KeepsToTheTolerance) {
       EXPECT_LT(std::abs(b.volume - a.volume), b.volume_error + a.volume_error + 1e-12);
     }
   }
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   for (double tolerance : {0.0, -1.0, 0.5, std::nan("")}) {
     EXPECT_THROW(HullBody(surface, false, Openings::kClosed, tolerance), std::invalid_argument);
   }
@@ -195,9 +195,9 @@ TEST(HullBody, KeepsToTheTolerance) {
 
 // The same body whole; as a half; as a half without deck, transom and centre plane.
 TEST(HullBody, ClosingsMakeTheWholeBody) {
-  const LimitSurface whole{ControlMesh(testing::creased_box(kL, kB, kD))};
-  const LimitSurface half{ControlMesh(half_box(false))};
-  const LimitSurface open{ControlMesh(half_box(true))};
+  const surface::LimitSurface whole{mesh::ControlMesh(testing::creased_box(kL, kB, kD))};
+  const surface::LimitSurface half{mesh::ControlMesh(half_box(false))};
+  const surface::LimitSurface open{mesh::ControlMesh(half_box(true))};
   const HullBody a(whole, false), b(half, true), c(open, true);
   std::mt19937 random(412);
   for (int trial = 0; trial < 100; ++trial) {
@@ -220,12 +220,13 @@ TEST(HullBody, ClosingsMakeTheWholeBody) {
 // irregular points of every kind in the water's surface.
 TEST(HullBody, FluxFormsAgree) {
   std::mt19937 random(413);
-  for (const Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
+  for (const surface::Scheme scheme :
+       {surface::Scheme::kBiermann, surface::Scheme::kCatmullClark}) {
     for (int trial = 0; trial < 40; ++trial) {
-      MeshArrays arrays =
+      mesh::MeshArrays arrays =
           trial % 2 ? testing::double_pyramid(3 + trial % 14) : testing::prism(3 + trial % 14);
       testing::randomise(arrays, random, 0.25, 0.1, 0.2);
-      const LimitSurface surface(ControlMesh(arrays), scheme);
+      const surface::LimitSurface surface(mesh::ControlMesh(arrays), scheme);
       const HullBody body(surface, false);
       // Through a control point's limit, so that knots are cut too.
       const Vector3d knot = surface.position(trial % surface.cell_count(), 0.0, 0.0);
@@ -242,13 +243,14 @@ TEST(HullBody, FluxFormsAgree) {
 TEST(HullBody, TurnsWithTheWater) {
   std::mt19937 random(414);
   for (int trial = 0; trial < 30; ++trial) {
-    MeshArrays arrays = testing::prism(3 + trial % 8);
+    mesh::MeshArrays arrays = testing::prism(3 + trial % 8);
     testing::randomise(arrays, random, 0.3, 0.1, 0.2);
     const Eigen::AngleAxisd turn(0.3 * trial, Vector3d(1.0, 0.3, 0.2).normalized());
-    MeshArrays turned = arrays;
+    mesh::MeshArrays turned = arrays;
     for (auto& p : turned.points) p = turn * p;
     const Plane water = random_water(random, Vector3d::Zero(), 0.4);
-    const LimitSurface surface{ControlMesh(arrays)}, other{ControlMesh(turned)};
+    const surface::LimitSurface surface{mesh::ControlMesh(arrays)},
+        other{mesh::ControlMesh(turned)};
     const Immersion a = HullBody(surface, false).immersion(water);
     const Immersion b = HullBody(other, false).immersion({turn * water.normal, water.offset});
     EXPECT_NEAR(a.volume, b.volume, 1e-12);
@@ -263,9 +265,9 @@ TEST(HullBody, TurnsWithTheWater) {
 // Only what has moved is computed again, yet nothing depends on what was there before.
 TEST(HullBody, FollowsMovedPoints) {
   std::mt19937 random(415);
-  MeshArrays arrays = testing::prism(7);
+  mesh::MeshArrays arrays = testing::prism(7);
   testing::randomise(arrays, random, 0.2, 0.0, 0.2);
-  LimitSurface surface{ControlMesh(arrays)};
+  surface::LimitSurface surface{mesh::ControlMesh(arrays)};
   HullBody body(surface, false);
   const Plane water{Vector3d::UnitZ(), 0.1};
   std::normal_distribution<double> move(0.0, 0.05);
@@ -276,7 +278,7 @@ TEST(HullBody, FollowsMovedPoints) {
     }
     surface.set_points(arrays.points);
     body.update();
-    const LimitSurface fresh{ControlMesh(arrays)};
+    const surface::LimitSurface fresh{mesh::ControlMesh(arrays)};
     const Immersion a = body.immersion(water), b = HullBody(fresh, false).immersion(water);
     EXPECT_EQ(a.volume, b.volume);
     EXPECT_EQ(a.wetted_surface, b.wetted_surface);
@@ -295,7 +297,7 @@ std::string words_of(const HullBody& body, const Plane& water) {
 
 // An open half box floods over its deck, not through its transom.
 TEST(HullBody, FloodsAtItsLowestOpening) {
-  const LimitSurface surface{ControlMesh(half_box(true))};
+  const surface::LimitSurface surface{mesh::ControlMesh(half_box(true))};
   const HullBody body(surface, true, Openings::kOpen);
   EXPECT_NEAR(body.immersion({Vector3d::UnitZ(), 2.0}).volume, kL * kB * 2.0, 1e-10);
   EXPECT_NEAR(body.lowest_opening(Vector3d::UnitZ()), kD, 1e-12);
@@ -310,8 +312,8 @@ TEST(HullBody, FloodsAtItsLowestOpening) {
 }
 
 TEST(HullBody, BodiesAddUpAndInvertedOnesAreNamed) {
-  MeshArrays two = testing::creased_box(kL, kB, kD);
-  const MeshArrays other = testing::creased_box(kL, kB, kD);
+  mesh::MeshArrays two = testing::creased_box(kL, kB, kD);
+  const mesh::MeshArrays other = testing::creased_box(kL, kB, kD);
   for (std::size_t v = 0; v < 8; ++v) {
     two.points.push_back(other.points[v] + Vector3d(0.0, 20.0, 0.0));
   }
@@ -320,7 +322,7 @@ TEST(HullBody, BodiesAddUpAndInvertedOnesAreNamed) {
   for (auto [a, b] : other.creases) two.creases.push_back({a + 8, b + 8});
   const Plane water{Vector3d(0.0, 0.1, 1.0).normalized(), 2.0};
   {
-    const LimitSurface surface{ControlMesh(two)};
+    const surface::LimitSurface surface{mesh::ControlMesh(two)};
     const Immersion found = HullBody(surface, false).immersion(water);
     Plane shifted = water;
     shifted.offset -= 20.0 * water.normal.y();
@@ -332,9 +334,9 @@ TEST(HullBody, BodiesAddUpAndInvertedOnesAreNamed) {
   for (int f = 6; f < 12; ++f) {
     std::reverse(two.face_vertices.begin() + 4 * f, two.face_vertices.begin() + 4 * f + 4);
   }
-  const LimitSurface surface{ControlMesh(two)};
+  const surface::LimitSurface surface{mesh::ControlMesh(two)};
   EXPECT_NE(words_of(HullBody(surface, false), water).find("body with face 6"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -9,12 +9,12 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 TEST(Hydrostatics, OfABox) {
   constexpr double kL = 40.0, kB = 8.0, kD = 5.0, kT = 2.7;
-  const LimitSurface box{ControlMesh(testing::creased_box(kL, kB, kD))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(kL, kB, kD))};
   const Particulars h = upright_hydrostatics(box, kT, false);
   constexpr double kRelative = 1e-13;
   EXPECT_NEAR(h.displaced_volume, kL * kB * kT, kRelative * kL * kB * kT);
@@ -33,7 +33,7 @@ TEST(Hydrostatics, OfABox) {
 
 // The cube control mesh ±1 encloses 2.62041903269898 (tests/reference/integrals.json).
 TEST(Hydrostatics, OfTheSmoothCubeDrowned) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const Particulars h = upright_hydrostatics(surface, 2.0, false);
   EXPECT_NEAR(h.displaced_volume, 2.62041903269898, 1e-14 * 3);
   EXPECT_NEAR(h.volume_from_breadths, h.displaced_volume, 1e-13);
@@ -43,7 +43,7 @@ TEST(Hydrostatics, OfTheSmoothCubeDrowned) {
 
 // A smooth closed body cut by its middle plane: half of everything by symmetry.
 TEST(Hydrostatics, OfTheSmoothCubeHalfImmersed) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const Particulars half = upright_hydrostatics(surface, 0.0, false);
   const Particulars whole = upright_hydrostatics(surface, 2.0, false);
   EXPECT_NEAR(2.0 * half.displaced_volume, whole.displaced_volume, 1e-13 * 2.7);
@@ -57,9 +57,9 @@ TEST(Hydrostatics, VolumeGrowsByTheWaterplane) {
   std::mt19937 random(kSeed);
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   for (int trial = 0; trial < 20; ++trial) {
-    MeshArrays arrays = testing::prism(3 + trial % 6);
+    mesh::MeshArrays arrays = testing::prism(3 + trial % 6);
     testing::randomise(arrays, random, 0.2, 0.0, 0.2);
-    const LimitSurface surface{ControlMesh(arrays)};
+    const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     constexpr double kStep = 1e-4;
     const double draft = -0.3 + 0.03 * trial;
     const Particulars at = upright_hydrostatics(surface, draft, false);
@@ -71,13 +71,15 @@ TEST(Hydrostatics, VolumeGrowsByTheWaterplane) {
 
 // The port half, doubled, gives what both halves give.
 TEST(Hydrostatics, MirroredHalfEqualsTheWhole) {
-  MeshArrays whole = testing::creased_box(20.0, 6.0, 4.0);
-  MeshArrays half = testing::creased_box(20.0, 3.0, 4.0);
+  mesh::MeshArrays whole = testing::creased_box(20.0, 6.0, 4.0);
+  mesh::MeshArrays half = testing::creased_box(20.0, 3.0, 4.0);
   for (auto& p : half.points) p.y() += 1.5;
   half.face_sizes.erase(half.face_sizes.begin() + 2);  // the face y = 0 is left open
   half.face_vertices.erase(half.face_vertices.begin() + 8, half.face_vertices.begin() + 12);
-  const Particulars a = upright_hydrostatics(LimitSurface{ControlMesh(whole)}, 1.7, false);
-  const Particulars b = upright_hydrostatics(LimitSurface{ControlMesh(half)}, 1.7, true);
+  const Particulars a =
+      upright_hydrostatics(surface::LimitSurface{mesh::ControlMesh(whole)}, 1.7, false);
+  const Particulars b =
+      upright_hydrostatics(surface::LimitSurface{mesh::ControlMesh(half)}, 1.7, true);
   EXPECT_NEAR(a.displaced_volume, b.displaced_volume, 1e-11);
   EXPECT_NEAR(a.wetted_surface, b.wetted_surface, 1e-11);
   EXPECT_NEAR(a.waterplane_inertia_transverse, b.waterplane_inertia_transverse, 1e-10);
@@ -86,14 +88,14 @@ TEST(Hydrostatics, MirroredHalfEqualsTheWhole) {
 }
 
 TEST(Hydrostatics, RefusesWhatMakesNoSense) {
-  MeshArrays inward = testing::cube();
+  mesh::MeshArrays inward = testing::cube();
   for (std::size_t f = 0; f < 6; ++f) {
     std::reverse(inward.face_vertices.begin() + 4 * f, inward.face_vertices.begin() + 4 * f + 4);
   }
-  const LimitSurface surface{ControlMesh(inward)};
+  const surface::LimitSurface surface{mesh::ControlMesh(inward)};
   EXPECT_THROW(upright_hydrostatics(surface, 0.0, false), std::invalid_argument);
   EXPECT_THROW(upright_hydrostatics(surface, NAN, false), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,7 +8,7 @@
 #include "analysis/sections/sections.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr unsigned kSeed = 1212;
@@ -27,9 +27,9 @@ TEST(MoveWatch, SectionsThatNothingCameNearStay) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  MeshArrays arrays = testing::grid(16, 12);
+  mesh::MeshArrays arrays = testing::grid(16, 12);
   for (auto& p : arrays.points) p.z() = 2.0 * std::sin(0.3 * p.x()) * std::cos(0.4 * p.y());
-  LimitSurface surface{ControlMesh(arrays)};
+  surface::LimitSurface surface{mesh::ControlMesh(arrays)};
   MoveWatch watch(surface);
   EXPECT_FALSE(watch.comes_near(plane_across(Axis::kX, 3.0), 1.0)) << "nothing has moved yet";
   int stayed = 0, near = 0, near_but_same = 0;
@@ -67,4 +67,4 @@ TEST(MoveWatch, SectionsThatNothingCameNearStay) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -19,12 +19,12 @@ class NaturalSpline {
 
   int spans() const { return static_cast<int>(c_.size()) - 1; }
   double length() const { return step_ * spans(); }
-  double operator()(double x) const { return sum(x, cubic_basis); }
-  double slope(double x) const { return sum(x, cubic_basis_d1) / step_; }
+  double operator()(double x) const { return sum(x, surface::cubic_basis); }
+  double slope(double x) const { return sum(x, surface::cubic_basis_d1) / step_; }
 
   // Of a function that is a polynomial of degree 15 between the knots.
   double integral(const std::function<double(double)>& f, double to) const {
-    const GaussRule rule = gauss_rule(8);
+    const analysis::GaussRule rule = analysis::gauss_rule(8);
     double total = 0.0;
     for (int k = 0; k < spans(); ++k) {
       const double begin = k * step_, end = std::min(to, begin + step_);
@@ -46,7 +46,7 @@ class NaturalSpline {
   template <class F>
   double sum(double x, const F& basis) const {
     const int k = std::min(spans() - 1, std::max(0, static_cast<int>(std::floor(x / step_))));
-    const Basis b = basis(x / step_ - k);
+    const surface::Basis b = basis(x / step_ - k);
     double total = 0.0;
     for (int i = 0; i < 4; ++i) total += b[i] * control(k - 1 + i);
     return total;
@@ -60,7 +60,7 @@ class NaturalSpline {
 // forms. Its ends and its keel are in the centre plane where the splines are zero.
 struct NaturalHull {
   NaturalSpline along, upwards;
-  MeshArrays mesh;
+  mesh::MeshArrays mesh;
 
   NaturalHull(const std::vector<double>& breadths, double length,
               const std::vector<double>& fullness, double depth)
@@ -75,8 +75,8 @@ struct NaturalHull {
   }
 
   // The same with its starboard side, as one mesh with a crease along stem, keel and stern.
-  MeshArrays whole() const {
-    MeshArrays both = mesh;
+  mesh::MeshArrays whole() const {
+    mesh::MeshArrays both = mesh;
     const int rows = upwards.spans() + 1, columns = along.spans() + 1;
     std::vector<int> image(mesh.points.size());
     for (int j = 0; j < columns; ++j) {

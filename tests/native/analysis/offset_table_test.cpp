@@ -9,13 +9,13 @@
 #include "barges.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // A barge of 20 m with a sharp chine at (3, 1) and its deck's edge at (3.5, 4); all faces plane.
-LimitSurface chine_barge() {
+surface::LimitSurface chine_barge() {
   const testing::Polygon section = {{0.0, 0.0}, {3.0, 1.0}, {3.5, 4.0}, {-3.5, 4.0}, {-3.0, 1.0}};
-  return LimitSurface{ControlMesh(testing::barge(section, 20.0))};
+  return surface::LimitSurface{mesh::ControlMesh(testing::barge(section, 20.0))};
 }
 
 constexpr double kTolerance = 2e-6;  // 1e-7 of the size
@@ -50,7 +50,7 @@ TEST(OffsetTable, OfABargeWithAChine) {
 }
 
 TEST(OffsetTable, FlatEndsBottomsAndSidesGiveTheirEdges) {
-  const LimitSurface box{ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
   const OffsetTable table = offset_table(box, {0.0, 20.0, 40.0}, {0.0, 2.0, 5.0}, {0.0, 4.0});
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -70,7 +70,7 @@ TEST(OffsetTable, IsEmptyBeyondTheHull) {
 }
 
 TEST(OffsetTable, RefusesBadPositions) {
-  const LimitSurface surface = chine_barge();
+  const surface::LimitSurface surface = chine_barge();
   EXPECT_THROW(offset_table(surface, {NAN}, {1.0}, {}), std::invalid_argument);
   EXPECT_THROW(offset_table(surface, {1.0}, {}, {-1.0}), std::invalid_argument);
   EXPECT_THROW(offset_table(surface, std::vector<double>(1001, 1.0), {}, {}),
@@ -78,4 +78,4 @@ TEST(OffsetTable, RefusesBadPositions) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -12,7 +12,7 @@
 #include "analysis/hydrostatics/hydrostatics.h"
 #include "natural_hull.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -20,7 +20,7 @@ constexpr double kDraft = 4.1;  // between knots
 
 TEST(Particulars, OfABox) {
   constexpr double kL = 40.0, kB = 8.0, kT = 2.7, kDensity = 1.0;
-  const LimitSurface box{ControlMesh(testing::creased_box(kL, kB, 5.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(kL, kB, 5.0))};
   const HullBody body(box, false);
   const Particulars p = hydrostatics(body, {kT}, {50.0, 10.0, 3.0}, kDensity);
   EXPECT_NEAR(p.displacement_t, kL * kB * kT, 1e-12 * kL * kB * kT);
@@ -56,7 +56,7 @@ TEST(Particulars, OfABox) {
 
 // Without length_pp there is no midship; without a design draft, coefficients use the draft.
 TEST(Particulars, LeaveOutWhatIsNotGiven) {
-  const LimitSurface box{ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
   const HullBody body(box, false);
   const Particulars p = hydrostatics(body, {2.0}, {});
   EXPECT_EQ(p.midship_section.area, 0.0);
@@ -68,7 +68,7 @@ TEST(Particulars, LeaveOutWhatIsNotGiven) {
 }
 
 TEST(Particulars, AreZeroInTheAir) {
-  const LimitSurface box{ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
   const Particulars p = hydrostatics(HullBody(box, false), {-1.0}, {40.0, 8.0, 2.0});
   for (double value : {p.displaced_volume, p.kb, p.waterplane_area, p.km_transverse,
                        p.waterline_length, p.immersed_length, p.immersed_draught, p.lcb_percent,
@@ -86,30 +86,30 @@ TEST(Particulars, AreZeroInTheAir) {
 // The demi-hulls of a catamaran, one modelled or both, and a rudder amidships.
 TEST(Particulars, LateralAreaOfACatamaran) {
   constexpr double kL = 40.0;
-  MeshArrays demi = testing::creased_box(kL, 2.0, 5.0);
+  mesh::MeshArrays demi = testing::creased_box(kL, 2.0, 5.0);
   for (auto& p : demi.points) p.y() += 4.0;
-  const LimitSurface one{ControlMesh(demi)};
+  const surface::LimitSurface one{mesh::ControlMesh(demi)};
   const Particulars half = hydrostatics(HullBody(one, true), {3.0}, {kL, 10.0, 3.0});
   EXPECT_NEAR(half.lateral_area, kL * 3.0, 1e-10);
   EXPECT_NEAR(half.lateral_x, 0.5 * kL, 1e-10);
   EXPECT_NEAR(half.lateral_z, 1.5, 1e-10);
   EXPECT_NEAR(half.displaced_volume, 2.0 * kL * 2.0 * 3.0, 1e-9);
 
-  MeshArrays with_rudder = demi;
-  MeshArrays rudder = testing::creased_box(2.0, 0.4, 2.0);
+  mesh::MeshArrays with_rudder = demi;
+  mesh::MeshArrays rudder = testing::creased_box(2.0, 0.4, 2.0);
   const int first = static_cast<int>(demi.points.size());
   for (auto p : rudder.points) with_rudder.points.push_back(p + Eigen::Vector3d(-4.0, 0.0, 0.0));
   for (int v : rudder.face_vertices) with_rudder.face_vertices.push_back(first + v);
   for (int n : rudder.face_sizes) with_rudder.face_sizes.push_back(n);
   for (auto e : rudder.creases) with_rudder.creases.push_back({first + e[0], first + e[1]});
-  const LimitSurface three{ControlMesh(with_rudder)};
+  const surface::LimitSurface three{mesh::ControlMesh(with_rudder)};
   const Particulars p = hydrostatics(HullBody(three, false), {3.0}, {kL, 10.0, 3.0});
   EXPECT_NEAR(p.lateral_area, kL * 3.0 + 4.0, 1e-10);
 }
 
 TEST(Particulars, OfANaturalHull) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   constexpr double kL = 60.0;
   const Particulars p = hydrostatics(body, {kDraft}, {kL, 12.0, kDraft});
@@ -155,7 +155,7 @@ TEST(Particulars, OfANaturalHull) {
 
 // A body whose waterline is round at its ends, and which is widest below the water.
 TEST(Particulars, OfTheSmoothCube) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const HullBody body(surface, false);
   const double r = surface.position(0, 1.0, 1.0).cwiseAbs().maxCoeff();
   const Particulars p = hydrostatics(body, {0.2}, {});
@@ -172,7 +172,7 @@ TEST(Particulars, OfTheSmoothCube) {
 // dV/dT = Awp, d(V KB)/dT = T Awp: central differences, error of the step squared.
 TEST(Particulars, GrowByTheWaterplane) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   constexpr double kStep = 1e-3;
   for (double draft : {0.7, 2.2, 3.9, 5.2}) {
@@ -214,7 +214,8 @@ void expect_same(const Particulars& a, const Particulars& b, double relative) {
 
 TEST(Particulars, DoNotDependOnTheHalfThatWasModelled) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface half{ControlMesh(ship.mesh)}, whole{ControlMesh(ship.whole())};
+  const surface::LimitSurface half{mesh::ControlMesh(ship.mesh)},
+      whole{mesh::ControlMesh(ship.whole())};
   const HullBody a(half, true), b(whole, false);
   for (const FloatingPosition& position :
        {FloatingPosition{3.3}, FloatingPosition{3.3, 0.01, 0.0, 30.0},
@@ -229,13 +230,13 @@ TEST(Particulars, DoNotDependOnNumbering) {
   constexpr unsigned kSeed = 5;
   std::mt19937 random(kSeed);
   const testing::NaturalHull ship = testing::natural_ship();
-  MeshArrays mesh = ship.mesh;
+  mesh::MeshArrays mesh = ship.mesh;
   std::vector<int> order(mesh.points.size()), faces(mesh.face_sizes.size());
   std::iota(order.begin(), order.end(), 0);
   std::iota(faces.begin(), faces.end(), 0);
   std::shuffle(order.begin(), order.end(), random);
   std::shuffle(faces.begin(), faces.end(), random);
-  MeshArrays shuffled;
+  mesh::MeshArrays shuffled;
   shuffled.points.resize(mesh.points.size());
   for (std::size_t i = 0; i < order.size(); ++i) shuffled.points[order[i]] = mesh.points[i];
   for (int f : faces) {
@@ -246,7 +247,7 @@ TEST(Particulars, DoNotDependOnNumbering) {
     }
     testing::add_face(shuffled, corners);
   }
-  const LimitSurface a{ControlMesh(mesh)}, b{ControlMesh(shuffled)};
+  const surface::LimitSurface a{mesh::ControlMesh(mesh)}, b{mesh::ControlMesh(shuffled)};
   for (double heel : {0.0, 0.1}) {
     const FloatingPosition position{3.3, 0.005, heel, 30.0};
     const ProjectDimensions project{60.0, 12.0, 4.0};
@@ -257,7 +258,7 @@ TEST(Particulars, DoNotDependOnNumbering) {
 
 TEST(Particulars, Table) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   const ProjectDimensions project{60.0, 12.0, 4.0};
   const std::vector<Particulars> rows =
@@ -271,7 +272,7 @@ TEST(Particulars, Table) {
 }
 
 TEST(Particulars, RefuseWhatMakesNoSense) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const HullBody body(surface, false);
   EXPECT_THROW(hydrostatics(body, {NAN}, {}), std::invalid_argument);
   EXPECT_THROW(hydrostatics(body, {0.0, 1.6}, {}), std::invalid_argument);
@@ -280,4 +281,4 @@ TEST(Particulars, RefuseWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -14,7 +14,7 @@
 #include "analysis/stability/cross_curves.h"
 #include "barges.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 using testing::Polygon;
@@ -31,14 +31,14 @@ std::vector<double> heels_to(double last_deg, double step_deg) {
 struct Afloat {
   Polygon section;
   double wet_area;
-  LimitSurface surface;
+  surface::LimitSurface surface;
   HullBody body;
   static constexpr double kLength = 20.0;
 
   Afloat(Polygon polygon, double area)
       : section(std::move(polygon)),
         wet_area(area),
-        surface(ControlMesh(testing::barge(section, kLength))),
+        surface(mesh::ControlMesh(testing::barge(section, kLength))),
         body(surface, false) {}
   Afloat(const Afloat&) = delete;  // the body refers to the surface
 
@@ -106,9 +106,9 @@ TEST(RightingLevers, TurnRoundWithTheSide) {
 // A body that looks the same after every quarter turn about x, G on that axis: no lever at whole
 // multiples of 45°, where it is symmetric, and the same levers a quarter turn on.
 TEST(RightingLevers, OfABodyOfFourfoldSymmetry) {
-  MeshArrays mesh = testing::cube();
+  mesh::MeshArrays mesh = testing::cube();
   for (auto& p : mesh.points) p.x() *= 6.0;
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody body(surface, false);
   const LoadCase load{2.7, Vector3d::Zero(), 1.0};
   const HeelingPath path = heeling_path(body, load, TrimMode::kFree, 0.0);
@@ -121,10 +121,10 @@ TEST(RightingLevers, OfABodyOfFourfoldSymmetry) {
 // ∇ ∫ GZ cos θ dφ is the rise of the energy ∇ (G - B)·up, at any trim.
 TEST(RightingLevers, WorkIsTheEnergysRise) {
   std::mt19937 random(17);
-  MeshArrays mesh = testing::cube();
+  mesh::MeshArrays mesh = testing::cube();
   testing::randomise(mesh, random, 0.0, 0.0, 0.15);
   for (auto& p : mesh.points) p.x() *= 5.0;
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody body(surface, false);
   const LoadCase load{4.0, {0.4, 0.02, -0.1}, 1.0};
   for (TrimMode mode : {TrimMode::kFree, TrimMode::kFixed}) {
@@ -216,10 +216,10 @@ TEST(RightingLevers, FeaturesAreExact) {
 // are those of a decked barge.
 TEST(RightingLevers, OfAnOpenBargeUntilSheFloods) {
   const Afloat decked = box();
-  MeshArrays mesh = testing::barge(decked.section, Afloat::kLength);
+  mesh::MeshArrays mesh = testing::barge(decked.section, Afloat::kLength);
   mesh.face_sizes.erase(mesh.face_sizes.begin() + 2);
   mesh.face_vertices.erase(mesh.face_vertices.begin() + 8, mesh.face_vertices.begin() + 12);
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody open(surface, false, Openings::kOpen);
   const LoadCase load = decked.load(0.0, 3.2);
   RightingLeverOptions options;
@@ -239,10 +239,10 @@ TEST(RightingLevers, OfAnOpenBargeUntilSheFloods) {
 // The count is what makes a curve fast; it does not depend on the machine.
 TEST(RightingLevers, TakeFewImmersionsPerHeel) {
   std::mt19937 random(18);
-  MeshArrays mesh = testing::cube();
+  mesh::MeshArrays mesh = testing::cube();
   testing::randomise(mesh, random, 0.0, 0.0, 0.15);
   for (auto& p : mesh.points) p.x() *= 5.0;
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody body(surface, false);
   const RightingLevers levers =
       righting_levers(body, {4.0, {0.4, 0.0, -0.1}, 1.0}, heels_to(90.0, 5.0));
@@ -259,10 +259,10 @@ TEST(RightingLevers, TakeFewImmersionsPerHeel) {
 // GZ = KN - KG sin φ, with the centre of gravity under which KN was balanced.
 TEST(CrossCurves, GiveTheLevers) {
   std::mt19937 random(19);
-  MeshArrays mesh = testing::cube();
+  mesh::MeshArrays mesh = testing::cube();
   testing::randomise(mesh, random, 0.0, 0.0, 0.1);
   for (auto& p : mesh.points) p.x() *= 5.0;
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody body(surface, false);
   const std::vector<double> heels = heels_to(80.0, 20.0);
   CrossCurveOptions options;
@@ -296,4 +296,4 @@ TEST(RightingLevers, RefuseWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -11,7 +11,7 @@
 #include "analysis/stations/bonjean.h"
 #include "natural_hull.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kDraft = 4.1;  // between knots
@@ -36,7 +36,7 @@ double integral_of_areas(const HullBody& body, double length, int spans,
 
 TEST(SectionAreas, OfABox) {
   constexpr double kL = 40.0, kB = 8.0, kD = 5.0, kT = 2.7;
-  const LimitSurface box{ControlMesh(testing::creased_box(kL, kB, kD))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(kL, kB, kD))};
   const HullBody body(box, false);
   // The ends are flats in the plane of the station: the larger area counts.
   for (double x : {0.0, 13.0, 20.0, kL}) {
@@ -56,7 +56,7 @@ TEST(SectionAreas, OfABox) {
 // A heeled box: a trapezium below a line through (0, T) that rises by tan(heel) to starboard …
 TEST(SectionAreas, OfAHeeledAndTrimmedBox) {
   constexpr double kL = 40.0, kB = 8.0, kT = 2.7, kHeel = 0.2, kTrim = 0.03, kX = 30.0;
-  const LimitSurface box{ControlMesh(testing::creased_box(kL, kB, 5.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(kL, kB, 5.0))};
   const HullBody body(box, false);
   const SectionArea s = at(body, kX, {kT, kTrim, kHeel, 20.0});
   const Plane water = water_plane({kT, kTrim, kHeel, 20.0});
@@ -77,7 +77,7 @@ TEST(SectionAreas, OfAHeeledAndTrimmedBox) {
 // A half box open at the deck, heeled until the deck is under water: closed across by the level of
 // its edge it is the whole box.
 TEST(SectionAreas, CloseTheDeckAthwartships) {
-  MeshArrays half = testing::creased_box(20.0, 3.0, 4.0);
+  mesh::MeshArrays half = testing::creased_box(20.0, 3.0, 4.0);
   for (auto& p : half.points) p.y() += 1.5;
   const auto drop_face = [&](int face) {
     half.face_sizes.erase(half.face_sizes.begin() + face);
@@ -86,8 +86,8 @@ TEST(SectionAreas, CloseTheDeckAthwartships) {
   };
   drop_face(2);  // y = 0
   drop_face(1);  // z = 4
-  const LimitSurface surface{ControlMesh(half)};
-  const LimitSurface box{ControlMesh(testing::creased_box(20.0, 6.0, 4.0))};
+  const surface::LimitSurface surface{mesh::ControlMesh(half)};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(20.0, 6.0, 4.0))};
   const HullBody open(surface, true), closed(box, false);
   for (double heel : {0.0, 0.5, 1.2, -0.9, 2.0, 3.0}) {
     const FloatingPosition position{3.5, 0.02, heel, 10.0};
@@ -100,7 +100,7 @@ TEST(SectionAreas, CloseTheDeckAthwartships) {
 
 TEST(SectionAreas, OfANaturalHullUpright) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   const double fullness = ship.upwards.integral(ship.upwards, kDraft);
   const double moment =
@@ -117,7 +117,7 @@ TEST(SectionAreas, OfANaturalHullUpright) {
 // In waters that the deck edge does not touch, nor an end.
 TEST(SectionAreas, IntegrateToTheVolume) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   for (const FloatingPosition& position :
        {FloatingPosition{kDraft}, FloatingPosition{3.0, 0.02, 0.0, 30.0},
@@ -129,7 +129,7 @@ TEST(SectionAreas, IntegrateToTheVolume) {
 }
 
 TEST(SectionAreas, OfTheSmoothCubeIntegrateToItsVolume) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const HullBody body(surface, false);
   // The areas begin and end like a paraboloid's: smooth within eight spans, in x from -r to r.
   const GaussRule rule = gauss_rule(20);
@@ -146,7 +146,8 @@ TEST(SectionAreas, OfTheSmoothCubeIntegrateToItsVolume) {
 
 TEST(SectionAreas, DoNotDependOnTheHalfThatWasModelled) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface half{ControlMesh(ship.mesh)}, whole{ControlMesh(ship.whole())};
+  const surface::LimitSurface half{mesh::ControlMesh(ship.mesh)},
+      whole{mesh::ControlMesh(ship.whole())};
   const HullBody a(half, true), b(whole, false);
   // The deck edge is immersed in the last.
   for (double heel : {0.0, 0.15, -0.4, 0.9}) {
@@ -167,9 +168,9 @@ TEST(SectionAreas, GrowByTheirBreadth) {
   std::mt19937 random(kSeed);
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   for (int trial = 0; trial < 20; ++trial) {
-    MeshArrays arrays = testing::prism(3 + trial % 6);
+    mesh::MeshArrays arrays = testing::prism(3 + trial % 6);
     testing::randomise(arrays, random, 0.2, 0.0, 0.2);
-    const LimitSurface surface{ControlMesh(arrays)};
+    const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     const HullBody body(surface, false);
     constexpr double kStep = 1e-4;
     const double x = -0.5 + 0.05 * trial, draft = -0.3 + 0.03 * trial;
@@ -181,7 +182,7 @@ TEST(SectionAreas, GrowByTheirBreadth) {
 
 TEST(Bonjean, EqualsTheSectionsOfEachDraft) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   const BonjeanCurves curves = bonjean(body, {0.0, 11.0, 30.0}, {-1.0, 0.0, 0.5, 3.0, 4.5, 6.0});
   for (std::size_t i = 0; i < curves.stations.size(); ++i) {
@@ -202,9 +203,9 @@ TEST(SectionAreas, AtANoisyTransom) {
   std::mt19937 random(511);
   std::uniform_real_distribution<double> noise(-2e-6, 2e-6);
   for (int trial = 0; trial < 20; ++trial) {
-    MeshArrays box = testing::creased_box(40.0, 8.0, 5.0);
+    mesh::MeshArrays box = testing::creased_box(40.0, 8.0, 5.0);
     for (auto& p : box.points) p.x() += noise(random);
-    const LimitSurface surface{ControlMesh(box)};
+    const surface::LimitSurface surface{mesh::ControlMesh(box)};
     const HullBody body(surface, false);
     for (double x : {0.0, 40.0}) {
       const SectionArea found = at(body, x, {3.0});
@@ -217,7 +218,7 @@ TEST(SectionAreas, AtANoisyTransom) {
 
 TEST(SectionAreas, RefuseToFlood) {
   const testing::NaturalHull ship = testing::natural_ship();
-  const LimitSurface surface{ControlMesh(ship.mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody open(surface, true, Openings::kOpen);
   const double edge = open.lowest_opening(Vector3d::UnitZ());
   EXPECT_GT(at(open, 11.0, {edge - 0.1}).area, 0.0);
@@ -226,7 +227,7 @@ TEST(SectionAreas, RefuseToFlood) {
 }
 
 TEST(SectionAreas, RefuseWhatIsNotANumber) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const HullBody body(surface, false);
   EXPECT_THROW(at(body, NAN, {0.0}), std::invalid_argument);
   EXPECT_THROW(bonjean(body, {0.0}, {NAN}), std::invalid_argument);
@@ -234,4 +235,4 @@ TEST(SectionAreas, RefuseWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

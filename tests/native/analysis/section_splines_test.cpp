@@ -10,7 +10,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
@@ -21,7 +21,7 @@ double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 }
 
 // ∮ x × dx / 2 along a spline: Gauss' rule of three points is exact for the cubics' product.
-double signed_area(const CubicSpline& spline, const Vector3d& normal) {
+double signed_area(const surface::CubicSpline& spline, const Vector3d& normal) {
   double area = 0.0;
   const double reach = std::sqrt(0.15), nodes[] = {0.5 - reach, 0.5, 0.5 + reach};
   const double weights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
@@ -29,7 +29,7 @@ double signed_area(const CubicSpline& spline, const Vector3d& normal) {
   for (std::size_t i = 3; i + 4 < k.size(); ++i) {
     for (int g = 0; g < 3; ++g) {
       const double h = k[i + 1] - k[i];
-      const CurveJet jet = spline.evaluate(k[i] + h * nodes[g], 1);
+      const surface::CurveJet jet = spline.evaluate(k[i] + h * nodes[g], 1);
       area += 0.5 * weights[g] * h * normal.dot(jet.point.cross(jet.d1));
     }
   }
@@ -37,7 +37,7 @@ double signed_area(const CubicSpline& spline, const Vector3d& normal) {
 }
 
 TEST(SectionSplines, OfABoxAreItsSides) {
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   const std::vector<SectionSplines> branches =
       section_splines(box, plane_across(Axis::kZ, 1.3), 1e-6);
   ASSERT_EQ(branches.size(), 1u);
@@ -61,7 +61,7 @@ TEST(SectionSplines, FollowSections) {
   std::size_t fitted = 0, sampled = 0;
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << ", trial " << trial);
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const Vector3d n = Vector3d(normal(random), normal(random), normal(random)).normalized();
     const Plane plane{n, n.dot(surface.position(0, 0.31, 0.57))};
     const std::vector<SectionSplines> branches = section_splines(surface, plane, kTolerance);
@@ -88,8 +88,8 @@ TEST(SectionSplines, FollowSections) {
         }
         trace.push_back(s.curve.points().back());
         if (!s.closed) continue;
-        const CurveJet start = s.curve.evaluate(s.curve.begin(), 2);
-        const CurveJet end = s.curve.evaluate(s.curve.end(), 2);
+        const surface::CurveJet start = s.curve.evaluate(s.curve.begin(), 2);
+        const surface::CurveJet end = s.curve.evaluate(s.curve.end(), 2);
         EXPECT_LT((start.point - end.point).norm(), 1e-12);
         EXPECT_LT((start.d1 - end.d1).norm(), 1e-9);
         EXPECT_LT((start.d2 - end.d2).norm(), 1e-6 * (1.0 + start.d2.norm()));
@@ -108,10 +108,10 @@ TEST(SectionSplines, FollowSections) {
 }
 
 TEST(SectionSplines, RefuseBadArguments) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   EXPECT_THROW(section_splines(surface, {Vector3d::UnitX(), 0.0}, 0.0), std::invalid_argument);
   EXPECT_THROW(section_splines(surface, {Vector3d::Zero(), 0.0}, 1e-3), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

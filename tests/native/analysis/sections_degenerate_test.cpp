@@ -10,7 +10,7 @@
 #include "analysis/sections/sections.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 double length_of(const SectionCurve& curve) {
@@ -37,8 +37,8 @@ double signed_area(const SectionCurve& curve, const Vector3d& normal) {
 }
 
 // An m x n grid whose points with k < low or k > high along x are raised by quadratic ramps.
-MeshArrays raised_grid(int m, int n, const std::function<double(double, double)>& height) {
-  MeshArrays mesh = testing::grid(m, n);
+mesh::MeshArrays raised_grid(int m, int n, const std::function<double(double, double)>& height) {
+  mesh::MeshArrays mesh = testing::grid(m, n);
   for (auto& p : mesh.points) p.z() = height(p.x(), p.y());
   return mesh;
 }
@@ -46,9 +46,9 @@ MeshArrays raised_grid(int m, int n, const std::function<double(double, double)>
 // A flat of spans inside a smooth surface: points (2 … 5)² of a grid lie in the plane, which makes
 // the spans (3 … 4)² flat, all around is above.
 TEST(SectionsInThePlane, BoundAFlatRegion) {
-  const MeshArrays mesh = raised_grid(
+  const mesh::MeshArrays mesh = raised_grid(
       7, 7, [](double x, double y) { return x >= 2 && x <= 5 && y >= 2 && y <= 5 ? 0.0 : 1.0; });
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   for (const double sign : {1.0, -1.0}) {
     const Plane plane{sign * Vector3d::UnitZ(), 0.0};
     const std::vector<SectionCurve> curves = section(surface, plane, 1e-3);
@@ -61,9 +61,9 @@ TEST(SectionsInThePlane, BoundAFlatRegion) {
 
 // A trough: flat along y between two ramps, open at both ends. The flat's border is four lines.
 TEST(SectionsInThePlane, BoundAFlatUpToTheBorder) {
-  const MeshArrays mesh =
+  const mesh::MeshArrays mesh =
       raised_grid(8, 3, [](double x, double) { return std::max(std::abs(x - 4.0) - 2.0, 0.0); });
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed);
@@ -73,10 +73,10 @@ TEST(SectionsInThePlane, BoundAFlatUpToTheBorder) {
 
 // One side of the flat goes up, the other down: two lines, each once.
 TEST(SectionsInThePlane, BoundAStepOnBothSides) {
-  const MeshArrays mesh = raised_grid(8, 3, [](double x, double) {
+  const mesh::MeshArrays mesh = raised_grid(8, 3, [](double x, double) {
     return x > 6.0 ? x - 6.0 : x < 2.0 ? x - 2.0 : 0.0;
   });
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
   EXPECT_NEAR(length_of(curves), 2.0 * 2.0 + 2.0 * 3.0, 1e-12);
 }
@@ -86,10 +86,10 @@ TEST(SectionsInThePlane, SeeThroughNoise) {
   constexpr unsigned kSeed = 22;
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<double> noise(-1e-6, 1e-6);
-  MeshArrays mesh = raised_grid(
+  mesh::MeshArrays mesh = raised_grid(
       7, 7, [](double x, double y) { return x >= 2 && x <= 5 && y >= 2 && y <= 5 ? 0.0 : 1.0; });
   for (auto& p : mesh.points) p.z() += noise(random);
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, {1e-3, 2e-6});
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed);
@@ -98,9 +98,9 @@ TEST(SectionsInThePlane, SeeThroughNoise) {
 
 // A keel: a crease in the plane with the surface above on both sides.
 TEST(SectionsInThePlane, HaveCreasesOnce) {
-  MeshArrays mesh = raised_grid(6, 4, [](double x, double) { return std::abs(x - 3.0); });
+  mesh::MeshArrays mesh = raised_grid(6, 4, [](double x, double) { return std::abs(x - 3.0); });
   for (int j = 0; j < 4; ++j) mesh.creases.push_back({7 * j + 3, 7 * j + 10});
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_FALSE(curves[0].closed);
@@ -111,9 +111,9 @@ TEST(SectionsInThePlane, HaveCreasesOnce) {
 // A smooth valley whose bottom is a line between patches.
 TEST(SectionsInThePlane, HaveLinesBetweenPatchesOnce) {
   // The B-spline of control heights x² - 1/3 is x².
-  const MeshArrays mesh =
+  const mesh::MeshArrays mesh =
       raised_grid(6, 4, [](double x, double) { return (x - 3.0) * (x - 3.0) - 1.0 / 3.0; });
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_NEAR(length_of(curves), 4.0, 1e-12);
@@ -121,12 +121,12 @@ TEST(SectionsInThePlane, HaveLinesBetweenPatchesOnce) {
 
 // The border of a half body in its centre plane, run through with the body on the left.
 TEST(SectionsInThePlane, HaveTheBorderOfAHalfBody) {
-  MeshArrays mesh = testing::grid(6, 3);
+  mesh::MeshArrays mesh = testing::grid(6, 3);
   for (auto& p : mesh.points) {
     const double y = p.y(), x = p.x() - 3.0;
     p = {p.x(), 0.5 * y * (1.0 - 0.05 * x * x), 0.3 * y * y + 0.1 * x * x};
   }
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitY(), 0.0}, 1e-4);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_FALSE(curves[0].closed);
@@ -143,11 +143,11 @@ TEST(SectionsInThePlane, HaveTheBorderOfAHalfBody) {
 // A saddle in the plane: two lines that cross. Their four branches meet, and none is missing.
 TEST(SectionsInThePlane, MeetInSaddles) {
   for (const double shift : {0.0, 0.13, 1e-9}) {
-    const MeshArrays mesh = raised_grid(6, 6, [&](double x, double y) {
+    const mesh::MeshArrays mesh = raised_grid(6, 6, [&](double x, double y) {
       const double a = x - 3.0 - shift, b = y - 3.0 - 0.7 * shift;
       return a * a - 0.8 * b * b - 0.2 / 3.0;
     });
-    const LimitSurface surface{ControlMesh(mesh)};
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-4);
     EXPECT_EQ(curves.size(), 2u) << shift;
     // Ghost points beyond the borders bend the outermost spans; the middle is exact.
@@ -165,11 +165,11 @@ TEST(SectionsInThePlane, MeetInSaddles) {
 TEST(SectionsInThePlane, LeaveOutPointsOfTouch) {
   for (const double shift : {0.0, 0.21}) {
     for (const double sign : {1.0, -1.0}) {
-      const MeshArrays mesh = raised_grid(6, 6, [&](double x, double y) {
+      const mesh::MeshArrays mesh = raised_grid(6, 6, [&](double x, double y) {
         const double a = x - 3.0 - shift, b = y - 3.0 + shift;
         return sign * (a * a + 0.8 * b * b - 1.8 / 3.0);
       });
-      const LimitSurface surface{ControlMesh(mesh)};
+      const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
       EXPECT_TRUE(section(surface, {Vector3d::UnitZ(), 0.0}, 1e-4).empty()) << shift;
     }
   }
@@ -177,7 +177,7 @@ TEST(SectionsInThePlane, LeaveOutPointsOfTouch) {
 
 // A plane through opposite edges of a cube: diagonals of faces and edges between.
 TEST(SectionsInThePlane, RunAlongEdges) {
-  const LimitSurface box{ControlMesh(testing::creased_box(2.0, 2.0, 2.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(2.0, 2.0, 2.0))};
   const Vector3d normal = Vector3d(1.0, 0.0, -1.0).normalized();
   const std::vector<SectionCurve> curves = section(box, Plane{normal, 0.0}, 1e-4);
   ASSERT_EQ(curves.size(), 1u);
@@ -187,4 +187,4 @@ TEST(SectionsInThePlane, RunAlongEdges) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

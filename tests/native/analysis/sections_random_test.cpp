@@ -8,10 +8,10 @@
 #include <numeric>
 
 #include "analysis/sections/sections.h"
-#include "surface/tessellation.h"
+#include "surface/sampling/tessellation.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMeshes = 100, kPlanes = 50;
@@ -35,7 +35,8 @@ double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 // A triangulation, sliced plane by plane.
 class Slicer {
  public:
-  explicit Slicer(const LimitSurface& surface) : grid_(tessellate(surface, kDivisions)) {
+  explicit Slicer(const surface::LimitSurface& surface)
+      : grid_(surface::tessellate(surface, kDivisions)) {
     for (std::size_t q = 0; q < grid_.quads.size(); ++q) {
       const auto& c = grid_.quads[q];
       triangles_.push_back({c[0], c[1], c[2]});
@@ -43,7 +44,7 @@ class Slicer {
     }
     find_feature_edges();
     // The facets' error, from the surface's points over the middles of quadrilaterals.
-    const Tessellation finer = tessellate(surface, 2 * kDivisions);
+    const surface::Tessellation finer = surface::tessellate(surface, 2 * kDivisions);
     for (std::size_t q = 0; q < grid_.quads.size(); ++q) {
       const int cell = static_cast<int>(q) / (kDivisions * kDivisions);
       const int i = static_cast<int>(q) % kDivisions,
@@ -173,7 +174,7 @@ class Slicer {
     }
   }
 
-  Tessellation grid_;
+  surface::Tessellation grid_;
   std::vector<std::array<int, 3>> triangles_;
   struct FeatureEdge {
     int a, b;
@@ -191,7 +192,7 @@ class Slicer {
 
 class PlaneMaker {
  public:
-  PlaneMaker(const LimitSurface& surface, std::mt19937& random)
+  PlaneMaker(const surface::LimitSurface& surface, std::mt19937& random)
       : surface_(surface), random_(random) {}
 
   Plane draw(int kind) {
@@ -234,11 +235,11 @@ class PlaneMaker {
     return {n, n.dot(p)};
   }
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   std::mt19937& random_;
 };
 
-void expect_on_plane_and_surface(const LimitSurface& surface, const Plane& plane,
+void expect_on_plane_and_surface(const surface::LimitSurface& surface, const Plane& plane,
                                  const SectionCurve& curve) {
   const double tolerance = 1e-10 * surface.mesh().size();
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -300,7 +301,7 @@ TEST(SectionsOfRandomSurfaces, AgreeWithTriangulations) {
   std::mt19937 random(kSeed);
   int safe = 0;
   for (int trial = 0; trial < kMeshes; ++trial) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 12))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 12))};
     Slicer slicer(surface);
     PlaneMaker maker(surface, random);
     std::vector<Plane> planes;
@@ -346,4 +347,4 @@ TEST(SectionsOfRandomSurfaces, AgreeWithTriangulations) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

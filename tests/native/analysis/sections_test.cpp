@@ -11,7 +11,7 @@
 #include "analysis/sections/feature_curves.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 // Signed area enclosed by closed curves in a plane z = const, from above; exact for polygons.
@@ -27,7 +27,7 @@ double enclosed_area(const std::vector<SectionCurve>& curves) {
   return area;
 }
 
-void expect_on_plane_and_surface(const LimitSurface& surface, const Plane& plane,
+void expect_on_plane_and_surface(const surface::LimitSurface& surface, const Plane& plane,
                                  const std::vector<SectionCurve>& curves) {
   const double tolerance = 1e-10 * surface.mesh().size();
   for (const SectionCurve& c : curves) {
@@ -40,7 +40,7 @@ void expect_on_plane_and_surface(const LimitSurface& surface, const Plane& plane
 }
 
 TEST(Sections, OfABox) {
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   const std::vector<SectionCurve> curves = section(box, Axis::kZ, 1.3, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed);
@@ -50,7 +50,7 @@ TEST(Sections, OfABox) {
 
 // Of a face in the plane, the border; beyond the body nothing.
 TEST(Sections, OfABoxInThePlaneOfAFace) {
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   for (const double z : {0.0, 3.0}) {
     const std::vector<SectionCurve> curves = section(box, Axis::kZ, z, 1e-3);
     ASSERT_EQ(curves.size(), 1u);
@@ -67,9 +67,9 @@ TEST(Sections, EncloseTheWaterplane) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
   for (int trial = 0; trial < 40; ++trial) {
-    MeshArrays arrays = trial % 2 ? testing::prism(3 + trial % 7) : testing::cube();
+    mesh::MeshArrays arrays = trial % 2 ? testing::prism(3 + trial % 7) : testing::cube();
     testing::randomise(arrays, random, 0.2, 0.05, 0.2);
-    const LimitSurface surface{ControlMesh(arrays)};
+    const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     const Plane plane{Vector3d::UnitZ(), -0.4 + 0.02 * trial};
     const std::vector<SectionCurve> curves = section(surface, plane, 1e-6);
     expect_on_plane_and_surface(surface, plane, curves);
@@ -82,9 +82,9 @@ TEST(Sections, EncloseTheWaterplane) {
 }
 
 TEST(Sections, EndOnBorders) {
-  MeshArrays arrays = testing::grid(3, 3);
+  mesh::MeshArrays arrays = testing::grid(3, 3);
   for (auto& p : arrays.points) p.z() = 0.1 * p.x() * p.x() + 0.05 * p.y();
-  const LimitSurface surface{ControlMesh(arrays)};
+  const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
   const std::vector<SectionCurve> curves = section(surface, Axis::kX, 1.4, 1e-4);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_FALSE(curves[0].closed);
@@ -94,7 +94,7 @@ TEST(Sections, EndOnBorders) {
 }
 
 TEST(Sections, KeepToTheChordTolerance) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const std::vector<SectionCurve> fine = section(surface, Axis::kZ, 0.1, 1e-8);
   for (double tolerance : {1e-2, 1e-3, 1e-4}) {
     const std::vector<SectionCurve> coarse = section(surface, Axis::kZ, 0.1, tolerance);
@@ -122,7 +122,7 @@ TEST(Sections, HaveTangentsAndCurvaturesOfTheirPoints) {
   std::normal_distribution<double> normal;
   int compared = 0, off = 0;
   for (int trial = 0; trial < 40; ++trial) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+    const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const Vector3d n = Vector3d(normal(random), normal(random), normal(random)).normalized();
     const Plane plane{n, n.dot(surface.position(0, 0.4, 0.7))};
     for (const SectionCurve& c : section(surface, plane, 1e-7)) {
@@ -150,7 +150,7 @@ TEST(Sections, HaveTangentsAndCurvaturesOfTheirPoints) {
 
 // A convex body's section runs with the body on its left and turns left, whichever way one looks.
 TEST(Sections, RunWithTheBodyOnTheLeft) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   for (const double sign : {1.0, -1.0}) {
     const Vector3d n = sign * Vector3d(0.2, 0.3, 1.0).normalized();
     const std::vector<SectionCurve> curves = section(surface, Plane{n, 0.1}, 1e-5);
@@ -166,7 +166,7 @@ TEST(Sections, RunWithTheBodyOnTheLeft) {
 
 // Both values at a knuckle: straight sides of a box that turn.
 TEST(Sections, HaveBothSidesOfKnuckles) {
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   const std::vector<SectionCurve> curves = section(box, Axis::kZ, 1.3, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
   const SectionCurve& c = curves[0];
@@ -184,13 +184,13 @@ TEST(Sections, ByDiagonals) {
   EXPECT_NEAR(plane.height({3.0, 0.0, 2.0}), 0.0, 1e-15);
   EXPECT_NEAR(plane.height({-1.0, 1.0, 2.0 - std::tan(0.5)}), 0.0, 1e-15);
   EXPECT_NEAR(plane.normal.norm(), 1.0, 1e-15);
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   EXPECT_EQ(section(box, plane, 1e-3).size(), 1u);
 }
 
 TEST(Sections, AtOnceAreThoseOneByOne) {
   std::mt19937 random(5);
-  const LimitSurface surface{ControlMesh(testing::random_mesh(random, 8))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
   std::vector<Plane> planes;
   for (int k = 0; k < 12; ++k)
     planes.push_back(plane_across(static_cast<Axis>(k % 3), 0.1 * k - 0.5));
@@ -204,7 +204,7 @@ TEST(Sections, AtOnceAreThoseOneByOne) {
 }
 
 TEST(Sections, RefuseBadArguments) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   EXPECT_THROW(section(surface, Axis::kX, NAN, 1e-3), std::invalid_argument);
   EXPECT_THROW(section(surface, Axis::kX, 0.0, 0.0), std::invalid_argument);
   EXPECT_THROW(section(surface, Plane{{1.0, 1.0, 0.0}, 0.0}, 1e-3), std::invalid_argument);
@@ -213,12 +213,12 @@ TEST(Sections, RefuseBadArguments) {
 }
 
 TEST(FeatureCurves, OfABoxAreItsEdges) {
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   const std::vector<FeatureCurve> curves = feature_curves(box, 4);
   EXPECT_EQ(curves.size(), 12u);
   double length = 0.0;
   for (const FeatureCurve& c : curves) {
-    EXPECT_EQ(c.kind, CreaseKind::kCrease);
+    EXPECT_EQ(c.kind, surface::CreaseKind::kCrease);
     EXPECT_EQ(c.vertices.size(), 2u);
     length += (c.points.back() - c.points.front()).norm();
   }
@@ -226,22 +226,23 @@ TEST(FeatureCurves, OfABoxAreItsEdges) {
 }
 
 TEST(FeatureCurves, CloseAndSplit) {
-  MeshArrays arrays = testing::prism(6);
+  mesh::MeshArrays arrays = testing::prism(6);
   for (int k = 0; k < 6; ++k) arrays.creases.push_back({k, (k + 1) % 6});
-  std::vector<FeatureCurve> curves = feature_curves(LimitSurface{ControlMesh(arrays)});
+  std::vector<FeatureCurve> curves =
+      feature_curves(surface::LimitSurface{mesh::ControlMesh(arrays)});
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed);
   EXPECT_EQ(curves[0].vertices.size(), 6u);
   EXPECT_EQ(curves[0].points.size(), 6u * 16u + 1u);
   arrays.corners = {0, 3};
-  curves = feature_curves(LimitSurface{ControlMesh(arrays)});
+  curves = feature_curves(surface::LimitSurface{mesh::ControlMesh(arrays)});
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_FALSE(curves[0].closed);
-  const LimitSurface sheet{ControlMesh(testing::grid(2, 2))};
+  const surface::LimitSurface sheet{mesh::ControlMesh(testing::grid(2, 2))};
   const std::vector<FeatureCurve> borders = feature_curves(sheet, 2);
   ASSERT_EQ(borders.size(), 4u);
-  EXPECT_EQ(borders[0].kind, CreaseKind::kBorder);
+  EXPECT_EQ(borders[0].kind, surface::CreaseKind::kBorder);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -8,7 +8,7 @@
 
 #include "barges.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -18,13 +18,13 @@ constexpr double kLength = 20.0, kBeam = 8.0, kDraft = 2.0;
 struct Case {
   testing::Polygon section;
   double z;
-  LimitSurface surface;
+  surface::LimitSurface surface;
   HullBody body;
 
   Case(double depth, double height)
       : section(testing::box_section(kBeam, depth)),
         z(height),
-        surface(ControlMesh(testing::barge(section, kLength))),
+        surface(mesh::ControlMesh(testing::barge(section, kLength))),
         body(surface, false) {}
   Case(const Case&) = delete;  // the body refers to the surface
 
@@ -136,4 +136,4 @@ TEST(StabilityCriteria, FloodingEndsTheCurve) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::analysis

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 BSplineCurve random_curve(unsigned seed) {
@@ -79,4 +79,4 @@ TEST(BSplineCurve, GapsAreThoseOfTheCurvesAndNotOfTheirKnots) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

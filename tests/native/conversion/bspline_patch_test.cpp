@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 constexpr unsigned kSeed = 20260729;
@@ -75,7 +75,7 @@ TEST(BSplinePatch, ReproducesLinearFunctions) {
   ASSERT_NO_THROW(patch.check());
   for (double u : {0.0, 0.3, 0.5, 2.0 / 3, 1.0}) {
     for (double v : {0.0, 0.2, 1.0 / 3, 0.9, 1.0}) {
-      const SurfaceJet d = patch.evaluate(u, v);
+      const surface::SurfaceJet d = patch.evaluate(u, v);
       EXPECT_LT((d.point - Vector3d(u, v, 1)).norm(), 1e-15);
       EXPECT_LT((d.du - Vector3d(1, 0, 0)).norm(), 1e-13);
       EXPECT_LT((d.dv - Vector3d(0, 1, 0)).norm(), 1e-13);
@@ -110,7 +110,7 @@ TEST(BSplinePatch, DerivativesAgreeWithFiniteDifferences) {
   const double h = 1e-4;
   for (double u : {0.1, 0.4, 0.8}) {
     for (double v : {0.15, 0.45, 0.9}) {
-      const SurfaceJet d = patch.evaluate(u, v);
+      const surface::SurfaceJet d = patch.evaluate(u, v);
       const auto at = [&](double i, double j) { return patch.position(u + i * h, v + j * h); };
       EXPECT_LT((d.du - (at(1, 0) - at(-1, 0)) / (2 * h)).norm(), 1e-5);
       EXPECT_LT((d.dv - (at(0, 1) - at(0, -1)) / (2 * h)).norm(), 1e-5);
@@ -149,7 +149,7 @@ TEST(BSplinePatch, TransposedIsTheSameSurfaceTurnedOver) {
   const BSplinePatch turned = patch.transposed();
   ASSERT_NO_THROW(turned.check());
   EXPECT_EQ(turned.cell, patch.cell);
-  const SurfaceJet a = patch.evaluate(0.3, 0.7), b = turned.evaluate(0.7, 0.3);
+  const surface::SurfaceJet a = patch.evaluate(0.3, 0.7), b = turned.evaluate(0.7, 0.3);
   EXPECT_LT((a.point - b.point).norm(), 1e-15);
   EXPECT_LT((a.du.cross(a.dv) + b.du.cross(b.dv)).norm(), 1e-12);
 }
@@ -160,7 +160,7 @@ TEST(BSplinePatch, TurnedIsTheSameSurfaceWithItsSidesShifted) {
   const BSplinePatch turned = patch.turned();
   ASSERT_NO_THROW(turned.check());
   EXPECT_EQ(turned.cell, patch.cell);
-  const SurfaceJet a = patch.evaluate(0.3, 0.7), b = turned.evaluate(0.7, 0.7);
+  const surface::SurfaceJet a = patch.evaluate(0.3, 0.7), b = turned.evaluate(0.7, 0.7);
   EXPECT_LT((a.point - b.point).norm(), 1e-15);
   EXPECT_LT((a.du.cross(a.dv) - b.du.cross(b.dv)).norm(), 1e-12);
   for (int k = 0; k < 4; ++k) {
@@ -209,4 +209,4 @@ TEST(BSplinePatch, CheckNamesTheCellAndTheFault) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

@@ -13,7 +13,7 @@
 #include "conversion/patches/mirror.h"
 #include "conversion/sheets.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 using Kind = Cap::Kind;
@@ -204,4 +204,4 @@ TEST(Caps, OfTheCentrePlaneHaveHoles) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

@@ -13,15 +13,15 @@
 #include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
-LimitSurface random_surface(int trial, std::mt19937& random) {
-  MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 5)
-                    : trial % 3 == 1 ? testing::prism(3 + trial % 5)
-                                     : testing::fan(3 + trial % 5);
+surface::LimitSurface random_surface(int trial, std::mt19937& random) {
+  mesh::MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 5)
+                          : trial % 3 == 1 ? testing::prism(3 + trial % 5)
+                                           : testing::fan(3 + trial % 5);
   testing::randomise(mesh, random, 0.15, 0.2, 0.1);
-  return LimitSurface{ControlMesh(mesh)};
+  return surface::LimitSurface{mesh::ControlMesh(mesh)};
 }
 
 std::size_t point_count(const PatchSet& set) {
@@ -56,7 +56,7 @@ void expect_same_patches(const PatchSet& whole, const PatchSet& set) {
 // The report finds the pieces on the surface, and their seams.
 TEST(Divided, QualityIsThatOfTheWhole) {
   std::mt19937 random(61);
-  const LimitSurface surface = random_surface(3, random);
+  const surface::LimitSurface surface = random_surface(3, random);
   const QualityReport before = measure_quality(surface, exact_patches(surface));
   for (int most : {16, 100}) {
     const PatchSet set = exact_patches(surface, {.most_control_points = most});
@@ -75,7 +75,7 @@ TEST(Divided, BezierPatchesAreTheSameSurface) {
   std::mt19937 random(kSeed);
   for (int trial = 0; trial < 6; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_surface(trial, random);
     const PatchSet whole = exact_patches(surface);
     const PatchSet set = exact_patches(surface, {.bezier = true});
     for (const BSplinePatch& patch : set.patches) {
@@ -93,10 +93,10 @@ TEST(Divided, BezierPatchesAreTheSameSurface) {
 
 TEST(Divided, PiecesAreWhereTheirBlocksSay) {
   std::mt19937 random(53);
-  MeshArrays mesh = testing::grid(4, 3);
+  mesh::MeshArrays mesh = testing::grid(4, 3);
   std::normal_distribution<double> noise(0.0, 0.1);
   for (Vector3d& point : mesh.points) point.z() += noise(random);
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const PatchSet set = exact_patches(surface, {.bezier = true});
   EXPECT_GT(set.patches.size(), 11u);
   for (std::size_t p = 0; p < set.patches.size(); ++p) {
@@ -111,7 +111,7 @@ TEST(Divided, NoPatchHasMoreControlPointsThanAsked) {
   std::mt19937 random(kSeed);
   for (int trial = 0; trial < 6; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_surface(trial, random);
     const PatchSet whole = exact_patches(surface);
     for (int most : {16, 40, 100, 100000}) {
       const PatchSet set = exact_patches(surface, {.most_control_points = most});
@@ -125,7 +125,7 @@ TEST(Divided, NoPatchHasMoreControlPointsThanAsked) {
 }
 
 TEST(Divided, RefusesFewerControlPointsThanABezierPatchHas) {
-  const LimitSurface surface{ControlMesh(testing::grid(2, 2))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(2, 2))};
   EXPECT_THROW(exact_patches(surface, {.most_control_points = 15}), std::invalid_argument);
   EXPECT_THROW(cuts_for_most_points(exact_patches(surface), 3), std::invalid_argument);
 }
@@ -136,7 +136,7 @@ TEST(MatchKnots, GivesNeighboursTheSameKnots) {
   bool differed = false;
   for (int trial = 0; trial < 6; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_surface(trial, random);
     const PatchSet whole = exact_patches(surface);
     PatchSet set = whole;
     match_knots(set);
@@ -166,4 +166,4 @@ TEST(MatchKnots, GivesNeighboursTheSameKnots) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

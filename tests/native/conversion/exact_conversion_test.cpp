@@ -10,13 +10,13 @@
 #include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
-MeshArrays random_mesh(int trial, std::mt19937& random) {
-  MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 7)
-                    : trial % 3 == 1 ? testing::prism(3 + trial % 7)
-                                     : testing::fan(3 + trial % 6);
+mesh::MeshArrays random_mesh(int trial, std::mt19937& random) {
+  mesh::MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 7)
+                          : trial % 3 == 1 ? testing::prism(3 + trial % 7)
+                                           : testing::fan(3 + trial % 6);
   testing::randomise(mesh, random, 0.15, 0.2, 0.1);
   return mesh;
 }
@@ -28,10 +28,11 @@ TEST(ExactConversion, HasNoGapsWhateverMeets) {
   std::size_t most = 0;  // edges of a side
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
-    const MeshArrays mesh =
+    const surface::Scheme scheme =
+        trial % 2 ? surface::Scheme::kBiermann : surface::Scheme::kCatmullClark;
+    const mesh::MeshArrays mesh =
         trial % 4 == 0 ? testing::random_mesh(random, 7) : random_mesh(trial, random);
-    const LimitSurface surface(ControlMesh(mesh), scheme);
+    const surface::LimitSurface surface(mesh::ControlMesh(mesh), scheme);
     const PatchSet set = exact_patches(surface, {.grading = 2 + trial % 9});
     ASSERT_NO_THROW(set.check());
     EXPECT_LE(set.largest_gap(), 1e-13 * set.size());
@@ -49,10 +50,10 @@ TEST(ExactConversion, KeepsToleranceAndSeamAngle) {
   std::mt19937 random(kSeed);
   for (int trial = 0; trial < 14; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    MeshArrays mesh =
+    mesh::MeshArrays mesh =
         trial % 2 == 0 ? testing::double_pyramid(3 + trial / 2) : testing::fan(3 + trial / 2);
     testing::randomise(mesh, random, 0.1, 0.0, 0.0);
-    const LimitSurface surface{ControlMesh(mesh)};
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     for (double tolerance : {1e-5, 1e-7}) {
       const double angle = tolerance > 1e-6 ? 1e-3 : 2e-4;
       const PatchSet set = exact_patches(surface, {.tolerance = tolerance, .seam_angle = angle});
@@ -68,7 +69,7 @@ TEST(ExactConversion, KeepsToleranceAndSeamAngle) {
 }
 
 TEST(ExactConversion, TellsItsProgressAndCanBeEnded) {
-  const LimitSurface surface{ControlMesh(testing::double_pyramid(5))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::double_pyramid(5))};
   double last = -1.0;
   const PatchSet set = exact_patches(surface, {}, [&](double share) {
     EXPECT_GE(share, last);
@@ -81,11 +82,11 @@ TEST(ExactConversion, TellsItsProgressAndCanBeEnded) {
 }
 
 TEST(ExactConversion, RefusesBadOptions) {
-  const LimitSurface surface{ControlMesh(testing::grid(2, 2))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(2, 2))};
   EXPECT_THROW(exact_patches(surface, {.tolerance = 0.0}), std::invalid_argument);
   EXPECT_THROW(exact_patches(surface, {.seam_angle = -1.0}), std::invalid_argument);
   EXPECT_THROW(exact_patches(surface, {.grading = 1}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

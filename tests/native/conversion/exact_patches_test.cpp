@@ -11,13 +11,13 @@
 #include "conversion/blocks/block_places.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Every cell lies in one block, and neither creases nor irregular points are inside or, but for its
 // corners, on the sides of one.
-void expect_rectangles(const LimitSurface& surface, const BlockLayout& layout) {
-  const Topology& cells = surface.cells();
+void expect_rectangles(const surface::LimitSurface& surface, const BlockLayout& layout) {
+  const mesh::Topology& cells = surface.cells();
   std::set<int> taken;
   for (const Block& block : layout.blocks) {
     ASSERT_EQ(block.sides.size(), static_cast<std::size_t>(block.count_u * block.count_v));
@@ -46,11 +46,11 @@ void expect_rectangles(const LimitSurface& surface, const BlockLayout& layout) {
 }
 
 // Positions and lengths of first and second derivatives, which turn with the cells.
-void expect_equal(const LimitSurface& surface, const Block& block, const BSplinePatch& patch, int i,
-                  int j, double a, double b) {
+void expect_equal(const surface::LimitSurface& surface, const Block& block,
+                  const BSplinePatch& patch, int i, int j, double a, double b) {
   const CellPoint place = place_beside_half_edge(block.side(i, j), a, b);
-  const SurfaceJet expected = surface.evaluate(place.cell, place.u, place.v, 2);
-  SurfaceJet found = patch.evaluate((i + a) / block.count_u, (j + b) / block.count_v);
+  const surface::SurfaceJet expected = surface.evaluate(place.cell, place.u, place.v, 2);
+  surface::SurfaceJet found = patch.evaluate((i + a) / block.count_u, (j + b) / block.count_v);
   found.du /= block.count_u;
   found.dv /= block.count_v;
   found.duu /= block.count_u * block.count_u;
@@ -68,13 +68,14 @@ void expect_equal(const LimitSurface& surface, const Block& block, const BSpline
 }
 
 TEST(ExactPatches, OfRegularMeshesAreOnePatchARectangle) {
-  for (const Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
-    MeshArrays mesh = testing::grid(5, 4);
+  for (const surface::Scheme scheme :
+       {surface::Scheme::kBiermann, surface::Scheme::kCatmullClark}) {
+    mesh::MeshArrays mesh = testing::grid(5, 4);
     std::mt19937 random(71);
     testing::randomise(mesh, random, 0.0, 0.0, 0.3);
     // A crease right across divides it in two.
     for (int j = 0; j < 4; ++j) mesh.creases.push_back({6 * j + 2, 6 * (j + 1) + 2});
-    const LimitSurface surface(ControlMesh(mesh), scheme);
+    const surface::LimitSurface surface(mesh::ControlMesh(mesh), scheme);
     const BlockLayout layout(surface);
     ASSERT_EQ(layout.blocks.size(), 2u);
     expect_rectangles(surface, layout);
@@ -100,12 +101,13 @@ TEST(ExactPatches, EqualTheSurfaceButForVanishingCorners) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int trial = 0; trial < 60; ++trial) {
-    MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 11)
-                      : trial % 3 == 1 ? testing::prism(3 + trial % 11)
-                                       : testing::fan(3 + trial % 6);
+    mesh::MeshArrays mesh = trial % 3 == 0   ? testing::double_pyramid(3 + trial % 11)
+                            : trial % 3 == 1 ? testing::prism(3 + trial % 11)
+                                             : testing::fan(3 + trial % 6);
     testing::randomise(mesh, random, 0.2, 0.2, 0.1);
-    const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
-    const LimitSurface surface(ControlMesh(mesh), scheme);
+    const surface::Scheme scheme =
+        trial % 2 ? surface::Scheme::kBiermann : surface::Scheme::kCatmullClark;
+    const surface::LimitSurface surface(mesh::ControlMesh(mesh), scheme);
     const BlockLayout layout(surface);
     expect_rectangles(surface, layout);
     const int grading = 2 + trial % 7;
@@ -131,9 +133,9 @@ TEST(ExactPatches, EqualTheSurfaceButForVanishingCorners) {
 TEST(ExactPatches, MeetAtIrregularPoints) {
   std::mt19937 random(73);
   for (int n : {3, 5, 6, 9}) {
-    MeshArrays mesh = testing::double_pyramid(n);
+    mesh::MeshArrays mesh = testing::double_pyramid(n);
     testing::randomise(mesh, random, 0.2, 0.2, 0.0);
-    const LimitSurface surface{ControlMesh(mesh)};
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     for (const Block& block : BlockLayout(surface).blocks) {
       const BSplinePatch patch = exact_patch(surface, block, 4);
       const CellPoint first = place_beside_half_edge(block.side(0, 0), 0.0, 0.0);
@@ -148,9 +150,9 @@ TEST(ExactPatches, MeetAtIrregularPoints) {
 // Corner squares shrink, and with them the distance.
 TEST(ExactPatches, ConvergeWithTheGrading) {
   std::mt19937 random(74);
-  MeshArrays mesh = testing::double_pyramid(5);
+  mesh::MeshArrays mesh = testing::double_pyramid(5);
   testing::randomise(mesh, random, 0.15, 0.1, 0.0);
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   double before = 1.0;
   for (int grading = 2; grading <= 14; grading += 4) {
     double largest = 0.0;
@@ -173,7 +175,7 @@ TEST(ExactPatches, ConvergeWithTheGrading) {
 }
 
 TEST(ExactPatches, OfATorus) {
-  MeshArrays mesh;
+  mesh::MeshArrays mesh;
   constexpr int kAround = 6, kAcross = 4;
   for (int i = 0; i < kAround; ++i) {
     for (int j = 0; j < kAcross; ++j) {
@@ -188,18 +190,18 @@ TEST(ExactPatches, OfATorus) {
       testing::add_face(mesh, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const BlockLayout layout(surface);
   expect_rectangles(surface, layout);
   EXPECT_EQ(layout.blocks.size(), 1u);
 }
 
 TEST(ExactPatches, RefuseBadGradings) {
-  const LimitSurface surface{ControlMesh(testing::grid(2, 2))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(2, 2))};
   const BlockLayout layout(surface);
   EXPECT_THROW(exact_patch(surface, layout.blocks[0], 1), std::invalid_argument);
   EXPECT_THROW(exact_patch(surface, layout.blocks[0], 31), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

@@ -8,7 +8,7 @@
 
 #include "sheets.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 int free_edges(const PatchSet& set) {
@@ -88,4 +88,4 @@ TEST(WithoutFlatPatches, LeavesOutAPoint) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

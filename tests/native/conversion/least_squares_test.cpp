@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Points of a chain in space, whose links want lengths and whose points want places: residuals of
@@ -133,4 +133,4 @@ TEST(LeastSquares, APointMayBeNamedTwice) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

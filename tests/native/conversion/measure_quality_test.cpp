@@ -16,12 +16,12 @@
 #include "conversion/per_cell/per_cell.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // The rectangle [0, 2] x [0, 1] in z = 0 of cells and patches of half a metre.
-const LimitSurface& plane() {
-  static const LimitSurface surface{ControlMesh(testing::grid(2, 1))};
+const surface::LimitSurface& plane() {
+  static const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(2, 1))};
   return surface;
 }
 
@@ -51,9 +51,9 @@ void lift(BSplinePatch& patch, const std::array<double, 4>& along_x) {
 }
 
 TEST(MeasureQuality, FindsNothingOnExactPatches) {
-  MeshArrays mesh = testing::grid(5, 3);
+  mesh::MeshArrays mesh = testing::grid(5, 3);
   for (Vector3d& p : mesh.points) p.z() = std::sin(1.3 * p.x()) * std::cos(0.9 * p.y());
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   for (const PatchSet& set : {exact_patches(surface), fit_per_cell(surface, 5)}) {
     const QualityReport report = measure_quality(surface, set);
     EXPECT_EQ(report.length, 5.0);
@@ -186,7 +186,7 @@ TEST(MeasureQuality, MeasuresGapsToNearPoints) {
 }
 
 TEST(MeasureQuality, ExpectsNothingOfCreases) {
-  const LimitSurface surface{ControlMesh(testing::creased_box(3, 2, 1))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::creased_box(3, 2, 1))};
   const QualityReport report = measure_quality(surface, exact_patches(surface));
   EXPECT_EQ(report.patches.size(), 6u);
   EXPECT_EQ(report.seams.size(), 12u);
@@ -197,7 +197,7 @@ TEST(MeasureQuality, ExpectsNothingOfCreases) {
 }
 
 TEST(MeasureQuality, TellsAnglesAtIrregularPointsApart) {
-  const LimitSurface surface{ControlMesh(testing::double_pyramid(5))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::double_pyramid(5))};
   const PatchSet set = exact_patches(surface, {.grading = 3});
   const QualityReport far = measure_quality(surface, set, {.normal_reach = 1e3});
   const QualityReport none = measure_quality(surface, set, {.normal_reach = 0.0});
@@ -216,7 +216,7 @@ TEST(MeasureQuality, TellsAnglesAtIrregularPointsApart) {
 }
 
 TEST(MeasureQuality, ErrorsShrinkWithTheGrading) {
-  const LimitSurface surface{ControlMesh(testing::double_pyramid(6))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::double_pyramid(6))};
   double distance = 1e300, rms = 1e300, share = 0.0;
   for (int grading : {2, 4, 6, 8}) {
     const QualityReport report =
@@ -232,9 +232,9 @@ TEST(MeasureQuality, ErrorsShrinkWithTheGrading) {
 }
 
 TEST(MeasureQuality, MirrorImagesHaveGapsOnly) {
-  MeshArrays mesh = testing::grid(3, 2);
+  mesh::MeshArrays mesh = testing::grid(3, 2);
   for (Vector3d& p : mesh.points) p.z() = 0.2 * p.y() * p.y() + 0.1 * p.x() * p.y();
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const PatchSet half = fit_per_cell(surface, 4);
   const QualityReport one = measure_quality(surface, half);
   const QualityReport both = measure_quality(surface, with_mirror_image(half));
@@ -249,7 +249,7 @@ TEST(MeasureQuality, MirrorImagesHaveGapsOnly) {
 
 // The distance from a point to the surface by brute force: the closest of a grid of every cell near
 // by, refined around the best sample.
-double brute_distance(const LimitSurface& surface, int cell, const Vector3d& point) {
+double brute_distance(const surface::LimitSurface& surface, int cell, const Vector3d& point) {
   double best = 1e300, best_u = 0.5, best_v = 0.5;
   for (double step = 1.0 / 8; step > 1e-7; step /= 3) {
     const double u = best_u, v = best_v;
@@ -268,7 +268,7 @@ double brute_distance(const LimitSurface& surface, int cell, const Vector3d& poi
   return best;
 }
 
-double brute_distance(const LimitSurface& surface, const Vector3d& point) {
+double brute_distance(const surface::LimitSurface& surface, const Vector3d& point) {
   double best = 1e300;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     const Vector3d middle = surface.position(cell, 0.5, 0.5);
@@ -284,8 +284,8 @@ TEST(MeasureQuality, BoundsAnIndependentMeasurement) {
   RecordProperty("seed", static_cast<int>(kSeed));
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<double> parameter(0.0, 1.0);
-  for (const MeshArrays& mesh : {testing::cube(), testing::fan(5)}) {
-    const LimitSurface surface{ControlMesh(mesh)};
+  for (const mesh::MeshArrays& mesh : {testing::cube(), testing::fan(5)}) {
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     const PatchSet set = fit_per_cell(surface, 5);
     const QualityReport report = measure_quality(surface, set);
     double largest = 0.0;
@@ -306,7 +306,7 @@ TEST(MeasureQuality, BoundsAnIndependentMeasurement) {
 }
 
 TEST(MeasureQuality, TellsItsProgressAndCanBeEnded) {
-  const LimitSurface surface{ControlMesh(testing::fan(5))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::fan(5))};
   const PatchSet set = exact_patches(surface);
   double last = 0.0;
   measure_quality(surface, set, {}, [&](double share) {
@@ -324,7 +324,7 @@ TEST(MeasureQuality, RefusesWhatDoesNotFit) {
   const PatchSet set = fit_per_cell(plane(), 4);
   EXPECT_THROW(measure_quality(plane(), set, {.samples = 0}), std::invalid_argument);
   EXPECT_THROW(measure_quality(plane(), set, {.normal_reach = -1.0}), std::invalid_argument);
-  const LimitSurface smaller{ControlMesh(testing::grid(1, 1))};
+  const surface::LimitSurface smaller{mesh::ControlMesh(testing::grid(1, 1))};
   EXPECT_THROW(measure_quality(smaller, set), std::invalid_argument);
   PatchSet unknown = set;
   unknown.blocks.clear();
@@ -332,4 +332,4 @@ TEST(MeasureQuality, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

@@ -9,7 +9,7 @@
 
 #include "sheets.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 // Half a keel-shaped trough over x in [0, 10]: t = 0 on the centre line.
@@ -57,7 +57,7 @@ TEST(WithMirrorImage, MirrorsPointsAndNormals) {
     EXPECT_EQ(there.cell, here.cell);
     for (double u : {0.0, 0.3, 1.0}) {
       for (double v : {0.0, 0.6, 1.0}) {
-        const SurfaceJet a = here.evaluate(u, v), b = there.evaluate(v, u);
+        const surface::SurfaceJet a = here.evaluate(u, v), b = there.evaluate(v, u);
         const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
         EXPECT_LT((mirror * a.point - b.point).norm(), 1e-14);
         EXPECT_LT((mirror * a.du.cross(a.dv) - b.du.cross(b.dv)).norm(), 1e-12);
@@ -92,4 +92,4 @@ TEST(WithMirrorImage, GivesAPlateInThePlaneTwoSides) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

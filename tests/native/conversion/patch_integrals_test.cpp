@@ -9,7 +9,7 @@
 #include "conversion/sheets.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 TEST(PatchIntegrals, OfARectangle) {
@@ -31,7 +31,7 @@ TEST(PatchIntegrals, OfAParaboloid) {
 }
 
 TEST(PatchIntegrals, OfTheCubesSurfaceAreItsVolume) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   SurfaceIntegrals sum;
   for (const BSplinePatch& patch : exact_patches(surface, {.tolerance = 1e-8}).patches) {
     sum += integrals_of(patch);
@@ -40,4 +40,4 @@ TEST(PatchIntegrals, OfTheCubesSurfaceAreItsVolume) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

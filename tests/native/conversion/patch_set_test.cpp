@@ -7,7 +7,7 @@
 
 #include "sheets.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 std::string message(const PatchSet& set) {
@@ -116,4 +116,4 @@ TEST(PatchSet, SidesMayHaveSeveralEdges) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

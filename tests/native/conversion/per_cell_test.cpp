@@ -10,20 +10,20 @@
 #include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
-ControlMesh wavy_grid(int m, int n) {
-  MeshArrays mesh = testing::grid(m, n);
+mesh::ControlMesh wavy_grid(int m, int n) {
+  mesh::MeshArrays mesh = testing::grid(m, n);
   for (Vector3d& p : mesh.points) p.z() = std::sin(1.3 * p.x()) * std::cos(0.9 * p.y());
-  return ControlMesh(mesh);
+  return mesh::ControlMesh(mesh);
 }
 
-ControlMesh cube() { return ControlMesh(testing::cube()); }
-ControlMesh fan(int n) { return ControlMesh(testing::fan(n)); }
+mesh::ControlMesh cube() { return mesh::ControlMesh(testing::cube()); }
+mesh::ControlMesh fan(int n) { return mesh::ControlMesh(testing::fan(n)); }
 
 TEST(FitPerCell, ReproducesRegularCells) {
-  const LimitSurface surface(wavy_grid(4, 3));
+  const surface::LimitSurface surface(wavy_grid(4, 3));
   for (int n : {4, 5, 7}) {
     const PatchSet set = fit_per_cell(surface, n);
     ASSERT_NO_THROW(set.check());
@@ -42,9 +42,9 @@ TEST(FitPerCell, ReproducesRegularCells) {
 }
 
 TEST(FitPerCell, SharesBordersBitForBitAndInterpolatesCorners) {
-  for (const ControlMesh& mesh :
-       {cube(), fan(5), fan(3), ControlMesh(testing::creased_box(3, 2, 1))}) {
-    const LimitSurface surface(mesh);
+  for (const mesh::ControlMesh& mesh :
+       {cube(), fan(5), fan(3), mesh::ControlMesh(testing::creased_box(3, 2, 1))}) {
+    const surface::LimitSurface surface(mesh);
     const PatchSet set = fit_per_cell(surface, 5);
     ASSERT_NO_THROW(set.check());  // asserts equality of shared sides and corners
     EXPECT_EQ(set.edge_count, surface.cells().edge_count());
@@ -60,7 +60,7 @@ TEST(FitPerCell, SharesBordersBitForBitAndInterpolatesCorners) {
 }
 
 TEST(FitPerCell, MoreControlPointsComeCloser) {
-  const LimitSurface surface(fan(5));
+  const surface::LimitSurface surface(fan(5));
   double last = 1e300;
   for (int n : {4, 5, 6, 7, 12}) {
     const double rms = measure_quality(surface, fit_per_cell(surface, n)).rms_distance;
@@ -72,11 +72,11 @@ TEST(FitPerCell, MoreControlPointsComeCloser) {
 TEST(FitPerCell, MovesWithTheMesh) {
   const Eigen::AngleAxisd turn(0.7, Vector3d(1, 2, 3).normalized());
   const Vector3d shift(4, -5, 6);
-  const ControlMesh mesh = fan(5);
+  const mesh::ControlMesh mesh = fan(5);
   std::vector<Vector3d> moved;
   for (const Vector3d& point : mesh.points()) moved.push_back(turn * point + shift);
-  const PatchSet here = fit_per_cell(LimitSurface(mesh), 5);
-  const PatchSet there = fit_per_cell(LimitSurface(mesh.with_points(moved)), 5);
+  const PatchSet here = fit_per_cell(surface::LimitSurface(mesh), 5);
+  const PatchSet there = fit_per_cell(surface::LimitSurface(mesh.with_points(moved)), 5);
   for (size_t p = 0; p < here.patches.size(); ++p) {
     for (size_t i = 0; i < here.patches[p].control_points.size(); ++i) {
       const Vector3d expected = turn * here.patches[p].control_points[i] + shift;
@@ -86,21 +86,21 @@ TEST(FitPerCell, MovesWithTheMesh) {
 }
 
 TEST(FitPerCell, TakesCellsWithoutWidth) {
-  ControlMesh mesh = wavy_grid(4, 3);
+  mesh::ControlMesh mesh = wavy_grid(4, 3);
   std::vector<Vector3d> points = mesh.points();
   for (int j = 0; j <= 3; ++j) points[j * 5 + 2] = points[j * 5 + 1];  // a column of no width
   points[0] = points[1];                                               // a side of no length
-  const LimitSurface surface(mesh.with_points(points));
+  const surface::LimitSurface surface(mesh.with_points(points));
   const PatchSet set = fit_per_cell(surface, 5);
   ASSERT_NO_THROW(set.check());
   EXPECT_LT(measure_quality(surface, set).distance.value, 1e-13 * mesh.size());
 }
 
 TEST(FitPerCell, RefusesOtherNumbersOfControlPoints) {
-  const LimitSurface surface(cube());
+  const surface::LimitSurface surface(cube());
   EXPECT_THROW(fit_per_cell(surface, 3), std::invalid_argument);
   EXPECT_THROW(fit_per_cell(surface, 17), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

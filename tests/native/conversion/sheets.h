@@ -15,18 +15,18 @@ namespace hull::testing {
 
 // Patches whose sides agree point by point share the edge, whose corners agree the vertex. Sides of
 // no length are never shared.
-inline PatchSet joined(std::vector<BSplinePatch> patches) {
+inline conversion::PatchSet joined(std::vector<conversion::BSplinePatch> patches) {
   using Key = std::vector<std::tuple<double, double, double>>;
   const auto key_of = [](const std::vector<Vector3d>& points) {
     Key key;
     for (const Vector3d& p : points) key.emplace_back(p.x(), p.y(), p.z());
     return std::min(key, Key(key.rbegin(), key.rend()));
   };
-  PatchSet set;
+  conversion::PatchSet set;
   std::map<Key, int> vertices, edges;
-  for (const BSplinePatch& patch : patches) {
+  for (const conversion::BSplinePatch& patch : patches) {
     std::array<int, 4> corners{};
-    std::array<PatchSide, 4> sides;
+    std::array<conversion::PatchSide, 4> sides;
     for (int k = 0; k < 4; ++k) {
       const int next_vertex = static_cast<int>(vertices.size());
       const auto key = key_of({patch.side_points(k).front()});
@@ -35,7 +35,7 @@ inline PatchSet joined(std::vector<BSplinePatch> patches) {
     for (int k = 0; k < 4; ++k) {
       const auto points = patch.side_points(k);
       const auto whole = [&](int edge) {
-        return whole_side(edge, corners[k], corners[(k + 1) % 4]);
+        return conversion::whole_side(edge, corners[k], corners[(k + 1) % 4]);
       };
       const bool collapsed = std::ranges::all_of(points, [&](auto& p) { return p == points[0]; });
       if (collapsed) {
@@ -55,12 +55,19 @@ inline PatchSet joined(std::vector<BSplinePatch> patches) {
 }
 
 // nu x nv patches of 5 x 5 control points taken from a function of (s, t) in [0, 1]^2.
-inline PatchSet sheet(int nu, int nv, const std::function<Vector3d(double, double)>& point) {
-  std::vector<BSplinePatch> patches;
+inline conversion::PatchSet sheet(int nu, int nv,
+                                  const std::function<Vector3d(double, double)>& point) {
+  std::vector<conversion::BSplinePatch> patches;
   for (int j = 0; j < nv; ++j) {
     for (int i = 0; i < nu; ++i) {
-      BSplinePatch patch{3,  3,         open_uniform_knots(3, 5), open_uniform_knots(3, 5), 5, 5,
-                         {}, j * nu + i};
+      conversion::BSplinePatch patch{3,
+                                     3,
+                                     conversion::open_uniform_knots(3, 5),
+                                     conversion::open_uniform_knots(3, 5),
+                                     5,
+                                     5,
+                                     {},
+                                     j * nu + i};
       for (int a = 0; a < 5; ++a) {
         for (int b = 0; b < 5; ++b) {
           patch.control_points.push_back(point((4 * i + a) / (4.0 * nu), (4 * j + b) / (4.0 * nv)));
@@ -74,13 +81,19 @@ inline PatchSet sheet(int nu, int nv, const std::function<Vector3d(double, doubl
 
 // A flat rectangle of a x b metres in the plane z = 0, its normal up, of nu x nv patches. The
 // control points are spaced so that (u, v) is proportional to (x, y).
-inline PatchSet rectangle(double a, double b, int nu = 1, int nv = 1) {
+inline conversion::PatchSet rectangle(double a, double b, int nu = 1, int nv = 1) {
   constexpr double kGreville[5] = {0.0, 1.0 / 6, 0.5, 5.0 / 6, 1.0};
-  std::vector<BSplinePatch> patches;
+  std::vector<conversion::BSplinePatch> patches;
   for (int j = 0; j < nv; ++j) {
     for (int i = 0; i < nu; ++i) {
-      BSplinePatch patch{3,  3,         open_uniform_knots(3, 5), open_uniform_knots(3, 5), 5, 5,
-                         {}, j * nu + i};
+      conversion::BSplinePatch patch{3,
+                                     3,
+                                     conversion::open_uniform_knots(3, 5),
+                                     conversion::open_uniform_knots(3, 5),
+                                     5,
+                                     5,
+                                     {},
+                                     j * nu + i};
       // Ends are computed the same way from both sides of a joint.
       const auto at = [&](int number, int k, int count, double length) {
         if (k == 4) return length * (number + 1) / count;

@@ -12,18 +12,19 @@
 #include "conversion/exact/seam_fit.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
-LimitSurface random_surface(int trial, std::mt19937& random) {
+surface::LimitSurface random_surface(int trial, std::mt19937& random) {
   const int n = 3 + trial % 7;
-  MeshArrays mesh = trial % 2 ? testing::double_pyramid(n) : testing::fan(n);
+  mesh::MeshArrays mesh = trial % 2 ? testing::double_pyramid(n) : testing::fan(n);
   testing::randomise(mesh, random, 0.1, trial % 4 == 3 ? 0.2 : 0.0, 0.0);
-  return LimitSurface{ControlMesh(mesh), trial % 3 ? Scheme::kBiermann : Scheme::kCatmullClark};
+  return surface::LimitSurface{mesh::ControlMesh(mesh), trial % 3 ? surface::Scheme::kBiermann
+                                                                  : surface::Scheme::kCatmullClark};
 }
 
 // The first vertex with an irregular knot, -1: there is none.
-int irregular_vertex(const LimitSurface& surface) {
+int irregular_vertex(const surface::LimitSurface& surface) {
   for (int h = 0; h < surface.cells().half_edge_count(); ++h) {
     if (begins_at_irregular_knot(surface, h)) return surface.cells().origin(h);
   }
@@ -54,7 +55,7 @@ TEST(CornerNet, IsTheCornerOfThePatch) {
   int compared = 0;
   for (int trial = 0; trial < 30; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_surface(trial, random);
     const Grading grading{3 + trial % 5, 1 + trial % kMostInner};
     const Gradings gradings(surface.cells().vertex_count(), grading);
     for (const Block& block : BlockLayout(surface).blocks) {
@@ -88,7 +89,7 @@ TEST(SquareFan, FitMakesAnglesSmallerAndMovesOnlyWhatMayBeMoved) {
   int gained = 0;
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_surface(trial, random);
     const int vertex = irregular_vertex(surface);
     if (vertex < 0) continue;
     const SquareFan before = square_fan(surface, vertex, {4, 1 + trial % 2});
@@ -117,4 +118,4 @@ TEST(SquareFan, FitMakesAnglesSmallerAndMovesOnlyWhatMayBeMoved) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

@@ -8,7 +8,7 @@
 
 #include "conversion/patches/bspline_patch.h"
 
-namespace hull {
+namespace hull::conversion {
 namespace {
 
 Vector3d cubic(double t) { return {1 + t - 2 * t * t * t, t * t, 3 - t + 0.5 * t * t * t}; }
@@ -116,4 +116,4 @@ TEST(UniformFit, RefusesTooFewOfEither) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::conversion

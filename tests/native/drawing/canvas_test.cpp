@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing/canvas.h"
+#include "drawing/paper/canvas.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 #include "hand_made_hulls.h"
 
-namespace hull {
+namespace hull::drawing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST_F(Canvas, FailureLeavesTheOldFile) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::drawing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing/collect_lines.h"
+#include "drawing/lines_plan/collect_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -10,21 +10,21 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::drawing {
 namespace {
 
 // The port half of a box [0, 40] x [-4, 4] x [0, 5], open at the deck and the centre plane.
-LimitSurface half_box() {
-  MeshArrays box = testing::creased_box(40.0, 4.0, 5.0);
+surface::LimitSurface half_box() {
+  mesh::MeshArrays box = testing::creased_box(40.0, 4.0, 5.0);
   for (auto& p : box.points) p.y() += 2.0;
-  MeshArrays half = box;
+  mesh::MeshArrays half = box;
   half.face_sizes.clear();
   half.face_vertices.clear();
   for (int face : {0, 3, 4, 5}) {  // bottom, side, ends; see testing::cube
     const auto begin = box.face_vertices.begin() + 4 * face;
     testing::add_face(half, std::vector<int>(begin, begin + 4));
   }
-  return LimitSurface{ControlMesh(half)};
+  return surface::LimitSurface{mesh::ControlMesh(half)};
 }
 
 LinesOptions options() {
@@ -54,11 +54,11 @@ TEST(CollectLines, CutsEveryPositionOnceInOrder) {
 // it, keel and ends, is still there.
 TEST(CollectLines, KeepsTheCentrePlaneOutline) {
   const LinesOptions chosen = options();
-  const LimitSurface surface = half_box();
+  const surface::LimitSurface surface = half_box();
   for (double noise : {0.0, 1e-15, -1e-15}) {
     std::vector<Vector3d> points = surface.mesh().points();
     for (auto& p : points) p.y() += noise;
-    LimitSurface moved = surface;
+    surface::LimitSurface moved = surface;
     moved.set_points(points);
     double on_centre_plane = 0.0;
     for (const ShipCurve& curve : collect_lines(moved, chosen).outlines) {
@@ -81,11 +81,11 @@ TEST(CollectLines, ShowsTheEdgesOfFlatParts) {
   chosen.waterlines = {0.0};
   chosen.buttocks = {4.0};
   chosen.draft.reset();
-  const LimitSurface surface = half_box();
+  const surface::LimitSurface surface = half_box();
   for (double noise : {0.0, 1e-9, -1e-9}) {
     std::vector<Vector3d> points = surface.mesh().points();
     for (auto& p : points) p += noise * Vector3d(1.0, 1.0, 1.0);
-    LimitSurface moved = surface;
+    surface::LimitSurface moved = surface;
     moved.set_points(points);
     const LinesDrawing drawing = collect_lines(moved, chosen);
     ASSERT_EQ(drawing.stations.size(), 2u);
@@ -102,7 +102,7 @@ TEST(CollectLines, ShowsTheEdgesOfFlatParts) {
 
 TEST(CollectLines, NumbersStationsFromTheAfterPerpendicular) {
   LinesOptions chosen = options();
-  const LimitSurface surface = half_box();
+  const surface::LimitSurface surface = half_box();
   const auto labels = [&] {
     std::vector<std::string> all;
     for (const auto& station : collect_lines(surface, chosen).stations)
@@ -137,7 +137,7 @@ TEST(CollectLines, LeavesTheCentrePlaneToTheOutline) {
 }
 
 TEST(CollectLines, RefusesBadPositions) {
-  const LimitSurface surface = half_box();
+  const surface::LimitSurface surface = half_box();
   LinesOptions bad = options();
   bad.buttocks = {-1.0};
   EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
@@ -178,7 +178,7 @@ TEST(CollectLines, KnucklesAndBordersAreSplinesThroughTheirPoints) {
     ASSERT_FALSE(family->empty());
     for (const ShipCurve& curve : *family) {
       ASSERT_TRUE(curve.spline);
-      const CubicSpline& spline = *curve.spline;
+      const surface::CubicSpline& spline = *curve.spline;
       EXPECT_LT((spline.points().front() - curve.points.front()).norm(), 1e-12);
       EXPECT_LT((spline.points().back() - curve.points.back()).norm(), 1e-12);
     }
@@ -188,7 +188,7 @@ TEST(CollectLines, KnucklesAndBordersAreSplinesThroughTheirPoints) {
 TEST(CollectLines, OffsetsAreThoseOfTheLines) {
   const LinesDrawing drawing = collect_lines(half_box(), options());
   ASSERT_TRUE(drawing.offsets);
-  const OffsetTable& table = *drawing.offsets;
+  const analysis::OffsetTable& table = *drawing.offsets;
   EXPECT_EQ(table.stations, (std::vector<double>{10.0, 20.0, 30.0}));
   EXPECT_EQ(table.waterlines, (std::vector<double>{1.0, 2.0, 3.0}));
   EXPECT_EQ(table.buttocks, (std::vector<double>{0.0, 1.5}));
@@ -210,4 +210,4 @@ TEST(CollectLines, LeavesOutWhatIsBeyondTheHull) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::drawing

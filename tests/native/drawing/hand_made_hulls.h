@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/lines_drawing.h"
+#include "drawing/lines_plan/lines_drawing.h"
 
 namespace hull::test {
 
-inline ShipCurve polyline(std::vector<Eigen::Vector3d> points) {
+inline drawing::ShipCurve polyline(std::vector<Eigen::Vector3d> points) {
   return {std::move(points), std::nullopt};
 }
 
@@ -34,8 +34,8 @@ struct Wigley {
     return 0.5 * beam * (1.0 - along * along) * (1.0 - below * below);
   }
 
-  NamedCurves station(double x, const std::string& label) const {
-    ShipCurve curve;
+  drawing::NamedCurves station(double x, const std::string& label) const {
+    drawing::ShipCurve curve;
     for (int i = 0; i <= 100; ++i) {
       const double z = depth * i / 100.0;
       curve.points.push_back({x, half_breadth(x, z), z});
@@ -43,8 +43,8 @@ struct Wigley {
     return {x, label, {curve}};
   }
 
-  NamedCurves waterline(double z) const {
-    ShipCurve curve;
+  drawing::NamedCurves waterline(double z) const {
+    drawing::ShipCurve curve;
     for (int i = 0; i <= 200; ++i) {
       const double x = length * i / 200.0;
       curve.points.push_back({x, half_breadth(x, z), z});
@@ -52,9 +52,9 @@ struct Wigley {
     return {z, metres(z), {curve}};
   }
 
-  NamedCurves buttock(double y) const {
+  drawing::NamedCurves buttock(double y) const {
     // Solved for z on both sides of midship; the widest section bounds it.
-    ShipCurve curve;
+    drawing::ShipCurve curve;
     const double reach = 1.0 - 2.0 * y / beam;
     if (reach <= 0.0) return {y, metres(y), {}};
     for (int i = -100; i <= 100; ++i) {
@@ -67,8 +67,8 @@ struct Wigley {
     return {y, metres(y), {curve}};
   }
 
-  NamedDiagonal diagonal(double height, double angle) const {
-    ShipCurve curve;
+  drawing::NamedDiagonal diagonal(double height, double angle) const {
+    drawing::ShipCurve curve;
     for (int i = 0; i <= 200; ++i) {
       const double x = length * i / 200.0;
       // Where the plane meets the side: by halving, from inside to outside.
@@ -83,15 +83,17 @@ struct Wigley {
     return {{height, angle}, angle < 0.5 ? "D1" : "D2", {curve}};
   }
 
-  OffsetTable offsets(const LinesDrawing& drawing) const {
-    OffsetTable table;
-    for (const NamedCurves& member : drawing.stations) table.stations.push_back(member.position);
-    for (const NamedCurves& member : drawing.waterlines) {
+  analysis::OffsetTable offsets(const drawing::LinesDrawing& drawing) const {
+    analysis::OffsetTable table;
+    for (const drawing::NamedCurves& member : drawing.stations)
+      table.stations.push_back(member.position);
+    for (const drawing::NamedCurves& member : drawing.waterlines) {
       table.waterlines.push_back(member.position);
     }
     table.buttocks = {0.0};
-    for (const NamedCurves& member : drawing.buttocks) table.buttocks.push_back(member.position);
-    FeatureOffsets deck{"Deck edge", CreaseKind::kBorder, {}, {}};
+    for (const drawing::NamedCurves& member : drawing.buttocks)
+      table.buttocks.push_back(member.position);
+    analysis::FeatureOffsets deck{"Deck edge", surface::CreaseKind::kBorder, {}, {}};
     for (const double x : table.stations) {
       for (const double z : table.waterlines) {
         table.half_breadths.push_back({half_breadth(x, z), false});
@@ -104,8 +106,8 @@ struct Wigley {
     return table;
   }
 
-  LinesDrawing lines() const {
-    LinesDrawing drawing;
+  drawing::LinesDrawing lines() const {
+    drawing::LinesDrawing drawing;
     drawing.title = "Wigley hull";
     drawing.length = length;
     drawing.draft = draft;
@@ -128,9 +130,9 @@ struct Wigley {
 };
 
 // A box-shaped barge with raked ends: everything straight, and all its sections coincide.
-inline LinesDrawing barge_lines() {
+inline drawing::LinesDrawing barge_lines() {
   const double length = 60.0, half_beam = 7.0, depth = 4.0, rake = 6.0;
-  LinesDrawing drawing;
+  drawing::LinesDrawing drawing;
   drawing.title = "Barge";
   drawing.length = length;
   drawing.draft = 2.5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing/lines_drawing.h"
+#include "drawing/lines_plan/lines_drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "drawing/hand_made_hulls.h"
-#include "drawing/pens.h"
+#include "drawing/paper/pens.h"
 
-namespace hull {
+namespace hull::drawing {
 namespace {
 
 using test::barge_lines;
@@ -248,4 +248,4 @@ TEST(LinesDrawing, DiagonalsAreExpandedAndStraight) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::drawing

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing/oriented_box.h"
+#include "drawing/paper/oriented_box.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "drawing/ship_curve.h"
-#include "drawing/text_meter.h"
+#include "drawing/lines_plan/ship_curve.h"
+#include "drawing/paper/text_meter.h"
 
-namespace hull {
+namespace hull::drawing {
 namespace {
 
 using Eigen::Vector2d;
@@ -88,4 +88,4 @@ TEST(TextMeter, FitsTextsIntoTheirPlace) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::drawing

@@ -6,11 +6,11 @@
 #include <random>
 #include <stdexcept>
 
-#include "drawing/plot_layout.h"
-#include "drawing/plot_scale.h"
-#include "drawing/text_meter.h"
+#include "drawing/paper/text_meter.h"
+#include "drawing/plots/plot_layout.h"
+#include "drawing/plots/plot_scale.h"
 
-namespace hull {
+namespace hull::drawing {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -279,4 +279,4 @@ TEST(Plot, RefusesWhatCannotBeDrawn) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::drawing

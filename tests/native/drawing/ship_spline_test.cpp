@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drawing/ship_spline.h"
+#include "drawing/lines_plan/ship_spline.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/ship_curve.h"
+#include "drawing/lines_plan/ship_curve.h"
 
-namespace hull {
+namespace hull::drawing {
 namespace {
 
 // Random points over knots of uneven distance, which do not end in the first and last point.
-CubicSpline random_spline(std::mt19937& random) {
+surface::CubicSpline random_spline(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1.0, 1.0), step(0.2, 1.5);
   std::vector<Vector3d> points;
   std::vector<double> knots{0.0};
@@ -23,31 +23,31 @@ CubicSpline random_spline(std::mt19937& random) {
     points.emplace_back(x, y, z);
   }
   while (knots.size() < points.size() + 4) knots.push_back(knots.back() + step(random));
-  return CubicSpline(points, knots);
+  return surface::CubicSpline(points, knots);
 }
 
 TEST(ShipSpline, PartsAreTheSameCurve) {
   std::mt19937 random(11);
   for (int round = 0; round < 50; ++round) {
-    const CubicSpline whole = random_spline(random);
+    const surface::CubicSpline whole = random_spline(random);
     std::uniform_real_distribution<double> place(whole.begin(), whole.end());
     double from = place(random), to = place(random);
     if (from > to) std::swap(from, to);
     if (round == 0) from = whole.begin(), to = whole.end();
-    const CubicSpline part = part_of_spline(whole, from, to);
+    const surface::CubicSpline part = part_of_spline(whole, from, to);
     EXPECT_EQ(part.begin(), from);
     EXPECT_EQ(part.end(), to);
     EXPECT_LT((part.points().front() - whole.evaluate(from, 0).point).norm(), 1e-12);
     EXPECT_LT((part.points().back() - whole.evaluate(to, 0).point).norm(), 1e-12);
     for (int i = 0; i <= 20; ++i) {
       const double t = from + (to - from) * i / 20.0;
-      const CurveJet a = part.evaluate(std::min(t, to), 2);
-      const CurveJet b = whole.evaluate(std::min(t, to), 2);
+      const surface::CurveJet a = part.evaluate(std::min(t, to), 2);
+      const surface::CurveJet b = whole.evaluate(std::min(t, to), 2);
       EXPECT_LT((a.point - b.point).norm(), 1e-11);
       EXPECT_LT((a.d1 - b.d1).norm(), 1e-9);
     }
     // And parts of a clamped one, which a part is.
-    const CubicSpline again = part_of_spline(part, part.begin(), 0.5 * (from + to));
+    const surface::CubicSpline again = part_of_spline(part, part.begin(), 0.5 * (from + to));
     EXPECT_LT((again.points().back() - whole.evaluate(0.5 * (from + to), 0).point).norm(), 1e-12);
   }
 }
@@ -55,7 +55,7 @@ TEST(ShipSpline, PartsAreTheSameCurve) {
 TEST(ShipSpline, CrossingsAreWhereTheSideChanges) {
   std::mt19937 random(12);
   for (int round = 0; round < 50; ++round) {
-    const CubicSpline spline = random_spline(random);
+    const surface::CubicSpline spline = random_spline(random);
     const std::vector<double> found = crossings_of_spline(spline, 1, 0.1);
     double previous = spline.begin();
     for (const double t : found) {
@@ -72,7 +72,7 @@ TEST(ShipSpline, CrossingsAreWhereTheSideChanges) {
 TEST(ShipSpline, PartsOfCurvesKeepTheirSplines) {
   std::mt19937 random(13);
   for (int round = 0; round < 20; ++round) {
-    const CubicSpline spline = random_spline(random);
+    const surface::CubicSpline spline = random_spline(random);
     ShipCurve curve{{}, spline};
     for (int i = 0; i <= 2000; ++i) {
       const double t = spline.begin() + (spline.end() - spline.begin()) * i / 2000.0;
@@ -81,7 +81,7 @@ TEST(ShipSpline, PartsOfCurvesKeepTheirSplines) {
     for (const Side side : {Side::kAbove, Side::kBelow}) {
       for (const ShipCurve& part : part_of_curve(curve, 1, 0.0, side)) {
         ASSERT_TRUE(part.spline);
-        const CubicSpline& own = *part.spline;
+        const surface::CubicSpline& own = *part.spline;
         EXPECT_LT((own.evaluate(own.begin(), 0).point - part.points.front()).norm(), 1e-4);
         EXPECT_LT((own.evaluate(own.end(), 0).point - part.points.back()).norm(), 1e-4);
       }
@@ -90,4 +90,4 @@ TEST(ShipSpline, PartsOfCurvesKeepTheirSplines) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::drawing

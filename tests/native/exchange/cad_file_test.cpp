@@ -22,7 +22,7 @@
 #include "files/atomic_file.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ using Eigen::Vector3d;
 
 struct Format {
   const char* name;
-  CadReport (*write)(const PatchSet&, const std::string&, const CadOptions&);
+  CadReport (*write)(const conversion::PatchSet&, const std::string&, const CadOptions&);
 };
 
 class CadFile : public ::testing::TestWithParam<Format> {
@@ -42,11 +42,11 @@ class CadFile : public ::testing::TestWithParam<Format> {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  CadReport write(const PatchSet& set, const CadOptions& options = {}) const {
+  CadReport write(const conversion::PatchSet& set, const CadOptions& options = {}) const {
     return GetParam().write(set, path_, options);
   }
   // What is said instead of writing.
-  std::string refusal(const PatchSet& set, const std::string& path,
+  std::string refusal(const conversion::PatchSet& set, const std::string& path,
                       const CadOptions& options = {}) const {
     try {
       GetParam().write(set, path, options);
@@ -66,7 +66,7 @@ class CadFile : public ::testing::TestWithParam<Format> {
 };
 
 // Half a boat of 20 x 3 x 2 m on the side y < 0, t = 0 its keel and t = 1 the deck's edge.
-PatchSet half_boat(double sheer) {
+conversion::PatchSet half_boat(double sheer) {
   return testing::sheet(4, 3, [&](double s, double t) {
     const double x = 20.0 * s, z = t * t * (2.0 + sheer * s * s);
     return Vector3d(x, s == 1.0 || t == 0.0 ? 0.0 : -3.0 * t * (1.0 - s * s), z);
@@ -98,13 +98,14 @@ TEST_P(CadFile, OfAHalfCanBeAClosedSolid) {
 
 // A box of known volume, open at the top and at the centre plane.
 TEST_P(CadFile, OfABoxHasItsVolume) {
-  MeshArrays half;
+  mesh::MeshArrays half;
   half.points = {{-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1},
                  {-1, 0, 1},  {1, 0, 1},  {1, 1, 1},  {-1, 1, 1}};
   half.face_sizes = {4, 4, 4, 4};
   half.face_vertices = {0, 3, 2, 1, 3, 7, 6, 2, 0, 4, 7, 3, 1, 2, 6, 5};
   half.creases = {{0, 3}, {1, 2}, {2, 3}, {3, 7}, {2, 6}};
-  const PatchSet set = fit_per_cell(LimitSurface(ControlMesh(half)), 4);
+  const conversion::PatchSet set =
+      conversion::fit_per_cell(surface::LimitSurface(mesh::ControlMesh(half)), 4);
   const CadReport one = write(set, {.solid = true});
   EXPECT_EQ(one.solids, 1);
   EXPECT_NEAR(one.volume.value_or(0.0), 4.0, 1e-9);
@@ -121,7 +122,8 @@ TEST_P(CadFile, OfABoxHasItsVolume) {
 }
 
 TEST_P(CadFile, OfAClosedSurfaceStaysAsItIs) {
-  const PatchSet set = fit_per_cell(LimitSurface(ControlMesh(testing::cube())), 5);
+  const conversion::PatchSet set =
+      conversion::fit_per_cell(surface::LimitSurface(mesh::ControlMesh(testing::cube())), 5);
   const CadReport report = write(set, {.solid = true});
   EXPECT_EQ(report.solids, 1);
   EXPECT_EQ(report.faces, 24);
@@ -129,13 +131,15 @@ TEST_P(CadFile, OfAClosedSurfaceStaysAsItIs) {
 }
 
 TEST_P(CadFile, RefusesASolidThatCannotBe) {
-  const PatchSet bent = testing::sheet(
+  const conversion::PatchSet bent = testing::sheet(
       2, 2, [](double s, double t) { return Vector3d(s, 1 + t, s * t + s * s * t); });
   EXPECT_NE(refusal(bent, path_, {.solid = true}).find("neither flat nor symmetric"),
             std::string::npos);
-  PatchSet inside_out = fit_per_cell(LimitSurface(ControlMesh(testing::cube())), 5);
-  std::vector<BSplinePatch> turned;
-  for (const BSplinePatch& patch : inside_out.patches) turned.push_back(patch.transposed());
+  conversion::PatchSet inside_out =
+      conversion::fit_per_cell(surface::LimitSurface(mesh::ControlMesh(testing::cube())), 5);
+  std::vector<conversion::BSplinePatch> turned;
+  for (const conversion::BSplinePatch& patch : inside_out.patches)
+    turned.push_back(patch.transposed());
   EXPECT_NE(refusal(testing::joined(turned), path_, {.solid = true}).find("point inwards"),
             std::string::npos);
   EXPECT_EQ(files(), 0);
@@ -159,7 +163,7 @@ TEST_P(CadFile, KeepsNamesInAnyScript) {
 }
 
 TEST_P(CadFile, KeepsRegionsLayersAndColours) {
-  const PatchSet set = testing::rectangle(6.0, 4.0, 3, 2);
+  const conversion::PatchSet set = testing::rectangle(6.0, 4.0, 3, 2);
   CadOptions options;
   options.regions = {"grün", "grün", "", "a", "a", "a"};
   options.colours["a"] = {1.0, 0.0, 0.25};
@@ -180,10 +184,10 @@ TEST_P(CadFile, KeepsRegionsLayersAndColours) {
 TEST_P(CadFile, HasCurvesOnLayers) {
   CadOptions options;
   options.mirrored = true;
-  const BSplineCurve line{1, {0, 0, 2, 2}, {{0, 0, 0}, {20, 0, 0}}};
-  const BSplineCurve arc{3,
-                         {-1, 0, 0.5, 1, 2, 3, 4, 5, 5.5},
-                         {{1, -1, 0}, {2, -2, 1}, {3, -1, 0}, {4, -1, 2}, {5, -1, 0}}};
+  const conversion::BSplineCurve line{1, {0, 0, 2, 2}, {{0, 0, 0}, {20, 0, 0}}};
+  const conversion::BSplineCurve arc{3,
+                                     {-1, 0, 0.5, 1, 2, 3, 4, 5, 5.5},
+                                     {{1, -1, 0}, {2, -2, 1}, {3, -1, 0}, {4, -1, 2}, {5, -1, 0}}};
   options.curves = {{"keel", "centre line", line}, {"bilge 'ü'", "features", arc}};
   const CadReport report = write(half_boat(0.5), options);
   EXPECT_EQ(report.curves, 3);  // the keel has no image
@@ -215,7 +219,7 @@ TEST_P(CadFile, TellsItsProgressAndCanBeCancelledAtAnyTime) {
 }
 
 TEST_P(CadFile, NeedsAFolderToGoTo) {
-  const PatchSet set = testing::rectangle(6.0, 4.0);
+  const conversion::PatchSet set = testing::rectangle(6.0, 4.0);
   const std::string none = (folder_ / "none" / "hull.cad").string();
   EXPECT_NE(refusal(set, none).find("there is no folder"), std::string::npos);
   EXPECT_NE(refusal(set, folder_.string()).find("it is a folder"), std::string::npos);
@@ -283,7 +287,7 @@ TEST(CadReport, TellsFormatsApart) {
   const fs::path folder = fs::temp_directory_path() / ("hull_report_" + std::to_string(getpid()));
   fs::create_directory(folder);
   const std::string path = (folder / "hull").string();
-  const PatchSet set = testing::rectangle(6.0, 4.0);
+  const conversion::PatchSet set = testing::rectangle(6.0, 4.0);
   write_step(set, path);
   EXPECT_EQ(read_cad_report(path).format, "STEP AP214");
   write_step(set, path, {.schema = StepSchema::kAp242});
@@ -292,9 +296,9 @@ TEST(CadReport, TellsFormatsApart) {
   EXPECT_EQ(read_cad_report(path).format, "IGES 5.3");
   EXPECT_EQ(read_cad_report(path).bytes, fs::file_size(path));
   std::ofstream(path) << "solid cube\nendsolid\n";
-  EXPECT_THROW(read_cad_report(path), FileError);
+  EXPECT_THROW(read_cad_report(path), files::FileError);
   fs::remove_all(folder);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::exchange

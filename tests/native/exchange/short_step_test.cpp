@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 TEST(ShortStep, WritesNumbersWithAPointAndACapitalE) {
@@ -63,4 +63,4 @@ TEST(ShortStep, KeepsEveryBitOfANumber) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::exchange

@@ -20,7 +20,7 @@
 #include "files/atomic_file.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +46,7 @@ class StepFile : public ::testing::Test {
 };
 
 // A bowl of 20 x 6 x 3 m: t = 0 is its keel in the centre plane.
-PatchSet half_bowl() {
+conversion::PatchSet half_bowl() {
   return testing::sheet(4, 3, [](double s, double t) {
     const double along = 2 * s - 1;
     return Vector3d(20 * s, 3 * t * (1 - 0.5 * along * along), 3 * t * t);
@@ -54,7 +54,8 @@ PatchSet half_bowl() {
 }
 
 TEST_F(StepFile, OfTheCubesSurfaceIsASolid) {
-  const PatchSet set = fit_per_cell(LimitSurface(ControlMesh(testing::cube())), 7);
+  const conversion::PatchSet set =
+      conversion::fit_per_cell(surface::LimitSurface(mesh::ControlMesh(testing::cube())), 7);
   write_step(set, path_, {.name = "cube"});
   const CadReport report = read_cad_report(path_);
   EXPECT_TRUE(report.valid);
@@ -110,13 +111,14 @@ TEST_F(StepFile, MirroredIsJoinedAlongTheCentreLine) {
 
 // Half of a box, open where y = 0; all its edges are creases.
 TEST_F(StepFile, MirroredHalfOfAClosedBoxIsASolidWithOutwardNormals) {
-  MeshArrays half;
+  mesh::MeshArrays half;
   half.points = {{-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1},
                  {-1, 0, 1},  {1, 0, 1},  {1, 1, 1},  {-1, 1, 1}};
   half.face_sizes = {4, 4, 4, 4, 4};
   half.face_vertices = {0, 3, 2, 1, 4, 5, 6, 7, 3, 7, 6, 2, 0, 4, 7, 3, 1, 2, 6, 5};
   half.creases = {{0, 3}, {1, 2}, {2, 3}, {4, 7}, {5, 6}, {6, 7}, {3, 7}, {2, 6}};
-  const PatchSet set = fit_per_cell(LimitSurface(ControlMesh(half)), 4);
+  const conversion::PatchSet set =
+      conversion::fit_per_cell(surface::LimitSurface(mesh::ControlMesh(half)), 4);
   const CadReport report = write_step(set, path_, {.mirrored = true});
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 1);
@@ -126,8 +128,8 @@ TEST_F(StepFile, MirroredHalfOfAClosedBoxIsASolidWithOutwardNormals) {
 }
 
 TEST_F(StepFile, KeepsPartsApart) {
-  std::vector<BSplinePatch> patches = testing::rectangle(6.0, 4.0, 2, 2).patches;
-  for (BSplinePatch patch : testing::rectangle(1.0, 1.0).patches) {
+  std::vector<conversion::BSplinePatch> patches = testing::rectangle(6.0, 4.0, 2, 2).patches;
+  for (conversion::BSplinePatch patch : testing::rectangle(1.0, 1.0).patches) {
     for (Vector3d& point : patch.control_points) point.z() += 5.0;
     patch.cell = 4;
     patches.push_back(patch);
@@ -140,7 +142,7 @@ TEST_F(StepFile, KeepsPartsApart) {
 
 // An eighth of a dome: all its meridians end in the pole, where three sides have no length.
 TEST_F(StepFile, TakesSidesOfNoLength) {
-  const PatchSet set = testing::sheet(3, 2, [](double s, double t) {
+  const conversion::PatchSet set = testing::sheet(3, 2, [](double s, double t) {
     const double angle = 0.5 * std::numbers::pi * s, radius = 2.0 * (1.0 - t);
     if (t == 1.0) return Vector3d(0, 0, 2);
     return Vector3d(radius * std::cos(angle), radius * std::sin(angle), 2.0 * t * (2.0 - t));
@@ -153,8 +155,9 @@ TEST_F(StepFile, TakesSidesOfNoLength) {
 }
 
 TEST_F(StepFile, LeavesOutCellsWithoutAreaAndSaysWhich) {
-  PatchSet set = testing::sheet(3, 2, [](double s, double t) { return Vector3d(s, t, s * t); });
-  for (BSplinePatch& patch : set.patches) {
+  conversion::PatchSet set =
+      testing::sheet(3, 2, [](double s, double t) { return Vector3d(s, t, s * t); });
+  for (conversion::BSplinePatch& patch : set.patches) {
     for (Vector3d& p : patch.control_points) {
       if (p.x() > 1.0 / 3) p.x() = std::max(1.0 / 3, p.x() - 1.0 / 3);
       p.z() = p.x() * p.y();
@@ -181,7 +184,7 @@ TEST_F(StepFile, PrintsNothing) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   write_step(testing::rectangle(6.0, 4.0), path_);
-  EXPECT_THROW(read_cad_report((folder_ / "none.step").string()), FileError);
+  EXPECT_THROW(read_cad_report((folder_ / "none.step").string()), files::FileError);
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
@@ -202,17 +205,17 @@ TEST_F(StepFile, CanBeWrittenFromSeveralThreads) {
 
 TEST_F(StepFile, LeavesAnExistingFileWhenItFails) {
   std::ofstream(path_) << "old";
-  PatchSet bad = testing::rectangle(6.0, 4.0);
+  conversion::PatchSet bad = testing::rectangle(6.0, 4.0);
   bad.patches[0].control_points[7].z() = std::nan("");
   EXPECT_THROW(write_step(bad, path_), std::invalid_argument);
-  EXPECT_THROW(write_step(PatchSet{}, path_), std::invalid_argument);
+  EXPECT_THROW(write_step(conversion::PatchSet{}, path_), std::invalid_argument);
   EXPECT_EQ(text(), "old");
   EXPECT_EQ(files(), 1);
 }
 
 // Far below what Open CASCADE tells apart (1e-10 m): it drops the edges.
 TEST_F(StepFile, RefusesWhatWouldNotBeReadBack) {
-  const PatchSet set =
+  const conversion::PatchSet set =
       testing::sheet(2, 2, [](double s, double t) { return Vector3d(1e-11 * s, 1e-11 * t, 0); });
   try {
     write_step(set, path_);
@@ -225,19 +228,19 @@ TEST_F(StepFile, RefusesWhatWouldNotBeReadBack) {
 }
 
 TEST_F(StepFile, NeedsAFolderToGoTo) {
-  const PatchSet set = testing::rectangle(6.0, 4.0);
-  EXPECT_THROW(write_step(set, (folder_ / "none" / "hull.step").string()), FileError);
-  EXPECT_THROW(write_step(set, folder_.string()), FileError);
+  const conversion::PatchSet set = testing::rectangle(6.0, 4.0);
+  EXPECT_THROW(write_step(set, (folder_ / "none" / "hull.step").string()), files::FileError);
+  EXPECT_THROW(write_step(set, folder_.string()), files::FileError);
   EXPECT_EQ(files(), 0);
 }
 
 TEST_F(StepFile, ReadingRefusesWhatIsNoStepFile) {
   std::ofstream(path_) << "solid cube\nendsolid\n";
-  EXPECT_THROW(read_cad_report(path_), FileError);
+  EXPECT_THROW(read_cad_report(path_), files::FileError);
   std::ofstream(path_, std::ios::trunc);
-  EXPECT_THROW(read_cad_report(path_), FileError);
-  EXPECT_THROW(read_cad_report(folder_.string()), FileError);
+  EXPECT_THROW(read_cad_report(path_), files::FileError);
+  EXPECT_THROW(read_cad_report(folder_.string()), files::FileError);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::exchange

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace hull {
+namespace hull::exchange {
 namespace {
 
 TEST(EncodeStepString, DoublesQuotesAndBackslashes) {
@@ -43,4 +43,4 @@ TEST(DecodeStepString, LeavesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::exchange

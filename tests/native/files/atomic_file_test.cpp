@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-namespace hull {
+namespace hull::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST_F(WriteFileAtomically, LeavesTheOldFileWhenThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::files

@@ -10,7 +10,7 @@
 #include "mesh/control_mesh.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::mesh {
 namespace {
 
 using testing::add_face;
@@ -234,4 +234,4 @@ TEST(MeshCheck, FaceWithoutArea) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::mesh

@@ -9,7 +9,7 @@
 #include "mesh/refined_view.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::mesh {
 namespace {
 
 using testing::cube;
@@ -110,4 +110,4 @@ TEST(Topology, RefinementOfRandomMeshesIsConsistent) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::mesh

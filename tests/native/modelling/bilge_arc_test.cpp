@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 // The deviations that were found with another program's minimax search of the same unknowns (SLSQP
@@ -31,4 +31,4 @@ TEST(BilgeArc, IsSimilarForSmallAngles) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::modelling

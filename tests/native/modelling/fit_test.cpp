@@ -7,16 +7,16 @@
 #include <random>
 #include <stdexcept>
 
-#include "surface/closest_point.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
+#include "surface/queries/closest_point.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 constexpr unsigned kSeed = 22112026;
 
-std::vector<Vector3d> samples_of(const LimitSurface& surface, int n) {
+std::vector<Vector3d> samples_of(const surface::LimitSurface& surface, int n) {
   std::vector<Vector3d> samples;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     for (int i = 0; i <= n; ++i) {
@@ -29,9 +29,9 @@ std::vector<Vector3d> samples_of(const LimitSurface& surface, int n) {
   return samples;
 }
 
-std::vector<FitCurve> curves_of(const LimitSurface& surface) {
+std::vector<FitCurve> curves_of(const surface::LimitSurface& surface) {
   std::vector<FitCurve> curves;
-  for (const CreaseCurve& crease : crease_curves(surface)) {
+  for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
     FitCurve curve{{}, static_cast<int>(curves.size()), true};
     for (int i = 0; i <= 8 * crease.edge_count(); ++i) {
       curve.points.push_back(crease.evaluate(i / 8.0, 0).point);
@@ -41,13 +41,15 @@ std::vector<FitCurve> curves_of(const LimitSurface& surface) {
   return curves;
 }
 
-LimitSurface with_points(const LimitSurface& surface, std::vector<Vector3d> points) {
-  LimitSurface other = surface;
+surface::LimitSurface with_points(const surface::LimitSurface& surface,
+                                  std::vector<Vector3d> points) {
+  surface::LimitSurface other = surface;
   other.set_points(std::move(points));
   return other;
 }
 
-std::vector<Vector3d> shaken(const LimitSurface& surface, std::mt19937& random, double by) {
+std::vector<Vector3d> shaken(const surface::LimitSurface& surface, std::mt19937& random,
+                             double by) {
   std::normal_distribution<double> normal;
   std::vector<Vector3d> points = surface.mesh().points();
   for (auto& p : points) {
@@ -57,18 +59,19 @@ std::vector<Vector3d> shaken(const LimitSurface& surface, std::mt19937& random, 
 }
 
 // A bulging sheet with a crease along it that fades out.
-LimitSurface sheet() {
-  MeshArrays mesh = testing::grid(7, 6);
+surface::LimitSurface sheet() {
+  mesh::MeshArrays mesh = testing::grid(7, 6);
   for (auto& p : mesh.points) {
     p.z() = 0.08 * p.x() * (7.0 - p.x()) + 0.3 * std::abs(p.y() - 3.0) * (p.x() < 4.5 ? 1.0 : 0.3);
   }
   for (int i = 0; i < 4; ++i) mesh.creases.push_back({3 * 8 + i, 3 * 8 + i + 1});
-  return LimitSurface{ControlMesh(mesh)};
+  return surface::LimitSurface{mesh::ControlMesh(mesh)};
 }
 
-double farthest(const LimitSurface& surface, const std::vector<Vector3d>& points) {
+double farthest(const surface::LimitSurface& surface, const std::vector<Vector3d>& points) {
   double farthest = 0.0;
-  for (const ClosestPoint& at : closest_points(SurfaceTree(surface), points)) {
+  for (const surface::ClosestPoint& at :
+       surface::closest_points(surface::SurfaceTree(surface), points)) {
     farthest = std::max(farthest, at.distance);
   }
   return farthest;
@@ -77,18 +80,18 @@ double farthest(const LimitSurface& surface, const std::vector<Vector3d>& points
 TEST(Fit, FindsASurfaceAgain) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
-  const LimitSurface surface = sheet();
+  const surface::LimitSurface surface = sheet();
   const FitTarget target{samples_of(surface, 5), {}, {}};
   const std::vector<FitCurve> curves = curves_of(surface);
   for (int trial = 0; trial < 5; ++trial) {
-    const LimitSurface start = with_points(surface, shaken(surface, random, 0.1));
+    const surface::LimitSurface start = with_points(surface, shaken(surface, random, 0.1));
     FitOptions options;
     options.fairness = 0.0;
     options.most_steps = 100;
     const Fit found = fit(start, target, curves, options);
     EXPECT_LT(found.rms, 1e-9);
     EXPECT_LT(found.curve_largest, 1e-8);
-    const LimitSurface back = with_points(surface, found.points);
+    const surface::LimitSurface back = with_points(surface, found.points);
     EXPECT_LT(farthest(back, samples_of(surface, 9)), 1e-7);
     EXPECT_LT(farthest(surface, samples_of(back, 9)), 1e-7);
   }
@@ -96,8 +99,8 @@ TEST(Fit, FindsASurfaceAgain) {
 
 TEST(Fit, StaysWithinLimits) {
   std::mt19937 random(kSeed);
-  const LimitSurface surface = sheet();
-  const LimitSurface start = with_points(surface, shaken(surface, random, 0.2));
+  const surface::LimitSurface surface = sheet();
+  const surface::LimitSurface start = with_points(surface, shaken(surface, random, 0.2));
   FitOptions options;
   options.limits.locked = {10, 11};
   const Vector3d across(0.0, 0.6, 0.8);
@@ -114,7 +117,7 @@ TEST(Fit, StaysWithinLimits) {
 
 // Targets beyond the border: they count for nothing, or draw the border out to them.
 TEST(Fit, LeavesOutWhatLiesBeyondTheBorder) {
-  const LimitSurface flat{ControlMesh(testing::grid(4, 4))};
+  const surface::LimitSurface flat{mesh::ControlMesh(testing::grid(4, 4))};
   std::vector<Vector3d> targets;
   for (int i = 0; i <= 60; ++i) {
     for (int j = 0; j <= 40; ++j) targets.emplace_back(0.1 * i, 0.1 * j, 0.25);
@@ -135,7 +138,7 @@ TEST(Fit, LeavesOutWhatLiesBeyondTheBorder) {
 }
 
 TEST(Fit, DoesNotTakeTheOtherSide) {
-  const LimitSurface flat{ControlMesh(testing::grid(4, 4))};
+  const surface::LimitSurface flat{mesh::ControlMesh(testing::grid(4, 4))};
   FitTarget target;
   for (int i = 1; i < 40; ++i) {
     for (int j = 1; j < 40; ++j) {
@@ -152,7 +155,7 @@ TEST(Fit, DoesNotTakeTheOtherSide) {
 
 // A line without a chain is taken for the nearest crease of its direction; a line across for none.
 TEST(Fit, DrawsCreasesToLines) {
-  const LimitSurface surface = sheet();
+  const surface::LimitSurface surface = sheet();
   FitCurve line{{}, FitCurve::kNearest, false}, across{{}, FitCurve::kNearest, false};
   for (int i = 5; i <= 30; ++i) {
     line.points.emplace_back(0.1 * i, 3.2, 0.08 * 0.1 * i * (7.0 - 0.1 * i));
@@ -171,9 +174,9 @@ TEST(Fit, DrawsCreasesToLines) {
 }
 
 TEST(Fit, TellsItsProgressAndEndsByAnException) {
-  const LimitSurface surface = sheet();
+  const surface::LimitSurface surface = sheet();
   std::mt19937 random(kSeed);
-  const LimitSurface start = with_points(surface, shaken(surface, random, 0.1));
+  const surface::LimitSurface start = with_points(surface, shaken(surface, random, 0.1));
   std::vector<double> shares;
   FitOptions options;
   options.progress = [&](double share) { shares.push_back(share); };
@@ -189,7 +192,7 @@ TEST(Fit, TellsItsProgressAndEndsByAnException) {
 }
 
 TEST(Fit, NamesWhatIsWrong) {
-  const LimitSurface surface = sheet();
+  const surface::LimitSurface surface = sheet();
   const std::vector<Vector3d> one{{1.0, 1.0, 1.0}};
   const auto expect_wrong = [&](const FitTarget& target, const std::vector<FitCurve>& curves,
                                 const FitOptions& options) {
@@ -209,4 +212,4 @@ TEST(Fit, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::modelling

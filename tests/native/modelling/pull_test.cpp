@@ -7,10 +7,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "surface/point_weights.h"
+#include "surface/pieces/point_weights.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 constexpr unsigned kSeed = 5112026;
@@ -23,7 +23,7 @@ Vector3d random_vector(std::mt19937& random) {
   return {uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
 }
 
-std::vector<Vector3d> moved_points(const LimitSurface& surface, const Pull& pulled) {
+std::vector<Vector3d> moved_points(const surface::LimitSurface& surface, const Pull& pulled) {
   std::vector<Vector3d> points = surface.mesh().points();
   for (std::size_t i = 0; i < pulled.points.size(); ++i) {
     points[pulled.points[i]] += pulled.moves[i];
@@ -36,10 +36,11 @@ std::vector<Vector3d> moved_points(const LimitSurface& surface, const Pull& pull
 TEST(Pull, TakesPlacesToTheirTargets) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
-  const auto cache = std::make_shared<BasisCache>();
+  const auto cache = std::make_shared<surface::BasisCache>();
   for (int trial = 0; trial < 300; ++trial) {
-    LimitSurface surface(ControlMesh(testing::random_mesh(random, 12)),
-                         trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
+    surface::LimitSurface surface(
+        mesh::ControlMesh(testing::random_mesh(random, 12)),
+        trial % 2 ? surface::Scheme::kBiermann : surface::Scheme::kCatmullClark, cache);
     const double size = surface.mesh().size();
     const int cell = static_cast<int>(uniform(random, 0.0, surface.cell_count() - 1e-9));
     const double snap[] = {0.0, 0.5, 1.0};
@@ -59,13 +60,14 @@ TEST(Pull, TakesPlacesToTheirTargets) {
 // One place without limits, in closed form: each control point moves by its weight over the sum of
 // squared weights times the pull.
 TEST(Pull, MovesEachPointByItsWeight) {
-  const LimitSurface surface{ControlMesh(testing::grid(5, 5))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(5, 5))};
   const PullTarget target{4 * 12, 0.3, 0.8,
                           surface.position(4 * 12, 0.3, 0.8) + Vector3d(0.1, -0.2, 0.7)};
   const Pull pulled = pull(surface, {target});
-  const std::vector<PointWeight> weights = PointWeights(surface).at(4 * 12, 0.3, 0.8);
+  const std::vector<surface::PointWeight> weights =
+      surface::PointWeights(surface).at(4 * 12, 0.3, 0.8);
   double squares = 0.0;
-  for (const PointWeight& w : weights) squares += w.weight * w.weight;
+  for (const surface::PointWeight& w : weights) squares += w.weight * w.weight;
   ASSERT_EQ(pulled.points.size(), weights.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     EXPECT_EQ(pulled.points[i], weights[i].point);
@@ -79,9 +81,9 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed + 1);
   std::mt19937 random(kSeed + 1);
   for (int trial = 0; trial < 100; ++trial) {
-    MeshArrays arrays = testing::grid(6, 6);
+    mesh::MeshArrays arrays = testing::grid(6, 6);
     for (auto& p : arrays.points) p += 0.2 * random_vector(random);
-    LimitSurface surface{ControlMesh(arrays)};
+    surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     MoveLimits limits;
     const std::vector<int> faces{7, 16, 28};
     for (int k = 0; k < 6; ++k) limits.locked.push_back(static_cast<int>(random() % 49));
@@ -118,7 +120,7 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
                                             [p](const HeldDirection& h) { return h.point == p; });
         if (!is_limited) start[p] = 0.1 * random_vector(random);
       }
-      LimitSurface shaken = surface;
+      surface::LimitSurface shaken = surface;
       std::vector<Vector3d> points = surface.mesh().points();
       for (int p = 0; p < 49; ++p) points[p] += start[p];
       shaken.set_points(points);
@@ -132,7 +134,7 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
 }
 
 TEST(Pull, ReachesAsManyTargetsAsPointsAllow) {
-  LimitSurface surface{ControlMesh(testing::grid(8, 8))};
+  surface::LimitSurface surface{mesh::ControlMesh(testing::grid(8, 8))};
   std::vector<PullTarget> targets;
   for (int face = 0; face < 64; ++face) {
     const Vector3d at = surface.position(4 * face + 1, 0.4, 0.6);
@@ -146,7 +148,7 @@ TEST(Pull, ReachesAsManyTargetsAsPointsAllow) {
 }
 
 TEST(Pull, SaysWhatCannotBe) {
-  const LimitSurface surface{ControlMesh(testing::grid(4, 4))};
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(4, 4))};
   const Vector3d at = surface.position(20, 0.5, 0.5);
   MoveLimits flat;
   for (int p = 0; p < 25; ++p) flat.held.push_back({p, {0.0, 0.0, 2.0}});
@@ -173,4 +175,4 @@ TEST(Pull, SaysWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::modelling

@@ -10,28 +10,28 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 constexpr unsigned kSeed = 22112026;
 
-double energy_of(const LimitSurface& surface) {
-  return thin_plate_energy(surface, PieceWeights(surface), surface.mesh().points());
+double energy_of(const surface::LimitSurface& surface) {
+  return thin_plate_energy(surface, surface::PieceWeights(surface), surface.mesh().points());
 }
 
 // A sphere has 8π whatever its size. Surfaces near one have a little more: points of three faces,
 // where a surface of this kind is no sphere, count the same however fine the mesh.
 TEST(ThinPlate, OfASphere) {
-  MeshArrays mesh = testing::cube();
+  mesh::MeshArrays mesh = testing::cube();
   for (int step = 0; step < 3; ++step) {
     for (auto& p : mesh.points) p = 7.0 * p.normalized();
-    const ControlMesh control(mesh);
+    const mesh::ControlMesh control(mesh);
     const double sphere = 8.0 * std::numbers::pi;
-    EXPECT_NEAR(energy_of(LimitSurface(control)), sphere, 0.03 * sphere);
+    EXPECT_NEAR(energy_of(surface::LimitSurface(control)), sphere, 0.03 * sphere);
     // The next: once subdivided, which is smooth but for rounding.
-    const Topology finer = control.topology().refined();
-    MeshArrays next;
-    const LimitSurface surface(control);
+    const mesh::Topology finer = control.topology().refined();
+    mesh::MeshArrays next;
+    const surface::LimitSurface surface(control);
     next.points.resize(finer.vertex_count());
     for (int cell = 0; cell < finer.face_count(); ++cell) {
       const int h = 4 * cell;
@@ -50,15 +50,15 @@ TEST(ThinPlate, OfASphere) {
 // A cylinder of parabolic section, whose integral is elementary; rows unevenly spaced along it cost
 // nothing.
 TEST(ThinPlate, OfAParabolicCylinder) {
-  MeshArrays mesh = testing::grid(12, 6);
+  mesh::MeshArrays mesh = testing::grid(12, 6);
   const auto height = [](double x) { return 0.05 * (x - 6.0) * (x - 6.0); };
   for (auto& p : mesh.points) p = {p.x(), p.y() + 0.05 * p.y() * p.y(), height(p.x())};
-  const LimitSurface surface{ControlMesh(mesh)};
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   // By the surface's own derivatives, summed up at very many places.
   double wanted = 0.0;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     for (int i = 0; i < 40; ++i) {
-      const SurfaceJet jet = surface.evaluate(cell, (i + 0.5) / 40, 0.5, 2);
+      const surface::SurfaceJet jet = surface.evaluate(cell, (i + 0.5) / 40, 0.5, 2);
       const Vector3d normal = jet.du.cross(jet.dv);
       const double area = normal.norm();
       // Of the two curvatures one is 0: the other is twice the mean.
@@ -68,7 +68,7 @@ TEST(ThinPlate, OfAParabolicCylinder) {
       const double curvature = (E * N - 2.0 * F * M + G * L) / (area * area);
       double across = 0.0;
       for (int j = 0; j < 8; ++j) {
-        const SurfaceJet there = surface.evaluate(cell, (i + 0.5) / 40, (j + 0.5) / 8, 1);
+        const surface::SurfaceJet there = surface.evaluate(cell, (i + 0.5) / 40, (j + 0.5) / 8, 1);
         across += there.du.cross(there.dv).norm() / 8;
       }
       wanted += curvature * curvature * across / 40;
@@ -82,15 +82,16 @@ TEST(ThinPlate, OfAParabolicCylinder) {
 TEST(ThinPlate, IsOfTheShapeAlone) {
   std::mt19937 random(kSeed);
   for (int trial = 0; trial < 20; ++trial) {
-    const MeshArrays mesh = testing::random_mesh(random, 12);
-    const LimitSurface surface{ControlMesh(mesh)};
+    const mesh::MeshArrays mesh = testing::random_mesh(random, 12);
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
     const double energy = energy_of(surface);
-    MeshArrays other = mesh;
+    mesh::MeshArrays other = mesh;
     const Eigen::AngleAxisd turn(1.1, Vector3d(1.0, 2.0, -0.5).normalized());
     for (auto& p : other.points) p = 3.0 * (turn * p) + Vector3d(5.0, -7.0, 2.0);
-    EXPECT_NEAR(energy_of(LimitSurface(ControlMesh(other))), energy, 1e-8 * energy);
+    EXPECT_NEAR(energy_of(surface::LimitSurface(mesh::ControlMesh(other))), energy, 1e-8 * energy);
     const std::vector<Vector3d> shift(mesh.points.size(), Vector3d(1.0, 2.0, 3.0));
-    EXPECT_LT(thin_plate_energy(surface, PieceWeights(surface), shift), 1e-12 * (1.0 + energy));
+    EXPECT_LT(thin_plate_energy(surface, surface::PieceWeights(surface), shift),
+              1e-12 * (1.0 + energy));
   }
 }
 
@@ -98,13 +99,13 @@ TEST(ThinPlate, IsOfTheShapeAlone) {
 // quadratic form that the energy is with the metric as it is.
 TEST(ThinPlate, StepLowersTheEnergyMost) {
   std::mt19937 random(kSeed);
-  MeshArrays mesh = testing::grid(5, 4);
+  mesh::MeshArrays mesh = testing::grid(5, 4);
   std::normal_distribution<double> noise(0.0, 0.3);
   for (auto& p : mesh.points) p.z() += noise(random);
-  const LimitSurface surface{ControlMesh(mesh)};
-  const PieceWeights pieces(surface);
+  const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+  const surface::PieceWeights pieces(surface);
   MoveLimits limits;
-  const Topology& t = surface.mesh().topology();
+  const mesh::Topology& t = surface.mesh().topology();
   for (int h = 0; h < t.half_edge_count(); ++h) {
     if (t.twin(h) < 0) limits.locked.push_back(t.origin(h));
   }
@@ -133,4 +134,4 @@ TEST(ThinPlate, StepLowersTheEnergyMost) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::modelling

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/closest_point.h"
+#include "surface/queries/closest_point.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "surface/grid_samples.h"
+#include "surface/sampling/grid_samples.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 11212026;
 
 LimitSurface random_surface(std::mt19937& random, int trial, int max_valence,
                             const std::shared_ptr<BasisCache>& cache) {
-  return LimitSurface(ControlMesh(testing::random_mesh(random, max_valence)),
+  return LimitSurface(mesh::ControlMesh(testing::random_mesh(random, max_valence)),
                       trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
 }
 
@@ -112,9 +112,9 @@ TEST(ClosestPoint, HasNothingNearerOnFoldedCells) {
   std::mt19937 random(kSeed + 7);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 100; ++trial) {
-    MeshArrays arrays = trial % 2 ? testing::grid(2, 2) : testing::fan(5);
+    mesh::MeshArrays arrays = trial % 2 ? testing::grid(2, 2) : testing::fan(5);
     testing::randomise(arrays, random, 0.0, 0.0, 6.0);
-    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    const LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
     const SurfaceTree tree(surface);
     const GridSamples samples = evaluate_grid(surface, 24, 0);
     for (int i = 0; i < 30; ++i) {
@@ -157,7 +157,7 @@ TEST(ClosestPoint, IsTheFootOfAPerpendicular) {
 
 TEST(ClosestPoint, OfABoxIsThatOfTheClosedForm) {
   const Vector3d low(0.0, -2.0, 0.0), high(5.0, 2.0, 3.0);
-  const LimitSurface surface{ControlMesh(testing::creased_box(5.0, 4.0, 3.0))};
+  const LimitSurface surface{mesh::ControlMesh(testing::creased_box(5.0, 4.0, 3.0))};
   const SurfaceTree tree(surface);
   std::mt19937 random(kSeed + 3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -187,7 +187,7 @@ TEST(ClosestPoint, OfABoxIsThatOfTheClosedForm) {
 }
 
 TEST(ClosestPoint, BeyondABorderHasNoSide) {
-  const LimitSurface surface{ControlMesh(testing::grid(4, 4))};
+  const LimitSurface surface{mesh::ControlMesh(testing::grid(4, 4))};
   const SurfaceTree tree(surface);
   const ClosestPoint beside = closest_point(tree, {2.3, -1.0, 0.0});
   EXPECT_NEAR(beside.distance, 1.0, 1e-14);
@@ -200,11 +200,11 @@ TEST(ClosestPoint, BeyondABorderHasNoSide) {
 TEST(ClosestPoint, AtKnotsAndOverThem) {
   const auto cache = std::make_shared<BasisCache>();
   for (int n : {3, 5, 6, 8, 17, 40, 64}) {
-    MeshArrays arrays = testing::fan(n);
+    mesh::MeshArrays arrays = testing::fan(n);
     arrays.points[0].z() = 1.0;
     for (bool is_cone : {false, true}) {
       if (is_cone) arrays.corners = {0};
-      const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+      const LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
       const SurfaceTree tree(surface);
       const Vector3d knot = surface.position(0, 0.0, 0.0);
       const ClosestPoint on = closest_point(tree, knot);
@@ -221,12 +221,12 @@ TEST(ClosestPoint, AtKnotsAndOverThem) {
 
 // Points of the medial axis, at nearly the same distance from much of the surface.
 TEST(ClosestPoint, OfTheMiddleOfARoundBodyTakesBoundedWork) {
-  MeshArrays arrays = testing::cube();
+  mesh::MeshArrays arrays = testing::cube();
   // Twice subdivided and put on a sphere: as round as a mesh of this size gets.
   for (int level = 0; level < 3; ++level) {
-    const LimitSurface surface{ControlMesh(arrays)};
-    const Topology& cells = surface.cells();
-    MeshArrays finer;
+    const LimitSurface surface{mesh::ControlMesh(arrays)};
+    const mesh::Topology& cells = surface.cells();
+    mesh::MeshArrays finer;
     finer.points = surface.layout().refine(surface.mesh().topology(), surface.mesh().points());
     finer.points.resize(cells.vertex_count());
     for (int h = 0; h < cells.half_edge_count(); ++h) {
@@ -236,7 +236,7 @@ TEST(ClosestPoint, OfTheMiddleOfARoundBodyTakesBoundedWork) {
     for (Vector3d& p : finer.points) p.normalize();
     arrays = finer;
   }
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   const SurfaceTree tree(surface);
   const GridSamples samples = evaluate_grid(surface, 8, 0);
   for (const Vector3d& p :
@@ -260,11 +260,11 @@ TEST(ClosestPoint, TurnsAndScalesWithTheMesh) {
   constexpr double kScale = 37.0;
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 40; ++trial) {
-    const MeshArrays arrays = testing::random_mesh(random, 8);
-    MeshArrays moved = arrays;
+    const mesh::MeshArrays arrays = testing::random_mesh(random, 8);
+    mesh::MeshArrays moved = arrays;
     for (auto& p : moved.points) p = kScale * (turn * p);
-    const LimitSurface a(ControlMesh(arrays), Scheme::kBiermann, cache);
-    const LimitSurface b(ControlMesh(moved), Scheme::kBiermann, cache);
+    const LimitSurface a(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
+    const LimitSurface b(mesh::ControlMesh(moved), Scheme::kBiermann, cache);
     const SurfaceTree tree_a(a), tree_b(b);
     for (int i = 0; i < 30; ++i) {
       const Vector3d p = random_query(random, a, i);
@@ -293,7 +293,7 @@ TEST(ClosestPoint, ManyAreTheSameAsOneByOne) {
 }
 
 TEST(ClosestPoint, KeepsToTheSearchRadius) {
-  const SurfaceTree tree{LimitSurface(ControlMesh(testing::grid(3, 3)))};
+  const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::grid(3, 3)))};
   EXPECT_EQ(closest_point(tree, {1.5, 1.5, 2.0}, 1.9).cell, -1);
   EXPECT_TRUE(std::isinf(closest_point(tree, {1.5, 1.5, 2.0}, 1.9).distance));
   EXPECT_DOUBLE_EQ(closest_point(tree, {1.5, 1.5, 2.0}, 2.1).distance, 2.0);
@@ -304,7 +304,7 @@ TEST(ClosestPoint, KeepsToTheSearchRadius) {
 }
 
 TEST(ClosestPoint, NamesWhatIsWrong) {
-  const SurfaceTree tree{LimitSurface(ControlMesh(testing::cube()))};
+  const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::cube()))};
   const double nan = std::nan("");
   EXPECT_THROW(closest_point(tree, {0.0, nan, 0.0}), std::invalid_argument);
   EXPECT_THROW(closest_point(tree, Vector3d::Zero(), -1.0), std::invalid_argument);
@@ -319,8 +319,8 @@ TEST(ClosestPoint, NamesWhatIsWrong) {
 
 TEST(SurfaceTree, FollowsTheSurfaceOnlyWhenRefitted) {
   std::mt19937 random(kSeed + 6);
-  MeshArrays arrays = testing::fan(7);
-  LimitSurface surface{ControlMesh(arrays)};
+  mesh::MeshArrays arrays = testing::fan(7);
+  LimitSurface surface{mesh::ControlMesh(arrays)};
   SurfaceTree tree(surface);
   const Vector3d p(0.3, 0.2, 4.0);
   const double before = closest_point(tree, p).distance;
@@ -331,9 +331,9 @@ TEST(SurfaceTree, FollowsTheSurfaceOnlyWhenRefitted) {
   const SurfaceTree anew(surface);
   EXPECT_NE(closest_point(tree, p).distance, before);
   EXPECT_NEAR(closest_point(tree, p).distance, closest_point(anew, p).distance, 1e-13);
-  const LimitSurface other{ControlMesh(arrays)};
+  const LimitSurface other{mesh::ControlMesh(arrays)};
   EXPECT_THROW(tree.refit(other), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/corner_basis.h"
+#include "surface/eigenbasis/corner_basis.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "surface/basis_cache.h"
-#include "surface/local_matrix.h"
+#include "surface/eigenbasis/basis_cache.h"
+#include "surface/eigenbasis/local_matrix.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 std::vector<CornerKey> keys(int max_faces) {
@@ -16,14 +16,14 @@ std::vector<CornerKey> keys(int max_faces) {
   for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
     for (int n = 1; n <= max_faces; n += n < 9 ? 1 : 7) {
       for (int cell = 0; cell < n; cell += n < 9 ? 1 : 5) {
-        result.push_back({scheme, VertexKind::kCrease, false, n, cell});
-        result.push_back({scheme, VertexKind::kCorner, false, n, cell});
+        result.push_back({scheme, mesh::VertexKind::kCrease, false, n, cell});
+        result.push_back({scheme, mesh::VertexKind::kCorner, false, n, cell});
         if (n < 3) continue;
-        result.push_back({scheme, VertexKind::kDart, false, n, cell});
-        result.push_back({scheme, VertexKind::kCone, false, n, cell});
+        result.push_back({scheme, mesh::VertexKind::kDart, false, n, cell});
+        result.push_back({scheme, mesh::VertexKind::kCone, false, n, cell});
         if (cell > 0) continue;
-        result.push_back({scheme, VertexKind::kSmooth, true, n, 0});
-        result.push_back({scheme, VertexKind::kCone, true, n, 0});
+        result.push_back({scheme, mesh::VertexKind::kSmooth, true, n, 0});
+        result.push_back({scheme, mesh::VertexKind::kCone, true, n, 0});
       }
     }
   }
@@ -92,7 +92,8 @@ TEST(CornerBasis, LocalMatricesAreAffine) {
 // at 1/4.
 TEST(CornerBasis, FindsTheDefectiveSectors) {
   for (int n = 1; n <= 9; ++n) {
-    const auto shared = BasisCache().get({Scheme::kBiermann, VertexKind::kCrease, false, n, 0});
+    const auto shared =
+        BasisCache().get({Scheme::kBiermann, mesh::VertexKind::kCrease, false, n, 0});
     const CornerBasis& basis = *shared;
     bool defective = false;
     for (const SlowBlock& block : basis.spectrum().blocks) {
@@ -109,7 +110,8 @@ TEST(CornerBasis, FindsTheDefectiveSectors) {
 
 TEST(CornerBasis, SubdominantEigenvalueOfInteriorVertices) {
   for (int n : {3, 5, 6, 12, 50}) {
-    const auto shared = BasisCache().get({Scheme::kBiermann, VertexKind::kSmooth, true, n, 0});
+    const auto shared =
+        BasisCache().get({Scheme::kBiermann, mesh::VertexKind::kSmooth, true, n, 0});
     const CornerBasis& basis = *shared;
     // Stam 1998: of the eigenvalues of the interior matrix for frequency 1.
     const double c = std::cos(2.0 * M_PI / n);
@@ -120,4 +122,4 @@ TEST(CornerBasis, SubdominantEigenvalueOfInteriorVertices) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 881;
@@ -49,8 +49,8 @@ TEST(CreaseCurves, AreTheSurfaceAlongCreases) {
   const auto cache = std::make_shared<BasisCache>();
   int darts = 0, closed = 0, borders = 0;
   for (int trial = 0; trial < 600; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 24));
-    const Topology& t = mesh.topology();
+    const mesh::ControlMesh mesh(testing::random_mesh(random, 24));
+    const mesh::Topology& t = mesh.topology();
     const LimitSurface surface(mesh, trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     std::set<int> edges;
     int edge_count = 0;
@@ -60,15 +60,15 @@ TEST(CreaseCurves, AreTheSurfaceAlongCreases) {
       edge_count += curve.edge_count();
       closed += curve.closed();
       borders += curve.kind() == CreaseKind::kBorder;
-      const bool dart = t.kind(curve.vertices().front()) == VertexKind::kDart;
+      const bool dart = t.kind(curve.vertices().front()) == mesh::VertexKind::kDart;
       darts += dart;
-      EXPECT_TRUE(dart || t.kind(curve.vertices().back()) != VertexKind::kDart);
+      EXPECT_TRUE(dart || t.kind(curve.vertices().back()) != mesh::VertexKind::kDart);
       EXPECT_EQ(dart, curve.dart_error() > 0.0);
       for (double s = 0.5; s < curve.edge_count(); ++s) {
         const CellPlace left = curve.left(s), right = curve.right(s);
         edges.insert(t.edge(left.cell >= 0 ? left.cell : right.cell));
       }
-      if (t.kind(curve.vertices().back()) != VertexKind::kDart) {
+      if (t.kind(curve.vertices().back()) != mesh::VertexKind::kDart) {
         EXPECT_LE(curve.dart_error(), 1e-14 * mesh.size());
       }
     }
@@ -84,10 +84,10 @@ TEST(CreaseCurves, AreTheSurfaceAlongCreases) {
 
 // Of a uniform B-spline the control points are the chain's, with one more beyond each corner.
 TEST(CreaseCurves, OfABorderHaveItsControlPoints) {
-  MeshArrays arrays = testing::grid(4, 3);
+  mesh::MeshArrays arrays = testing::grid(4, 3);
   std::mt19937 random(kSeed + 1);
   testing::randomise(arrays, random, 0.0, 0.0, 0.3);
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   const std::vector<CreaseCurve> curves = crease_curves(surface);
   ASSERT_EQ(curves.size(), 4u);
   for (const CreaseCurve& curve : curves) {
@@ -108,9 +108,9 @@ TEST(CreaseCurves, OfABorderHaveItsControlPoints) {
 }
 
 TEST(CreaseCurves, CloseSmoothly) {
-  MeshArrays arrays = testing::prism(6);
+  mesh::MeshArrays arrays = testing::prism(6);
   for (int k = 0; k < 6; ++k) arrays.creases.push_back({k, (k + 1) % 6});
-  const std::vector<CreaseCurve> curves = crease_curves(LimitSurface{ControlMesh(arrays)});
+  const std::vector<CreaseCurve> curves = crease_curves(LimitSurface{mesh::ControlMesh(arrays)});
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed());
   EXPECT_EQ(curves[0].vertices().size(), 6u);
@@ -125,7 +125,7 @@ TEST(CreaseCurves, HaveTheDerivativesOfDifferences) {
   std::mt19937 random(kSeed + 2);
   constexpr double kStep = 1e-5;
   for (int trial = 0; trial < 60; ++trial) {
-    const LimitSurface surface{ControlMesh(testing::random_mesh(random, 9))};
+    const LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 9))};
     for (const CreaseCurve& curve : crease_curves(surface)) {
       // Away from knots, where third derivatives jump.
       for (double t = 0.3; t < curve.edge_count(); ++t) {
@@ -142,12 +142,12 @@ TEST(CreaseCurves, HaveTheDerivativesOfDifferences) {
 TEST(CreaseCurves, RunBetweenTwoDarts) {
   for (int edges : {1, 2, 3, 6}) {
     for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
-      MeshArrays arrays = testing::grid(10, 4);
+      mesh::MeshArrays arrays = testing::grid(10, 4);
       std::mt19937 random(kSeed + 3);
       testing::randomise(arrays, random, 0.0, 0.0, 0.3);
       const int first = 2 * 11 + 2;
       for (int i = 0; i < edges; ++i) arrays.creases.push_back({first + i, first + i + 1});
-      const LimitSurface surface(ControlMesh(arrays), scheme);
+      const LimitSurface surface(mesh::ControlMesh(arrays), scheme);
       for (const CreaseCurve& curve : crease_curves(surface)) {
         if (curve.kind() == CreaseKind::kBorder) continue;
         EXPECT_EQ(curve.edge_count(), edges);
@@ -164,4 +164,4 @@ TEST(CreaseCurves, RunBetweenTwoDarts) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

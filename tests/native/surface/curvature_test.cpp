@@ -8,13 +8,13 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 // Control heights of a quadratic a x² + b x y + c y² over a grid: cubic B-splines reproduce it but
 // for a constant, so its curvature is known in closed form.
-MeshArrays quadratic(double a, double b, double c) {
-  MeshArrays mesh = testing::grid(7, 7);
+mesh::MeshArrays quadratic(double a, double b, double c) {
+  mesh::MeshArrays mesh = testing::grid(7, 7);
   for (auto& p : mesh.points) {
     p.x() -= 3.5;
     p.y() -= 3.5;
@@ -28,7 +28,7 @@ TEST(Curvature, OfQuadraticGraphs) {
   std::uniform_real_distribution<double> unit(-0.3, 0.3);
   for (int trial = 0; trial < 50; ++trial) {
     const double a = unit(random), b = unit(random), c = unit(random);
-    const LimitSurface surface{ControlMesh(quadratic(a, b, c))};
+    const LimitSurface surface{mesh::ControlMesh(quadratic(a, b, c))};
     // The cells of the face in the middle, which no border reaches.
     const int cell = 4 * (3 * 7 + 3) + trial % 4;
     const double u = 0.35 + unit(random), v = 0.35 + unit(random);
@@ -56,10 +56,10 @@ TEST(Curvature, IsGeometric) {
   std::mt19937 random(6);
   const Eigen::AngleAxisd turn(1.1, Vector3d(0.2, -1.0, 0.4).normalized());
   for (int trial = 0; trial < 20; ++trial) {
-    const MeshArrays arrays = testing::random_mesh(random, 8);
-    MeshArrays moved = arrays;
+    const mesh::MeshArrays arrays = testing::random_mesh(random, 8);
+    mesh::MeshArrays moved = arrays;
     for (auto& p : moved.points) p = 2.0 * (turn * p) + Vector3d(5.0, 6.0, 7.0);
-    const LimitSurface a{ControlMesh(arrays)}, b{ControlMesh(moved)};
+    const LimitSurface a{mesh::ControlMesh(arrays)}, b{mesh::ControlMesh(moved)};
     for (int cell = 0; cell < a.cell_count(); ++cell) {
       const Curvature k = curvature(a, cell, 0.3, 0.4), l = curvature(b, cell, 0.3, 0.4);
       const double scale = 1.0 + std::abs(k.maximum) + std::abs(k.minimum);
@@ -70,23 +70,23 @@ TEST(Curvature, IsGeometric) {
 }
 
 TEST(Curvature, OfAConvexBodyIsPositive) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const LimitSurface surface{mesh::ControlMesh(testing::cube())};
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     EXPECT_GT(curvature(surface, cell, 0.5, 0.5).minimum, 0.0);
   }
 }
 
 TEST(Curvature, IsFlaggedAtIrregularKnots) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const Curvature knot = curvature(surface, 0, 0.0, 0.0);
   EXPECT_TRUE(knot.at_irregular_knot);
   EXPECT_TRUE(knot.defined);
   EXPECT_EQ(knot.maximum, curvature(surface, 0, kKnotOffset, kKnotOffset).maximum);
   EXPECT_FALSE(curvature(surface, 0, 1.0, 1.0).at_irregular_knot);
-  MeshArrays cone = testing::fan(5);
+  mesh::MeshArrays cone = testing::fan(5);
   cone.corners = {0};
-  EXPECT_TRUE(curvature(LimitSurface{ControlMesh(cone)}, 0, 0.0, 0.0).at_irregular_knot);
+  EXPECT_TRUE(curvature(LimitSurface{mesh::ControlMesh(cone)}, 0, 0.0, 0.0).at_irregular_knot);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -6,11 +6,11 @@
 #include <map>
 #include <random>
 
-#include "surface/grid_samples.h"
 #include "surface/limit_surface.h"
+#include "surface/sampling/grid_samples.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 // Cox–de Boor on the knots …, -1, 0, 1, …; the derivative is the difference of two functions of one
@@ -28,7 +28,7 @@ double b_spline(int i, int degree, int derivative, double t) {
 constexpr int kM = 6, kN = 5;
 
 // Control point (i, j) of a grid(kM, kN), reflected beyond the borders.
-Vector3d grid_point(const MeshArrays& mesh, int i, int j) {
+Vector3d grid_point(const mesh::MeshArrays& mesh, int i, int j) {
   if (i < 0) return 2.0 * grid_point(mesh, 0, j) - grid_point(mesh, -i, j);
   if (i > kM) return 2.0 * grid_point(mesh, kM, j) - grid_point(mesh, 2 * kM - i, j);
   if (j < 0) return 2.0 * grid_point(mesh, i, 0) - grid_point(mesh, i, -j);
@@ -36,7 +36,7 @@ Vector3d grid_point(const MeshArrays& mesh, int i, int j) {
   return mesh.points[j * (kM + 1) + i];
 }
 
-Vector3d tensor_product(const MeshArrays& mesh, double x, double y, int dx, int dy) {
+Vector3d tensor_product(const mesh::MeshArrays& mesh, double x, double y, int dx, int dy) {
   Vector3d sum = Vector3d::Zero();
   for (int j = -1; j <= kN + 1; ++j) {
     for (int i = -1; i <= kM + 1; ++i) {
@@ -46,7 +46,7 @@ Vector3d tensor_product(const MeshArrays& mesh, double x, double y, int dx, int 
   return sum;
 }
 
-void expect_tensor_product(const MeshArrays& mesh, int face, double u, double v,
+void expect_tensor_product(const mesh::MeshArrays& mesh, int face, double u, double v,
                            const SurfaceJet& jet) {
   // Corner 0 of a face is its lower left one; a cell is half as long as its face.
   const double x = face % kM + 0.5 * u, y = face / kM + 0.5 * v;
@@ -68,9 +68,9 @@ TEST(Derivatives, OfRegularMeshesAreThoseOfATensorProduct) {
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
-    MeshArrays mesh = testing::grid(kM, kN);
+    mesh::MeshArrays mesh = testing::grid(kM, kN);
     testing::randomise(mesh, random, 0.0, 0.0, 0.4);
-    const LimitSurface surface(ControlMesh(mesh), scheme);
+    const LimitSurface surface(mesh::ControlMesh(mesh), scheme);
     for (int trial = 0; trial < 300; ++trial) {
       const int face = static_cast<int>(unit(random) * kM * kN);
       const double u = unit(random), v = unit(random);
@@ -125,10 +125,10 @@ TEST(Derivatives, NearIrregularKnotsAgreeWithDifferences) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
   const auto cache = std::make_shared<BasisCache>();
-  std::map<std::pair<Scheme, VertexKind>, int> seen;
+  std::map<std::pair<Scheme, mesh::VertexKind>, int> seen;
   for (int trial = 0; trial < 120; ++trial) {
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
-    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 20)), scheme, cache);
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 20)), scheme, cache);
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       constexpr double kCorners[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
       for (int corner = 0; corner < 4; ++corner) {
@@ -144,12 +144,13 @@ TEST(Derivatives, NearIrregularKnotsAgreeWithDifferences) {
     }
   }
   for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
-    for (VertexKind kind : {VertexKind::kSmooth, VertexKind::kDart, VertexKind::kCrease,
-                            VertexKind::kCorner, VertexKind::kCone}) {
+    for (mesh::VertexKind kind :
+         {mesh::VertexKind::kSmooth, mesh::VertexKind::kDart, mesh::VertexKind::kCrease,
+          mesh::VertexKind::kCorner, mesh::VertexKind::kCone}) {
       EXPECT_GE((seen[{scheme, kind}]), 20) << static_cast<int>(kind);
     }
   }
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

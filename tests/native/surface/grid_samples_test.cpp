@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/grid_samples.h"
+#include "surface/sampling/grid_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 // A grid is evaluated piece by piece, single points through the tree of squares.
@@ -18,7 +18,7 @@ TEST(GridSamples, AgreeWithSinglePoints) {
   std::mt19937 random(kSeed);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 60; ++trial) {
-    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 10)),
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 10)),
                                trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     const int n = 1 + trial % 19;
     const GridSamples samples = evaluate_grid(surface, n, 2);
@@ -43,7 +43,7 @@ TEST(GridSamples, AgreeWithSinglePoints) {
 }
 
 TEST(GridSamples, RefuseBadArguments) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const LimitSurface surface{mesh::ControlMesh(testing::cube())};
   EXPECT_THROW(evaluate_grid(surface, 0, 0), std::invalid_argument);
   EXPECT_THROW(evaluate_grid(surface, 257, 0), std::invalid_argument);
   EXPECT_THROW(evaluate_grid(surface, 4, 3), std::invalid_argument);
@@ -52,12 +52,12 @@ TEST(GridSamples, RefuseBadArguments) {
 TEST(SetPoints, EqualsANewSurface) {
   std::mt19937 random(34);
   for (int trial = 0; trial < 20; ++trial) {
-    const MeshArrays first = testing::random_mesh(random, 10);
-    MeshArrays second = first;
+    const mesh::MeshArrays first = testing::random_mesh(random, 10);
+    mesh::MeshArrays second = first;
     for (auto& p : second.points) p = Vector3d(p.y() + 1.0, 2.0 * p.x(), p.z() - p.x());
-    LimitSurface moved{ControlMesh(first)};
+    LimitSurface moved{mesh::ControlMesh(first)};
     moved.set_points(second.points);
-    const LimitSurface anew{ControlMesh(second)};
+    const LimitSurface anew{mesh::ControlMesh(second)};
     for (int cell = 0; cell < anew.cell_count(); ++cell) {
       for (double t : {0.0, 1e-5, 0.4, 0.9}) {
         ASSERT_EQ(moved.position(cell, t, 0.3 * t), anew.position(cell, t, 0.3 * t));
@@ -68,4 +68,4 @@ TEST(SetPoints, EqualsANewSurface) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

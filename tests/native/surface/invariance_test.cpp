@@ -7,11 +7,11 @@
 #include <numeric>
 #include <random>
 
-#include "surface/grid_samples.h"
 #include "surface/parallel_for.h"
+#include "surface/sampling/grid_samples.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 4711;
@@ -25,11 +25,11 @@ std::vector<int> shuffled(int count, std::mt19937& random) {
 
 // A mesh whose cell c is cell cell_of[c] of another.
 struct Renumbered {
-  MeshArrays mesh;
+  mesh::MeshArrays mesh;
   std::vector<int> cell_of;
 };
 
-Renumbered renumbered(const MeshArrays& from, std::mt19937& random) {
+Renumbered renumbered(const mesh::MeshArrays& from, std::mt19937& random) {
   Renumbered result;
   const int vertices = static_cast<int>(from.points.size());
   const int faces = static_cast<int>(from.face_sizes.size());
@@ -60,11 +60,11 @@ TEST(Invariance, Renumbering) {
   const auto cache = std::make_shared<BasisCache>();
   constexpr double kPlaces[][2] = {{0.0, 0.0}, {1e-9, 3e-10}, {0.01, 0.2}, {0.7, 0.4}, {1.0, 0.9}};
   for (int trial = 0; trial < 400; ++trial) {
-    const MeshArrays arrays = testing::random_mesh(random, 64);
+    const mesh::MeshArrays arrays = testing::random_mesh(random, 64);
     const Renumbered other = renumbered(arrays, random);
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
-    const LimitSurface a(ControlMesh(arrays), scheme, cache);
-    const LimitSurface b(ControlMesh(other.mesh), scheme, cache);
+    const LimitSurface a(mesh::ControlMesh(arrays), scheme, cache);
+    const LimitSurface b(mesh::ControlMesh(other.mesh), scheme, cache);
     const double size = a.mesh().size();
     for (int cell = 0; cell < b.cell_count(); ++cell) {
       for (const auto& [u, v] : kPlaces) {
@@ -87,8 +87,8 @@ TEST(Invariance, Mirror) {
   const auto cache = std::make_shared<BasisCache>();
   const Vector3d flip(1.0, -1.0, 1.0);
   for (int trial = 0; trial < 100; ++trial) {
-    const MeshArrays arrays = testing::random_mesh(random, 16);
-    MeshArrays mirrored = arrays;
+    const mesh::MeshArrays arrays = testing::random_mesh(random, 16);
+    mesh::MeshArrays mirrored = arrays;
     for (auto& p : mirrored.points) p = p.cwiseProduct(flip);
     auto begin = mirrored.face_vertices.begin();
     for (int size : arrays.face_sizes) {
@@ -96,8 +96,8 @@ TEST(Invariance, Mirror) {
       begin += size;
     }
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
-    const LimitSurface a(ControlMesh(arrays), scheme, cache);
-    const LimitSurface b(ControlMesh(mirrored), scheme, cache);
+    const LimitSurface a(mesh::ControlMesh(arrays), scheme, cache);
+    const LimitSurface b(mesh::ControlMesh(mirrored), scheme, cache);
     int first = 0;
     for (int size : arrays.face_sizes) {
       for (int j = 0; j < size; ++j) {
@@ -115,10 +115,10 @@ TEST(Invariance, Mirror) {
 TEST(Invariance, Scale) {
   std::mt19937 random(kSeed + 2);
   for (double factor : {0x1p-30, 0x1p20, 3.7e-4}) {
-    const MeshArrays arrays = testing::random_mesh(random, 12);
-    MeshArrays scaled = arrays;
+    const mesh::MeshArrays arrays = testing::random_mesh(random, 12);
+    mesh::MeshArrays scaled = arrays;
     for (auto& p : scaled.points) p *= factor;
-    const LimitSurface a{ControlMesh(arrays)}, b{ControlMesh(scaled)};
+    const LimitSurface a{mesh::ControlMesh(arrays)}, b{mesh::ControlMesh(scaled)};
     for (int cell = 0; cell < a.cell_count(); ++cell) {
       const Vector3d expected = a.position(cell, 0.01, 0.3) * factor;
       ASSERT_LT((b.position(cell, 0.01, 0.3) - expected).norm(), 1e-14 * b.mesh().size());
@@ -128,9 +128,9 @@ TEST(Invariance, Scale) {
 
 TEST(Invariance, NumberOfThreads) {
   std::mt19937 random(kSeed + 3);
-  MeshArrays arrays = testing::fan(7);
+  mesh::MeshArrays arrays = testing::fan(7);
   testing::randomise(arrays, random, 0.2, 0.1, 0.1);
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   constexpr int kN = 24;
   const GridSamples one = evaluate_grid(surface, kN, 2);
   for (int threads : {2, 5}) {
@@ -145,7 +145,7 @@ TEST(Invariance, NumberOfThreads) {
 // Surfaces built at the same time with the same bases are those built one after the other.
 TEST(Invariance, ThreadsSharingBases) {
   std::mt19937 random(kSeed + 5);
-  std::vector<ControlMesh> meshes;
+  std::vector<mesh::ControlMesh> meshes;
   for (int i = 0; i < 24; ++i) meshes.emplace_back(testing::random_mesh(random, 12));
   const auto build = [&meshes](int threads) {
     const auto cache = std::make_shared<BasisCache>();
@@ -169,10 +169,11 @@ TEST(Invariance, ThreadsSharingBases) {
 TEST(Invariance, GreatestValence) {
   std::mt19937 random(kSeed + 4);
   const auto cache = std::make_shared<BasisCache>();
-  for (MeshArrays arrays : {testing::double_pyramid(kMaxValence), testing::prism(kMaxValence)}) {
+  for (mesh::MeshArrays arrays :
+       {testing::double_pyramid(mesh::kMaxValence), testing::prism(mesh::kMaxValence)}) {
     testing::randomise(arrays, random, 0.0, 0.0, 0.2);
-    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
-    const Topology& cells = surface.cells();
+    const LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
+    const mesh::Topology& cells = surface.cells();
     for (int h = 0; h < cells.half_edge_count(); ++h) {
       if ((h & 3) != 0) continue;  // side v = 0, which is side u = 0 of the neighbour's cell
       const int g = cells.twin(h);
@@ -186,4 +187,4 @@ TEST(Invariance, GreatestValence) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -8,7 +8,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 7102026;
@@ -27,10 +27,10 @@ TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
   const auto cache = std::make_shared<BasisCache>();
   const double places[] = {0.0, 1e-9, 0.01, 0.3, 0.5, 0.77, 1.0};
   for (int trial = 0; trial < 2000; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 64));
+    const mesh::ControlMesh mesh(testing::random_mesh(random, 64));
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
     const LimitSurface surface(mesh, scheme, cache);
-    const Topology& cells = surface.cells();
+    const mesh::Topology& cells = surface.cells();
     double worst = 0.0;
     for (int h = 0; h < cells.half_edge_count(); ++h) {
       const int g = cells.twin(h);
@@ -52,11 +52,11 @@ TEST(LimitSurface, IsTheSameFromTheSubdividedMesh) {
   const auto cache = std::make_shared<BasisCache>();
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int trial = 0; trial < 60; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 9));
+    const mesh::ControlMesh mesh(testing::random_mesh(random, 9));
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
     const LimitSurface surface(mesh, scheme, cache);
-    const Topology& cells = surface.cells();
-    MeshArrays arrays;
+    const mesh::Topology& cells = surface.cells();
+    mesh::MeshArrays arrays;
     arrays.points = surface.layout().refine(mesh.topology(), mesh.points());
     arrays.points.resize(cells.vertex_count());
     arrays.round_border_corners = true;
@@ -65,13 +65,13 @@ TEST(LimitSurface, IsTheSameFromTheSubdividedMesh) {
       if (cells.is_crease(h)) {
         arrays.creases.push_back({cells.origin(h), cells.origin(cells.next(h))});
       }
-      const VertexKind kind = cells.kind_at(h);
-      if (kind == VertexKind::kCorner || kind == VertexKind::kCone) {
+      const mesh::VertexKind kind = cells.kind_at(h);
+      if (kind == mesh::VertexKind::kCorner || kind == mesh::VertexKind::kCone) {
         arrays.corners.push_back(cells.origin(h));
       }
     }
     arrays.face_sizes.assign(cells.face_count(), 4);
-    const LimitSurface finer(ControlMesh(arrays), scheme, cache);
+    const LimitSurface finer(mesh::ControlMesh(arrays), scheme, cache);
     for (int i = 0; i < 40; ++i) {
       const int cell = static_cast<int>(unit(random) * surface.cell_count());
       // Lower left quarter of the cell: corner 0 of the finer mesh's face.
@@ -89,7 +89,7 @@ TEST(LimitSurface, DerivativesAgreeWithDifferences) {
   const auto cache = std::make_shared<BasisCache>();
   constexpr double kStep = 1e-5;
   for (int trial = 0; trial < 60; ++trial) {
-    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 9)),
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 9)),
                                trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     for (int i = 0; i < 20; ++i) {
       const int cell = static_cast<int>(unit(random) * surface.cell_count());
@@ -125,7 +125,7 @@ double cox_de_boor(int i, int degree, double t) {  // uniform knots …, -1, 0, 
 
 TEST(LimitSurface, IsATensorProductBSplineOnARegularGrid) {
   constexpr int kM = 5, kN = 4;
-  MeshArrays arrays = testing::grid(kM, kN);
+  mesh::MeshArrays arrays = testing::grid(kM, kN);
   std::mt19937 random(kSeed + 3);
   testing::randomise(arrays, random, 0.0, 0.0, 0.4);
   const auto reflected = [](int i, int last, const auto& get) -> Vector3d {
@@ -139,7 +139,7 @@ TEST(LimitSurface, IsATensorProductBSplineOnARegularGrid) {
           i, kM, [&](int column) -> Vector3d { return arrays.points[row * (kM + 1) + column]; });
     });
   };
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int trial = 0; trial < 500; ++trial) {
     const int face = static_cast<int>(unit(random) * kM * kN);
@@ -160,9 +160,9 @@ TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
   std::mt19937 random(kSeed + 4);
   const auto cache = std::make_shared<BasisCache>();
   for (int n = 3; n <= 40; n += n < 10 ? 1 : 10) {
-    MeshArrays arrays = testing::fan(n);
+    mesh::MeshArrays arrays = testing::fan(n);
     testing::randomise(arrays, random, 0.0, 0.0, 0.05);
-    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    const LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
     const Vector3d first = surface.normal(0, 0.0, 0.0);
     EXPECT_NEAR(first.norm(), 1.0, 1e-15);
     EXPECT_GT(first.z(), 0.0);
@@ -183,9 +183,9 @@ TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
 }
 
 TEST(LimitSurface, ConeTipsHaveNoNormal) {
-  MeshArrays arrays = testing::fan(5);
+  mesh::MeshArrays arrays = testing::fan(5);
   arrays.corners = {0};
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   EXPECT_EQ(surface.normal(0, 0.0, 0.0), Vector3d::Zero());
   EXPECT_EQ(surface.position(0, 0.0, 0.0), arrays.points[0]);
 }
@@ -195,10 +195,10 @@ TEST(LimitSurface, MovesAndTurnsWithItsMesh) {
   const Eigen::AngleAxisd turn(0.7, Vector3d(1.0, 2.0, -0.5).normalized());
   const Vector3d shift(100.0, -20.0, 3.0);
   for (int trial = 0; trial < 30; ++trial) {
-    const MeshArrays arrays = testing::random_mesh(random, 8);
-    MeshArrays moved = arrays;
+    const mesh::MeshArrays arrays = testing::random_mesh(random, 8);
+    mesh::MeshArrays moved = arrays;
     for (auto& p : moved.points) p = turn * p + shift;
-    const LimitSurface a{ControlMesh(arrays)}, b{ControlMesh(moved)};
+    const LimitSurface a{mesh::ControlMesh(arrays)}, b{mesh::ControlMesh(moved)};
     for (int cell = 0; cell < a.cell_count(); ++cell) {
       const Vector3d expected = turn * a.position(cell, 0.2, 0.05) + shift;
       ASSERT_LT((b.position(cell, 0.2, 0.05) - expected).norm(), 1e-13 * shift.norm());
@@ -207,4 +207,4 @@ TEST(LimitSurface, MovesAndTurnsWithItsMesh) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

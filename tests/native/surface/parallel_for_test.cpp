@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 TEST(ParallelFor, DoesEveryIndexOnce) {
@@ -51,4 +51,4 @@ TEST(ParallelFor, LeavesLittleWorkToTheCaller) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/piece_weights.h"
+#include "surface/pieces/piece_weights.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 22112026;
@@ -35,7 +35,7 @@ TEST(PieceWeights, GiveTheSurface) {
   const auto cache = std::make_shared<BasisCache>();
   int found = 0, asked = 0;
   for (int trial = 0; trial < 60; ++trial) {
-    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 12)),
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 12)),
                                trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     const PieceWeights pieces(surface);
     const double snap[] = {0.0, 0.25, 0.5, 1.0};
@@ -64,7 +64,7 @@ TEST(PieceWeights, GiveTheDerivatives) {
   SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
   for (int trial = 0; trial < 30; ++trial) {
-    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 12)));
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 12)));
     const PieceWeights pieces(surface);
     const double size = surface.mesh().size();
     for (int query = 0; query < 40; ++query) {
@@ -91,4 +91,4 @@ TEST(PieceWeights, GiveTheDerivatives) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/point_weights.h"
+#include "surface/pieces/point_weights.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 22112026;
@@ -21,7 +21,7 @@ TEST(PointWeights, GiveThePositionOfEveryPlace) {
   const double places[] = {0.0, 1e-12, 1e-5, 0.03, 0.25, 0.5, 0.74, 1.0};
   std::uniform_int_distribution<int> any(0, 7);
   for (int trial = 0; trial < 300; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 24));
+    const mesh::ControlMesh mesh(testing::random_mesh(random, 24));
     const LimitSurface surface(mesh, trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     PointWeights weights(surface);
     std::uniform_int_distribution<int> cells(0, surface.cell_count() - 1);
@@ -46,7 +46,7 @@ TEST(PointWeights, GiveThePositionOfEveryPlace) {
 
 // Closed form: at a regular knot 16, 4 and 1 of 36; at a border's knot 4 and 1 of 6.
 TEST(PointWeights, AreThoseOfBicubicSplinesAtKnots) {
-  const LimitSurface surface{ControlMesh(testing::grid(4, 4))};
+  const LimitSurface surface{mesh::ControlMesh(testing::grid(4, 4))};
   PointWeights weights(surface);
   const auto at_corner_of_face = [&](int face) { return weights.at(4 * face, 0.0, 0.0); };
   const std::vector<PointWeight> inner = at_corner_of_face(10);  // its first corner is point 12
@@ -68,4 +68,4 @@ TEST(PointWeights, AreThoseOfBicubicSplinesAtKnots) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/ray_hits.h"
+#include "surface/queries/ray_hits.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "surface/closest_point.h"
-#include "surface/grid_samples.h"
+#include "surface/queries/closest_point.h"
+#include "surface/sampling/grid_samples.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 11212027;
@@ -27,15 +27,15 @@ Vector3d random_direction(std::mt19937& random) {
 }
 
 // A closed mesh of random kind, tags and positions.
-MeshArrays random_body(std::mt19937& random) {
+mesh::MeshArrays random_body(std::mt19937& random) {
   const auto draw = [&random](int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
   };
   const int kind = draw(0, 2);
   const int n = draw(0, 9) == 0 ? draw(3, 30) : draw(3, 8);
-  MeshArrays mesh = kind == 0   ? testing::cube()
-                    : kind == 1 ? testing::prism(n)
-                                : testing::double_pyramid(n);
+  mesh::MeshArrays mesh = kind == 0   ? testing::cube()
+                          : kind == 1 ? testing::prism(n)
+                                      : testing::double_pyramid(n);
   constexpr double kCreases[] = {0.0, 0.1, 0.3, 0.7};
   testing::randomise(mesh, random, kCreases[draw(0, 3)], draw(0, 2) ? 0.0 : 0.1, 0.2);
   return mesh;
@@ -54,7 +54,7 @@ TEST(RayHits, AreOnTheRayAndOnTheSurface) {
   const auto cache = std::make_shared<BasisCache>();
   int hits_seen = 0;
   for (int trial = 0; trial < 100; ++trial) {
-    const LimitSurface surface(ControlMesh(testing::random_mesh(random, 12)),
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 12)),
                                trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     const SurfaceTree tree(surface);
     for (int i = 0; i < 60; ++i) {
@@ -95,7 +95,7 @@ TEST(RayHits, OfClosedBodiesComeInPairsAndNeverSlipThrough) {
   const auto cache = std::make_shared<BasisCache>();
   int rays = 0, odd = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    const LimitSurface surface(ControlMesh(random_body(random)),
+    const LimitSurface surface(mesh::ControlMesh(random_body(random)),
                                trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     const SurfaceTree tree(surface);
     constexpr double kPlaces[] = {0.0, 1e-12, 0.25, 0.5, 0.7, 1.0 - 1e-9};
@@ -139,9 +139,9 @@ TEST(RayHits, OfFoldedCellsAreAsManyAsThoseOfSmallTriangles) {
   int differ = 0, rays = 0;
   std::size_t most = 0;
   for (int trial = 0; trial < 20; ++trial) {
-    MeshArrays arrays = trial % 2 ? testing::grid(3, 3) : testing::fan(5);
+    mesh::MeshArrays arrays = trial % 2 ? testing::grid(3, 3) : testing::fan(5);
     testing::randomise(arrays, random, 0.0, 0.0, trial % 2 ? 3.0 : 6.0);
-    const LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    const LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
     const SurfaceTree tree(surface);
     const GridSamples samples = evaluate_grid(surface, kGrid, 0);
     for (int i = 0; i < 10; ++i) {
@@ -189,12 +189,12 @@ TEST(RayHits, AtBordersOfNarrowCells) {
   std::mt19937 random(kSeed + 7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (double away : {30.0, 1e3, 1e4, 1e5}) {
-    MeshArrays mesh = testing::grid(1, 2);
+    mesh::MeshArrays mesh = testing::grid(1, 2);
     mesh.points[0] = {-away, -2.0, -2.0};
     mesh.points[3] = {-1.5, 1.8, -2.0};
-    const LimitSurface surface{ControlMesh(mesh)};
+    const LimitSurface surface{mesh::ControlMesh(mesh)};
     const SurfaceTree tree(surface);
-    const Topology& cells = surface.cells();
+    const mesh::Topology& cells = surface.cells();
     for (int h = 0; h < cells.half_edge_count(); ++h) {
       if (cells.twin(h) >= 0) continue;
       for (double t : {0.0, 1e-3, unit(random)}) {
@@ -214,7 +214,7 @@ TEST(RayHits, AtBordersOfNarrowCells) {
 
 TEST(RayHits, OfABoxAreThoseOfTheClosedForm) {
   const Vector3d low(0.0, -2.0, 0.0), high(5.0, 2.0, 3.0);
-  const SurfaceTree tree{LimitSurface(ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
+  const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
   std::mt19937 random(kSeed + 2);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int crossed = 0;
@@ -245,7 +245,7 @@ TEST(RayHits, OfABoxAreThoseOfTheClosedForm) {
 }
 
 TEST(RayHits, ThroughEdgesAndCornersOfABoxCountOnce) {
-  const SurfaceTree tree{LimitSurface(ControlMesh(testing::creased_box(2.0, 2.0, 2.0)))};
+  const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::creased_box(2.0, 2.0, 2.0)))};
   const Vector3d corner(0.0, -1.0, 0.0), opposite(2.0, 1.0, 2.0);
   const Vector3d along = (opposite - corner).normalized();
   const std::vector<RayHit> diagonal = all_ray_hits(tree, {corner - along, along});
@@ -264,7 +264,7 @@ TEST(RayHits, ThroughEdgesAndCornersOfABoxCountOnce) {
 }
 
 TEST(RayHits, AlongAFlatSideAreItsEnds) {
-  const SurfaceTree box{LimitSurface(ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
+  const SurfaceTree box{LimitSurface(mesh::ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
   // In the top, across cells and slantwise; and along an edge.
   const struct {
     Vector3d origin, direction;
@@ -287,9 +287,9 @@ TEST(RayHits, AlongAFlatSideAreItsEnds) {
 
 // A trough: curved one way, straight the other.
 TEST(RayHits, AlongAStraightLineOfACurvedSideAreItsEnds) {
-  MeshArrays arrays = testing::grid(5, 5);
+  mesh::MeshArrays arrays = testing::grid(5, 5);
   for (Vector3d& p : arrays.points) p.z() = 0.2 * std::pow(p.y() - 2.5, 2);
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   const SurfaceTree tree(surface);
   for (double v : {0.3, 0.77, 1.0}) {
     const Vector3d on_line = surface.position(4 * 7, 0.4, v);
@@ -304,11 +304,11 @@ TEST(RayHits, AlongAStraightLineOfACurvedSideAreItsEnds) {
 
 TEST(RayHits, ThatTouchAreGrazing) {
   // A dome, its highest line crosswise.
-  MeshArrays arrays = testing::grid(6, 6);
+  mesh::MeshArrays arrays = testing::grid(6, 6);
   for (Vector3d& p : arrays.points) {
     p.z() = -0.1 * (std::pow(p.x() - 3.0, 2) + std::pow(p.y() - 3.0, 2));
   }
-  const LimitSurface surface{ControlMesh(arrays)};
+  const LimitSurface surface{mesh::ControlMesh(arrays)};
   const SurfaceTree tree(surface);
   const Vector3d top = surface.position(4 * 14, 1.0, 1.0);
   const Vector3d beside = surface.position(4 * 14 + 1, 0.3, 0.6);
@@ -330,7 +330,7 @@ TEST(RayHits, ThatTouchAreGrazing) {
 }
 
 TEST(RayHits, KeepToTheirStretch) {
-  const SurfaceTree tree{LimitSurface(ControlMesh(testing::creased_box(2.0, 2.0, 2.0)))};
+  const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::creased_box(2.0, 2.0, 2.0)))};
   Ray ray{{0.7, 0.1, -1.0}, {0.0, 0.0, 1.0}};
   ray.t_min = 1.5;
   EXPECT_NEAR(first_ray_hit(tree, ray)->t, 3.0, 1e-13);
@@ -350,11 +350,11 @@ TEST(RayHits, TurnAndScaleWithTheMesh) {
   constexpr double kScale = 0.01;
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 40; ++trial) {
-    const MeshArrays arrays = random_body(random);
-    MeshArrays moved = arrays;
+    const mesh::MeshArrays arrays = random_body(random);
+    mesh::MeshArrays moved = arrays;
     for (auto& p : moved.points) p = kScale * (turn * p);
-    const SurfaceTree a{LimitSurface(ControlMesh(arrays), Scheme::kBiermann, cache)};
-    const SurfaceTree b{LimitSurface(ControlMesh(moved), Scheme::kBiermann, cache)};
+    const SurfaceTree a{LimitSurface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache)};
+    const SurfaceTree b{LimitSurface(mesh::ControlMesh(moved), Scheme::kBiermann, cache)};
     for (int i = 0; i < 50; ++i) {
       const Vector3d direction = random_direction(random);
       const Vector3d origin = 0.5 * random_direction(random) - 10.0 * direction;
@@ -370,7 +370,7 @@ TEST(RayHits, TurnAndScaleWithTheMesh) {
 }
 
 TEST(RayHits, NameWhatIsWrong) {
-  const SurfaceTree tree{LimitSurface(ControlMesh(testing::cube()))};
+  const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::cube()))};
   const double nan = std::nan("");
   const Vector3d zero = Vector3d::Zero(), x = Vector3d::UnitX();
   EXPECT_THROW(first_ray_hit(tree, {{nan, 0.0, 0.0}, x}), std::invalid_argument);
@@ -380,4 +380,4 @@ TEST(RayHits, NameWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/shown_points.h"
+#include "surface/sampling/shown_points.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "surface/tessellation.h"
+#include "surface/sampling/tessellation.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 22112026;
@@ -32,13 +32,13 @@ TEST(SetPoints, OfAFewEqualsANewSurfaceAndKnowsWhichCellsMoved) {
   std::mt19937 random(kSeed);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 30; ++trial) {
-    MeshArrays arrays = testing::random_mesh(random, 10);
-    LimitSurface surface(ControlMesh(arrays), Scheme::kBiermann, cache);
+    mesh::MeshArrays arrays = testing::random_mesh(random, 10);
+    LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
     for (int move = 1; move <= 5; ++move) {
       const LimitSurface before = surface;
       arrays.points = with_some_moved(arrays.points, random);
       surface.set_points(arrays.points);
-      const LimitSurface anew(ControlMesh(arrays), Scheme::kBiermann, cache);
+      const LimitSurface anew(mesh::ControlMesh(arrays), Scheme::kBiermann, cache);
       ASSERT_EQ(surface.revision(), move);
       int still = 0;
       for (int cell = 0; cell < anew.cell_count(); ++cell) {
@@ -92,8 +92,8 @@ TEST(ShownPoints, FollowEveryMove) {
   std::mt19937 random(kSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 20; ++trial) {
-    MeshArrays arrays = testing::random_mesh(random, 8);
-    LimitSurface surface(ControlMesh(arrays), Scheme::kCatmullClark, cache);
+    mesh::MeshArrays arrays = testing::random_mesh(random, 8);
+    LimitSurface surface(mesh::ControlMesh(arrays), Scheme::kCatmullClark, cache);
     const bool mirrored = trial % 2 == 0;
     ShownPoints shown(surface, 1 + trial % 5, mirrored, 0.3048);
     for (int move = 0; move < 5; ++move) {
@@ -108,8 +108,8 @@ TEST(ShownPoints, FollowEveryMove) {
 
 // A strip along the centre plane whose border is pulled off it, and put back.
 TEST(ShownPoints, NumberImagesAnewWherePointsLeaveTheCentrePlane) {
-  MeshArrays arrays = testing::grid(8, 3);
-  LimitSurface surface{ControlMesh(arrays)};
+  mesh::MeshArrays arrays = testing::grid(8, 3);
+  LimitSurface surface{mesh::ControlMesh(arrays)};
   ShownPoints shown(surface, 4, true, 1.0);
   const float* kept = shown.coordinates().data();
   const std::vector<float> before = shown.coordinates();
@@ -127,10 +127,10 @@ TEST(ShownPoints, NumberImagesAnewWherePointsLeaveTheCentrePlane) {
 }
 
 TEST(ShownPoints, RefuseUnitsThatAreNone) {
-  const LimitSurface surface{ControlMesh(testing::cube())};
+  const LimitSurface surface{mesh::ControlMesh(testing::cube())};
   EXPECT_THROW(ShownPoints(surface, 4, false, 0.0), std::invalid_argument);
   EXPECT_THROW(ShownPoints(surface, 0, false, 1.0), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

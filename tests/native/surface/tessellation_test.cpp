@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/tessellation.h"
+#include "surface/sampling/tessellation.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::surface {
 namespace {
 
 constexpr unsigned kSeed = 5150;
@@ -131,7 +131,7 @@ void expect_points_of_surface(const LimitSurface& surface, const Tessellation& t
 // normals are those of the surface.
 TEST(Tessellation, IsWatertight) {
   for (int n : {1, 2, 5}) {
-    const LimitSurface surface{ControlMesh(testing::prism(5))};
+    const LimitSurface surface{mesh::ControlMesh(testing::prism(5))};
     const Tessellation t = tessellate(surface, n);
     expect_watertight(t, true);
     // Euler: closed quadrilateral meshes of a sphere have V - E + F = 2, E = 2 F.
@@ -142,10 +142,10 @@ TEST(Tessellation, IsWatertight) {
 }
 
 TEST(Tessellation, LeavesOutIsolatedPoints) {
-  MeshArrays arrays = testing::cube();
+  mesh::MeshArrays arrays = testing::cube();
   arrays.points.insert(arrays.points.begin(), Vector3d(9.0, 9.0, 9.0));
   for (int& v : arrays.face_vertices) ++v;
-  const Tessellation t = tessellate(LimitSurface{ControlMesh(arrays)}, 3);
+  const Tessellation t = tessellate(LimitSurface{mesh::ControlMesh(arrays)}, 3);
   EXPECT_EQ(t.points.size(), t.quads.size() + 2);
   for (const Vector3d& p : t.points) EXPECT_LE(p.cwiseAbs().maxCoeff(), 1.0);
 }
@@ -155,13 +155,13 @@ TEST(Tessellation, KeepsToItsTolerance) {
   std::mt19937 random(kSeed);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 60; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 32));
+    const mesh::ControlMesh mesh(testing::random_mesh(random, 32));
     const LimitSurface surface(mesh, trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     const double tolerance = (trial % 3 ? 1e-2 : 1e-3) * mesh.size();
     const Tessellation t = tessellate_to_tolerance(surface, tolerance);
     expect_points_of_surface(surface, t);
     int borders = 0;
-    const Topology& cells = surface.cells();
+    const mesh::Topology& cells = surface.cells();
     for (int h = 0; h < cells.half_edge_count(); ++h) borders += cells.twin(h) < 0;
     expect_watertight(t, borders == 0);
     EXPECT_EQ(borders == 0, border_sides(t) == 0);
@@ -179,9 +179,9 @@ TEST(Tessellation, SharesNormalsWithinSectors) {
   std::mt19937 random(kSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 100; ++trial) {
-    const ControlMesh mesh(testing::random_mesh(random, 16));
+    const mesh::ControlMesh mesh(testing::random_mesh(random, 16));
     const LimitSurface surface(mesh, trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
-    const Topology& cells = surface.cells();
+    const mesh::Topology& cells = surface.cells();
     const Tessellation t = tessellate(surface, 2);
     constexpr double kPlaces[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
     // Of each cell the four quadrilaterals hold its corners 0, 1, 3 and 2.
@@ -191,11 +191,11 @@ TEST(Tessellation, SharesNormalsWithinSectors) {
       const auto& [u, v] = kPlaces[h & 3];
       const Vector3d normal = surface.normal(h / 4, u, v);
       ASSERT_LT((t.normals[index(h)] - normal).norm(), 1e-11) << "trial " << trial;
-      const int left = turn_left(cells, h);
+      const int left = mesh::turn_left(cells, h);
       if (left >= 0) {
         ASSERT_EQ(index(h), index(left));
       } else if (const int across = cells.twin(cells.prev(h));
-                 across >= 0 && cells.kind_at(h) == VertexKind::kCrease) {
+                 across >= 0 && cells.kind_at(h) == mesh::VertexKind::kCrease) {
         ASSERT_NE(index(h), index(across));
       }
     }
@@ -203,9 +203,9 @@ TEST(Tessellation, SharesNormalsWithinSectors) {
 }
 
 TEST(Tessellation, RefusesToleranceItCannotKeep) {
-  MeshArrays arrays = testing::fan(5);
+  mesh::MeshArrays arrays = testing::fan(5);
   arrays.corners = {0};
-  const LimitSurface cone{ControlMesh(arrays)};
+  const LimitSurface cone{mesh::ControlMesh(arrays)};
   for (double tolerance : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(tessellate_to_tolerance(cone, tolerance), std::invalid_argument);
   }
@@ -224,12 +224,13 @@ TEST(Tessellation, RefusesToleranceItCannotKeep) {
 
 // Flat faces need no division, however unevenly they are parametrised.
 TEST(Tessellation, LeavesFlatSidesWhole) {
-  const LimitSurface box{ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const LimitSurface box{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
   EXPECT_EQ(tessellate_to_tolerance(box, 1e-6).quads.size(), 24u);
-  MeshArrays arrays = testing::grid(6, 6);
+  mesh::MeshArrays arrays = testing::grid(6, 6);
   for (auto& p : arrays.points) p = {std::exp(0.4 * p.x()), std::exp(-0.3 * p.y()), 0.0};
-  EXPECT_EQ(tessellate_to_tolerance(LimitSurface{ControlMesh(arrays)}, 1e-6).quads.size(), 144u);
+  EXPECT_EQ(tessellate_to_tolerance(LimitSurface{mesh::ControlMesh(arrays)}, 1e-6).quads.size(),
+            144u);
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::surface

@@ -10,18 +10,19 @@
 
 #include "modelling/fit.h"
 #include "modelling/thin_plate.h"
-#include "surface/closest_point.h"
-#include "surface/point_weights.h"
+#include "surface/pieces/point_weights.h"
+#include "surface/queries/closest_point.h"
 #include "test_meshes.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 constexpr unsigned kSeed = 22112026;
 
 class Cost : public ceres::FirstOrderFunction {
  public:
-  Cost(const LimitSurface& start, const std::vector<Vector3d>& targets, const FitOptions& options)
+  Cost(const surface::LimitSurface& start, const std::vector<Vector3d>& targets,
+       const FitOptions& options)
       : start_(start),
         targets_(targets),
         locked_(options.limits.locked),
@@ -36,10 +37,11 @@ class Cost : public ceres::FirstOrderFunction {
   int NumParameters() const override { return static_cast<int>(3 * start_.mesh().points().size()); }
 
   bool Evaluate(const double* values, double* cost, double* slopes) const override {
-    LimitSurface surface = start_;
+    surface::LimitSurface surface = start_;
     surface.set_points(points(values));
-    const std::vector<ClosestPoint> feet = closest_points(SurfaceTree(surface), targets_);
-    PointWeights weights(surface);
+    const std::vector<surface::ClosestPoint> feet =
+        surface::closest_points(surface::SurfaceTree(surface), targets_);
+    surface::PointWeights weights(surface);
     if (slopes) std::fill_n(slopes, NumParameters(), 0.0);
     *cost = energy(values);
     const double share = 1.0 / static_cast<double>(feet.size());
@@ -48,7 +50,7 @@ class Cost : public ceres::FirstOrderFunction {
       *cost += share * off.squaredNorm();
       if (!slopes) continue;
       // The foot's own way along the surface costs nothing, to first order.
-      for (const PointWeight& one : weights.at(feet[i].cell, feet[i].u, feet[i].v)) {
+      for (const surface::PointWeight& one : weights.at(feet[i].cell, feet[i].u, feet[i].v)) {
         Eigen::Map<Vector3d>(slopes + 3 * one.point) += 2.0 * share * one.weight * off;
       }
     }
@@ -83,14 +85,14 @@ class Cost : public ceres::FirstOrderFunction {
     }
   }
 
-  const LimitSurface& start_;
+  const surface::LimitSurface& start_;
   const std::vector<Vector3d>& targets_;
   const std::vector<int>& locked_;
-  PieceWeights pieces_{start_};
+  surface::PieceWeights pieces_{start_};
   double stiffness_;
 };
 
-std::vector<int> borders(const Topology& mesh) {
+std::vector<int> borders(const mesh::Topology& mesh) {
   std::vector<int> points;
   for (int h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.twin(h) < 0) points.push_back(mesh.origin(h));
@@ -117,8 +119,8 @@ double made_least(const Cost& cost, const std::vector<Vector3d>& from) {
 TEST(FitMinimum, NoOtherMethodFindsLess) {
   std::mt19937 random(kSeed);
   std::normal_distribution<double> noise(0.0, 0.01);
-  MeshArrays mesh = testing::grid(5, 4);
-  const LimitSurface start{ControlMesh(mesh)};
+  mesh::MeshArrays mesh = testing::grid(5, 4);
+  const surface::LimitSurface start{mesh::ControlMesh(mesh)};
   // A bulge that the sheet, its border locked, can't follow wholly.
   std::vector<Vector3d> targets;
   for (int i = 0; i <= 10; ++i) {
@@ -143,4 +145,4 @@ TEST(FitMinimum, NoOtherMethodFindsLess) {
 }
 
 }  // namespace
-}  // namespace hull
+}  // namespace hull::modelling

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing/paper/label_placer.h"
+
+#include <algorithm>
+
+namespace hull::drawing {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+
+namespace {
+
+AlignedBox2d bounds_of(const OrientedBox& box) {
+  AlignedBox2d bounds;
+  for (const Vector2d& corner : box.corners()) bounds.extend(corner);
+  return bounds;
+}
+
+}  // namespace
+
+int LabelPlacer::add_curve(const std::vector<Vector2d>& points) {
+  Curve curve;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    curve.bounds.extend(points[i]);
+    if (i > 0) curve.segments.push_back({points[i - 1], points[i]});
+  }
+  curves_.push_back(std::move(curve));
+  return static_cast<int>(curves_.size()) - 1;
+}
+
+bool LabelPlacer::is_free(const OrientedBox& box, int own_curve) const {
+  for (const OrientedBox& other : boxes_) {
+    if (overlap(box, other)) return false;
+  }
+  const AlignedBox2d bounds = bounds_of(box);
+  for (int i = 0; i < static_cast<int>(curves_.size()); ++i) {
+    if (i == own_curve || !curves_[i].bounds.intersects(bounds)) continue;
+    for (const Segment& segment : curves_[i].segments) {
+      if (overlap(box, segment.a, segment.b)) return false;
+    }
+  }
+  return true;
+}
+
+bool LabelPlacer::is_free(const Vector2d& a, const Vector2d& b) const {
+  return std::none_of(boxes_.begin(), boxes_.end(),
+                      [&](const OrientedBox& box) { return overlap(box, a, b); });
+}
+
+}  // namespace hull::drawing

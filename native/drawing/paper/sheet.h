@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A finished drawing as plain data: what is drawn where, in millimetres of the page, before any
+// file is written. The origin is the page's upper left corner, x to the right, y down.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/paper/oriented_box.h"
+
+namespace hull::drawing {
+
+// Each part in [0, 1].
+struct Colour {
+  double red, green, blue;
+  double opacity = 1.0;
+
+  bool operator==(const Colour&) const = default;
+};
+
+// Lengths of line and gap in turn, mm; all zero for an unbroken line.
+using Dashes = std::array<double, 4>;
+
+struct Pen {
+  double width;  // mm
+  Colour colour;
+  Dashes dashes = {};
+  std::string_view layer = {};  // of files that have layers; a literal
+
+  bool operator==(const Pen&) const = default;
+};
+
+// A cubic B-spline on the page: four more knots than points.
+struct PageSpline {
+  std::vector<Eigen::Vector2d> points;
+  std::vector<double> knots;
+};
+
+struct Stroke {
+  Pen pen;
+  std::vector<Eigen::Vector2d> points;  // two or more; closed where the last is the first
+  std::optional<PageSpline> spline = std::nullopt;  // the same curve for files that know splines
+};
+
+// A polygon filled without an outline; three points or more.
+struct Fill {
+  Colour colour;
+  std::vector<Eigen::Vector2d> points;
+};
+
+// One line of text, drawn to fill its box from the left; whose height is ascent and descent
+// (text_meter.h).
+struct Label {
+  std::string text;
+  double size;  // the font's em, mm
+  bool bold;
+  Colour ink;
+  bool knockout;   // blank the paper beneath: the label interrupts a curve
+  double descent;  // from the bottom of the box up to the baseline
+  OrientedBox box;
+};
+
+struct Sheet {
+  std::string title;
+  double width, height;
+  std::vector<Fill> areas;      // drawn first
+  std::vector<Stroke> strokes;  // then these, in this order
+  std::vector<Fill> patches;    // then these: dots, bars
+  std::vector<Label> labels;    // drawn last
+};
+
+}  // namespace hull::drawing

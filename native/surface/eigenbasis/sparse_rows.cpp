@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/eigenbasis/sparse_rows.h"
+
+#include <algorithm>
+
+namespace hull::surface {
+
+void SparseRows::multiply(const Eigen::Vector3d* old_points, Eigen::Vector3d* new_points) const {
+  for (int row = 0; row < count(); ++row) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    for (int k = begin_[row]; k < begin_[row + 1]; ++k) {
+      const Eigen::Vector3d& p = old_points[index_[k]];
+      x += weight_[k] * p.x();
+      y += weight_[k] * p.y();
+      z += weight_[k] * p.z();
+    }
+    new_points[row] = {x, y, z};
+  }
+}
+
+int SparseRows::add_entries(const std::vector<int>& index, const std::vector<double>& weight) {
+  for (int row = 0; row < count(); ++row) {
+    const int begin = begin_[row], end = begin_[row + 1];
+    if (std::equal(index_.begin() + begin, index_.begin() + end, index.begin(), index.end()) &&
+        std::equal(weight_.begin() + begin, weight_.begin() + end, weight.begin(), weight.end())) {
+      return row;
+    }
+  }
+  index_.insert(index_.end(), index.begin(), index.end());
+  weight_.insert(weight_.end(), weight.begin(), weight.end());
+  begin_.push_back(static_cast<int>(index_.size()));
+  return count() - 1;
+}
+
+}  // namespace hull::surface

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/sampling/shown_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "surface/sampling/tessellation.h"
+
+namespace hull::surface {
+namespace {
+
+constexpr double kCentrePlane = 1e-9;       // of the mesh's size
+constexpr std::size_t kCellsAtATime = 128;  // their samples stay in the processor's cache
+
+}  // namespace
+
+ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, double metres_per_unit)
+    : surface_(&surface),
+      n_(n),
+      mirrored_(mirrored),
+      metres_per_unit_(metres_per_unit),
+      centre_plane_(kCentrePlane * surface.mesh().size()),
+      revision_(surface.revision()) {
+  if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) {
+    throw std::invalid_argument("A unit must be a positive number of metres, not " +
+                                std::to_string(metres_per_unit) + ".");
+  }
+  const Tessellation tessellation = tessellate(surface, n);
+  const std::size_t count = tessellation.points.size();
+  first_.assign(surface.cell_count() + 1, 0);
+  for (int cell : tessellation.cells) ++first_[cell + 1];
+  for (int cell = 0; cell < surface.cell_count(); ++cell) first_[cell + 1] += first_[cell];
+  taken_.resize(count);
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  for (std::size_t point = 0; point < count; ++point) {
+    const Eigen::Vector2d& uv = tessellation.uv[point];
+    const int i = static_cast<int>(std::lround(n * uv.x()));
+    const int j = static_cast<int>(std::lround(n * uv.y()));
+    taken_[next[tessellation.cells[point]]++] = {i * (n + 1) + j, static_cast<int>(point)};
+  }
+  coordinates_.reserve(6 * count);  // what reads them may do so while images are numbered anew
+  coordinates_.resize(3 * count);
+  shared_.assign(count, 1);
+  images_.assign(count, -1);
+  for (std::size_t point = 0; point < count; ++point) {
+    take_point(static_cast<int>(point), tessellation.points[point]);
+  }
+  number_images();
+}
+
+bool ShownPoints::update() {
+  sharing_changed_ = false;
+  std::vector<int> cells;
+  for (int cell = 0; cell < surface_->cell_count(); ++cell) {
+    if (surface_->moved_at(cell) > revision_) cells.push_back(cell);
+    if (cells.size() < kCellsAtATime) continue;
+    take_cells(cells);
+    cells.clear();
+  }
+  take_cells(cells);
+  revision_ = surface_->revision();
+  if (!sharing_changed_) return true;
+  number_images();
+  return false;
+}
+
+void ShownPoints::take_cells(const std::vector<int>& cells) {
+  if (cells.empty()) return;
+  evaluate_cells(*surface_, cells, n_, 0, samples_);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Vector3d* samples = &samples_.points[samples_.index(static_cast<int>(k), 0, 0)];
+    for (int i = first_[cells[k]]; i < first_[cells[k] + 1]; ++i) {
+      take_point(taken_[i].point, samples[taken_[i].sample]);
+    }
+  }
+}
+
+void ShownPoints::take_point(int point, const Vector3d& position) {
+  const bool shared = !mirrored_ || std::abs(position.y()) <= centre_plane_;
+  const auto x = static_cast<float>(position.x() / metres_per_unit_);
+  const auto y = mirrored_ && shared ? 0.0f : static_cast<float>(position.y() / metres_per_unit_);
+  const auto z = static_cast<float>(position.z() / metres_per_unit_);
+  float* out = &coordinates_[3 * static_cast<std::size_t>(point)];
+  out[0] = x;
+  out[1] = y;
+  out[2] = z;
+  if (shared != static_cast<bool>(shared_[point])) {
+    shared_[point] = shared;
+    sharing_changed_ = true;
+  }
+  if (shared || sharing_changed_) return;
+  out = &coordinates_[3 * static_cast<std::size_t>(images_[point])];
+  out[0] = x;
+  out[1] = -y;
+  out[2] = z;
+}
+
+void ShownPoints::number_images() {
+  const std::size_t count = shared_.size();
+  int number = static_cast<int>(count);
+  for (std::size_t point = 0; point < count; ++point) {
+    images_[point] = shared_[point] ? static_cast<int>(point) : number++;
+  }
+  coordinates_.resize(3 * static_cast<std::size_t>(number));
+  for (std::size_t point = 0; point < count; ++point) {
+    if (shared_[point]) continue;
+    const float* from = &coordinates_[3 * point];
+    float* to = &coordinates_[3 * static_cast<std::size_t>(images_[point])];
+    to[0] = from[0];
+    to[1] = -from[1];
+    to[2] = from[2];
+  }
+}
+
+}  // namespace hull::surface
