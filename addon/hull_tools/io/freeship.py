@@ -22,6 +22,7 @@ VERSIONS = (
     *(230, 240, 250, 260, 270, 280, 290, 295, 296, 297, 298, 300, 302, 303, 305, 309, 310, 313),
     *(314, 317, 327, 332, 335, 421, 430, 462, 500),
 )
+FINEST_PRECISION = 3
 NEW_COPY = "open it in FREE!ship, mend this, and save it again"
 
 
@@ -39,13 +40,17 @@ class StoredLayer:
 class Model:
     """The part of a file that makes a hull, in the file's own units, checked but not interpreted.
 
-    points: (n, 3) float64. corners: indices of points tagged as corners. edges: (a, b, crease).
+    levels: how often FREE!ship subdivides the mesh. dimensions_set: whether somebody gave length,
+    beam and draft; the draft is from the lowest point of the layers in hydrostatics. points: (n, 3)
+    float64. corners: indices of points tagged as corners. edges: (a, b, crease).
     """
 
     name: str
+    levels: int
     length: float
     beam: float
     draft: float
+    dimensions_set: bool
     water_density: float
     imperial: bool
     layers: list
@@ -123,7 +128,7 @@ def _open(data, file_name):
 
 
 def _read_model(cursor, version):
-    _skip_visibility(cursor, version)
+    levels = _levels(cursor, version)
     settings = _project(cursor, version)
     layers = _layers(cursor, version)
     points, corners = _points(cursor, version)
@@ -133,6 +138,7 @@ def _read_model(cursor, version):
     faces, face_layers = _faces(cursor, len(points), len(layers))
     return Model(
         **settings,
+        levels=levels,
         layers=layers,
         points=points,
         corners=corners,
@@ -142,19 +148,21 @@ def _read_model(cursor, version):
     )
 
 
-def _skip_visibility(cursor, version):
+def _levels(cursor, version):
+    """How often the mesh is subdivided, from the precision that the view settings begin with."""
     cursor.element = "the view settings"
-    cursor.record("i" + "i" + "?" * 10 + "f")
+    precision, *_ = cursor.record("i" + "i" + "?" * 10 + "f")
     for since, layout in ((195, "?"), (210, "f"), (220, "??????"), (250, "?")):
         if version >= since:
             cursor.record(layout)
+    return 1 + min(max(precision, 0), FINEST_PRECISION)
 
 
 def _project(cursor, version):
     cursor.element = "the project settings"
     name = cursor.text()
     cursor.text()
-    length, beam, draft, _, density, *_, units, _, _, _ = cursor.record("fff?ff?ii?f?")
+    length, beam, draft, dimensions_set, density, *_, units, _, _, _ = cursor.record("fff?ff?ii?f?")
     if units not in (0, 1):
         raise cursor.error(f"the unit of length is number {units}, neither metres nor feet")
     cursor.text()
@@ -175,6 +183,7 @@ def _project(cursor, version):
         "length": length,
         "beam": beam,
         "draft": draft,
+        "dimensions_set": dimensions_set,
         "water_density": density,
         "imperial": units == 1,
     }

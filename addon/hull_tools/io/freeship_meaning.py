@@ -2,26 +2,32 @@
 """What a FREE!ship model means as a hull: metres, shell, halves, tags, faces turned outwards."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from .cleanup import clean_faces, creases_of_faces, listed
-from .hull_data import HullData, Layer, Particulars
+from .hull_data import HullData, Layer, Particulars, shell_face_indices
 from .limits import LONGEST_DIMENSION
+from .mending import mend
 from .mirror import mirror_faces
-from .orientation import turn_outwards
+from .subdivision import subdivided
 
 FOOT = 0.3048
-POUND_PER_CUBIC_FOOT = 0.45359237e-3 / FOOT**3
-LONG_TON_PER_CUBIC_FOOT = 2240 * POUND_PER_CUBIC_FOOT
+LONG_TON_PER_CUBIC_FOOT = 2240 * 0.45359237e-3 / FOOT**3
+# FREE!ship's own: it takes a tonne for a long ton, so that 1.025 t/m3 are 65.016 there.
+POUND_PER_CUBIC_FOOT = 1.0 / (2240 * FOOT**3)
+
+# A keel nearer to the base line than this part of the hull's size is on it.
+ON_BASE = 1e-5
 
 
 def water_density_in_t_per_m3(stored, imperial):
     """Density in t/m3; 0 when the stored number can't be a liquid's.
 
     Metric files store t/m3. The unit of imperial ones is not stated, but the usual ones are so far
-    apart that the number tells: pounds per cubic foot (sea water 64), t/m3 (1.025), long tons per
-    cubic foot (1/35).
+    apart that the number tells: FREE!ship's pounds per cubic foot (sea water 65), t/m3 (1.025),
+    long tons per cubic foot (1/35).
     """
     units = [1.0]
     if imperial:
@@ -54,7 +60,8 @@ def hull_from_model(model, source):
         notes=notes,
     )
     _settle_symmetry(data, [layer.symmetric for layer in model.layers])
-    _turn_faces(data)
+    mend(data)
+    _settle_draft(data, model.levels)
     return data
 
 
@@ -75,6 +82,12 @@ def _colour(bgr):
 def _particulars(model, scale, notes):
     """Main dimensions in metres; what can't be one is 0 (not given) and noted."""
     lengths = {}
+    if not model.dimensions_set:
+        notes.append(
+            f"Nobody set the file's main dimensions ({model.length:g}, {model.beam:g}, "
+            f"{model.draft:g}): they were taken as not given."
+        )
+        model = replace(model, length=0.0, beam=0.0, draft=0.0)
     for name, value in (
         ("length_pp", model.length),
         ("beam", model.beam),
@@ -112,20 +125,22 @@ def _settle_symmetry(data, symmetric):
         )
 
 
-def _turn_faces(data):
-    """Turn the shell, and the other faces by themselves: a deck must not turn the hull below."""
-    count = 0
-    for part in (True, False):
-        indices = [
-            index
-            for index, layer in enumerate(data.face_layers)
-            if data.layers[layer].in_hydrostatics is part
-        ]
-        turned, turned_count = turn_outwards(
-            data.points, [data.faces[index] for index in indices], data.half
-        )
-        for index, face in zip(indices, turned):
-            data.faces[index] = face
-        count += turned_count
-    if 0 < count < len(data.faces):
-        data.notes.append(f"{count} of {len(data.faces)} faces were turned to face outwards.")
+def _settle_draft(data, levels):
+    """FREE!ship's draft is from the lowest point of the shell, as subdivided there, ours from
+    z = 0. Where the water would lie below that the hull is moved up."""
+    shell = [data.faces[index] for index in shell_face_indices(data)] or data.faces
+    stored = data.particulars.draft
+    if not shell or stored == 0.0:
+        return
+    edges = creases_of_faces(data.creases, shell)
+    lowest = float(subdivided(data.points, shell, edges, data.corners, levels)[:, 2].min())
+    size = float(np.ptp(data.points, axis=0).max())
+    if abs(lowest) <= ON_BASE * size:
+        return
+    where = f"The file's draft of {stored:.4g} m is from the lowest point, at z = {lowest:.4g} m"
+    if stored + lowest > ON_BASE * size:
+        data.particulars.draft = stored + lowest
+        data.notes.append(f"{where}: the water lies at z = {stored + lowest:.4g} m.")
+    else:
+        data.points[:, 2] -= lowest
+        data.notes.append(f"{where}: the hull was moved up, to stand on z = 0.")

@@ -89,8 +89,10 @@ def box_model():
         "length": 10.0,
         "beam": 4.1,
         "draft": 1.3,
+        "dimensions_set": True,
         "density": 1.025,
         "units": 0,
+        "precision": 1,
         "jpeg": b"\xff\xd8 no picture \xff\xd9",
         # name, colour 0xBBGGRR, symmetric, in hydrostatics
         "layers": [("Shell", 0x0000FF, True, True), ("Deck", 0x00FF00, True, False)],
@@ -122,7 +124,7 @@ def box_model():
 
 def write_model(sink, version, model):
     """The content of a file of this version that holds the model."""
-    sink.int(1)
+    sink.int(model["precision"])
     _visibility(sink, version)
     _project(sink, version, model)
     _layers(sink, version, model)
@@ -155,7 +157,7 @@ def _project(sink, version, model):
     sink.string(model["name"])
     sink.string(model["designer"])
     sink.float(model["length"], model["beam"], model["draft"])
-    sink.bool(1)
+    sink.bool(model["dimensions_set"])
     sink.float(model["density"], 1.005)
     sink.bool(1)
     sink.int(0xF0F0F0, model["units"])

@@ -119,10 +119,8 @@ def test_feet_become_metres(read, encoding):
     assert hull.units == "ft"
     np.testing.assert_allclose(hull.points[7], [3.048, 0.6096, 0.9144], rtol=1e-12)
     assert hull.particulars.length_pp == pytest.approx(3.048, rel=1e-12)
-    # 64 lb/ft3: 0.45359237 kg to the pound, 0.028316846592 m3 to the cubic foot.
-    assert hull.particulars.water_density == pytest.approx(
-        64 * 0.45359237 / 0.028316846592 / 1000, rel=1e-12
-    )
+    # FREE!ship's pounds: 2240 of them to the tonne; 0.028316846592 m3 to the cubic foot.
+    assert hull.particulars.water_density == pytest.approx(64 / 2240 / 0.028316846592, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -132,6 +130,7 @@ def test_feet_become_metres(read, encoding):
         (0, 64.0, 0.0),
         (0, math.nan, 0.0),
         (1, 1.025, 1.025),
+        (1, 65.0155, 1.025),  # as FREE!ship stores 1.025 t/m3 when it goes over to feet
         (1, 1 / 35, 2240 * 0.45359237 / 0.028316846592 / 35 / 1000),
         (1, 0.0, 0.0),
     ],
@@ -190,12 +189,18 @@ def test_degenerate_and_double_faces_are_mended_and_noted(read):
     ]
 
 
-def test_edges_of_three_faces_are_left_for_the_mesh_check(read):
+def test_a_plate_on_the_shell_is_split_from_it(read):
     model = box_model()
     model["points"].append((5.0, 1.0, -1.0, 0))
     model["faces"].append(([2, 6, 8], 0))
     hull = read(model)
-    assert sum({2, 6} <= set(face) for face in hull.faces) == 3
+    assert sum({2, 6} <= set(face) for face in hull.faces) == 2
+    plate = hull.faces[5]
+    np.testing.assert_array_equal(
+        sorted(hull.points[plate].tolist()), [[0, 2, 0], [5, 1, -1], [10, 2, 0]]
+    )
+    note = next(note for note in hull.notes if "split" in note)
+    assert "edge 2–6 of the file" in note and "1 faces stand on others (layer Shell)" in note
 
 
 def test_a_hull_without_symmetric_layers_is_whole(read):
@@ -212,9 +217,10 @@ def test_where_symmetry_is_mixed_both_sides_are_made(read):
     hull = read(model)
     assert not hull.half
     assert len(hull.faces) == 6 + 5
-    # Points 0, 1, 4, 5, 8 and 9 lie on the centre plane; 2, 3, 6 and 7 have an image.
-    assert len(hull.points) == 10 + 4
-    np.testing.assert_array_equal(hull.points[10:], hull.points[[2, 3, 6, 7]] * [1, -1, 1])
+    # Points 0, 1, 4, 5, 8 and 9 lie on the centre plane; 2, 3, 6 and 7 have an image. The fin
+    # stands on the edge of two others and is split from them.
+    assert len(hull.points) == 10 + 4 + 2
+    np.testing.assert_array_equal(hull.points[10:14], hull.points[[2, 3, 6, 7]] * [1, -1, 1])
     assert hull.face_layers[6:] == [0, 0, 0, 0, 1]
     assert {(2, 6), (4, 6), (10, 12), (4, 12)} <= set(hull.creases)
     assert (0, 4) in hull.creases, "the keel was a border of the half, thus a crease"

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls that other programs made, mended to what a surface can be made of.
+
+Each function changes a HullData in place, and adds a sentence to its notes where it changed
+anything: nothing is done unseen.
+"""
+
+from .cleanup import listed
+from .hull_data import shell_face_indices
+from .orientation import turn_outwards
+from .splitting import split, standing_parts
+
+# A half that reaches across the centre plane by more than this part of its breadth has both sides.
+ACROSS = 1e-3
+
+
+def mend(data):
+    """Parts the shell where it is no one surface, brings a half hull to port, turns the faces."""
+    part_shell(data)
+    bring_to_port(data)
+    turn_faces(data)
+
+
+def part_shell(data):
+    """Splits the points and edges where faces of the shell join without making one surface."""
+    shell = shell_face_indices(data)
+    made = split(data.points, data.faces, data.face_layers, shell)
+    if len(made.origins) == len(data.points):
+        return
+    standing = standing_parts(data.points, data.faces, data.face_layers, shell)
+    data.notes.append(_parted(data, made, standing))
+    data.points = data.points[made.origins]
+    data.faces = made.faces
+    data.creases = made.carried_edges(data.creases)
+    data.deck_edge = made.carried_edges(data.deck_edge)
+    data.corners = made.carried_points(data.corners)
+
+
+def _parted(data, made, standing):
+    places = [f"point {listed(made.points)}"] if made.points else []
+    if made.edges:
+        places.append(f"edge {listed(['–'.join(map(str, edge)) for edge in made.edges])}")
+    note = (
+        f"Faces that joined without making one surface were split, at {' and '.join(places)} of "
+        "the file"
+    )
+    if standing:
+        layers = sorted(
+            {data.layers[data.face_layers[index]].name for p in standing for index in p}
+        )
+        note += (
+            f"; {sum(map(len, standing))} faces stand on others (layer {listed(layers)}): Set "
+            "Aside takes them out of the shell"
+        )
+    return note + "."
+
+
+def bring_to_port(data):
+    """Mirrors a half hull whose shell lies to starboard (y < 0)."""
+    if not lies_to_starboard(data):
+        return
+    data.points = data.points * [1.0, -1.0, 1.0] + 0.0
+    data.faces = [face[::-1] for face in data.faces]
+    for flat in data.flats:
+        flat.normal = (flat.normal[0], -flat.normal[1], flat.normal[2])
+    data.notes.append("The half hull lay to starboard (y < 0): it was mirrored to port.")
+
+
+def lies_to_starboard(data):
+    """Whether the shell of a half hull is on the wrong side of the centre plane."""
+    used = sorted({point for index in shell_face_indices(data) for point in data.faces[index]})
+    if not data.half or not used:
+        return False
+    y = data.points[used, 1]
+    return bool(y.min() < 0.0 and y.max() <= -ACROSS * y.min())
+
+
+def turn_faces(data):
+    """Turns the shell, and the other faces by themselves: a deck must not turn the hull below."""
+    count = 0
+    for part in (True, False):
+        indices = [
+            index
+            for index, layer in enumerate(data.face_layers)
+            if data.layers[layer].in_hydrostatics is part
+        ]
+        turned, turned_count = turn_outwards(
+            data.points, [data.faces[index] for index in indices], data.half
+        )
+        for index, face in zip(indices, turned):
+            data.faces[index] = face
+        count += turned_count
+    if 0 < count < len(data.faces):
+        data.notes.append(f"{count} of {len(data.faces)} faces were turned to face outwards.")
