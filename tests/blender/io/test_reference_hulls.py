@@ -49,6 +49,18 @@ def path(request, freeship_files):
     return next(path for path in freeship_files if path.name == request.param)
 
 
+# The lowest points, of the exact surface, where they are not at z = 0 and a draft is given; how
+# much lower or higher the mesh is that FREE!ship measures from.
+KEELS = {
+    "27mpatrol.fbm": -0.056426,
+    "FREE!ship demo 6.fbm": -0.000855,
+    "FREE!ship demo 7.fbm": 0.037012,
+    "FREE!ship demo tug.fbm": -0.003156,
+    "ellipsoid321.fbm": -0.001138,
+}
+FACETED = 8e-4
+
+
 def test_all_files_are_known(freeship_files):
     assert [path.name for path in freeship_files] == sorted(KNOWN)
 
@@ -63,11 +75,15 @@ def test_counts_and_particulars(path):
     assert len(hull.corners) == corners
     assert hull.half == (path.name != "pdock+weght_symm.fbm")
     assert hull.units == "m"
-    assert hull.notes == []
+    length, beam, draft, density = PARTICULARS[path.name]
     found = hull.particulars
-    assert (found.length_pp, found.beam, found.draft, found.water_density) == pytest.approx(
-        PARTICULARS[path.name], rel=1e-7
+    assert (found.length_pp, found.beam, found.water_density) == pytest.approx(
+        (length, beam, density), rel=1e-7
     )
+    keel = KEELS.get(path.name, 0.0)
+    assert found.draft == pytest.approx(draft + keel, abs=FACETED if keel else 1e-7)
+    assert len(hull.notes) == (path.name in KEELS)
+    assert all("lowest point" in note for note in hull.notes)
     assert all(layer.in_hydrostatics for layer in hull.layers)
 
 
