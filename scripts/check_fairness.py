@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Counts what is not fair on hulls' lines and reflection lines, and tells what no design calls for.
 
-PYTHONPATH=build/release/python python3 scripts/check_fairness.py [--all] [HULL ...]
+PYTHONPATH=build/release/python:samples python3 scripts/check_fairness.py [--all] [HULL ...]
 
 HULL is a sample's name or a hull file; without any: every sample. What the design calls for is
-WANTED in samples/sources/NAME.py; fair_lines.py tells its form, fair_marks.py and fair_turns.py
-what is seen. Ends with 1 where something is unwanted. --all shows lines that are as wanted, too.
+WANTED in samples/sources/NAME.py; hull_fairness/lines.py tells its form, inflections.py and
+kinks.py what is seen. Ends with 1 where something is unwanted. --all shows lines that are as
+wanted, too.
 """
 
 import argparse
 import sys
 
-import fair_lines
 import vessels
+from hull_fairness.lines import LEAST_DEPTH, judged
 
 
 def counts(found):
@@ -38,10 +39,10 @@ def check(name, is_all):
     """How many marks of a hull are unwanted."""
     vessel = vessels.vessel(name)
     beam = vessel.data.particulars.beam
-    lines = fair_lines.judged(vessel.surface, beam, vessel.wanted)
+    lines = judged(vessel.surface, beam, vessel.wanted)
     unwanted = sum(len(line.unwanted) for line in lines)
     print(
-        f"{vessel.name}: {len(lines)} lines; seen from {1e3 * fair_lines.LEAST_DEPTH * beam:.1f} mm"
+        f"{vessel.name}: {len(lines)} lines; seen from {1e3 * LEAST_DEPTH * beam:.1f} mm"
         f" depth on: {counts([mark for line in lines for mark in line.found])}; {unwanted} unwanted"
     )
     for line in lines:

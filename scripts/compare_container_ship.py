@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the container ship with the surface it was fitted to: sections, and distances.
 
-PYTHONPATH=build/dev/python python3 scripts/compare_container_ship.py PICTURE.svg
+PYTHONPATH=build/dev/python:samples python3 scripts/compare_container_ship.py PICTURE.svg
 
 writes the sections of both at 11 stations and prints distances of the target's points below the
 water from the exact surface, by parts of the ship, as a table in Markdown.

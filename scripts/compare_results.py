@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whether two builds of hull_native give the same results for the samples, to the last bit.
 
-PYTHONPATH=build/release/python python3 scripts/compare_results.py --write FILE [SAMPLE ...]
-PYTHONPATH=build/release/python python3 scripts/compare_results.py FILE [FILE]
+export PYTHONPATH=build/release/python:python:samples
+python3 scripts/compare_results.py --write FILE [SAMPLE ...]
+python3 scripts/compare_results.py FILE [FILE]
 
 Writes all results of results/ to FILE; or compares those of the module in the path, or of
 a second file, with FILE's. Told is each result that is not bit-equal, with its largest difference,

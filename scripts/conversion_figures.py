@@ -13,12 +13,11 @@ import tempfile
 import time
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
 
 VALENCES = (3, 5, 6, 8)
 GRADINGS = np.arange(2, 17)
@@ -157,7 +156,6 @@ def row(name, surface, convert, mirrored):
 
 
 def table(path):
-    hull_io = load_hull_io()
     hull = hull_io.read_hull(path)
     shell = hull_io.shell_arrays(hull)
     surface = hn.LimitSurface(

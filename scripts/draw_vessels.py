@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws control mesh, lines plan and sections plan of vessels, as PDF and PNG.
 
-PYTHONPATH=build/release/python python3 scripts/draw_vessels.py FOLDER NAME ...
+PYTHONPATH=build/release/python:samples python3 scripts/draw_vessels.py FOLDER NAME ...
 
 into FOLDER/NAME/.
 """

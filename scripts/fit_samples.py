@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fits a sample's control mesh to the published surface it was made after, and prints the points.
 
-PYTHONPATH=build/dev/python python3 scripts/fit_samples.py container_ship|bulk_carrier
+PYTHONPATH=build/dev/python:samples python3 scripts/fit_samples.py container_ship|bulk_carrier
 
 It starts from the coordinates in samples/sources/NAME.py, so that after a change there (another
 row, another draft of a section) the fit is run again and its points are put into the source.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes samples/NAME.hull.json from samples/sources/NAME.py, and on request their numbers.
 
-python3 scripts/make_samples.py [NAME ...]
-PYTHONPATH=build/dev/python python3 scripts/make_samples.py --expected [NAME ...]
+PYTHONPATH=python:samples python3 scripts/make_samples.py [NAME ...]
+PYTHONPATH=build/dev/python:samples python3 scripts/make_samples.py --expected [NAME ...]
 
 Without names: all that have a source. --expected also writes samples/expected/NAME.json, the
 particulars of the surface at the design draft.
@@ -10,16 +10,13 @@ particulars of the surface at the design draft.
 
 import argparse
 import json
-import sys
 from pathlib import Path
+
+import hull_io
+import sources
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLES = ROOT / "samples"
-sys.path[:0] = [str(SAMPLES), str(ROOT / "tests" / "blender" / "io")]
-import sources  # noqa: E402
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 EXPECTED = (
     "displaced_volume",

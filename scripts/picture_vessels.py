@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of vessels with paint, sections and waterlines, and as mirrors of light lines.
 
-blender --background --python-exit-code 1 --python picture_vessels.py -- FOLDER PERCENT NAME ...
+PYTHONPATH=python blender --background --python-use-system-env --python-exit-code 1 \
+    --python picture_vessels.py -- FOLDER PERCENT NAME ...
 
 into FOLDER/NAME/, as rendering_*.png and reflection_*.png, from two sides each, with PERCENT of
 the full width of 1600 dots.
@@ -16,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from enabled_addon import part  # noqa: E402
 from figures import reflection_scene  # noqa: E402
-from figures.lights import VIEWS  # noqa: E402
+from hull_fairness.lights import VIEWS  # noqa: E402
 from quiet_output import quiet_output  # noqa: E402
 
 SAMPLES = Path(__file__).resolve().parents[1] / "samples"

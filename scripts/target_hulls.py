@@ -5,14 +5,13 @@ They lie beside the project, in ../shared/hulls/reference, and are no part of it
 """
 
 import gzip
-import importlib
 import tempfile
 from pathlib import Path
 
 import numpy as np
 import vessels
-
-spread_points = importlib.import_module(f"{vessels.hull_io.__name__}.triangles").spread_points
+from hull_io import read_stl
+from hull_io.triangles import spread_points
 
 FOLDER = vessels.ROOT.parent / "shared" / "hulls" / "reference"
 # File and metres per unit of it.
@@ -31,7 +30,7 @@ def triangles(name):
             plain = Path(folder) / path.stem
             plain.write_bytes(gzip.decompress(path.read_bytes()))
             path = plain
-        points, corners = vessels.hull_io.read_stl(path)
+        points, corners = read_stl(path)
     return scale * points[corners]
 
 

@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The samples as scripts want them: their data, their exact surface, what their sources tell."""
 
-import sys
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+import hull_io
+import sources
+
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLES = ROOT / "samples"
-sys.path[:0] = [str(SAMPLES), str(ROOT / "tests" / "blender" / "io")]
-import sources  # noqa: E402
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 _ENDING = ".hull.json"
 
 

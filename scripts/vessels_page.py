@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Puts the vessels' pictures together, and makes the docs' page of them.
 
-PYTHONPATH=build/release/python python3 scripts/vessels_page.py FOLDER NAME ...
+PYTHONPATH=build/release/python:samples python3 scripts/vessels_page.py FOLDER NAME ...
 
 of what draw_vessels.py and picture_vessels.py left in FOLDER/NAME/: PDFs of the pictures there,
 small copies of all in docs/images/vessels, and docs/vessels.md of all vessels that have copies.

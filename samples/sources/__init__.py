@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the sample hulls come from: a module each, with make(hull_io) -> HullData.
 
-`hull_io` is the add-on's io package, loaded without Blender. A module also tells of
-FEATURES (what the vessel shows, and how it is in the mesh; tests/python/features/table.py has a
-check of each), MOST_POINTS (of the half hull's control mesh), WANTED (inflections and extrema of
-curvature that the design calls for) and, where there are any, PUBLISHED values.
+A module also tells of FEATURES (what the vessel shows, and how it is in the mesh;
+tests/python/features/table.py has a check of each), MOST_POINTS (of the half hull's control mesh),
+WANTED (inflections and extrema of curvature that the design calls for) and, where there are any,
+PUBLISHED values.
 """
 
 import importlib

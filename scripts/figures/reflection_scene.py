@@ -5,9 +5,8 @@ import math
 
 import bpy
 import numpy as np
+from hull_fairness.lights import BANDS, VIEWS
 from mathutils import Vector
-
-from .lights import BANDS, VIEWS
 
 LIGHT, DARK, AROUND = (0.94, 0.95, 0.96, 1.0), (0.035, 0.05, 0.075, 1.0), (0.62, 0.64, 0.66, 1.0)
 RENDER_SAMPLES = 32

@@ -23,6 +23,11 @@ def part(path):
     return importlib.import_module(f"{module_name()}.hull_tools.{path}")
 
 
+def hull_io(path=""):
+    """The installed package of readers and writers, or a module of it, such as `new_hulls`."""
+    return importlib.import_module(f"{module_name()}.hull_io{path and '.'}{path}")
+
+
 def add_box(name="box"):
     """The port half of a box, open at the top and on the centre plane, active and not yet a hull.
 

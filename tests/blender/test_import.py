@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import mesh_points, part, state_of
+from addon_under_test import hull_io, mesh_points, part, state_of
 
 FILE_COUNT = 13
 
@@ -20,7 +20,7 @@ def test_every_file_arrives_as_one_hull(freeship_folder):
     for path in files:
         bpy.ops.wm.read_homefile(use_empty=True)
         assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}, path.name
-        check_imported(bpy.context.object, part("io").read_hull(path))
+        check_imported(bpy.context.object, hull_io().read_hull(path))
 
 
 def check_imported(hull, wanted):
@@ -48,7 +48,7 @@ def crease_pairs(hull):
 
 def test_layers_outside_hydrostatics_are_no_shell(freeship_folder):
     for path in sorted(freeship_folder.glob("*.f[bt]m")):
-        wanted = part("io").shell_arrays(part("io").read_hull(path))
+        wanted = hull_io().shell_arrays(hull_io().read_hull(path))
         bpy.ops.wm.read_homefile(use_empty=True)
         bpy.ops.hull.import_hull(filepath=str(path))
         mesh = state_of(bpy.context.object).surface.mesh
@@ -82,7 +82,7 @@ def test_the_scene_scale_is_honoured(freeship_folder):
     path = freeship_folder / "FREE!ship demo 6.fbm"
     bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
-    wanted = part("io").read_hull(path)
+    wanted = hull_io().read_hull(path)
     assert mesh_points(hull)[:, 0].max() == pytest.approx(100.0 * wanted.points[:, 0].max())
     assert hull.hull.draft == pytest.approx(100.0 * wanted.particulars.draft)
 

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import mesh_points, part, state_of
+from addon_under_test import hull_io, mesh_points, part, state_of
 
 KINDS = ("BARGE", "ROUND_BILGE", "PLANING", "CANOE_BODY")
 SEED = 20
@@ -19,7 +19,7 @@ BLOCK = {
 
 
 def usual(kind):
-    each = part("io.new_hulls").TYPES[kind]
+    each = hull_io("new_hulls").TYPES[kind]
     lengths = [getattr(each.dimensions, name) for name in ("length", "beam", "draft", "depth")]
     return [*lengths, each.sections, each.points]
 
@@ -27,7 +27,7 @@ def usual(kind):
 def cases(kind, count):
     """The usual hull, the smallest and the largest mesh, and others at random."""
     length, beam, draft, depth, sections, points = usual(kind)
-    new_hulls = part("io.new_hulls")
+    new_hulls = hull_io("new_hulls")
     yield length, beam, draft, depth, sections, points
     for end in (0, 1):
         yield length, beam, draft, depth, new_hulls.SECTIONS[end], new_hulls.POINTS[end]
@@ -67,7 +67,7 @@ def measured(surface, length, beam, draft):
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_hull_is_whole_and_to_its_dimensions(kind):
     for case in cases(kind, 20):
-        hull = part("io.new_hulls").new_hull(kind, *case)
+        hull = hull_io("new_hulls").new_hull(kind, *case)
         assert native().check_mesh(*arrays(hull)) == [], case
         length, beam, draft, depth = case[:4]
         surface = surface_of(hull)
@@ -98,7 +98,7 @@ def lowest_sheer(hull, surface):
 @pytest.mark.parametrize("kind", KINDS)
 def test_flats_are_flat(kind):
     for case in cases(kind, 5):
-        hull = part("io.new_hulls").new_hull(kind, *case)
+        hull = hull_io("new_hulls").new_hull(kind, *case)
         surface = surface_of(hull)
         for flat in hull.flats:
             points = hull.points[sorted({p for face in flat.faces for p in hull.faces[face]})]
@@ -112,7 +112,7 @@ def test_which_parts_are_flat():
     normals = {
         kind: sorted(
             tuple(np.abs(np.round(flat.normal)))
-            for flat in part("io.new_hulls").new_hull(kind, *usual(kind)).flats
+            for flat in hull_io("new_hulls").new_hull(kind, *usual(kind)).flats
         )
         for kind in KINDS
     }
@@ -143,7 +143,7 @@ def test_lines_are_fair(kind):
     of_station, of_stations, of_waterline = INFLECTIONS[kind]
     for case in cases(kind, 12):
         length, depth = case[0], case[3]
-        surface = surface_of(part("io.new_hulls").new_hull(kind, *case))
+        surface = surface_of(hull_io("new_hulls").new_hull(kind, *case))
         stations = inflections(surface, "x", np.linspace(0.05, 0.8, 16) * length)
         assert max(stations) <= of_station and sum(stations) <= of_stations, (case, stations)
         waterlines = inflections(surface, "z", np.linspace(0.1, 0.9, 9) * depth)
@@ -151,7 +151,7 @@ def test_lines_are_fair(kind):
 
 
 def test_dimensions_that_no_hull_can_have():
-    new_hull = part("io.new_hulls").new_hull
+    new_hull = hull_io("new_hulls").new_hull
     with pytest.raises(ValueError, match="no freeboard"):
         new_hull("BARGE", 60.0, 12.0, 4.0, 4.0, 8, 6)
     with pytest.raises(ValueError, match="beam is 0 m"):
@@ -166,7 +166,7 @@ def test_dimensions_that_no_hull_can_have():
 def test_operator_makes_the_usual_hull(kind):
     assert bpy.ops.hull.add_hull(kind=kind) == {"FINISHED"}
     hull = bpy.context.object
-    wanted = part("io.new_hulls").new_hull(kind, *usual(kind))
+    wanted = hull_io("new_hulls").new_hull(kind, *usual(kind))
     assert hull.select_get() and len(bpy.context.selected_objects) == 1
     # Points of a raked transom may be moved by rounding, into its plane.
     np.testing.assert_allclose(mesh_points(hull), wanted.points, rtol=1e-6, atol=1e-6)
@@ -182,7 +182,7 @@ def test_operator_takes_dimensions_in_scene_units():
     given = {"length": 2000.0, "beam": 500.0, "draft": 80.0, "depth": 200.0}
     assert bpy.ops.hull.add_hull(kind="CANOE_BODY", sections=9, points=6, **given) == {"FINISHED"}
     hull = bpy.context.object
-    wanted = part("io.new_hulls").new_hull("CANOE_BODY", 20.0, 5.0, 0.8, 2.0, 9, 6)
+    wanted = hull_io("new_hulls").new_hull("CANOE_BODY", 20.0, 5.0, 0.8, 2.0, 9, 6)
     np.testing.assert_allclose(mesh_points(hull), 100.0 * wanted.points, rtol=1e-6, atol=1e-3)
     assert hull.hull.draft == pytest.approx(80.0)
     surface = state_of(hull).surface

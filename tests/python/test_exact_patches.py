@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Exact patches against the surface: equal outside the corner squares, and within what is asked."""
 
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 from reference_data import MESHES, foreign_ships, hull_path, reference_mesh
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 SAMPLES = sorted(path.name for path in (ROOT / "samples").glob("*.hull.json"))
 SHIPS = foreign_ships()

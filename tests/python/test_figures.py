@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The figures: what is hidden of a control mesh, labels that leave each other room, files."""
 
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 cairo = pytest.importorskip("cairo")
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import vessels  # noqa: E402
 from figures import control_mesh, labels, lines_plan, paper, sections_plan  # noqa: E402
 

@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fitting surfaces to points: samples shaken at random come back, and what is wrong is said."""
 
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 SEED = 20261122
 SHAKEN = 0.02  # of the beam

@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The samples that were fitted to published surfaces: how near they come."""
 
-import sys
-from pathlib import Path
 
 import hull_native as hn
 import numpy as np
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import target_hulls  # noqa: E402
-import vessels  # noqa: E402
+import target_hulls
+import vessels
 
 # Of the published volume and wetted surface.
 SHARE = {"container_ship": 0.003, "bulk_carrier": 0.005}

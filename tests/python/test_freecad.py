@@ -5,18 +5,14 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 FREECAD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
 pytestmark = pytest.mark.skipif(FREECAD is None, reason="FreeCAD is not installed")

@@ -1,23 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Who may use whom in the add-on: dependencies point one way."""
+"""Who may use whom in the Python code: dependencies point one way."""
 
 import ast
 import re
+import sys
 from pathlib import Path
 
 import pytest
 
-INNER = Path(__file__).resolve().parents[2] / "addon" / "hull_tools"
+ROOT = Path(__file__).resolve().parents[2]
+OUTER = ROOT / "addon"
+INNER = OUTER / "hull_tools"
 
-# What each part may use beside itself.
+# What the packages beside hull_native may use beside themselves and Python's own library.
+PACKAGES = {"hull_io": {"numpy"}, "hull_fairness": {"numpy", "hull_native"}}
+
+# What each part of the add-on may use beside itself.
 ALLOWED = {
-    "io": set(),
-    "bridge": {"io"},
-    "properties": {"bridge", "io"},
-    "operators": {"bridge", "io", "properties"},
-    "panels": {"bridge", "io", "properties"},
-    "overlays": {"bridge", "io", "properties"},
-    "handlers": {"bridge", "io", "properties"},
+    "bridge": {"hull_io"},
+    "properties": {"bridge", "hull_io"},
+    "operators": {"bridge", "hull_io", "properties"},
+    "panels": {"bridge", "hull_io", "properties"},
+    "overlays": {"bridge", "hull_io", "properties"},
+    "handlers": {"bridge", "hull_io", "properties"},
 }
 
 
@@ -25,15 +30,33 @@ def sources(folder):
     return sorted(folder.rglob("*.py"))
 
 
-def used_modules(path):
-    """What a file of the inner package imports of it: each as a tuple of names from `INNER` on."""
-    package = path.relative_to(INNER).with_suffix("").parts[:-1]
+def imports(path):
+    """The import statements of a file, wherever they stand."""
     for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            yield node
+
+
+def used_modules(path):
+    """What a file of the inner package imports of it and of what lies beside it: each as a tuple of
+    names from `INNER` or from the package beside it on."""
+    package = path.relative_to(OUTER).with_suffix("").parts[:-1]
+    for node in imports(path):
         if isinstance(node, ast.ImportFrom) and 0 < node.level <= len(package) + 1:
             base = package[: len(package) + 1 - node.level]
             base += tuple(node.module.split(".")) if node.module else ()
             for alias in node.names:
-                yield (*base, alias.name)
+                names = (*base, alias.name)
+                yield names[1:] if names[0] == INNER.name else names
+
+
+def foreign_packages(path):
+    """The packages that a file imports by their full names."""
+    for node in imports(path):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split(".")[0] for alias in node.names)
+        elif node.level == 0:
+            yield node.module.split(".")[0]
 
 
 def subjects():
@@ -42,11 +65,25 @@ def subjects():
     return re.findall(r"^ {2}(\w+) {2,}\S", text, re.MULTILINE)
 
 
+@pytest.mark.parametrize("package", PACKAGES)
+def test_packages_of_plain_python_use_little(package):
+    for path in sources(ROOT / "python" / package):
+        foreign = set(foreign_packages(path)) - sys.stdlib_module_names
+        assert foreign <= PACKAGES[package], path
+        for node in imports(path):
+            depth = len(path.relative_to(ROOT / "python").parts) - 1
+            assert isinstance(node, ast.Import) or node.level <= depth, path
+
+
+def test_packages_of_plain_python_have_a_place():
+    assert {path.parent.name for path in (ROOT / "python").glob("*/__init__.py")} == set(PACKAGES)
+
+
 @pytest.mark.parametrize("part", ALLOWED)
 def test_parts_use_what_is_below_them(part):
     for path in sources(INNER / part):
         for used in used_modules(path):
-            assert used[0] in ALLOWED[part] | {part}, f"{path.relative_to(INNER)}: {used}"
+            assert used[0] in ALLOWED[part] | {part, "hull_native"}, f"{path}: {used}"
 
 
 def test_all_parts_have_a_place():
@@ -74,5 +111,5 @@ def test_subjects_of_the_bridge_use_those_above_them():
 
 def test_only_one_module_imports_the_native_one():
     for path in sources(INNER):
-        imports = re.search(r"^\s*(from|import)\b.*\bhull_native\b", path.read_text(), re.MULTILINE)
-        assert bool(imports) == (path == INNER / "bridge" / "native.py"), path
+        native = re.search(r"^\s*(from|import)\b.*\bhull_native\b", path.read_text(), re.MULTILINE)
+        assert bool(native) == (path == INNER / "bridge" / "native.py"), path

@@ -4,19 +4,15 @@
 import re
 import shutil
 import subprocess
-import sys
 from math import cos, radians, tan
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 SAMPLES = ("barge", "coaster")
 FREESHIP = ROOT.parent / "shared" / "hulls" / "freeship" / "FREE!ship demo 3.fbm"
 DIAGONALS = [(5.0, radians(35.0)), (3.5, radians(50.0))]

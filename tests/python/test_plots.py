@@ -4,21 +4,17 @@
 import math
 import shutil
 import subprocess
-import sys
 import xml.etree.ElementTree
 from pathlib import Path
 from types import SimpleNamespace
 
+import hull_io
 import hull_native as hn
 import hull_native.plots
 import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 DRAFTS = np.linspace(1.0, 5.0, 9)
 

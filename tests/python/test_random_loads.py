@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Many random loads of the samples and of an odd lump come to rest, or say why not."""
 
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 HEELS = np.radians(np.arange(0, 95, 5))
 

@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sample hulls: valid, flat where they are meant to be, fair, and of known particulars."""
 
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 # At the design draft: displaced volume (m³), LCB, KB (m), wetted surface, waterplane area (m²),
 # LCF and KMt (m).

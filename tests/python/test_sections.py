@@ -2,20 +2,16 @@
 """Plane sections: of the samples, of the reference hulls, and against FREE!ship's own stations."""
 
 import struct
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+from hull_io.freeship import read_stored_sections
 from reference_data import FREESHIP, foreign_ships, hull_path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
-from hull_io.freeship import read_stored_sections  # noqa: E402
 
 SAMPLES = sorted((ROOT / "samples").glob("*.hull.json"))
 

@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """STEP files of whole ships, read back by Open CASCADE."""
 
-import sys
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 from reference_data import foreign_ships, hull_path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
 
 NAMES = ["barge.hull.json", "coaster.hull.json", *foreign_ships()]
 

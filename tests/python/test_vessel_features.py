@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every sample vessel has what its list of features tells of: by its tags and exact surface."""
 
-import sys
 from functools import lru_cache
-from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import vessels  # noqa: E402
-from features.form import Form  # noqa: E402
-from features.spoils import SPOILS  # noqa: E402
-from features.table import CHECKS  # noqa: E402
+import vessels
+from features.form import Form
+from features.spoils import SPOILS
+from features.table import CHECKS
 
 CASES = [(name, feature) for name, checks in CHECKS.items() for feature in checks]
 

@@ -2,16 +2,12 @@
 """The sample vessels: sound, small, fair, of known particulars, and fit for all uses."""
 
 import json
-import sys
-from pathlib import Path
 
 import hull_native as hn
 import numpy as np
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import fair_lines  # noqa: E402
-import vessels  # noqa: E402
+import vessels
+from hull_fairness.lines import judged
 
 EXPECTED = {
     path.stem: json.loads(path.read_text())
@@ -98,7 +94,7 @@ def test_lines_are_fair(vessel):
     beam = vessel.data.particulars.beam
     unwanted = [
         f"{line.name}: {found.mark} at {np.round(found.point, 2)}, {found.size}"
-        for line in fair_lines.judged(vessel.surface, beam, vessel.wanted)
+        for line in judged(vessel.surface, beam, vessel.wanted)
         for found in line.unwanted
     ]
     assert unwanted == []

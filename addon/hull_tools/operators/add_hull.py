@@ -4,9 +4,9 @@
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
+from ...hull_io import new_hulls
 from ..bridge.blender import units
 from ..bridge.hull import hull_creation
-from ..io import new_hulls
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 
 _DIMENSIONS = ("length", "beam", "draft", "depth")

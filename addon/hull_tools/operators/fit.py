@@ -7,7 +7,7 @@ import bpy
 from bpy.props import FloatProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
-from .. import io
+from ... import hull_io
 from ..bridge.blender import units
 from ..bridge.fitting import fitting
 from ..bridge.objects import hull_objects
@@ -61,7 +61,7 @@ class HULL_OT_load_stl(bpy.types.Operator, HullOperator, ImportHelper):
 
     def run_on(self, hull, context):
         path = Path(self.filepath)
-        points, triangles = io.read_stl(path)
+        points, triangles = hull_io.read_stl(path)
         points *= units.as_typed(self.metres) / units.metres_per_unit(context.scene)
         shape = fitting.shape_object(path.stem, points, triangles, context.collection)
         shape.location = hull.matrix_world.translation

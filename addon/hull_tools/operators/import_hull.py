@@ -5,14 +5,14 @@ import bpy
 from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
-from .. import io
+from ... import hull_io
 from ..bridge.hull import hull_creation, samples
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 
 
 def _import(operator, context, path):
     """Reads a file completely before anything is made of it."""
-    hull = io.read_hull(path)
+    hull = hull_io.read_hull(path)
     obj = hull_creation.hull_object(hull, context.scene, context.collection)
     make_active(context, obj)
     for note in hull.notes:

@@ -6,7 +6,7 @@ from math import degrees
 
 import numpy as np
 
-from ...io.number_lists import numbers
+from ....hull_io.number_lists import numbers
 from .. import native
 from ..blender.units import as_typed
 from ..flotation import afloat, hydrostatics

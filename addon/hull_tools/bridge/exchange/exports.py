@@ -4,7 +4,7 @@ analyses, the report of its conversion."""
 
 from dataclasses import replace
 
-from ...io import write_hull_file
+from ....hull_io import write_hull_file
 from .. import analyses, native
 from ..blender import units
 from ..conversion import conversions

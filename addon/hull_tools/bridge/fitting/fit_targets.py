@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ...io import triangles as shapes
+from ....hull_io import triangles as shapes
 
 # Points along lines: no further apart than this part of the hull's length.
 _SPACING = 1.0 / 300.0

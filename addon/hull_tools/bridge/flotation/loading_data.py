@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a hull lies and is loaded: from io's HullData to Object.hull, and back."""
+"""How a hull lies and is loaded: from hull_io's HullData to Object.hull, and back."""
 
 from math import degrees, radians
 
-from ...io.hull_data import Afloat, Load, LoadCase, Opening
+from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening
 from ..blender.units import as_stored, as_typed
 
 _CENTRE = ("lcg", "tcg", "vcg")

@@ -37,7 +37,7 @@ def make_hull(obj, scene, half):
 
 
 def hull_object(hull, scene, collection):
-    """A new hull object from io's HullData, in a collection; returns it, up to date."""
+    """A new hull object from hull_io's HullData, in a collection; returns it, up to date."""
     scale = units.metres_per_unit(scene)
     mesh = bpy.data.meshes.new(hull.name)
     sizes = np.array([len(face) for face in hull.faces], dtype=np.int32)

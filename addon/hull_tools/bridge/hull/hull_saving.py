@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A hull object as io's HullData: what a hull file keeps of it."""
+"""A hull object as hull_io's HullData: what a hull file keeps of it."""
 
 import numpy as np
 from mathutils import Color
 
-from ...io.hull_data import Flat, HullData, Layer, Particulars
+from ....hull_io.hull_data import Flat, HullData, Layer, Particulars
 from ..blender import units
 from ..constraints import flats
 from ..flotation import loading_data

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which lines a hull shows: from io's LineChoice to Object.hull.lines, and back."""
+"""Which lines a hull shows: from hull_io's LineChoice to Object.hull.lines, and back."""
 
-from ...io.hull_data import LINE_KINDS, CutPlane, LineChoice
+from ....hull_io.hull_data import LINE_KINDS, CutPlane, LineChoice
 from ..blender.units import as_stored
 
 _LENGTHS = ("waterline_spacing", "buttock_spacing", "frame_spacing")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...io.number_lists import diagonals, numbers
+from ....hull_io.number_lists import diagonals, numbers
 from ..blender.units import as_typed
 
 # A spacing that would give more planes than this is a slip of the keyboard.

@@ -4,7 +4,7 @@
 import bmesh
 import numpy as np
 
-from ...io import orientation
+from ....hull_io import orientation
 from ..mesh import mesh_arrays
 from ..mesh.mesh_editing import editing
 from ..objects import hull_objects

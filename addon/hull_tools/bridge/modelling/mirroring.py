@@ -14,7 +14,7 @@ import bmesh
 import numpy as np
 from mathutils import kdtree
 
-from ...io.mirror import ON_CENTRE_PLANE
+from ....hull_io.mirror import ON_CENTRE_PLANE
 from ..blender import blender_versions
 from ..constraints import flat_marks, flats, planes
 from ..hull import hull_state

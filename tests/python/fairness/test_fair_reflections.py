@@ -1,27 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Kinks and waves of mirrored lines: of lines with known turns, of smooth and dented surfaces."""
 
-import sys
-from pathlib import Path
 
 import hull_native as hn
 import numpy as np
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import fair_lines  # noqa: E402
-import fair_reflections  # noqa: E402
-import fair_turns  # noqa: E402
-import vessels  # noqa: E402
-
-STEP, KINK, WAVE = fair_reflections.STEP, fair_turns.KINK, fair_turns.WAVE
+import vessels
+from hull_fairness import kinks
+from hull_fairness.kinks import KINK, WAVE
+from hull_fairness.lines import judged
+from hull_fairness.reflections import STEP, Turning, reflection_lines
 
 
 def marks_of(turned, gradients=1.0):
     """Of a line on a beam of 1 m."""
     points = np.zeros((len(turned), 3))
-    line = fair_reflections.Turning(points, turned, np.broadcast_to(gradients, len(turned)))
-    return fair_turns.turns(line, 1.0)
+    line = Turning(points, turned, np.broadcast_to(gradients, len(turned)))
+    return kinks.turns(line, 1.0)
 
 
 def along(length):
@@ -34,7 +29,7 @@ def test_a_corner_is_a_kink(degrees, count):
     found = marks_of(np.where(s < 0.2, 0.0, np.radians(degrees)))
     assert [mark.kind for mark in found] == [KINK] * count
     for mark in found:
-        assert s[mark.index] == pytest.approx(0.2, abs=fair_turns.REACH)
+        assert s[mark.index] == pytest.approx(0.2, abs=kinks.REACH)
         assert mark.angle == pytest.approx(np.radians(abs(degrees)))
 
 
@@ -72,8 +67,8 @@ def test_a_wave_turns_both_ways_within_its_reach():
 def test_what_is_grey_is_not_seen():
     turned = np.where(along(0.5) < 0.2, 0.0, 1.0)
     spacing = np.pi / 32.0
-    assert len(marks_of(turned, 0.9 * spacing / fair_turns.CLOSE)) == 1
-    assert marks_of(turned, 1.1 * spacing / fair_turns.CLOSE) == []
+    assert len(marks_of(turned, 0.9 * spacing / kinks.CLOSE)) == 1
+    assert marks_of(turned, 1.1 * spacing / kinks.CLOSE) == []
 
 
 # Of the ring's body.
@@ -110,14 +105,14 @@ def surface_of(points):
 
 def counts(surface, beam):
     """{mark: how many} on all reflection lines."""
-    lines = fair_reflections.reflection_lines(surface, beam)
-    found = [mark.kind for _, parts in lines for p in parts for mark in fair_turns.turns(p, beam)]
+    lines = reflection_lines(surface, beam)
+    found = [mark.kind for _, parts in lines for p in parts for mark in kinks.turns(p, beam)]
     return {kind: found.count(kind) for kind in (KINK, WAVE)}
 
 
 def test_a_smooth_surface_has_none():
     surface = surface_of(ring())
-    assert len(list(fair_reflections.reflection_lines(surface, BEAM))) > 100
+    assert len(list(reflection_lines(surface, BEAM))) > 100
     assert counts(surface, BEAM) == {KINK: 0, WAVE: 0}
 
 
@@ -141,7 +136,7 @@ def test_lines_of_a_cylinder_do_not_turn():
         for j in range(12)
     ]
     mesh = hn.ControlMesh(points.reshape(-1, 3), np.full(60, 4), np.ravel(faces)[::-1].copy())
-    lines = list(fair_reflections.reflection_lines(hn.LimitSurface(mesh), 2.0))
+    lines = list(reflection_lines(hn.LimitSurface(mesh), 2.0))
     assert lines
     for _, parts in lines:
         for part in parts:
@@ -164,7 +159,7 @@ def test_a_dent_of_a_hull_is_found_and_may_be_wanted(point):
     before = counts(vessels.surface_of(data), beam)
     data.points[point, 1] -= 8e-3 * beam
     wanted = [("reflection", kind, 9, {"x": (-9.0, 999.0)}, "a dent") for kind in (KINK, WAVE)]
-    lines = fair_lines.judged(vessels.surface_of(data), beam, wanted)
+    lines = judged(vessels.surface_of(data), beam, wanted)
     found = [mark for line in lines if line.kind == "reflection" for mark in line.found]
     assert len(found) > sum(before.values())
     assert {mark.reason for mark in found} == {"a dent"}

@@ -3,13 +3,14 @@
 
 import json
 from collections import Counter
+from pathlib import Path
 
 import hull_io
 import numpy as np
 import pytest
 from hull_io.orientation import consistent_components
-from hull_io_loader import SHARED
 
+SHARED = Path(__file__).resolve().parents[4] / "shared"
 # Counted by a separate reader: version, points, faces by size, crease edges, corner points.
 KNOWN = {
     "27mpatrol.fbm": (2.90, 1057, {3: 10, 4: 989, 34: 1}, 124, 5),

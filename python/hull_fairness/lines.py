@@ -14,17 +14,18 @@ everywhere.
 
 from dataclasses import dataclass
 
-import fair_marks
-import fair_reflections
-import fair_turns
 import hull_native as hn
 import numpy as np
 
-_BENDS = (fair_marks.INFLECTION, fair_marks.DIP)
+from .inflections import DIP, INFLECTION, marks
+from .kinks import KINK, WAVE, turns
+from .reflections import reflection_lines
+
+_BENDS = (INFLECTION, DIP)
 # The marks that a line of each kind may have.
 MARKS = {
     **dict.fromkeys(("station", "waterline", "buttock", "feature"), _BENDS),
-    "reflection": (fair_turns.KINK, fair_turns.WAVE),
+    "reflection": (KINK, WAVE),
 }
 # How many planes there are along each axis.
 PLANES = {"station": ("x", 48), "waterline": ("z", 20), "buttock": ("y", 12)}
@@ -64,13 +65,13 @@ def judged(surface, beam, wanted=()):
     """Every Line of a surface; beam in m."""
     for kind, mark, *_ in wanted:
         if mark not in MARKS.get(kind, ()):
-            raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see fair_lines.py")
+            raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see hull_fairness/lines.py")
     least = LEAST_DEPTH * beam
     lines = []
     for kind, name, curves in _all_curves(surface, _STEP * beam):
         found = [mark for curve in curves for mark in _marks(*curve, least)]
         lines.append(Line(kind, name, _with_reasons(kind, found, wanted)))
-    for name, parts in fair_reflections.reflection_lines(surface, beam):
+    for name, parts in reflection_lines(surface, beam):
         found = [mark for part in parts for mark in _turns(part, beam)]
         lines.append(Line("reflection", name, _with_reasons("reflection", found, wanted)))
     return lines
@@ -136,13 +137,13 @@ def _marks(flat, points, curvatures, starts, least):
         lengths = np.concatenate([[0.0], np.cumsum(lengths)])
         if lengths[-1] < least:
             continue
-        for mark in fair_marks.marks(lengths, curvatures[first:last], least):
+        for mark in marks(lengths, curvatures[first:last], least):
             size = f"{1e3 * mark.depth:.1f} mm deep"
             yield Found(mark.kind, tuple(points[first + mark.index]), size)
 
 
 def _turns(part, beam):
-    for turn in fair_turns.turns(part, beam):
+    for turn in turns(part, beam):
         size = f"turned by {np.degrees(turn.angle):.0f}°"
         yield Found(turn.kind, tuple(part.points[turn.index]), size)
 

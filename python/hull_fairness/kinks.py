@@ -14,8 +14,9 @@ lights are nearer together than CLOSE, a dot of the pictures: they are grey ther
 from dataclasses import dataclass
 
 import numpy as np
-from fair_reflections import STEP, runs
-from figures.lights import BANDS
+
+from .lights import BANDS
+from .reflections import STEP, runs
 
 KINK, WAVE = "kink", "wave"
 KINK_TURN, WAVE_TURN = np.radians(30.0), np.radians(20.0)
@@ -34,7 +35,7 @@ class Turn:
 
 
 def turns(line, beam):
-    """The Turns that are seen of a fair_reflections.Turning, in their order; beam in m."""
+    """The Turns that are seen of a reflections.Turning, in their order; beam in m."""
     reach = round(REACH / STEP)
     if len(line.turned) <= 2 * reach + 1:
         return []

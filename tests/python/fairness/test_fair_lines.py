@@ -2,27 +2,23 @@
 """Inflections and dips that are seen: of curves with known curvature, and of hulls with a dent."""
 
 import copy
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import fair_lines  # noqa: E402
-import fair_marks  # noqa: E402
-import vessels  # noqa: E402
+import vessels
+from hull_fairness.inflections import marks as marks_seen
+from hull_fairness.lines import Found, _with_reasons, judged
 
 LEAST = 0.001
 
 
 def kinds(lengths, curvatures, least=LEAST):
-    return [mark.kind for mark in fair_marks.marks(lengths, curvatures, least)]
+    return [mark.kind for mark in marks_seen(lengths, curvatures, least)]
 
 
 def test_waves_have_their_inflections():
     s = np.linspace(0.0, 60.0, 2001)
-    found = fair_marks.marks(s, 0.1 * np.cos(0.3 * s), LEAST)
+    found = marks_seen(s, 0.1 * np.cos(0.3 * s), LEAST)
     assert [mark.kind for mark in found] == ["inflection"] * 6
     places = [s[mark.index] for mark in found]
     assert places == pytest.approx((np.arange(6) + 0.5) * np.pi / 0.3, abs=0.05)
@@ -38,7 +34,7 @@ def test_one_bend_is_fair():
 def test_a_flat_between_two_bends_is_a_dip_in_its_middle():
     s = np.linspace(0.0, 10.0, 1001)
     curvature = np.exp(-4.0 * (s - 1.5) ** 2) + np.exp(-4.0 * (s - 8.0) ** 2)
-    (mark,) = fair_marks.marks(s, curvature, LEAST)
+    (mark,) = marks_seen(s, curvature, LEAST)
     assert mark.kind == "dip"
     assert s[mark.index] == pytest.approx(4.75, abs=0.3)
 
@@ -65,9 +61,9 @@ def test_depth_is_that_of_the_chord():
     """Of an arc of 40 m radius, hollow, between two round ones."""
     s = np.linspace(0.0, 12.0, 1201)
     curvature = np.where(np.abs(s - 6.0) < 2.0, -1.0 / 40.0, 0.2)
-    marks = [m for m in fair_marks.marks(s, curvature, LEAST) if m.kind == "inflection"]
+    marks = [m for m in marks_seen(s, curvature, LEAST) if m.kind == "inflection"]
     assert [m.depth for m in marks] == pytest.approx([4.0**2 / 8.0 / 40.0] * 2, rel=0.02)
-    assert [m.kind for m in fair_marks.marks(s, curvature, 0.06)] == ["dip"]
+    assert [m.kind for m in marks_seen(s, curvature, 0.06)] == ["dip"]
 
 
 def test_a_mark_is_wanted_once_in_its_box():
@@ -75,8 +71,8 @@ def test_a_mark_is_wanted_once_in_its_box():
     inside, outside = (3.0, 0.0, 1.5), (3.0, 0.0, 2.5)
 
     def reasons(kind, *points):
-        marks = [fair_lines.Found("dip", point, "1.0 mm deep") for point in points]
-        return [m.reason for m in fair_lines._with_reasons(kind, marks, wanted)]
+        marks = [Found("dip", point, "1.0 mm deep") for point in points]
+        return [m.reason for m in _with_reasons(kind, marks, wanted)]
 
     assert reasons("station", inside, inside) == ["the chine", None]
     assert reasons("station", outside, inside) == [None, "the chine"]
@@ -85,11 +81,11 @@ def test_a_mark_is_wanted_once_in_its_box():
 
 def test_what_is_no_mark_is_refused():
     with pytest.raises(ValueError, match="'peak' of a 'station'"):
-        fair_lines.judged(None, 1.0, [("station", "peak", 1, {}, "")])
+        judged(None, 1.0, [("station", "peak", 1, {}, "")])
 
 
 def marks_by_line(data):
-    lines = fair_lines.judged(vessels.surface_of(data), data.particulars.beam)
+    lines = judged(vessels.surface_of(data), data.particulars.beam)
     return [len(line.found) for line in lines]
 
 

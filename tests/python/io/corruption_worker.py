@@ -17,9 +17,7 @@ import time
 import traceback
 from pathlib import Path
 
-from hull_io_loader import load_hull_io
-
-hull_io = load_hull_io()
+import hull_io
 
 ABSURD = (-(2**31), -1, 1, 255, 65_536, 249_999, 250_000, 16_777_216, 2**31 - 1)
 

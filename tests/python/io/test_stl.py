@@ -4,12 +4,10 @@
 import random
 import struct
 
+import hull_io
 import numpy as np
 import pytest
-from hull_io_loader import load_hull_io
-
-hull_io = load_hull_io()
-from hull_io import triangles as shapes  # noqa: E402
+from hull_io import triangles as shapes
 
 SEED = 22112026
 # A tetrahedron, turned outwards.

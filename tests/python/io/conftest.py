@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes `import hull_io` work in the tests of this folder, and finds the reference files."""
+"""The reference files."""
+
+from pathlib import Path
 
 import pytest
-from hull_io_loader import SHARED, load_hull_io
 
-load_hull_io()
+SHARED = Path(__file__).resolve().parents[4] / "shared"
 
 
 @pytest.fixture(scope="session")

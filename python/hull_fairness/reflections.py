@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import hull_native as hn
 import numpy as np
-from figures.lights import BANDS, VIEWS
+
+from .lights import BANDS, VIEWS
 
 # Of the beam: how far chords are from a line, and samples from each other.
 _CHORD, STEP = 3e-5, 1.0 / 400.0

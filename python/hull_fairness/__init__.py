@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How fair a hull's lines look, measured on the exact surface: NumPy and hull_native.
+
+  lights          the lights that a hull mirrors in its reflection pictures, and the eyes on it
+  inflections     inflections and flat spots of a plane curve that an eye sees
+  reflections     the lines of light on the surface, and how they turn
+  kinks           kinks and waves of lines of light that an eye sees
+  lines           all lines of a hull judged: what is found on them, and what its design calls for
+"""
