@@ -52,8 +52,9 @@ class MovingBody {
   MovingBody(std::size_t moved, double tolerance)
       : surface_(control_mesh()), body_(make_body(surface_, tolerance)) {
     points_[0] = points_[1] = control_mesh().points();
-    for (std::size_t i = 0; i < moved; ++i)
+    for (std::size_t i = 0; i < moved; ++i) {
       points_[1][points_[1].size() / 2 - moved / 2 + i].y() *= 1.001;
+    }
   }
   const hull::analysis::HullBody& move() {
     surface_.set_points(points_[++count_ % 2]);
@@ -109,8 +110,9 @@ void BM_RightingLevers(benchmark::State& state) {
   const hull::analysis::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
   const hull::analysis::LoadCase load{upright.volume * 1.025,
                                       {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
-  for (auto _ : state)
+  for (auto _ : state) {
     benchmark::DoNotOptimize(hull::analysis::righting_levers(body(), load, heels));
+  }
 }
 
 // Volume below z = draft of the prisms between a triangle's part above -infinity and the water.

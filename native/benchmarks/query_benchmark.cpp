@@ -91,8 +91,9 @@ void BM_FirstRayHits(benchmark::State& state) {
     rays.push_back({p - 50.0 * direction, direction});
   }
   for (auto _ : state) {
-    for (const hull::surface::Ray& ray : rays)
+    for (const hull::surface::Ray& ray : rays) {
       benchmark::DoNotOptimize(hull::surface::first_ray_hit(tree(), ray));
+    }
   }
   per_query(state, rays.size());
 }

@@ -25,12 +25,15 @@ constexpr double kTolerance = 1e-3;  // 1 mm on 100 m
 const std::vector<hull::analysis::Plane>& planes() {
   static const std::vector<hull::analysis::Plane> all = [] {
     std::vector<hull::analysis::Plane> list;
-    for (int i = 0; i < 21; ++i)
+    for (int i = 0; i < 21; ++i) {
       list.push_back(hull::analysis::plane_across(hull::analysis::Axis::kX, 5.0 * i));
-    for (int i = 0; i < 11; ++i)
+    }
+    for (int i = 0; i < 11; ++i) {
       list.push_back(hull::analysis::plane_across(hull::analysis::Axis::kZ, 0.9 * i));
-    for (int i = 0; i < 7; ++i)
+    }
+    for (int i = 0; i < 7; ++i) {
       list.push_back(hull::analysis::plane_across(hull::analysis::Axis::kY, 1.2 * i));
+    }
     return list;
   }();
   return all;
@@ -172,8 +175,9 @@ void BM_SlicedTriangulation(benchmark::State& state) {
   for (auto _ : state) {
     const hull::surface::Tessellation grid = hull::surface::tessellate(surface(), n);
     Slicer slicer(grid);
-    for (const hull::analysis::Plane& plane : planes())
+    for (const hull::analysis::Plane& plane : planes()) {
       benchmark::DoNotOptimize(slicer.slice(plane));
+    }
   }
 }
 

@@ -149,8 +149,9 @@ void BM_ScatteredBfr(benchmark::State& state) {
 
 void BM_ConstructCold(benchmark::State& state) {
   const hull::mesh::ControlMesh mesh = control_mesh();
-  for (auto _ : state)
+  for (auto _ : state) {
     benchmark::DoNotOptimize(hull::surface::LimitSurface(mesh, hull::surface::Scheme::kBiermann));
+  }
 }
 
 void BM_ConstructWarm(benchmark::State& state) {

@@ -64,8 +64,9 @@ py::array_t<Scalar> rows_to_array(const std::vector<Item>& rows) {
 }  // namespace
 
 Eigen::Vector3d point_from(const DoubleArray& array, const char* name) {
-  if (array.ndim() == 1 && array.size() == 3)
+  if (array.ndim() == 1 && array.size() == 3) {
     return Eigen::Map<const Eigen::Vector3d>(array.data());
+  }
   throw std::invalid_argument(std::string(name) + " must have shape (3,), not " + shape_of(array) +
                               ".");
 }

@@ -35,8 +35,9 @@ std::vector<drawing::Particular> particulars_from(const Rows& rows) {
 using PaperName = std::variant<std::string, std::pair<double, double>>;
 
 drawing::PaperSize sheet_from(const PaperName& paper) {
-  if (const auto* name = std::get_if<std::string>(&paper))
+  if (const auto* name = std::get_if<std::string>(&paper)) {
     return drawing::paper_size(paper_from(*name));
+  }
   const auto& [width, height] = std::get<std::pair<double, double>>(paper);
   return drawing::own_paper_size(width, height);
 }

@@ -27,8 +27,9 @@ py::list sides(const conversion::PatchSet& set) {
     py::list of_patch;
     for (const conversion::PatchSide& side : four) {
       py::list edges;
-      for (const conversion::SideEdge& part : side)
+      for (const conversion::SideEdge& part : side) {
         edges.append(py::make_tuple(part.edge, part.begin, part.end));
+      }
       of_patch.append(edges);
     }
     result.append(of_patch);

@@ -227,8 +227,9 @@ void write_dxf(const DxfDrawing& drawing, const std::string& path) {
   {
     DL_Dxf dxf;
     const std::unique_ptr<DL_WriterA> file(dxf.out(scratch.file().c_str(), DL_Codes::AC1015));
-    if (!file)
+    if (!file) {
       throw files::FileError("A DXF file needs room for temporary files, and there is none");
+    }
     write_header(dxf, *file, drawing);
     write_tables(dxf, *file, drawing);
     write_blocks(dxf, *file);

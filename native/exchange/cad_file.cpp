@@ -92,8 +92,9 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
   const int curves = static_cast<int>(model.curves.size());
   if (found.curves != curves) return of(found.curves, curves, "curves");
   if (found.unit != name_of(options.unit)) return "another unit of length";
-  if (found.product != decode_step_string(encode_step_string(options.name)))
+  if (found.product != decode_step_string(encode_step_string(options.name))) {
     return "the name \"" + found.product + "\"";
+  }
   return layer_difference(model, options, found);
 }
 

@@ -64,16 +64,18 @@ Handle(Geom_BSplineSurface) make_surface(const conversion::BSplinePatch& patch) 
 
 Handle(Geom_BSplineCurve) make_curve(const conversion::BSplineCurve& curve) {
   TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
-  for (size_t i = 0; i < curve.points.size(); ++i)
+  for (size_t i = 0; i < curve.points.size(); ++i) {
     poles(static_cast<int>(i) + 1) = in_millimetres(curve.points[i]);
+  }
   const Knots knots(curve.knots);
   return new Geom_BSplineCurve(poles, knots.array(), knots.multiplicities(), curve.degree);
 }
 
 Handle(Geom2d_BSplineCurve) make_curve(const ParameterCurve& curve) {
   TColgp_Array1OfPnt2d poles(1, static_cast<int>(curve.points.size()));
-  for (size_t i = 0; i < curve.points.size(); ++i)
+  for (size_t i = 0; i < curve.points.size(); ++i) {
     poles(static_cast<int>(i) + 1) = curve.points[i].XY() * kParameterRange;
+  }
   const Knots knots(curve.knots);
   return new Geom2d_BSplineCurve(poles, knots.array(), knots.multiplicities(), curve.degree);
 }

@@ -22,8 +22,9 @@ namespace {
 std::string product_name(const Handle(StepData_StepModel) & model) {
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i));
-    if (!product.IsNull() && !product->Name().IsNull())
+    if (!product.IsNull() && !product->Name().IsNull()) {
       return decode_step_string(product->Name()->ToCString());
+    }
   }
   return "";
 }

@@ -115,8 +115,9 @@ class Collector {
       if (curve.chain >= 0 && static_cast<int>(k) != curve.chain) continue;
       const OnChain here = chains_[k].nearest(p);
       if (here.distance >= at.distance || here.distance > reach_) continue;
-      if (curve.chain < 0 && std::abs(chains_[k].tangent(here.t).dot(along)) < kSameCourse)
+      if (curve.chain < 0 && std::abs(chains_[k].tangent(here.t).dot(along)) < kSameCourse) {
         continue;
+      }
       chain = &chains_[k];
       at = here;
     }

@@ -35,8 +35,9 @@ Foot foot_of(const surface::LimitSurface& surface, const surface::ClosestPoint& 
   Foot foot{at.cell, at.u, at.v, at.point, own, 0.0};
   const Vector3d off = target - at.point;
   foot.distance = off.dot(own);
-  if (at.distance <= on_surface || (at.kind == surface::FootKind::kSmooth && !own.isZero()))
+  if (at.distance <= on_surface || (at.kind == surface::FootKind::kSmooth && !own.isZero())) {
     return foot;
+  }
   if (!draw_border && is_on_border(surface, at)) {
     // Across the surface only, so that the border is not drawn out by and by.
     return std::abs(foot.distance) > kAcross * at.distance ? foot : Foot{};

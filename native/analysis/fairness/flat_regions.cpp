@@ -174,8 +174,9 @@ class RegionFinder {
       // The plane of a small cell is too tilted for a large region: fit it again to all of it.
       for (int fit = 0; fit < kMostFits; ++fit) {
         Points all;
-        for (const int cell : cells)
+        for (const int cell : cells) {
           all.insert(all.end(), points_[cell].begin(), points_[cell].end());
+        }
         const Plane better = fit_plane(all).plane;
         if (!lies_in(points_[seed], better, tolerance_)) break;
         std::vector<int> more = grown(seed, better);

@@ -149,8 +149,9 @@ std::vector<int> points_around(const mesh::Topology& topology, const std::vector
       int at = mesh::turn_left(topology, h);
       for (; at >= 0 && at != h; at = mesh::turn_left(topology, at)) add_face(at);
       if (at == h) continue;
-      for (at = mesh::turn_right(topology, h); at >= 0; at = mesh::turn_right(topology, at))
+      for (at = mesh::turn_right(topology, h); at >= 0; at = mesh::turn_right(topology, at)) {
         add_face(at);
+      }
     }
   }
   sort_unique(around);

@@ -197,8 +197,9 @@ std::vector<LevelCurve> silhouette(const surface::LimitSurface& surface, const E
   };
   std::vector<LevelCurve> curves = level_curves(surface, function, {0.0}, options);
   for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
-    if (crease.kind() == surface::CreaseKind::kCrease)
+    if (crease.kind() == surface::CreaseKind::kCrease) {
       CreaseOutline(surface, from, crease).add_to(curves);
+    }
   }
   return curves;
 }

@@ -137,8 +137,9 @@ class Balance {
     for (int i = 0; i < 4 && rest.end == Descent::End::kRest; ++i) {
       const Stability s = stability_of(rest, task_);
       if (s.weakest.size() == 0 || s.least >= -neutral()) return;
-      if (!result_.left)
+      if (!result_.left) {
         result_.left = UnstableRest{position_of(rest), s.transverse, s.longitudinal};
+      }
       const Turning ways = turning(rest.trim, rest.heel, task_.freedom);
       const Vector3d up =
           (up_direction(rest.trim, rest.heel) + kPush * (ways.ways * s.weakest)).normalized();

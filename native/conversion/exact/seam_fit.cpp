@@ -227,8 +227,9 @@ double fit_seams(SquareFan& fan, double enough, double normal_stiffness) {
     before = stiffness < kStiffness.front() ? least : before;
     SquareFan moved = fan;
     if (!move_points(moved, angle, enough, stiffness, normal_stiffness) ||
-        !is_unfolded(moved, model))
+        !is_unfolded(moved, model)) {
       continue;
+    }
     const double fitted = seam_angle(moved);
     if (!(fitted < least)) continue;
     least = fitted;

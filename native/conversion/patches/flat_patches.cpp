@@ -140,8 +140,9 @@ void unify_edges(PatchSet& set, Groups& edges) {
         const int count = set.patches[p].side_count(k);
         if (set.sides[p][k].size() == 1 && set.sides[use.patch][use.side].size() == 1 &&
             count == set.patches[use.patch].side_count(use.side)) {
-          for (int i = 0; i < count; ++i)
+          for (int i = 0; i < count; ++i) {
             point(p, k, i) = point(use.patch, use.side, count - 1 - i);
+          }
         }
         const double gap =
             gap_between(set.curve(p, k, part), set.curve(use.patch, use.side, use.part).reversed());

@@ -67,8 +67,9 @@ PatchSide image_of(const PatchSide& side, const std::vector<int>& vertices,
 // Numbers of the image's edges or vertices: those of the seam are kept, the others get new ones.
 std::vector<int> image_numbers(const std::vector<bool>& on_seam, int& count) {
   std::vector<int> numbers(on_seam.size());
-  for (size_t i = 0; i < numbers.size(); ++i)
+  for (size_t i = 0; i < numbers.size(); ++i) {
     numbers[i] = on_seam[i] ? static_cast<int>(i) : count++;
+  }
   return numbers;
 }
 

@@ -320,8 +320,9 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   drawing.buttocks = cutter.cut_all(analysis::Axis::kY, buttocks);
   drawing.diagonals = cut_diagonals(cutter, options.diagonals);
   if (!options.mirrored) {
-    for (ShipCurve& curve : cutter.cut(analysis::Axis::kY, 0.0))
+    for (ShipCurve& curve : cutter.cut(analysis::Axis::kY, 0.0)) {
       drawing.outlines.push_back(std::move(curve));
+    }
   }
   add_features(surface, options.mirrored, drawing);
   leave_out_beyond(drawing, same);

@@ -25,8 +25,9 @@ mesh::Topology fan_topology(const CornerKey& key) {
   std::vector<std::array<int, 2>> creases;
   if (!open && !key.closed) creases.push_back({0, 1});
   std::vector<int> corners;
-  if (key.kind == mesh::VertexKind::kCorner || key.kind == mesh::VertexKind::kCone)
+  if (key.kind == mesh::VertexKind::kCorner || key.kind == mesh::VertexKind::kCone) {
     corners.push_back(0);
+  }
   return mesh::Topology(1 + ends + n, std::vector<int>(n, 4), vertices, creases, corners,
                         /*round_border_corners=*/true);
 }

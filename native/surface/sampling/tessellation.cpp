@@ -63,8 +63,9 @@ class Numbering {
       if (cells_.outgoing(v) >= 0) vertices[v] = take(1);
     }
     corners_.reserve(cells_.half_edge_count());
-    for (int h = 0; h < cells_.half_edge_count(); ++h)
+    for (int h = 0; h < cells_.half_edge_count(); ++h) {
       corners_.push_back(vertices[cells_.origin(h)]);
+    }
   }
 
   void number_sectors() {

@@ -192,8 +192,9 @@ TEST(Sections, AtOnceAreThoseOneByOne) {
   std::mt19937 random(5);
   const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
   std::vector<Plane> planes;
-  for (int k = 0; k < 12; ++k)
+  for (int k = 0; k < 12; ++k) {
     planes.push_back(plane_across(static_cast<Axis>(k % 3), 0.1 * k - 0.5));
+  }
   const auto all = sections(surface, planes, {1e-4, {}});
   ASSERT_EQ(all.size(), planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k) {

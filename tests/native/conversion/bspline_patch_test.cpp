@@ -135,8 +135,9 @@ TEST(BSplinePatch, SidesRunAroundItAndLieOnIt) {
     for (double t : {0.2, 0.6}) {
       const BasisValues values = basis_values(knots, patch.side_degree(side), t);
       Vector3d sum = Vector3d::Zero();
-      for (int i = 0; i < values.rows.cols(); ++i)
+      for (int i = 0; i < values.rows.cols(); ++i) {
         sum += values.rows(0, i) * points[values.first + i];
+      }
       const Eigen::Vector2d uv = from + t * (to - from);
       EXPECT_LT((patch.position(uv.x(), uv.y()) - sum).norm(), 1e-15) << "side " << side;
     }

@@ -105,8 +105,9 @@ TEST(CollectLines, NumbersStationsFromTheAfterPerpendicular) {
   const surface::LimitSurface surface = half_box();
   const auto labels = [&] {
     std::vector<std::string> all;
-    for (const auto& station : collect_lines(surface, chosen).stations)
+    for (const auto& station : collect_lines(surface, chosen).stations) {
       all.push_back(station.label);
+    }
     return all;
   };
   using Labels = std::vector<std::string>;

@@ -85,14 +85,16 @@ struct Wigley {
 
   analysis::OffsetTable offsets(const drawing::LinesDrawing& drawing) const {
     analysis::OffsetTable table;
-    for (const drawing::NamedCurves& member : drawing.stations)
+    for (const drawing::NamedCurves& member : drawing.stations) {
       table.stations.push_back(member.position);
+    }
     for (const drawing::NamedCurves& member : drawing.waterlines) {
       table.waterlines.push_back(member.position);
     }
     table.buttocks = {0.0};
-    for (const drawing::NamedCurves& member : drawing.buttocks)
+    for (const drawing::NamedCurves& member : drawing.buttocks) {
       table.buttocks.push_back(member.position);
+    }
     analysis::FeatureOffsets deck{"Deck edge", surface::CreaseKind::kBorder, {}, {}};
     for (const double x : table.stations) {
       for (const double z : table.waterlines) {

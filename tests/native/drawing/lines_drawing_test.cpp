@@ -208,8 +208,9 @@ TEST(LinesDrawing, FramesAreInTheirPlaces) {
   const LinesSheet sheet = lay_out_lines(full_drawing(Wigley{}));
   int marks = 0;
   for (const Stroke& stroke : sheet.strokes) {
-    if (!(stroke.pen == pens::kFrameScale) || stroke.points[0].x() != stroke.points[1].x())
+    if (!(stroke.pen == pens::kFrameScale) || stroke.points[0].x() != stroke.points[1].x()) {
       continue;
+    }
     const double x = (stroke.points[0].x() - sheet.profile.origin.x()) / sheet.profile.scale;
     EXPECT_NEAR(x / 0.7, std::round(x / 0.7), 1e-9);
     ++marks;

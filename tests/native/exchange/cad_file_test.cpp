@@ -138,8 +138,9 @@ TEST_P(CadFile, RefusesASolidThatCannotBe) {
   conversion::PatchSet inside_out =
       conversion::fit_per_cell(surface::LimitSurface(mesh::ControlMesh(testing::cube())), 5);
   std::vector<conversion::BSplinePatch> turned;
-  for (const conversion::BSplinePatch& patch : inside_out.patches)
+  for (const conversion::BSplinePatch& patch : inside_out.patches) {
     turned.push_back(patch.transposed());
+  }
   EXPECT_NE(refusal(testing::joined(turned), path_, {.solid = true}).find("point inwards"),
             std::string::npos);
   EXPECT_EQ(files(), 0);

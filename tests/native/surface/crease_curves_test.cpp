@@ -95,8 +95,9 @@ TEST(CreaseCurves, OfABorderHaveItsControlPoints) {
     const std::vector<double>& knots = curve.spline().knots();
     ASSERT_EQ(points.size(), curve.vertices().size() + 2);
     ASSERT_EQ(knots.size(), points.size() + 4);
-    for (std::size_t i = 0; i < knots.size(); ++i)
+    for (std::size_t i = 0; i < knots.size(); ++i) {
       EXPECT_EQ(knots[i], static_cast<double>(i) - 3.0);
+    }
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       EXPECT_EQ(points[i], arrays.points[curve.vertices()[i - 1]]);
     }
