@@ -48,7 +48,7 @@ def load(path):
     with quiet_output():
         bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
-    state = part("bridge.hull.hull_state").state_of(hull)
+    state = part("features.hull.hull_state").state_of(hull)
     if state.status:
         raise ValueError(state.status)
     return hull
@@ -56,7 +56,7 @@ def load(path):
 
 def describe(hull):
     """The hull's main numbers on the terminal."""
-    state = part("bridge.hull.hull_state").state_of(hull)
+    state = part("features.hull.hull_state").state_of(hull)
     found, check = state.hydrostatics, state.check
     print(f"      {hull.name}: {check.face_count} faces, {check.irregular_count} irregular points")
     if found is not None:
@@ -79,7 +79,7 @@ def draw_plots(hull, folder):
     for file_name, analysis in PLOTS.items():
         path = str(folder / file_name)
         try:
-            part("bridge.exchange.exports").export_plot(hull, bpy.context.scene, analysis, path)
+            part("features.exchange.exports").export_plot(hull, bpy.context.scene, analysis, path)
         except ValueError as error:
             print(f"no {file_name}: {error} ", end="")
 
@@ -87,12 +87,12 @@ def draw_plots(hull, folder):
 def draw_lines(hull, folder):
     for ending in ("pdf", "svg", "dxf"):
         path = str(folder / f"lines.{ending}")
-        part("bridge.exchange.exports").export_lines_drawing(hull, bpy.context.scene, path)
+        part("features.exchange.exports").export_lines_drawing(hull, bpy.context.scene, path)
 
 
 def render(hull, path, percent):
     """The hull in its studio, seen over the bow quarter."""
-    part("bridge.studio").make(hull, bpy.context.scene)
+    part("features.studio").make(hull, bpy.context.scene)
     bpy.context.scene.render.resolution_percentage = percent
     bpy.context.scene.render.filepath = str(path)
     with quiet_output():
@@ -105,7 +105,7 @@ def save(path):
 
 
 def make(source, folder, percent):
-    exports = part("bridge.exchange.exports")
+    exports = part("features.exchange.exports")
     step = Progress(8)
     hull = step(f"reading {source.name}", lambda: load(source))
     describe(hull)
@@ -118,7 +118,7 @@ def make(source, folder, percent):
     step("lines.pdf, .svg, .dxf", lambda: draw_lines(hull, folder))
     step("offsets.csv", lambda: exports.export_table(hull, scene, "offset_table", offsets))
     written = step(
-        "hull.step", lambda: part("bridge.exchange.cad_files").export(hull, scene, solid)
+        "hull.step", lambda: part("features.exchange.cad_files").export(hull, scene, solid)
     )
     describe_patches(written.converted.quality)
     step("render.png", lambda: render(hull, folder / "render.png", percent))

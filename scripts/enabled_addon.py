@@ -9,7 +9,7 @@ _NAMES = ("hull_tools", "bl_ext.user_default.hull_tools")
 
 
 def part(path):
-    """A module of the add-on's inner package, such as `bridge.exchange.exports`."""
+    """A module of the add-on's inner package, such as `features.exchange.exports`."""
     enabled = [name for name in _NAMES if name in bpy.context.preferences.addons]
     if not enabled:
         raise RuntimeError("Hull Tools is not enabled in this Blender")

@@ -38,14 +38,14 @@ WARM_UP = 10
 # without what they call.
 STEPS = (
     ("bridge.mesh.mesh_arrays", "read_mesh", "control mesh read"),
-    ("bridge.constraints.flat_keeping", "keep", "flats kept"),
-    ("bridge.hull.hull_state", "_update_ship", "surface and body moved"),
-    ("bridge.display.shown_surface", "follow", "surface object computed"),
-    ("bridge.display.surface_object", "move_surface", "surface object written"),
-    ("bridge.hull.hull_state", "_update_hydrostatics", "hydrostatics"),
-    ("bridge.hull.hull_state", "_update_lines", "lines"),
-    ("bridge.hull.hull_state", "_update_fairness", "combs"),
-    ("bridge.analyses.live_analyses", "show_plots", "sectional areas, plots"),
+    ("features.constraints.flat_keeping", "keep", "flats kept"),
+    ("features.hull.hull_state", "_update_ship", "surface and body moved"),
+    ("features.surface.shown_surface", "follow", "surface object computed"),
+    ("features.surface.surface_object", "move_surface", "surface object written"),
+    ("features.hull.hull_state", "_update_hydrostatics", "hydrostatics"),
+    ("features.hull.hull_state", "_update_lines", "lines"),
+    ("features.hull.hull_state", "_update_fairness", "combs"),
+    ("features.analyses.live_analyses", "show_plots", "sectional areas, plots"),
     ("overlays.lines", "_batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
@@ -209,7 +209,7 @@ class Benchmark:
         self.report(moves)
 
     def report(self, moves):
-        state = part("bridge.hull.hull_state").state_of(self.hull)
+        state = part("features.hull.hull_state").state_of(self.hull)
         if state.status or state.hydrostatics is None:
             raise RuntimeError(f"no results: {state.status} {state.hydrostatics_status}")
         shown = self.hull.hull.surface_object.data

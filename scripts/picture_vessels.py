@@ -31,7 +31,7 @@ def load(path):
         bpy.ops.hull.import_hull(filepath=str(path))
     hull = bpy.context.object
     hull.hull.samples = SAMPLES_PER_CELL
-    state = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    state = part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     if state.status:
         raise ValueError(f"{path}: {state.status}")
     return hull

@@ -23,7 +23,7 @@ def main():
         target = path.with_name(path.name.replace(".hull.json", ".blend"))
         with quiet_output():
             bpy.ops.hull.import_hull(filepath=str(path))
-            status = part("bridge.hull.hull_state").state_of(bpy.context.object).status
+            status = part("features.hull.hull_state").state_of(bpy.context.object).status
             bpy.ops.wm.save_as_mainfile(filepath=str(target), compress=True)
         if status:
             sys.exit(f"{path}: {status}")

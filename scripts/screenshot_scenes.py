@@ -53,7 +53,7 @@ def panel_scene(window, shot):
 
 
 def _are_known(hull, analyses):
-    last_outcome = part("bridge.analyses").last_outcome
+    last_outcome = part("features.analyses").last_outcome
     return all(last_outcome(hull, bpy.context.scene, name)[1] for name in analyses)
 
 
@@ -70,7 +70,7 @@ def _with_opening(hull):
 
 def _with_fit(hull):
     """The hull fitted to faces between points of its own surface, somewhat fuller."""
-    grid = part("bridge.hull.hull_state").state_of(hull).surface.tessellate(12)
+    grid = part("features.hull.hull_state").state_of(hull).surface.tessellate(12)
     mesh = bpy.data.meshes.new("Hull of a scan")
     mesh.from_pydata((np.array(grid.points) * [1.0, 1.01, 1.0]).tolist(), [], grid.quads.tolist())
     hull.hull.fit.target = bpy.data.objects.new(mesh.name, mesh)
@@ -81,7 +81,7 @@ def _with_fit(hull):
 
 
 def _with_studio(hull):
-    part("bridge.studio").make(hull, bpy.context.scene)
+    part("features.studio").make(hull, bpy.context.scene)
 
 
 PANELS = {

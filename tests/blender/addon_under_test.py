@@ -19,7 +19,7 @@ def module_name():
 
 
 def part(path):
-    """A module of the add-on's inner package, such as `bridge.hull.hull_state`."""
+    """A module of the add-on's inner package, such as `features.hull.hull_state`."""
     return importlib.import_module(f"{module_name()}.hull_tools.{path}")
 
 
@@ -59,12 +59,12 @@ def make_active(obj):
 
 
 def state_of(obj):
-    return part("bridge.hull.hull_state").state_of(obj)
+    return part("features.hull.hull_state").state_of(obj)
 
 
 def compute(wanted):
     """Has pairs (name of a hull, analysis) computed in the thread, and waits for all of them."""
-    live, worker = part("bridge.analyses.live_analyses"), part("bridge.background.worker")
+    live, worker = part("features.analyses.live_analyses"), part("bridge.background.worker")
     live.begin(wanted)
     worker.finish()
     live.take_finished()

@@ -80,4 +80,4 @@ def at(i, j, rows=5):
 
 
 def tags_of(hull):
-    return part("bridge.hull.tags").of_hull(hull, bpy.context.scene)
+    return part("features.hull.tags").of_hull(hull, bpy.context.scene)

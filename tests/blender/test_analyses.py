@@ -31,7 +31,7 @@ def add_case(hull, name, mass_t, lcg=5.0, tcg=0.0, vcg=1.0):
 
 
 def result_of(hull, name):
-    return part("bridge.analyses").result_of(hull, bpy.context.scene, name)
+    return part("features.analyses").result_of(hull, bpy.context.scene, name)
 
 
 def export(tmp_path, name):
@@ -61,7 +61,7 @@ PLOTTED = ALL[:5]
 
 
 def test_these_are_all():
-    analyses = part("bridge.analyses")
+    analyses = part("features.analyses")
     assert tuple(analyses.ANALYSES) == ALL
     assert tuple(analyses.PLOTTED) == PLOTTED
 
@@ -71,7 +71,7 @@ def test_the_operator_writes_what_the_function_gives(name, tmp_path):
     hull = afloat_box()
     add_case(hull, "ballast", 30.0)
     header, rows = export(tmp_path, name)
-    module = part("bridge.analyses").ANALYSES[name]
+    module = part("features.analyses").ANALYSES[name]
     result = result_of(hull, name)
     assert header == module.header(result)
     wanted = list(module.rows(result))
@@ -350,7 +350,7 @@ def test_the_scene_scale_makes_metres():
 
 def test_results_last_until_what_they_depend_on_changes():
     hull = afloat_box()
-    analyses, scene = part("bridge.analyses"), bpy.context.scene
+    analyses, scene = part("features.analyses"), bpy.context.scene
     assert analyses.last_outcome(hull, scene, "bonjean_curves") == (None, False)
     first = analyses.outcome_of(hull, scene, "bonjean_curves")
     assert analyses.outcome_of(hull, scene, "bonjean_curves") is first

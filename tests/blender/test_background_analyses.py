@@ -20,16 +20,16 @@ def hull_with_levers(name="box"):
 
 
 def latest(hull):
-    return part("bridge.analyses.live_analyses").latest(hull, bpy.context.scene, NAME)
+    return part("features.analyses.live_analyses").latest(hull, bpy.context.scene, NAME)
 
 
 def begin(hull):
-    part("bridge.analyses.live_analyses").begin([(hull.name, NAME)])
+    part("features.analyses.live_analyses").begin([(hull.name, NAME)])
 
 
 def take_finished():
     part("bridge.background.worker").finish()
-    return part("bridge.analyses.live_analyses").take_finished()
+    return part("features.analyses.live_analyses").take_finished()
 
 
 def threads():
@@ -46,14 +46,14 @@ def move(hull, by):
 @pytest.fixture(autouse=True)
 def nothing_left():
     yield
-    part("bridge.analyses.live_analyses").stop()
+    part("features.analyses.live_analyses").stop()
     assert not threads()
 
 
 @pytest.fixture
 def gate(monkeypatch):
     """Holds the levers up in the thread until it is opened; counts those that began."""
-    module = part("bridge.analyses").ANALYSES[NAME]
+    module = part("features.analyses").ANALYSES[NAME]
     original = module.compute
     opened, begun = threading.Event(), threading.Semaphore(0)
 
@@ -73,7 +73,7 @@ def gate(monkeypatch):
     "name", ["hydrostatic_table", "bonjean_curves", NAME, "cross_curves", "criteria", "load_cases"]
 )
 def test_the_thread_gives_what_is_given_at_once(name):
-    hull, analyses = hull_with_levers(), part("bridge.analyses")
+    hull, analyses = hull_with_levers(), part("features.analyses")
     bpy.ops.hull.add_load_case()
     module, scene = analyses.ANALYSES[name], bpy.context.scene
     at_once = analyses.result_of(hull, scene, name)
@@ -104,16 +104,16 @@ def test_the_last_result_stays_until_there_is_a_newer_one(gate):
 def test_edits_do_not_reach_what_is_being_computed(gate):
     hull = hull_with_levers()
     wanted = (
-        part("bridge.analyses")
+        part("features.analyses")
         .ANALYSES["criteria"]
         .compute(
             state_of(hull).source.new_ship(),
-            part("bridge.analyses").key_of(hull, bpy.context.scene, "criteria")[1],
+            part("features.analyses").key_of(hull, bpy.context.scene, "criteria")[1],
         )
     )
     begin(hull)
     assert gate.begun.acquire(timeout=30.0)
-    part("bridge.analyses.live_analyses").begin([(hull.name, "criteria")])
+    part("features.analyses.live_analyses").begin([(hull.name, "criteria")])
     for _ in range(20):
         move(hull, 0.05)
     gate.set()
@@ -160,7 +160,7 @@ def test_a_hull_deleted_meanwhile_is_no_matter(gate):
     bpy.context.view_layer.update()
     gate.set()
     assert take_finished()
-    assert not part("bridge.hull.hull_state")._states
+    assert not part("features.hull.hull_state")._states
 
 
 def test_an_export_does_not_wait_for_the_thread(gate, tmp_path):
@@ -192,7 +192,7 @@ def test_nothing_runs_after_a_file_was_loaded(gate):
     open_soon(gate)
     bpy.ops.wm.read_homefile(use_empty=True)
     assert not threads() and not part("bridge.background.worker").is_busy()
-    assert not part("bridge.analyses.live_analyses").take_finished()
+    assert not part("features.analyses.live_analyses").take_finished()
 
 
 def test_nothing_runs_after_the_addon_was_disabled(gate):

@@ -70,16 +70,16 @@ def test_a_bilge_between_creases_is_as_round_as_can_be(count, move_borders):
     select_rows(hull, len(section), 1, count + 2)
     assert bpy.ops.hull.round_bilge(radius=2.5, move_borders=move_borders) == {"FINISHED"}
     assert deviation(hull, 2.5) == pytest.approx(2.5 * BEST[count][move_borders], rel=5e-3)
-    assert part("bridge.hull.hull_state").state_of(hull).status == ""
+    assert part("features.hull.hull_state").state_of(hull).status == ""
 
 
 def test_the_radius_that_is_there_is_offered():
     section = [*FLAT[::2], *bilge_points(4), *SIDE[::2]]
     hull = midbody(section, (1, 6))
     select_rows(hull, len(section), 1, 6)
-    assert part("bridge.modelling.bilge").present_radius(hull, bpy.context.scene) == 2.0
+    assert part("features.modelling.bilge").present_radius(hull, bpy.context.scene) == 2.0
     bpy.ops.hull.round_bilge(radius=2.75)
-    assert part("bridge.modelling.bilge").present_radius(hull, bpy.context.scene) == 2.75
+    assert part("features.modelling.bilge").present_radius(hull, bpy.context.scene) == 2.75
 
 
 def test_a_bilge_between_smooth_borders():
@@ -89,7 +89,7 @@ def test_a_bilge_between_smooth_borders():
     hull.data.update()
     before = part("bridge.mesh.mesh_points").read(hull.data)
     select_rows(hull, len(section), 2, 7)
-    rounded = part("bridge.modelling.bilge").round_selected(hull, bpy.context.scene, 1.5, False)
+    rounded = part("features.modelling.bilge").round_selected(hull, bpy.context.scene, 1.5, False)
     assert len(rounded) == len(X) and rounded[0].count == 4
     middle = rounded[3]
     assert middle.found == pytest.approx(middle.best, rel=5e-3)
@@ -105,7 +105,9 @@ def test_whole_rows_are_cut_at_the_flats():
     section = [*FLAT, *bilge_points(4), *SIDE]
     hull = midbody(section, (2, 7))
     select_rows(hull, len(section), 0, 9)
-    (first, *_) = part("bridge.modelling.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
+    (first, *_) = part("features.modelling.bilge").round_selected(
+        hull, bpy.context.scene, 2.0, False
+    )
     assert first.count == 4 and deviation(hull, 2.0) == pytest.approx(2 * 8.43e-4, rel=5e-3)
 
 
@@ -123,7 +125,7 @@ def test_a_bottom_with_deadrise():
     section += [(y, z + 0.6) for y, z in bilge_points(4)] + SIDE[::2]
     hull = midbody(section, (1, 6))
     select_rows(hull, len(section), 1, 6)
-    rounded = part("bridge.modelling.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
+    rounded = part("features.modelling.bilge").round_selected(hull, bpy.context.scene, 2.0, False)
     native = part("bridge.native").require()
     assert rounded[3].best == pytest.approx(2 * native.bilge_arc(4, np.radians(80)).deviation)
     assert rounded[3].found == pytest.approx(rounded[3].best, rel=1e-2)
@@ -172,6 +174,6 @@ def test_flats_that_are_kept_stay_flat():
     select_rows(hull, len(section), 1, 6)
     bpy.ops.hull.round_bilge(radius=2.5)
     assert deviation(hull, 2.5) == pytest.approx(2.5 * 8.43e-4, rel=5e-3)
-    (region,) = part("bridge.constraints.flats").regions(hull)
+    (region,) = part("features.constraints.flats").regions(hull)
     points = part("bridge.mesh.mesh_points").read(hull.data, region.points)
     assert (points[:, 2] == 0.0).all() and np.isclose(points[:, 1], 3.5).any()

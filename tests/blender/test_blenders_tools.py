@@ -271,7 +271,7 @@ def test_an_excluded_collection_does_no_harm():
     bpy.context.view_layer.update()
     layer.exclude = False
     bpy.context.view_layer.update()
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert_shows(hull, (LENGTH + 1.0, 4.0, DEPTH))
 
 
@@ -366,7 +366,7 @@ def test_modifiers_are_told_of_where_they_mislead():
 def flat_box(name="box"):
     """A box whose bottom and side are kept flat."""
     hull = add_hull(name)
-    flats = part("bridge.constraints.flats")
+    flats = part("features.constraints.flats")
     for index in (0, 1):
         normal = (0.0, 1.0, 0.0) if index == 0 else (0.0, 0.0, -1.0)
         reach = 2.0 if index == 0 else 0.0
@@ -376,7 +376,7 @@ def flat_box(name="box"):
 
 
 def flat_kinds(hull):
-    return sorted(region.kind for region in part("bridge.constraints.flats").regions(hull))
+    return sorted(region.kind for region in part("features.constraints.flats").regions(hull))
 
 
 def test_flats_go_with_applied_scale():
@@ -388,7 +388,7 @@ def test_flats_go_with_applied_scale():
     bpy.context.view_layer.update()
     wanted = mesh_points(hull)
     assert np.ptp(wanted, axis=0)[2] == pytest.approx(0.5 * DEPTH)
-    regions = part("bridge.constraints.flats").regions(hull)
+    regions = part("features.constraints.flats").regions(hull)
     assert len(regions) == 2
     for region in regions:
         heights = wanted[region.points] @ region.plane[:3] - region.plane[3]

@@ -39,7 +39,7 @@ def written(file_format, path, **settings):
 @pytest.fixture(autouse=True)
 def nothing_left():
     yield
-    part("bridge.conversion.conversions").stop()
+    part("features.conversion.conversions").stop()
 
 
 @pytest.fixture
@@ -112,7 +112,7 @@ def test_curves_are_on_the_surface():
     import numpy as np
 
     bpy.ops.hull.load_sample(name="coaster")
-    hull, curves = bpy.context.object, part("bridge.exchange.cad_curves")
+    hull, curves = bpy.context.object, part("features.exchange.cad_curves")
     hull.hull.export.with_sections = hull.hull.export.with_features = True
     state = state_of(hull)
     surface, shares = state.source.new_surface(), []
@@ -120,8 +120,8 @@ def test_curves_are_on_the_surface():
     found = curves.curves(surface, wanted, shares.append)
     assert shares == sorted(shares) and 0.0 <= shares[0] and shares[-1] <= 1.0
     native = part("bridge.native").require()
-    tree, size = native.SurfaceTree(surface), part("bridge.lines.lines").size_of(surface)
-    evaluate = part("bridge.lines.line_curves")._de_boor
+    tree, size = native.SurfaceTree(surface), part("features.lines.lines").size_of(surface)
+    evaluate = part("features.lines.line_curves")._de_boor
     for name, layer, knots, points in found:
         assert len(knots) == len(points) + 4 and layer
         at = np.linspace(knots[3], knots[-4], 50)
@@ -135,7 +135,7 @@ def test_chains_of_cubics_become_splines():
     """A chain that is C2, then C1, then has a kink: the same curve, with few knots."""
     import numpy as np
 
-    curves, random = part("bridge.exchange.cad_curves"), np.random.default_rng(3)
+    curves, random = part("features.exchange.cad_curves"), np.random.default_rng(3)
     first = random.normal(size=(4, 3))
     chain = [first]
     for order in (2, 1, 0):  # so many derivatives go on
@@ -149,7 +149,7 @@ def test_chains_of_cubics_become_splines():
     knots, points = curves._spline(np.array(chain))
     assert knots.tolist() == [0] * 4 + [1] + [2] * 2 + [3] * 3 + [4] * 4
     at = np.linspace(0.0, 4.0, 41)
-    found = part("bridge.lines.line_curves")._de_boor(knots, points, 3, at)
+    found = part("features.lines.line_curves")._de_boor(knots, points, 3, at)
     for t, point in zip(at, found):
         piece = min(int(t), 3)
         u = t - piece
@@ -173,17 +173,17 @@ def test_a_ship(freeship_folder, tmp_path):
 def test_the_patches_of_the_report_are_written(tmp_path, monkeypatch):
     hull = add_hull()
     assert bpy.ops.hull.convert() == {"FINISHED"}
-    outcome = part("bridge.conversion.conversions").last_outcome(hull)[0]
-    patches = part("bridge.conversion.patches")
+    outcome = part("features.conversion.conversions").last_outcome(hull)[0]
+    patches = part("features.conversion.patches")
     monkeypatch.setattr(patches, "convert", None)  # would be told of as an error
-    files = part("bridge.exchange.cad_files")
+    files = part("features.exchange.cad_files")
     for file_format, name in EXPORTS:
         found = files.export(hull, bpy.context.scene, str(tmp_path / name), file_format)
         assert found.converted is outcome.converted and found.report["valid"]
 
 
 def test_a_file_is_of_the_hull_as_it_was(tmp_path):
-    hull, files = add_hull(), part("bridge.exchange.cad_files")
+    hull, files = add_hull(), part("features.exchange.cad_files")
     path = str(tmp_path / "before.step")
     task = files.Export(hull, bpy.context.scene, path, "STEP")
     for vertex in hull.data.vertices:
@@ -248,7 +248,7 @@ def test_a_full_disk(old_file, file_format):
 @pytest.mark.parametrize("file_format", ["STEP", "IGES"])
 def test_a_cancelled_export_leaves_the_old_file(old_file, monkeypatch, file_format):
     """Cancelled while the file is written, at the first word of its progress."""
-    hull, files = add_hull(), part("bridge.exchange.cad_files")
+    hull, files = add_hull(), part("features.exchange.cad_files")
     native = part("bridge.native").require()
     name = f"write_{file_format.lower()}"
     write, begun = getattr(native, name), threading.Event()
@@ -283,7 +283,7 @@ def test_a_cancelled_export_leaves_the_old_file(old_file, monkeypatch, file_form
         begun.set()
         with pytest.raises(part("bridge.background.jobs").Cancelled):
             task.result()
-    assert part("bridge.conversion.conversions").running(hull) is None
+    assert part("features.conversion.conversions").running(hull) is None
 
 
 def test_a_hull_without_a_surface_is_a_message(old_file):
@@ -292,4 +292,4 @@ def test_a_hull_without_a_surface_is_a_message(old_file):
     bpy.context.view_layer.update()
     assert not bpy.ops.hull.export_step.poll()
     with pytest.raises(ValueError, match="scale"):
-        part("bridge.exchange.cad_files").Export(hull, bpy.context.scene, str(old_file), "STEP")
+        part("features.exchange.cad_files").Export(hull, bpy.context.scene, str(old_file), "STEP")

@@ -128,7 +128,9 @@ def test_numbers_that_are_typed_are_meant(hull):
 
 def test_flats_hold_before_the_centre(hull):
     """A point at the rim of a flat side is moved with it, on the centre plane as it is."""
-    own = next(r.points for r in part("bridge.constraints.flats").regions(hull) if r.kind == "SIDE")
+    own = next(
+        r.points for r in part("features.constraints.flats").regions(hull) if r.kind == "SIDE"
+    )
     move(hull, own, (0.0, -6.5, 0.0))
     assert (points(hull)[own, 1] == 0.0).all()
     move(hull, own, (0.0, 6.5, 0.0))

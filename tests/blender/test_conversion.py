@@ -15,11 +15,11 @@ from addon_under_test import add_hull, make_active, module_name, part, state_of
 
 
 def outcome_of(hull):
-    return part("bridge.conversion.conversions").last_outcome(hull)
+    return part("features.conversion.conversions").last_outcome(hull)
 
 
 def begin(hull):
-    return part("bridge.conversion.conversions").begin(hull, bpy.context.scene)
+    return part("features.conversion.conversions").begin(hull, bpy.context.scene)
 
 
 def move(hull, by):
@@ -36,7 +36,7 @@ def threads():
 @pytest.fixture(autouse=True)
 def nothing_left():
     yield
-    part("bridge.conversion.conversions").stop()
+    part("features.conversion.conversions").stop()
     assert not threads()
 
 
@@ -44,7 +44,7 @@ def nothing_left():
 def gate(monkeypatch):
     """Holds conversions up in the thread until it is opened, or they are cancelled; counts those
     that began."""
-    module = part("bridge.conversion.patches")
+    module = part("features.conversion.patches")
     original = module.convert
     opened, begun = threading.Event(), threading.Semaphore(0)
 
@@ -176,12 +176,12 @@ def test_the_tolerance_in_millimetres_is_kept_as_a_part_of_the_length():
     settings.tolerance_mm = 0.5
     assert settings.tolerance == pytest.approx(5e-5)
     # Given as typed, though Blender keeps single precision.
-    choice = part("bridge.conversion.patches").choice_of(settings)
+    choice = part("features.conversion.patches").choice_of(settings)
     assert dict(choice.options)["tolerance"] == 5e-5
 
 
 def test_what_is_not_kept_is_warned_of():
-    patches = part("bridge.conversion.patches")
+    patches = part("features.conversion.patches")
     settings = add_hull().hull.export
     asked = patches.asked_of(settings)
     assert degrees(asked.seam_angle) == pytest.approx(0.02)
@@ -268,7 +268,7 @@ def test_progress_is_told(gate):
 def test_progress_never_goes_back():
     shares = []
     hull = add_hull()
-    patches = part("bridge.conversion.patches")
+    patches = part("features.conversion.patches")
     source = state_of(hull).source
     for conversion in ("EXACT", "PER_CELL"):
         hull.hull.export.conversion = conversion
@@ -282,7 +282,7 @@ def test_converting_and_measuring_end_when_cancelled(freeship_folder, share):
     bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
     hull, patches, cancelled = (
         bpy.context.object,
-        part("bridge.conversion.patches"),
+        part("features.conversion.patches"),
         part("bridge.background.jobs"),
     )
     surface, told = state_of(hull).source.new_surface(), []
@@ -305,7 +305,7 @@ def test_a_hull_deleted_meanwhile_is_no_matter(gate):
     bpy.context.view_layer.update()
     gate.set()
     assert task.result().quality.patch_count == 4
-    part("bridge.conversion.conversions").take_finished()
+    part("features.conversion.conversions").take_finished()
 
 
 def test_nothing_runs_after_a_file_was_loaded(gate):
@@ -343,7 +343,7 @@ def test_nothing_is_converted_unasked(gate):
     move(hull, 0.5)
     hull.hull.export.tolerance = 1e-7
     bpy.context.view_layer.update()
-    part("bridge.conversion.conversions").request(hull)  # no window: nobody looks
+    part("features.conversion.conversions").request(hull)  # no window: nobody looks
     assert not gate.begun.acquire(blocking=False) and not threads()
 
 
@@ -363,7 +363,7 @@ def test_a_reason_comes_as_a_message(monkeypatch):
     def refuse(*unused):
         raise ValueError("Face 3 cannot be")
 
-    monkeypatch.setattr(part("bridge.conversion.patches"), "convert", refuse)
+    monkeypatch.setattr(part("features.conversion.patches"), "convert", refuse)
     hull = add_hull()
     with pytest.raises(RuntimeError, match="Face 3 cannot be"):
         bpy.ops.hull.convert()
@@ -380,7 +380,7 @@ def test_a_reason_comes_as_a_message(monkeypatch):
     ],
 )
 def test_the_worst_spot_is_marked(freeship_folder, kind, attribute):
-    scene, spots = bpy.context.scene, part("bridge.conversion.worst_spots")
+    scene, spots = bpy.context.scene, part("features.conversion.worst_spots")
     bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo 6.fbm"))
     hull = bpy.context.object
     with pytest.raises(RuntimeError, match="Convert first"):
@@ -418,7 +418,7 @@ def test_a_spot_that_is_not_there_is_a_message():
     bpy.ops.hull.convert()
     with pytest.raises(RuntimeError, match="knuckles"):
         bpy.ops.hull.show_worst_spot(kind="ANGLE")
-    assert part("bridge.conversion.worst_spots").shown_spot(hull, bpy.context.scene) is None
+    assert part("features.conversion.worst_spots").shown_spot(hull, bpy.context.scene) is None
 
 
 def test_the_report_is_written_as_text_and_json(tmp_path):

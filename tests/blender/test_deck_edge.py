@@ -61,7 +61,7 @@ def marked(hull):
 
 
 def deck_edge_heel(hull):
-    result = part("bridge.analyses").result_of(hull, bpy.context.scene, "righting_levers")
+    result = part("features.analyses").result_of(hull, bpy.context.scene, "righting_levers")
     return result.levers.deck_edge_heel
 
 

@@ -172,7 +172,7 @@ def test_what_panels_show_is_on_their_pages():
     for name in ("add_load_case", "add_flooding_point"):
         getattr(bpy.ops.hull, name)()
     bpy.context.view_layer.update()
-    compute([(hull.name, name) for name in part("bridge.analyses").ANALYSES])
+    compute([(hull.name, name) for name in part("features.analyses").ANALYSES])
     found |= drawn_labels()
     bpy.ops.object.mode_set(mode="EDIT")
     found |= drawn_labels()

@@ -35,7 +35,7 @@ def test_combs_are_those_of_the_native_module():
     hull = round_hull()
     hull.hull.fairness.comb_stations = True
     update()
-    state, lines = state_of(hull), part("bridge.lines.lines")
+    state, lines = state_of(hull), part("features.lines.lines")
     (group,) = state.combs.values()
     native = part("bridge.native").require()
     planes = np.array([section.cut.plane for section in group.sections])
@@ -90,7 +90,7 @@ def test_the_scale_of_combs_stays_while_points_move():
 
 def test_combs_of_lines_that_are_straight():
     hull = add_hull()
-    for name in part("bridge.lines.combs").SWITCHES.values():
+    for name in part("features.fairness.combs").SWITCHES.values():
         setattr(hull.hull.fairness, name, True)
     update()
     state = state_of(hull)
@@ -126,7 +126,7 @@ def test_nothing_is_computed_that_is_off(monkeypatch):
             return getattr(real, name)
 
     monkeypatch.setattr(native, "require", Recorder)
-    for name in part("bridge.lines.lines").SWITCHES.values():
+    for name in part("features.lines.lines").SWITCHES.values():
         setattr(hull.hull.lines, name, False)
     update()
     asked.clear()
@@ -143,7 +143,7 @@ def test_nothing_is_computed_that_is_off(monkeypatch):
 
 def test_marks_have_symbols_of_their_own_in_the_picture():
     marks = part("overlays.mark_arrays")
-    assert set(marks.SHAPES) == set(part("bridge.lines.combs").MARKS)
+    assert set(marks.SHAPES) == set(part("features.fairness.combs").MARKS)
     to_clip = np.diag([0.5, 0.5, 0.5, 1.0])
     places = marks.in_picture(np.array([(1.0, 1.0, 0.0), (3.0, 0.0, 0.0)]), to_clip)
     assert places.tolist() == [[0.5, 0.5, 0.0]]
@@ -379,7 +379,7 @@ def flat_hull():
 def test_a_flat_side_is_flat():
     hull, _ = flat_hull()
     select_faces(hull, lambda centre: centre.y > 1.9)
-    check = part("bridge.modelling.flat_check").check_selected(hull, bpy.context.scene, 0.0)
+    check = part("features.modelling.flat_check").check_selected(hull, bpy.context.scene, 0.0)
     assert check.distance < 1e-6 and not check.at_fault and "Flat" in check.message
     assert bpy.ops.hull.check_flat() == {"FINISHED"}
 
@@ -391,7 +391,7 @@ def test_the_point_at_fault_is_selected():
     hull.data.update_tag()
     update()
     select_faces(hull, lambda centre: centre.y > 1.9)
-    check = part("bridge.modelling.flat_check").check_selected(hull, bpy.context.scene, 0.0)
+    check = part("features.modelling.flat_check").check_selected(hull, bpy.context.scene, 0.0)
     assert index in check.at_fault and check.distance > 0.02
     assert bpy.ops.hull.check_flat(tolerance=0.12) == {"FINISHED"}
     assert selected_points(hull) == {index}
@@ -402,7 +402,7 @@ def test_points_around_bend_the_rim():
     hull = round_hull()
     select_faces(hull, lambda centre: centre.y > 1.9)
     inside = selected_points(hull)
-    check = part("bridge.modelling.flat_check").check_selected(hull, bpy.context.scene, 0.0)
+    check = part("features.modelling.flat_check").check_selected(hull, bpy.context.scene, 0.0)
     assert check.distance > 0.01 and "around" in check.message
     assert check.at_fault and not inside & set(check.at_fault)
 

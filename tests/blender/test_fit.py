@@ -52,7 +52,7 @@ def off(hull, surface):
 
 
 def wanted(hull):
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     native = part("bridge.native").require()
     surface = state_of(hull).surface
     return native.LimitSurface(surface.mesh.with_points(surface.mesh.points), surface.scheme)
@@ -61,7 +61,7 @@ def wanted(hull):
 @pytest.fixture(autouse=True)
 def nothing_left():
     yield
-    part("bridge.conversion.conversions").stop()
+    part("features.conversion.conversions").stop()
 
 
 def test_a_hull_comes_back_to_its_shape():
@@ -73,7 +73,7 @@ def test_a_hull_comes_back_to_its_shape():
     shake(hull, 0.05)
     before = points_of(hull)
     assert bpy.ops.hull.fit() == {"FINISHED"}
-    report, is_current = part("bridge.fitting.fitting").last_report(hull)
+    report, is_current = part("features.fitting.fitting").last_report(hull)
     assert is_current
     # The faces are flat between points of the surface: within it by some millimetres.
     assert report.rms < 0.006 and report.line_rms < 0.05
@@ -81,14 +81,14 @@ def test_a_hull_comes_back_to_its_shape():
     assert np.sqrt((distances**2).mean()) < 0.02
     on_centre = np.abs(before[:, 1]) < 1e-6
     assert (points_of(hull)[on_centre, 1] == before[on_centre, 1]).all()
-    rows = dict(part("bridge.fitting.fitting").rows(report))
+    rows = dict(part("features.fitting.fitting").rows(report))
     assert rows["Points"] == str(report.counted)
     bpy.context.scene.cursor.location = (0.0, 0.0, 0.0)
     assert bpy.ops.hull.show_fit_worst() == {"FINISHED"}
     np.testing.assert_allclose(bpy.context.scene.cursor.location, report.place, atol=1e-4)
     shake(hull, 0.01)
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
-    assert part("bridge.fitting.fitting").last_report(hull) == (report, False)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    assert part("features.fitting.fitting").last_report(hull) == (report, False)
     with pytest.raises(RuntimeError, match="press Fit"):
         bpy.ops.hull.show_fit_worst()
 
@@ -112,7 +112,7 @@ def test_locked_points_stay():
     hull.hull.fit.target = shape_of(wanted(hull))
     shake(hull, 0.1)
     attribute = hull.data.attributes.new(
-        part("bridge.constraints.point_locks").ATTRIBUTE, "INT", "POINT"
+        part("features.constraints.point_locks").ATTRIBUTE, "INT", "POINT"
     )
     locked = [3, 7, 11]
     for index in locked:
@@ -135,7 +135,7 @@ def test_points_alone_are_a_target():
     hull.hull.fit.fairness = 0.0
     shake(hull, 0.02)
     assert bpy.ops.hull.fit() == {"FINISHED"}
-    assert part("bridge.fitting.fitting").last_report(hull)[0].rms < 0.004
+    assert part("features.fitting.fitting").last_report(hull)[0].rms < 0.004
 
 
 def test_creases_go_along_lines():
@@ -149,10 +149,10 @@ def test_creases_go_along_lines():
     hull.hull.fit.lines = edges
     hull.hull.fit.target = shape_of(wanted(hull), both=False)
     hull.hull.fit.use_edges = False
-    before = part("bridge.fitting.fitting").last_report(hull)
+    before = part("features.fitting.fitting").last_report(hull)
     assert before == (None, False)
     assert bpy.ops.hull.fit() == {"FINISHED"}
-    report = part("bridge.fitting.fitting").last_report(hull)[0]
+    report = part("features.fitting.fitting").last_report(hull)[0]
     assert 0.0 < report.line_rms < 0.19
 
 
@@ -175,7 +175,7 @@ def test_a_hull_is_fitted_to_an_stl_file(tmp_path):
     assert target.name == "barge" and len(target.data.polygons) > 0.9 * len(triangles)
     shake(hull, 0.05)
     assert bpy.ops.hull.fit() == {"FINISHED"}
-    assert part("bridge.fitting.fitting").last_report(hull)[0].rms < 0.02
+    assert part("features.fitting.fitting").last_report(hull)[0].rms < 0.02
     (tmp_path / "broken.stl").write_bytes(path.read_bytes()[:-7])
     with pytest.raises(RuntimeError, match="broken.stl"):
         bpy.ops.hull.load_stl(filepath=str(tmp_path / "broken.stl"))
@@ -200,7 +200,7 @@ def test_it_is_cancelled_or_given_up_when_the_hull_changes():
     hull = sample("barge")
     hull.hull.fit.target = shape_of(wanted(hull))
     before = points_of(hull)
-    fitting, jobs = part("bridge.fitting.fitting"), part("bridge.background.jobs")
+    fitting, jobs = part("features.fitting.fitting"), part("bridge.background.jobs")
     task = fitting.Fitting(hull, bpy.context.scene)
     task.cancel()
     with pytest.raises(jobs.Cancelled):
@@ -208,7 +208,7 @@ def test_it_is_cancelled_or_given_up_when_the_hull_changes():
     assert (points_of(hull) == before).all()
     task = fitting.Fitting(hull, bpy.context.scene)
     with pytest.raises(ValueError, match="under way"):
-        part("bridge.conversion.conversions").begin(hull, bpy.context.scene)
+        part("features.conversion.conversions").begin(hull, bpy.context.scene)
     shake(hull, 0.01)
     changed = points_of(hull)
     with pytest.raises(ValueError, match="changed meanwhile"):

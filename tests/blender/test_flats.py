@@ -28,7 +28,7 @@ def update():
 
 
 def mark(hull, plane):
-    number = part("bridge.constraints.flats").mark(hull, faces_in(hull, plane), plane)
+    number = part("features.constraints.flats").mark(hull, faces_in(hull, plane), plane)
     update()
     return number
 
@@ -36,7 +36,7 @@ def mark(hull, plane):
 def kept_planes(hull):
     return {
         region.number: region.plane.tolist()
-        for region in part("bridge.constraints.flats").regions(hull)
+        for region in part("features.constraints.flats").regions(hull)
     }
 
 
@@ -60,14 +60,14 @@ def move(hull, indices, by, in_edit_mode=False):
 
 
 def points_of(hull, number):
-    regions = part("bridge.constraints.flats").regions(hull)
+    regions = part("features.constraints.flats").regions(hull)
     return next(region.points for region in regions if region.number == number).tolist()
 
 
 def inner_point(hull, number):
     """The point of a region in the middle of its four faces."""
     faces = next(
-        r.faces for r in part("bridge.constraints.flats").regions(hull) if r.number == number
+        r.faces for r in part("features.constraints.flats").regions(hull) if r.number == number
     )
     loops = [set(hull.data.polygons[face].vertices) for face in faces.tolist()]
     return set.intersection(*loops).pop()
@@ -90,14 +90,14 @@ def test_points_of_the_interface():
     hull = divided_hull()
     mark(hull, SIDE)
     mark(hull, BOTTOM)
-    found = part("bridge.constraints.flats").flat_planes(hull)
+    found = part("features.constraints.flats").flat_planes(hull)
     assert [plane for _, plane in found] == [SIDE, BOTTOM]
     points = mesh_points(hull)
     for indices, plane in found:
         assert set(indices.tolist()) == set(np.flatnonzero(points @ plane[:3] == plane[3]))
     bpy.ops.object.mode_set(mode="EDIT")
     for (before, plane), (after, same) in zip(
-        found, part("bridge.constraints.flats").flat_planes(hull)
+        found, part("features.constraints.flats").flat_planes(hull)
     ):
         assert np.array_equal(before, after) and plane == same
 
@@ -154,7 +154,7 @@ def test_three_planes_hold_a_point():
 
 
 def test_points_go_to_the_nearest_place_in_oblique_planes():
-    planes = part("bridge.constraints.planes")
+    planes = part("features.constraints.planes")
     random = np.random.default_rng(7)
     for _ in range(200):
         count = random.integers(1, 4)
@@ -174,7 +174,7 @@ def test_points_go_to_the_nearest_place_in_oblique_planes():
 
 def test_a_general_plane_is_kept_to_single_precision_and_at_rest():
     hull = divided_hull()
-    flats, planes = part("bridge.constraints.flats"), part("bridge.constraints.planes")
+    flats, planes = part("features.constraints.flats"), part("features.constraints.planes")
     number = flats.mark(hull, faces_in(hull, AFT), GENERAL)
     update()
     plane = np.array(kept_planes(hull)[number])
@@ -207,7 +207,7 @@ def test_faces_that_are_extruded_go_free():
     bpy.ops.object.mode_set(mode="OBJECT")
     assert sorted(np.round(mesh_points(hull)[:, 2], 6))[-1] > 0.9
     assert (mesh_points(hull)[:, 0] == LENGTH + 1.0).sum() == 3
-    region = part("bridge.constraints.flats").regions(hull)[0]
+    region = part("features.constraints.flats").regions(hull)[0]
     assert region.number == number and len(region.faces) == len(faces)
 
 
@@ -219,7 +219,7 @@ def test_a_divided_region_stays_one():
     bpy.ops.mesh.subdivide(number_cuts=1)
     update()
     bpy.ops.object.mode_set(mode="OBJECT")
-    (region,) = part("bridge.constraints.flats").regions(hull)
+    (region,) = part("features.constraints.flats").regions(hull)
     assert region.number == number and len(region.faces) == 16
     index = region.points[np.argmax(mesh_points(hull)[region.points, 0])]
     move(hull, [index], (0.0, 1.0, 0.0))
@@ -266,9 +266,9 @@ def test_two_parallel_planes_through_a_point_are_refused():
     before, kept = mesh_points(hull), kept_planes(hull)
     side = faces_in(hull, SIDE)
     with pytest.raises(ValueError, match="another plane"):
-        part("bridge.constraints.flats").mark(hull, side[:1], (0.0, 1.0, 0.0, 3.0))
+        part("features.constraints.flats").mark(hull, side[:1], (0.0, 1.0, 0.0, 3.0))
     assert np.array_equal(mesh_points(hull), before) and kept_planes(hull) == kept
-    number = part("bridge.constraints.flats").mark(hull, side, (0.0, 1.0, 0.0, 3.0))
+    number = part("features.constraints.flats").mark(hull, side, (0.0, 1.0, 0.0, 3.0))
     assert kept_planes(hull) == {number: [0.0, 1.0, 0.0, 3.0]}
 
 
@@ -276,7 +276,7 @@ def test_released_faces_move_freely():
     hull = divided_hull()
     number = mark(hull, SIDE)
     index = inner_point(hull, number)
-    part("bridge.constraints.flats").release(hull, faces_in(hull, SIDE))
+    part("features.constraints.flats").release(hull, faces_in(hull, SIDE))
     move(hull, [index], (0.0, 0.5, 0.0))
     assert mesh_points(hull)[index, 1] == HALF_BREADTH + 0.5
 
@@ -284,15 +284,16 @@ def test_released_faces_move_freely():
 def test_hull_files_keep_regions(tmp_path):
     hull = divided_hull()
     mark(hull, SIDE)
-    part("bridge.constraints.flats").mark(hull, faces_in(hull, AFT), GENERAL)
+    part("features.constraints.flats").mark(hull, faces_in(hull, AFT), GENERAL)
     update()
     before = [
-        (r.faces.tolist(), r.plane.tolist()) for r in part("bridge.constraints.flats").regions(hull)
+        (r.faces.tolist(), r.plane.tolist())
+        for r in part("features.constraints.flats").regions(hull)
     ]
     path = str(tmp_path / "flat.hull.json")
     bpy.ops.hull.export_hull(filepath=path)
     bpy.ops.hull.import_hull(filepath=path)
-    after = part("bridge.constraints.flats").regions(bpy.context.object)
+    after = part("features.constraints.flats").regions(bpy.context.object)
     for (faces, plane), region in zip(before, after):
         assert region.faces.tolist() == faces
         assert region.plane == pytest.approx(plane, abs=1e-9)
@@ -308,7 +309,7 @@ def test_a_hull_without_flats_costs_no_look_at_its_points(monkeypatch):
 
 
 def test_regions_that_touch_in_one_plane_become_one():
-    hull, flats = divided_hull(), part("bridge.constraints.flats")
+    hull, flats = divided_hull(), part("features.constraints.flats")
     side = faces_in(hull, SIDE)
     flats.mark(hull, side[:1], SIDE)
     flats.mark(hull, side[-1:], SIDE)
@@ -319,11 +320,11 @@ def test_regions_that_touch_in_one_plane_become_one():
 
 
 def test_a_region_held_by_another_does_not_leave_it():
-    hull, flats = divided_hull(), part("bridge.constraints.flats")
+    hull, flats = divided_hull(), part("features.constraints.flats")
     side = faces_in(hull, SIDE)
     number = flats.mark(hull, side[:2], SIDE)
     # A second region in the same plane that is another to the add-on, as after joining hulls.
-    part("bridge.constraints.flat_marks").write(hull.data, side[2:], number + 1)
+    part("features.constraints.flat_marks").write(hull.data, side[2:], number + 1)
     flats.store_plane(hull, number + 1, np.array(SIDE))
     update()
     before = mesh_points(hull)

@@ -31,7 +31,7 @@ def drag(random):
 
 def move_a_region(random):
     hull, bm = edit_mesh()
-    regions = part("bridge.constraints.flats").regions(hull)
+    regions = part("features.constraints.flats").regions(hull)
     if regions:
         region = regions[random.integers(len(regions))]
         by = random.normal(scale=0.2) * region.plane[:3]
@@ -95,26 +95,28 @@ def redo(random):
 
 def assert_flat():
     hull, _ = edit_mesh()
-    flats, planes = part("bridge.constraints.flats"), part("bridge.constraints.planes")
+    flats, planes = part("features.constraints.flats"), part("features.constraints.planes")
     points = part("bridge.mesh.mesh_points").read(hull.data)
     for region in flats.regions(hull):
         heights = planes.heights(points[region.points], region.plane)
         assert np.abs(heights).max() <= 2e-6 * np.abs(points).max(), region
         if region.kind in ("SIDE", "BOTTOM", "TRANSOM"):
             own = flats.planes_of_points(
-                part("bridge.constraints.flat_marks").read(hull.data), {region.number: region.plane}
+                part("features.constraints.flat_marks").read(hull.data),
+                {region.number: region.plane},
             )
             axis = int(np.flatnonzero(region.plane[:3])[0])
             alone = [i for i in own if _is_only_of(hull, i, region)]
             assert (points[alone, axis] == region.plane[3] * region.plane[axis]).all()
-    marks = part("bridge.constraints.flat_marks").read(hull.data)
+    marks = part("features.constraints.flat_marks").read(hull.data)
     if marks is not None:
         assert set(marks.regions.tolist()) <= {entry.region for entry in hull.hull.flats}
 
 
 def _is_only_of(hull, index, region):
     return (
-        sum(index in other.points for other in part("bridge.constraints.flats").regions(hull)) == 1
+        sum(index in other.points for other in part("features.constraints.flats").regions(hull))
+        == 1
     )
 
 

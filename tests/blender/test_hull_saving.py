@@ -58,12 +58,12 @@ def settings_of(hull):
 def test_loads_openings_and_water_come_back(tmp_path):
     hull = loaded_hull()
     wanted, points = settings_of(hull), mesh_points(hull)
-    results = part("bridge.analyses").result_of(hull, bpy.context.scene, "load_cases")
+    results = part("features.analyses").result_of(hull, bpy.context.scene, "load_cases")
     write(tmp_path / "box.hull.json")
     again = read(tmp_path / "box.hull.json")
     assert settings_of(again) == wanted
     assert np.array_equal(mesh_points(again), points)
-    assert part("bridge.analyses").result_of(again, bpy.context.scene, "load_cases") == results
+    assert part("features.analyses").result_of(again, bpy.context.scene, "load_cases") == results
 
 
 def test_numbers_are_written_as_they_were_typed(tmp_path):

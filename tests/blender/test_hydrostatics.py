@@ -28,7 +28,7 @@ def test_trim_is_the_difference_of_drafts_at_the_perpendiculars():
 
 
 def test_trim_of_a_heeled_hull_is_measured_on_her_own_vertical():
-    afloat = part("bridge.flotation.afloat")
+    afloat = part("features.flotation.afloat")
     hull = settings_of_afloat_box(trim=0.5, heel=radians(30.0))
     where = afloat.afloat(hull.hull, 1.0)
     assert where.heel == radians(30.0)
@@ -46,8 +46,8 @@ def test_heel_to_starboard_brings_the_buoyancy_there():
 
 def test_values_are_those_of_the_native_function():
     hull = settings_of_afloat_box(trim=0.25, heel=radians(5.0), water_density=1.0)
-    hydrostatics = part("bridge.flotation.hydrostatics")
-    where = part("bridge.flotation.afloat").afloat(hull.hull, 1.0)
+    hydrostatics = part("features.flotation.hydrostatics")
+    where = part("features.flotation.afloat").afloat(hull.hull, 1.0)
     wanted = (
         part("bridge.native")
         .require()
@@ -104,14 +104,14 @@ def test_nothing_under_water_is_said():
 def test_faces_turned_inwards_are_said():
     hull = add_hull()
     hull.data.flip_normals()
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert state_of(hull).hydrostatics is None
     assert "inwards" in state_of(hull).hydrostatics_status
 
 
 def test_every_value_is_written_with_its_unit():
     hull = settings_of_afloat_box()
-    units, hydrostatics = part("bridge.blender.units"), part("bridge.flotation.hydrostatics")
+    units, hydrostatics = part("bridge.blender.units"), part("features.flotation.hydrostatics")
     scene = bpy.context.scene
     for quantity in hydrostatics.QUANTITIES:
         value = getattr(state_of(hull).hydrostatics, quantity.name)

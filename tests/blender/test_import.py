@@ -96,7 +96,7 @@ def test_import_is_one_undo_step(freeship_folder):
 
 
 def test_every_sample_loads():
-    names = part("bridge.hull.samples").sample_files()
+    names = part("features.hull.samples").sample_files()
     assert len(names) >= 2
     for name in names:
         assert bpy.ops.hull.load_sample(name=name) == {"FINISHED"}

@@ -51,7 +51,7 @@ def test_waterlines_that_pass_by_the_point_are_cut_again(hull):
 
 
 def test_only_areas_near_the_point_are_integrated_again(hull, monkeypatch):
-    areas = part("bridge.analyses.sectional_areas")
+    areas = part("features.hydrostatics.sectional_areas")
     counts, computed = [], areas._computed
 
     def counted(body, stations, where):
@@ -59,13 +59,13 @@ def test_only_areas_near_the_point_are_integrated_again(hull, monkeypatch):
         return computed(body, stations, where)
 
     monkeypatch.setattr(areas, "_computed", counted)
-    outcome_of = part("bridge.analyses").outcome_of
+    outcome_of = part("features.analyses").outcome_of
     outcome_of(hull, bpy.context.scene, "sectional_areas")
     counts.clear()
     pull_forward_end(hull)
     shown = outcome_of(hull, bpy.context.scene, "sectional_areas").result.areas
     assert len(counts) == 1 and 0 < counts[0] < len(shown.areas) / 2
-    fresh = part("bridge.analyses").result_of(hull, bpy.context.scene, "sectional_areas").areas
+    fresh = part("features.analyses").result_of(hull, bpy.context.scene, "sectional_areas").areas
     assert np.allclose(shown.areas, fresh.areas, rtol=0.0, atol=1e-7)
 
 

@@ -24,7 +24,7 @@ def fresh_body(hull):
     control = arrays.control_arrays(arrays.read_mesh(hull.data), scale, excluded)
     settings = hull.hull
     openings = "closed" if settings.deck_closed else "open"
-    source = part("bridge.flotation.ship").ShipSource(
+    source = part("features.flotation.ship").ShipSource(
         control, settings.scheme, settings.half, openings, ()
     )
     return source.live_body(source.new_surface())
@@ -33,12 +33,12 @@ def fresh_body(hull):
 def assert_is_fresh(hull):
     state = state_of(hull)
     assert not state.status
-    where = part("bridge.flotation.afloat").afloat(
+    where = part("features.flotation.afloat").afloat(
         hull.hull, bpy.context.scene.unit_settings.scale_length
     )
     body = fresh_body(hull)
-    ship = part("bridge.flotation.ship").Ship(body, ())
-    assert state.hydrostatics == part("bridge.flotation.hydrostatics").at(ship, where)
+    ship = part("features.flotation.ship").Ship(body, ())
+    assert state.hydrostatics == part("features.flotation.hydrostatics").at(ship, where)
     assert np.array_equal(state.surface.mesh.points, body.surface.mesh.points)
     assert (state.body.openings, state.body.mirrored) == (body.openings, body.mirrored)
     assert state.body.shell_area == body.shell_area
@@ -109,7 +109,7 @@ def test_settings_make_anew_what_depends_on_them():
     move(hull, choice)
     assert_is_fresh(hull)
     bpy.context.scene.unit_settings.scale_length = 0.5
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert_is_fresh(hull)
 
 
@@ -168,12 +168,12 @@ def test_renamed_hulls_keep_what_is_theirs():
     bpy.context.view_layer.update()
     assert (state_of(first), state_of(second)) == states
     for hull in (first, second):
-        part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+        part("features.hull.hull_state").refresh(hull, bpy.context.scene)
         assert_is_fresh(hull)
 
 
 def test_nothing_is_kept_of_what_is_no_hull_any_longer():
-    kept = part("bridge.hull.hull_state")._states
+    kept = part("features.hull.hull_state")._states
     kept.clear()
     first, second = add_hull("first"), add_hull("second")
     assert len(kept) == 2

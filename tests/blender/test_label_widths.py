@@ -55,11 +55,11 @@ def ship():
     settings.loading.use_displacement = settings.loading.use_lcb = False
     settings.loading.mass_t, settings.loading.kg, settings.loading.lcg = 3456.789, 4.625, 41.375
     for face, plane in enumerate(((1, 0, 0, -2.375), (0.6, 0, 0.8, 2), (0.48, 0.6, 0.64, 30))):
-        part("bridge.constraints.flats").mark(hull, [20 * face], plane)
+        part("features.constraints.flats").mark(hull, [20 * face], plane)
     bpy.ops.hull.add_load_case()
     bpy.ops.hull.add_flooding_point()
     bpy.ops.hull.add_plane()
-    for name in part("bridge.analyses").PLOTTED:
+    for name in part("features.analyses").PLOTTED:
         setattr(settings.plots, name, True)
     bpy.context.view_layer.update()
     compute_all(hull)

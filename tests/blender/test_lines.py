@@ -52,7 +52,7 @@ def test_each_kind_lies_in_its_planes():
 def test_lines_are_those_of_the_native_module():
     hull = lined_hull()
     surface = state_of(hull).surface
-    native, lines = part("bridge.native").require(), part("bridge.lines.lines")
+    native, lines = part("bridge.native").require(), part("features.lines.lines")
     size = lines.steady_size(surface)
     assert lines.size_of(surface) == LENGTH and 0.8 * LENGTH < size <= LENGTH
     for x, section in zip((0.0, 2.5, 5.0), lines_of(hull)["station"].sections):
@@ -86,7 +86,7 @@ def test_a_whole_hull_has_both_sides():
 
 @pytest.mark.parametrize("switch", SWITCHES)
 def test_what_is_off_is_not_computed(switch, monkeypatch):
-    hull, lines = lined_hull(), part("bridge.lines.lines")
+    hull, lines = lined_hull(), part("features.lines.lines")
     cuts_asked, curves = [], lines._curves
     monkeypatch.setattr(
         lines, "_curves", lambda surface, cuts: cuts_asked.append(cuts) or curves(surface, cuts)
@@ -221,7 +221,7 @@ def test_lines_are_kept_in_files(tmp_path):
     settings.show_buttocks, settings.waterline_spacing = False, 0.0
     settings.stations, settings.stations_in, settings.frame_spacing = "0:6:3", "FRAMES", 0.7
     settings.planes[0].name, settings.planes[0].is_shown = "Schnitt „A“", False
-    take = part("bridge.lines.line_data").take_lines
+    take = part("features.lines.line_data").take_lines
     wanted = take(settings, 1.0)
     assert bpy.ops.hull.export_hull(filepath=str(tmp_path / "box.hull.json")) == {"FINISHED"}
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "box.blend"))
@@ -296,7 +296,7 @@ def test_bezier_curves_are_the_same_as_the_splines():
     (branch,) = native.section_splines(surface, np.array([[1.0, 0.0, 0.0, 4.0]]))[0]
     for spline in branch.splines:
         inner = np.unique(spline.knots)
-        knots = part("bridge.lines.line_curves").bezier_knots(spline.knots, spline.control_points)
+        knots = part("features.lines.line_curves").bezier_knots(spline.knots, spline.control_points)
         assert len(inner) > 3
         for part_of_span in (0.0, 0.3, 0.5, 1.0):
             t = inner[:-1] + part_of_span * np.diff(inner)
@@ -327,12 +327,12 @@ def test_strokes_join_the_points_of_each_line_only():
 
 
 def test_every_kind_has_its_colours_and_switch():
-    lines, palette = part("bridge.lines.lines"), part("bridge.blender.palette").GROUPS
+    lines, palette = part("features.lines.lines"), part("bridge.blender.palette").GROUPS
     kinds = set(lines.KINDS)
-    assert set(lines.SWITCHES) == set(part("bridge.display.materials").LINE_COLOURS) == kinds
-    drawn = kinds | set(part("bridge.lines.level_lines").SWITCHES)
+    assert set(lines.SWITCHES) == set(part("features.surface.materials").LINE_COLOURS) == kinds
+    drawn = kinds | set(part("features.fairness.level_lines").SWITCHES)
     assert set(palette["lines"][1]) == drawn
-    assert set(palette["combs"][1]) == set(part("bridge.lines.combs").SWITCHES) <= kinds
+    assert set(palette["combs"][1]) == set(part("features.fairness.combs").SWITCHES) <= kinds
 
 
 def test_rims_of_flats():

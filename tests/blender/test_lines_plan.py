@@ -53,7 +53,7 @@ def test_stations_in_frames(tmp_path):
     lines = plan_hull().hull.lines
     lines.frame_spacing = 0.5
     lines.stations, lines.stations_in = "3 7.5 16", "FRAMES"
-    wanted = part("bridge.lines.line_places").line_places(bpy.context.object.hull, 1.0)
+    wanted = part("features.lines.line_places").line_places(bpy.context.object.hull, 1.0)
     assert wanted.stations == pytest.approx((1.5, 3.75, 8.0))
     words = export(tmp_path / "box.dxf").read_text().splitlines()
     assert {"3", "7.5", "16"} <= set(words)

@@ -21,7 +21,7 @@ def with_plot(name="sectional_areas"):
 @pytest.fixture(autouse=True)
 def nothing_shown():
     yield
-    part("bridge.analyses.live_analyses").stop()
+    part("features.analyses.live_analyses").stop()
 
 
 def test_a_switch_shows_a_plot_and_hides_it():
@@ -46,7 +46,7 @@ def test_a_quick_plot_follows_the_mesh():
 def test_a_plot_that_takes_time_comes_when_it_was_computed():
     hull = with_plot("righting_levers")
     assert not shown()  # in the background nobody waits for it
-    part("bridge.analyses").outcome_of(hull, bpy.context.scene, "righting_levers")
+    part("features.analyses").outcome_of(hull, bpy.context.scene, "righting_levers")
     hull.update_tag()
     bpy.context.view_layer.update()
     assert len(shown()) == 1
@@ -73,7 +73,7 @@ def test_a_hull_with_nothing_under_water_shows_no_plot():
     hull.data.update_tag()
     bpy.context.view_layer.update()
     assert not shown()
-    outcome, _ = part("bridge.analyses").last_outcome(hull, bpy.context.scene, "sectional_areas")
+    outcome, _ = part("features.analyses").last_outcome(hull, bpy.context.scene, "sectional_areas")
     assert "Nothing is under water" in outcome.message
     assert not state_of(hull).status
 
@@ -87,18 +87,18 @@ def test_a_new_file_shows_none():
 def test_an_addon_that_is_off_shows_none():
     with_plot()
     name = module_name()
-    viewers = part("bridge.analyses.live_analyses").plot_viewers
+    viewers = part("features.analyses.live_analyses").plot_viewers
     addon_utils.disable(name)
     try:
         assert not viewers
     finally:
         addon_utils.enable(name, default_set=True)
-    assert len(part("bridge.analyses.live_analyses").plot_viewers) == 1
+    assert len(part("features.analyses.live_analyses").plot_viewers) == 1
 
 
 def test_what_was_asked_for_is_computed_and_shown():
     hull = with_plot("cross_curves")
-    live, scene = part("bridge.analyses.live_analyses"), bpy.context.scene
+    live, scene = part("features.analyses.live_analyses"), bpy.context.scene
     assert live.latest(hull, scene, "cross_curves") == (None, False)
     compute([(hull.name, "cross_curves"), ("a hull that was deleted", "criteria")])
     outcome, is_current = live.latest(hull, scene, "cross_curves")

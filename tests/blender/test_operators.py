@@ -69,7 +69,7 @@ def test_make_hull_gives_the_hydrostatics_of_a_box():
 def test_operator_equals_function():
     by_operator = add_hull("by operator")
     by_function = add_box("by function")
-    part("bridge.hull.hull_creation").make_hull(by_function, bpy.context.scene, True)
+    part("features.hull.hull_creation").make_hull(by_function, bpy.context.scene, True)
     assert state_of(by_operator).hydrostatics == state_of(by_function).hydrostatics
     first, second = (obj.hull.surface_object for obj in (by_operator, by_function))
     assert np.array_equal(mesh_points(first), mesh_points(second))
@@ -100,7 +100,7 @@ def test_unapplied_scale_and_rotation_are_refused_with_the_reason(spoil, reason)
     bpy.context.view_layer.update()
     assert not bpy.ops.hull.make_hull.poll()
     with pytest.raises(ValueError, match=reason):
-        part("bridge.hull.hull_creation").make_hull(box, bpy.context.scene, True)
+        part("features.hull.hull_creation").make_hull(box, bpy.context.scene, True)
     assert not box.hull.is_hull
 
 
@@ -163,7 +163,7 @@ def test_tags_and_settings_survive_saving(tmp_path):
     bpy.ops.object.mode_set(mode="OBJECT")
     hull.hull.draft = 1.25
     hull.hull.samples = 3
-    volume = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
+    volume = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "hull.blend"))
     bpy.ops.wm.read_homefile(use_empty=True)
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "hull.blend"))
@@ -191,7 +191,7 @@ def three_faced_edge():
 
 def test_a_problem_names_and_selects_its_elements():
     hull = three_faced_edge()
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     problems = state_of(hull).check.problems
     index = next(i for i, problem in enumerate(problems) if problem.kind == "edge")
     assert problems[index].severity == "error"
@@ -218,7 +218,7 @@ def test_a_fractional_crease_is_a_warning():
     pair = tuple(vertex.index for vertex in bm.edges[0].verts)
     bm.to_mesh(hull.data)
     bm.free()
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     problems = [p for p in state_of(hull).check.problems if "between 0 and 1" in p.message]
     assert [(p.severity, p.elements) for p in problems] == [("warning", (pair,))]
 
@@ -246,11 +246,11 @@ def test_a_layer_outside_the_shell_does_not_count():
     bm.faces.new(corners).material_index = 1
     bm.to_mesh(hull.data)
     bm.free()
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert state_of(hull).check.face_count == 4
     assert not state_of(hull).check.problems
     layer.in_hydrostatics = True
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert state_of(hull).check.face_count == 5
 
 

@@ -83,7 +83,7 @@ def texts(dialog_of=None):
 
 
 def compute_all(hull):
-    analyses = part("bridge.analyses").ANALYSES
+    analyses = part("features.analyses").ANALYSES
     compute([(hull.name, name) for name in analyses])
 
 
@@ -148,7 +148,7 @@ def test_a_load_that_sinks_is_a_quiet_line(hull):
 
 
 def test_panels_of_a_hull_of_which_nothing_is_known(hull):
-    part("bridge.hull.hull_state").forget_all()
+    part("features.hull.hull_state").forget_all()
     assert "HULL_PT_hydrostatics" in texts()
 
 

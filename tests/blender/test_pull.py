@@ -16,7 +16,7 @@ def edited_points(hull):
 
 
 def pull_of(hull, **options):
-    return part("bridge.modelling.pulling").SurfacePull(hull, bpy.context.scene, **options)
+    return part("features.modelling.pulling").SurfacePull(hull, bpy.context.scene, **options)
 
 
 def place_now(hull, grip):
@@ -99,7 +99,7 @@ def test_locked_points_stay():
     locked = [at(2, 2), at(3, 1)]
     select(hull, "vertex", locked)
     assert bpy.ops.hull.lock_points() == {"FINISHED"}
-    assert part("bridge.constraints.point_locks").locked_points(hull.data).tolist() == sorted(
+    assert part("features.constraints.point_locks").locked_points(hull.data).tolist() == sorted(
         locked
     )
     before = edited_points(hull)
@@ -108,7 +108,7 @@ def test_locked_points_stay():
     after = edited_points(hull)
     assert (after[locked] == before[locked]).all() and (after != before).any()
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert part("bridge.constraints.point_locks").locked_points(hull.data).tolist() == sorted(
+    assert part("features.constraints.point_locks").locked_points(hull.data).tolist() == sorted(
         locked
     )
     bpy.ops.object.mode_set(mode="EDIT")
@@ -117,7 +117,7 @@ def test_locked_points_stay():
     chosen = [v.index for v in bmesh.from_edit_mesh(hull.data).verts if v.select]
     assert chosen == sorted(locked)
     bpy.ops.hull.unlock_points()
-    assert not len(part("bridge.constraints.point_locks").locked_points(hull.data))
+    assert not len(part("features.constraints.point_locks").locked_points(hull.data))
 
 
 def test_flats_stay_flat():
@@ -127,7 +127,7 @@ def test_flats_stay_flat():
     chosen = [f.index for f in bm.faces if 1 <= f.calc_center_median().x <= 4]
     select(hull, "face", chosen)
     bpy.ops.hull.make_flat(kind="SIDE", place="POSITION", position=2.25)
-    (region,) = part("bridge.constraints.flats").regions(hull)
+    (region,) = part("features.constraints.flats").regions(hull)
     grip = pull_of(hull).nearest((2.5, 2.25, 2.0))
     with pytest.raises(RuntimeError, match="cannot be pulled this way"):
         bpy.ops.hull.pull_surface(point=grip.point, target=grip.point + (0.0, 0.5, 0.0))
@@ -263,12 +263,12 @@ def eye_from_port(hull, size=(800, 600), width=20.0):
             [0, 0, 0, 1],
         ]
     )
-    return part("bridge.modelling.pull_lines").Eye(to_clip, size)
+    return part("features.modelling.pull_lines").Eye(to_clip, size)
 
 
 def test_the_eyes_ray_goes_through_what_is_seen():
     hull = grid_hull()
-    eye, drags = eye_from_port(hull), part("bridge.modelling.drags")
+    eye, drags = eye_from_port(hull), part("features.modelling.drags")
     random = np.random.default_rng(SEED)
     for point in random.uniform(-3, 3, (20, 3)):
         (mouse,) = drags.in_picture(eye.to_clip, eye.size, point[None])
@@ -286,21 +286,21 @@ def test_the_eyes_ray_goes_through_what_is_seen():
 
 def test_the_surface_is_held_where_the_eye_sees_it():
     hull = grid_hull()
-    eye, drags = eye_from_port(hull), part("bridge.modelling.drags")
+    eye, drags = eye_from_port(hull), part("features.modelling.drags")
     pull = pull_of(hull)
     (mouse,) = drags.in_picture(eye.to_clip, eye.size, np.array([[2.6, 1.9, 1.7]]))
-    grip = part("bridge.modelling.pull_lines").grip_at(pull, eye, mouse)
+    grip = part("features.modelling.pull_lines").grip_at(pull, eye, mouse)
     assert grip.plane is None and not grip.is_image
     assert grip.point[[0, 2]] == pytest.approx((2.6, 1.7))
-    assert part("bridge.modelling.pull_lines").grip_at(pull, eye, (1.0, 1.0)) is None
+    assert part("features.modelling.pull_lines").grip_at(pull, eye, (1.0, 1.0)) is None
 
 
 def test_a_section_line_is_held_exactly():
     hull = grid_hull()
-    for kind, switch in part("bridge.lines.lines").SWITCHES.items():
+    for kind, switch in part("features.lines.lines").SWITCHES.items():
         setattr(hull.hull.lines, switch, kind == "station")
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
-    eye, drags = eye_from_port(hull), part("bridge.modelling.drags")
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    eye, drags = eye_from_port(hull), part("features.modelling.drags")
     pull = pull_of(hull)
     for section in state_of(hull).lines["station"].sections:
         for curve in section.curves:
@@ -308,9 +308,9 @@ def test_a_section_line_is_held_exactly():
             for mouse in drags.in_picture(eye.to_clip, eye.size, points)[
                 :: max(1, len(points) // 5)
             ]:
-                grip = part("bridge.modelling.pull_lines").grip_at(pull, eye, mouse + (2.0, 1.0))
+                grip = part("features.modelling.pull_lines").grip_at(pull, eye, mouse + (2.0, 1.0))
                 assert grip.plane is not None
-                surface = part("bridge.modelling.pull_lines").grip_at(
+                surface = part("features.modelling.pull_lines").grip_at(
                     pull, eye, mouse + (2.0, 1.0), takes_lines=False
                 )
                 assert surface is None or surface.plane is None

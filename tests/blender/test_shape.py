@@ -61,7 +61,7 @@ def side(centre):
 
 
 def regions(hull):
-    return part("bridge.constraints.flats").regions(hull)
+    return part("features.constraints.flats").regions(hull)
 
 
 def test_a_side_is_made_flat_and_kept():
@@ -74,7 +74,7 @@ def test_a_side_is_made_flat_and_kept():
     assert region.kind == "SIDE" and region.points.tolist() == own
     assert region.plane.tolist() == [0.0, 1.0, 0.0, 2.25]
     bpy.ops.object.mode_set(mode="OBJECT")
-    flat = part("bridge.modelling.flat_making")
+    flat = part("features.modelling.flat_making")
     assert flat.describe(bpy.context.scene, region.plane) == "y = 2.250 m"
     tilted = np.array([0.0, -0.6, 0.8, 3.0])
     assert flat.describe(bpy.context.scene, tilted) == "slope 36.9°"
@@ -84,7 +84,7 @@ def test_places_of_a_plane():
     hull = bumpy_hull()
     own = sorted(select_faces(hull, side))
     before = edited_points(hull)[own, 1]
-    make = part("bridge.modelling.flat_making").make_flat
+    make = part("features.modelling.flat_making").make_flat
     bpy.ops.ed.undo_push(message="before")
     make(hull, bpy.context.scene, "SIDE", "MOST", keep=False)
     assert edited_points(hull)[own, 1] == pytest.approx(np.median(before), abs=1e-7)
@@ -141,7 +141,7 @@ def test_a_creased_rim_makes_all_of_it_flat():
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.hull.tag_smooth()
     select_faces(hull, side)
-    make = part("bridge.modelling.flat_making").make_flat
+    make = part("features.modelling.flat_making").make_flat
     smooth = make(hull, bpy.context.scene, "SIDE")
     assert not smooth.is_flat and "rim" in smooth.message
     creased = make(hull, bpy.context.scene, "SIDE", crease_rim=True)
@@ -250,7 +250,7 @@ def test_coordinates_by_a_table():
 def test_the_table_has_the_selected_points_in_order():
     hull = bumpy_hull()
     select_points(hull, [2, 7, 11, 14])
-    rows = part("bridge.modelling.point_places").selected_points(hull)
+    rows = part("features.modelling.point_places").selected_points(hull)
     assert {index for index, _ in rows} == {2, 7, 11, 14}
     assert [place[0] for _, place in rows] == sorted(place[0] for _, place in rows)
     points = edited_points(hull)
@@ -273,7 +273,7 @@ def test_points_kept_flat_are_said_to_stay():
     hull = bumpy_hull()
     own = sorted(select_faces(hull, side))
     bpy.ops.hull.make_flat(kind="SIDE", place="POSITION", position=HALF_BREADTH)
-    held = part("bridge.modelling.point_places").set_points(
+    held = part("features.modelling.point_places").set_points(
         hull, bpy.context.scene, {own[0]: (0.5, 2.5, DEPTH)}
     )
     assert held == 1
@@ -318,7 +318,7 @@ def test_settings_of_one_flat_are_not_those_of_the_next():
     own = sorted(select_faces(hull, lambda centre: centre.z < 0.1))
     bpy.ops.hull.make_flat("EXEC_DEFAULT", kind="BOTTOM")
     assert (edited_points(hull)[own, 2] == 0.0).all()
-    made = part("bridge.modelling.flat_making").make_flat(hull, bpy.context.scene, "BOTTOM")
+    made = part("features.modelling.flat_making").make_flat(hull, bpy.context.scene, "BOTTOM")
     assert made.position == 0.0
     for name in ("place", "position", "keep", "crease_rim"):
         properties = bpy.ops.hull.make_flat.get_rna_type().properties

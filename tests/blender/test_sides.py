@@ -18,13 +18,13 @@ def sample(name):
 
 
 def numbers(hull):
-    found = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
+    found = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
     return {name: getattr(found, name) for name in NUMBERS}
 
 
 def surface_points(hull):
     """Points of the surface object, both sides, sorted to be compared."""
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     return mesh_points(hull.hull.surface_object)
 
 
@@ -89,7 +89,7 @@ def test_starboard_may_be_kept():
 
 @pytest.mark.parametrize("side", ["PORT", "STARBOARD"])
 def test_flat_regions_come_along(side):
-    hull, flats = add_hull(), part("bridge.constraints.flats")
+    hull, flats = add_hull(), part("features.constraints.flats")
     planes = [(0.0, 1.0, 0.0, HALF_BREADTH), (0.0, 0.0, 1.0, 0.0)]
     for plane in planes:
         flats.mark(hull, faces_in(hull, plane), plane)
@@ -161,7 +161,7 @@ def test_what_differs_is_told():
     bpy.ops.hull.make_whole()
     starboard = int(np.argmin(mesh_points(hull)[:, 1]))
     edit(hull, lambda bm: setattr(bm.verts[starboard].co, "y", -2.5))
-    made = part("bridge.modelling.mirroring").to_half(hull, bpy.context.scene)
+    made = part("features.modelling.mirroring").to_half(hull, bpy.context.scene)
     assert made.difference == pytest.approx(0.5) and made.smooth_edges == 0
 
 
@@ -177,7 +177,7 @@ def test_a_smooth_keel_is_told():
                 edge[layer] = 0.0
 
     edit(hull, smooth)
-    assert part("bridge.modelling.mirroring").to_half(hull, bpy.context.scene).smooth_edges == 3
+    assert part("features.modelling.mirroring").to_half(hull, bpy.context.scene).smooth_edges == 3
 
 
 def test_twice_is_refused_and_shared_meshes_are():
@@ -220,10 +220,10 @@ def test_faces_are_turned_outwards_each_part_by_itself(in_edit_mode):
     edit(hull, flip_some)
     if in_edit_mode:
         bpy.ops.object.mode_set(mode="EDIT")
-    turned = part("bridge.modelling.face_turning").turn_outwards(hull)
+    turned = part("features.modelling.face_turning").turn_outwards(hull)
     assert turned
     bpy.ops.object.mode_set(mode="OBJECT")
     again = [tuple(polygon.vertices) for polygon in hull.data.polygons]
     assert all(b in {a[k:] + a[:k] for k in range(len(a))} for a, b in zip(good, again))
     assert numbers(hull) == pytest.approx(before, rel=1e-12)
-    assert part("bridge.modelling.face_turning").turn_outwards(hull) == 0
+    assert part("features.modelling.face_turning").turn_outwards(hull) == 0

@@ -150,10 +150,10 @@ def assert_as_if_made_anew(hull):
     bpy.context.view_layer.update()
     kept = state_of(hull)
     assert not kept.status and not kept.lines_status and not kept.fairness_status
-    hull_state = part("bridge.hull.hull_state")
+    hull_state = part("features.hull.hull_state")
     shown = np.empty((len(hull.hull.surface_object.data.vertices), 3), dtype=np.float32)
     hull.hull.surface_object.data.vertices.foreach_get("co", shown.reshape(-1))
-    areas_of = part("bridge.analyses").outcome_of
+    areas_of = part("features.analyses").outcome_of
     kept_areas = areas_of(hull, bpy.context.scene, "sectional_areas").result.areas
 
     hull_state.forget(hull)
@@ -227,7 +227,7 @@ def test_a_thousand_steps_leave_all_as_if_made_anew(capfd):
     print(person.done, memory)
     assert min(person.done.values()) > 20, person.done
     assert _own_handlers() == handlers and set(handlers.values()) == {1}
-    assert len(part("bridge.hull.hull_state")._states) == 1
+    assert len(part("features.hull.hull_state")._states) == 1
     assert memory[-1] - memory[3] < MOST_GROWTH_MB, memory
     printed = capfd.readouterr()
     assert "Traceback" not in printed.out + printed.err

@@ -20,7 +20,7 @@ VIEWS = ("PROFILE", "PLAN", "BODY", "BOW", "STERN", "TURNTABLE", "UNDERWATER")
 
 
 def studio():
-    return part("bridge.studio")
+    return part("features.studio")
 
 
 def scene():
@@ -44,7 +44,7 @@ def blocks():
 
 
 def scene_settings():
-    kept = part("bridge.studio.keeping")
+    kept = part("features.studio.keeping")
     trial = bpy.data.collections.new("trial")
     kept.keep(trial, scene())
     found = json.loads(trial["settings"])
@@ -58,7 +58,7 @@ def shown_in_pictures():
 
 def surface_points(hull):
     surface = hull.hull.surface_object
-    points = part("bridge.studio.place").points_of(surface.data)
+    points = part("features.studio.place").points_of(surface.data)
     return points + np.array(surface.matrix_world.translation)
 
 

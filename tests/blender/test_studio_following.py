@@ -10,7 +10,7 @@ TINY = (16, 9)
 
 
 def studio():
-    return part("bridge.studio")
+    return part("features.studio")
 
 
 def scene():

@@ -17,7 +17,7 @@ def set_up(name):
     bpy.ops.hull.load_sample(name=name)
     hull = bpy.context.object
     bpy.ops.hull.make_studio()
-    collection = part("bridge.studio").find(bpy.context.scene)
+    collection = part("features.studio").find(bpy.context.scene)
     return hull, [obj for obj in collection.objects if obj.type == "CURVE"]
 
 

@@ -123,7 +123,9 @@ def test_nothing_is_done_when_nothing_changed(monkeypatch):
     bpy.context.view_layer.update()
     written = []
     monkeypatch.setattr(
-        part("bridge.display.surface_object"), "move_surface", lambda *arguments: written.append(1)
+        part("features.surface.surface_object"),
+        "move_surface",
+        lambda *arguments: written.append(1),
     )
     hull.data.update_tag()
     bpy.context.view_layer.update()
@@ -142,7 +144,7 @@ def test_normals_are_the_surface_normals():
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.update()
     tessellation = state_of(hull).surface.tessellate(hull.hull.samples)
-    surface_object = part("bridge.display.surface_object")
+    surface_object = part("features.surface.surface_object")
     shared = state_of(hull).shown_points.shared
     normals = surface_object.surface_faces(tessellation, shared)[1].reshape(-1, 3)
     mesh = hull.hull.surface_object.data
@@ -178,16 +180,16 @@ def pull_a_point(hull, by):
 
 def test_normals_wait_while_points_move_and_come_at_a_pause(monkeypatch):
     hull = add_hull()
-    surface_object, written = part("bridge.display.surface_object"), []
+    surface_object, written = part("features.surface.surface_object"), []
     write = surface_object.write_normals
     monkeypatch.setattr(surface_object, "write_normals", lambda *a: (written.append(1), write(*a)))
     bpy.ops.object.mode_set(mode="EDIT")
     for _ in range(3):
         pull_a_point(hull, 0.1)
     assert not written
-    part("bridge.hull.live_normals")._write()
+    part("features.hull.live_normals")._write()
     assert written == [1]
-    part("bridge.hull.live_normals")._write()
+    part("features.hull.live_normals")._write()
     assert written == [1], "they are there"
     bpy.context.view_layer.update()
     assert_surface_is_fresh(hull)

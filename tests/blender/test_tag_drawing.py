@@ -131,7 +131,7 @@ def drawing_of(hull, is_refreshed=True, zoom=1.0):
     drawing = part("overlays.tag_drawing")
     scene = bpy.context.scene
     if is_refreshed:
-        part("bridge.hull.hull_state").refresh(hull, scene)
+        part("features.hull.hull_state").refresh(hull, scene)
     to_clip = np.diag([0.05 * zoom, 0.05 * zoom, 0.01, 1.0])
     picture = drawing.Picture(
         to_clip, LARGE_VIEWPORT, 1.0, part("bridge.blender.units").metres_per_unit(scene)
@@ -200,7 +200,7 @@ def test_each_switch_takes_its_kind_away(switch, missing):
     bpy.ops.hull.tag_corner()  # without creases: a warning, and irregular
     select(hull, "edge", [(at(2, 4), at(3, 4))])
     bpy.ops.hull.mark_deck_edge()
-    part("bridge.constraints.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
+    part("features.constraints.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
     bpy.ops.hull.lock_points()
     before = counts(drawing_of(hull))
     assert set(before) == {
@@ -222,7 +222,7 @@ def test_locks_are_where_their_points_are():
     select(hull, "vertex", [find(hull, *place), find(hull, 10, 0, 3)])
     bpy.ops.hull.lock_points()
     points = state_of(hull).surface.mesh.points
-    locked = points[part("bridge.hull.tags").locked_points(hull, tags)]
+    locked = points[part("features.hull.tags").locked_points(hull, tags)]
     assert {tuple(point) for point in locked} == {place, (10.0, 0.0, 3.0)}
     assert counts(drawing_of(hull))["locked"] == 2 * 4
 
@@ -295,7 +295,7 @@ def test_a_mesh_that_is_not_known_yet_is_drawn_as_it_is():
     edit(hull)
     select(hull, "vertex", [at(2, 2)])  # without creases: a problem that lists it
     bpy.ops.hull.tag_corner()
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     bm = bmesh.from_edit_mesh(hull.data)
     bm.faces.ensure_lookup_table()
     bmesh.ops.delete(bm, geom=bm.faces[2:], context="FACES")

@@ -78,7 +78,7 @@ def test_valences_count_edges_on_borders_too():
 
 def test_known_tags_change_with_the_mesh_and_only_then():
     hull = grid_hull()
-    of_state = part("bridge.hull.tags").of_state
+    of_state = part("features.hull.tags").of_state
     first = of_state(state_of(hull))
     hull.data.vertices[7].co.y += 0.1
     hull.data.update()

@@ -64,7 +64,7 @@ def irregularity(bm):
 
 
 def assert_sound(hull):
-    state = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    state = part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert not state.check.errors and not state.status, state.check.problems
 
 
@@ -93,7 +93,7 @@ def test_a_pole_of_twelve_ends_with_five_at_most():
 @pytest.mark.parametrize("valence, left", [(8, 4), (7, 4), (12, 6), (5, 4)])
 def test_a_fan_of_triangles_is_joined(valence, left):
     hull = dome(valence, triangles=True)
-    found = part("bridge.modelling.valence")
+    found = part("features.modelling.valence")
     bm = edit(hull, 0)
     points = {tuple(vertex.co) for vertex in bm.verts}
     bm.verts.ensure_lookup_table()
@@ -141,7 +141,7 @@ def test_faces_of_different_layers_are_not_joined():
         polygon.material_index = polygon.index % 2
     bm = edit(hull, 0)
     bm.verts.ensure_lookup_table()
-    assert not part("bridge.modelling.valence")._join_triangles(bm, bm.verts[0])
+    assert not part("features.modelling.valence")._join_triangles(bm, bm.verts[0])
 
 
 @pytest.mark.parametrize("valence", [3, 4, 5])
@@ -161,7 +161,7 @@ def test_faces_turned_both_ways_are_refused():
     bm.verts.ensure_lookup_table()
     bmesh.ops.reverse_faces(bm, faces=[bm.verts[0].link_faces[2]])
     with pytest.raises(ValueError, match="turned one way"):
-        part("bridge.modelling.valence").reduce_selected(hull, bpy.context.scene)
+        part("features.modelling.valence").reduce_selected(hull, bpy.context.scene)
 
 
 def test_parting_goes_by_sectors():
@@ -184,7 +184,7 @@ def limits_of(hull, bm, *vertices):
     """Where control points end in the surface, by the native module's own numbers."""
     arrays = part("bridge.mesh.mesh_arrays")
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
-    surface = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene).surface
+    surface = part("features.hull.hull_state").refresh(hull, bpy.context.scene).surface
     cells = [int(np.flatnonzero(control.face_vertices == vertex.index)[0]) for vertex in vertices]
     return surface.evaluate(np.array(cells), np.zeros((len(cells), 2)))[0]
 
@@ -192,14 +192,14 @@ def limits_of(hull, bm, *vertices):
 @pytest.mark.parametrize("valence", [6, 8, 12])
 def test_the_surface_stays_near(valence):
     hull = dome(valence)
-    before = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene).surface
+    before = part("features.hull.hull_state").refresh(hull, bpy.context.scene).surface
     tree = part("bridge.native").require().SurfaceTree(before)
     bm = edit(hull, 0)
-    found = part("bridge.modelling.valence").reduce_selected(hull, bpy.context.scene)
+    found = part("features.modelling.valence").reduce_selected(hull, bpy.context.scene)
     bm.verts.ensure_lookup_table()
     new = [bm.verts[0], *bm.verts[-found.added :]]
     assert tree.closest_points(limits_of(hull, bm, *new)).distances.max() < 1e-4
-    after = part("bridge.hull.hull_state").refresh(hull, bpy.context.scene).surface
+    after = part("features.hull.hull_state").refresh(hull, bpy.context.scene).surface
     distances = tree.closest_points(after.tessellate(10).points).distances
     assert distances.max() == pytest.approx(found.change, rel=0.1)
     assert found.change < 0.025  # of a bowl 6 wide and 0.9 deep

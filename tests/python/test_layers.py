@@ -18,12 +18,16 @@ PACKAGES = {"hull_io": {"numpy"}, "hull_fairness": {"numpy", "hull_native"}}
 # What each part of the add-on may use beside itself.
 ALLOWED = {
     "bridge": {"hull_io"},
-    "properties": {"bridge", "hull_io"},
-    "operators": {"bridge", "hull_io", "properties"},
-    "panels": {"bridge", "hull_io", "properties"},
-    "overlays": {"bridge", "hull_io", "properties"},
-    "handlers": {"bridge", "hull_io", "properties"},
+    "features": {"bridge", "hull_io"},
+    "properties": {"features", "bridge", "hull_io"},
+    "operators": {"features", "bridge", "hull_io", "properties"},
+    "panels": {"features", "bridge", "hull_io", "properties"},
+    "overlays": {"features", "bridge", "hull_io", "properties"},
+    "handlers": {"features", "bridge", "hull_io", "properties"},
 }
+
+# Parts whose subjects stand in an order.
+ORDERED = ("bridge", "features")
 
 
 def sources(folder):
@@ -59,9 +63,9 @@ def foreign_packages(path):
             yield node.module.split(".")[0]
 
 
-def subjects():
-    """The subjects of the bridge in the order of its description."""
-    text = ast.get_docstring(ast.parse((INNER / "bridge" / "__init__.py").read_text()))
+def subjects(part):
+    """The subjects of a part in the order of its description."""
+    text = ast.get_docstring(ast.parse((INNER / part / "__init__.py").read_text()))
     return re.findall(r"^ {2}(\w+) {2,}\S", text, re.MULTILINE)
 
 
@@ -92,21 +96,21 @@ def test_all_parts_have_a_place():
     )
 
 
-def test_all_of_the_bridge_is_described():
-    names = {path.stem for path in (INNER / "bridge").iterdir() if path.stem[0] != "_"}
-    assert len(subjects()) == len(set(subjects()))
-    assert set(subjects()) == names
+@pytest.mark.parametrize("part", ORDERED)
+def test_all_subjects_are_described(part):
+    names = {path.stem for path in (INNER / part).iterdir() if path.stem[0] != "_"}
+    assert len(subjects(part)) == len(set(subjects(part)))
+    assert set(subjects(part)) == names
 
 
-def test_subjects_of_the_bridge_use_those_above_them():
-    order, bridge = subjects(), INNER / "bridge"
-    for path in sources(bridge):
-        own = path.relative_to(bridge).with_suffix("").parts[0]
+@pytest.mark.parametrize("part", ORDERED)
+def test_subjects_use_those_above_them(part):
+    order, folder = subjects(part), INNER / part
+    for path in sources(folder):
+        own = path.relative_to(folder).with_suffix("").parts[0]
         for used in used_modules(path):
-            if used[0] == "bridge":
-                assert order.index(used[1]) <= order.index(
-                    own
-                ), f"{path.relative_to(bridge)}: {used}"
+            if used[0] == part:
+                assert order.index(used[1]) <= order.index(own), f"{path}: {used}"
 
 
 def test_only_one_module_imports_the_native_one():

@@ -23,12 +23,12 @@ def assert_follows(hull):
     # Blender keeps points in single precision.
     assert np.abs(shown - wanted).max() <= 1e-6 * size
 
-    where = part("bridge.flotation.afloat").afloat(settings, 1.0)
-    fresh = part("bridge.flotation.hydrostatics").particulars(source.live_body(surface), where)
+    where = part("features.flotation.afloat").afloat(settings, 1.0)
+    fresh = part("features.flotation.hydrostatics").particulars(source.live_body(surface), where)
     volume = state.hydrostatics.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
 
-    lines = part("bridge.lines.lines")
+    lines = part("features.lines.lines")
     cuts = lines.wanted_cuts(settings, surface.mesh.points, 1.0)
     nothing_known = part("bridge.mesh.moves").Moves(None, None, None)
     groups = lines.groups({}, surface, cuts, settings.half, nothing_known)
@@ -45,7 +45,7 @@ def _fresh(hull):
     control = arrays.control_arrays(data, 1.0, excluded)
     openings = "closed" if settings.deck_closed else "open"
     deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
-    source = part("bridge.flotation.ship").ShipSource(
+    source = part("features.flotation.ship").ShipSource(
         control, settings.scheme, settings.half, openings, deck_edge
     )
     mesh = native.ControlMesh(*control.arguments())

@@ -75,9 +75,9 @@ def test_a_first_hull(window):
     volume = state_of(hull).hydrostatics.displaced_volume
     settings.draft += 0.5
     yield
-    yield lambda: part("bridge.analyses").last_outcome(hull, bpy.context.scene, "sectional_areas")[
-        1
-    ]
+    yield lambda: part("features.analyses").last_outcome(
+        hull, bpy.context.scene, "sectional_areas"
+    )[1]
     assert state_of(hull).combs["station"].segments(1.0)[1] > 0
     assert state_of(hull).colour_scale is not None
     assert state_of(hull).hydrostatics.displaced_volume > volume

@@ -11,8 +11,8 @@ from expect import are_equal, assert_follows, edited_points, snapshot
 def begin(window):
     """A hull in edit mode beside its own surface, to which it is fitted, moved up by 0.3."""
     hull = editing_a_hull(window)
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
-    grid = part("bridge.hull.hull_state").state_of(hull).surface.tessellate(8)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    grid = part("features.hull.hull_state").state_of(hull).surface.tessellate(8)
     mesh = bpy.data.meshes.new("target")
     mesh.from_pydata(np.array(grid.points).tolist(), [], np.array(grid.quads).tolist())
     target = bpy.data.objects.new("target", mesh)
@@ -26,7 +26,7 @@ def begin(window):
 
 
 def is_done():
-    return part("bridge.conversion.conversions").running(hull_at_hand()) is None
+    return part("features.conversion.conversions").running(hull_at_hand()) is None
 
 
 def test_a_fit_is_made_and_taken_back(window):
@@ -36,13 +36,13 @@ def test_a_fit_is_made_and_taken_back(window):
     yield
     with window.in_view():
         assert bpy.ops.hull.fit("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
-    assert part("bridge.conversion.conversions").running(hull) is not None
+    assert part("features.conversion.conversions").running(hull) is not None
     yield is_done
     yield
     hull = hull_at_hand()
     assert abs(edited_points(hull)[:, 2].min() - low - 0.3) < 0.05
     assert_follows(hull)
-    assert part("bridge.fitting.fitting").last_report(hull)[1]
+    assert part("features.fitting.fitting").last_report(hull)[1]
     window.undo()
     yield
     assert are_equal(snapshot(hull_at_hand()), before)
@@ -59,4 +59,4 @@ def test_esc_cancels(window):
     yield is_done
     yield
     assert are_equal(snapshot(hull_at_hand()), before)
-    assert part("bridge.fitting.fitting").last_report(hull_at_hand()) == (None, False)
+    assert part("features.fitting.fitting").last_report(hull_at_hand()) == (None, False)

@@ -14,12 +14,12 @@ from window import FROM_AHEAD, FROM_PORT
 def begin(window, *kinds, angles=FROM_PORT):
     """A hull in edit mode that shows these lines, and the Grip of a point of its side amidships."""
     hull = editing_a_hull(window)
-    for kind, switch in part("bridge.lines.lines").SWITCHES.items():
+    for kind, switch in part("features.lines.lines").SWITCHES.items():
         setattr(hull.hull.lines, switch, kind in kinds)
     window.look(hull, angles)
-    part("bridge.hull.hull_state").refresh(hull, bpy.context.scene)
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     bpy.ops.ed.undo_push(message="shown")
-    pull = part("bridge.modelling.pulling").SurfacePull(hull, bpy.context.scene)
+    pull = part("features.modelling.pulling").SurfacePull(hull, bpy.context.scene)
     return hull, pull.nearest((0.55 * max(hull.dimensions), 50.0, 2.5))
 
 
@@ -33,7 +33,7 @@ def start_pulling(window):
 
 
 def held(hull):
-    return part("bridge.modelling.pull_lines").shown()
+    return part("features.modelling.pull_lines").shown()
 
 
 def test_a_drag_pulls_the_surface_and_all_follows(window):
@@ -97,7 +97,7 @@ def test_a_typed_coordinate_is_exact(window):
     window.move_to_point(hull, Vector(grip.point))
     yield
     grip = (
-        part("bridge.modelling.pulling")
+        part("features.modelling.pulling")
         .SurfacePull(hull, bpy.context.scene)
         .nearest(held(hull).now)
     )

@@ -56,7 +56,7 @@ def flat_side(hull):
     faces = [
         face.index for face in bm.faces if min(vertex.co.y for vertex in face.verts) > 0.97 * beam
     ]
-    flats = part("bridge.constraints.flats")
+    flats = part("features.constraints.flats")
     flats.mark(hull, faces, (0.0, 1.0, 0.0, beam))
     return flats.regions(hull)[0].points
 
@@ -76,14 +76,14 @@ def test_a_flat_side_is_moved_as_a_whole(window):
     yield
     after = edited_points(hull)
     assert np.abs(after[own] - before[own] - (0.0, 0.5, 0.0)).max() < 1e-5
-    (region,) = part("bridge.constraints.flats").regions(hull)
+    (region,) = part("features.constraints.flats").regions(hull)
     assert region.plane.tolist() == [0.0, 1.0, 0.0, after[own[0], 1]]
     assert_follows(hull)
     window.undo()
     yield
     hull = hull_at_hand()
     assert are_equal(snapshot(hull), shown)
-    (region,) = part("bridge.constraints.flats").regions(hull)
+    (region,) = part("features.constraints.flats").regions(hull)
     assert region.plane[3] == before[own[0], 1]
 
 

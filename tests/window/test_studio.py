@@ -25,7 +25,7 @@ def begin(window):
 
 def drawn():
     """Points of the stations that are drawn on the hull."""
-    collection = part("bridge.studio").find(bpy.context.scene)
+    collection = part("features.studio").find(bpy.context.scene)
     stations = next(obj for obj in collection.objects if obj.name == "Studio stations")
     return np.array([p.co[:] for s in stations.data.splines for p in s.bezier_points])
 
@@ -33,8 +33,8 @@ def drawn():
 def are_lines_on_the_hull():
     """Whether the lines drawn are those of a studio that is set up for the hull as it is."""
     now = drawn()
-    part("bridge.studio").forget()
-    part("bridge.studio").follow(bpy.context.scene)
+    part("features.studio").forget()
+    part("features.studio").follow(bpy.context.scene)
     return now.shape == drawn().shape and np.array_equal(now, drawn())
 
 

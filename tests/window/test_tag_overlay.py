@@ -38,7 +38,7 @@ def editing_without_lines(window):
     hull = editing_a_hull(window)
     window.space.overlay.show_edge_crease = False
     window.space.region_3d.view_distance *= 0.6
-    lines = part("bridge.lines.lines")
+    lines = part("features.lines.lines")
     for switch in lines.SWITCHES.values():
         setattr(hull.hull.lines, switch, False)
     return hull

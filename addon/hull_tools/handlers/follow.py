@@ -4,12 +4,12 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import studio
-from ..bridge.analyses import live_analyses
-from ..bridge.conversion import conversions
-from ..bridge.display import colour_views
-from ..bridge.hull import hull_state, live_normals
 from ..bridge.objects import hull_objects
+from ..features import studio
+from ..features.analyses import live_analyses
+from ..features.conversion import conversions
+from ..features.hull import hull_state, live_normals
+from ..features.surface import colour_views
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False

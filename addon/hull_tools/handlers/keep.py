@@ -7,8 +7,8 @@ These come after the handlers of `follow`: what they change is brought up to dat
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.hull import hull_state
 from ..bridge.objects import hull_objects, shown_objects, upkeep
+from ..features.hull import hull_state
 
 
 def _refresh(hulls):

@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty
 
 from ...hull_io import new_hulls
 from ..bridge.blender import units
-from ..bridge.hull import hull_creation
+from ..features.hull import hull_creation
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 
 _DIMENSIONS = ("length", "beam", "draft", "depth")

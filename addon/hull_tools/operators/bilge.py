@@ -5,8 +5,8 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty
 
 from ..bridge.blender import units
-from ..bridge.modelling import bilge
 from ..bridge.objects import hull_objects
+from ..features.modelling import bilge
 from .shared import EditModeOperator
 
 

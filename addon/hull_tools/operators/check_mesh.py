@@ -4,9 +4,9 @@
 import bpy
 from bpy.props import IntProperty
 
-from ..bridge.hull import hull_state
 from ..bridge.mesh import selection
-from ..bridge.modelling import face_turning
+from ..features.hull import hull_state
+from ..features.modelling import face_turning
 from .shared import HullOperator, HullReader
 
 

@@ -4,9 +4,9 @@
 import bpy
 from bpy.props import EnumProperty, StringProperty
 
-from ..bridge.conversion import conversions, worst_spots
-from ..bridge.exchange import exports
 from ..bridge.objects import hull_objects
+from ..features.conversion import conversions, worst_spots
+from ..features.exchange import exports
 from .export_hull import ExportHull
 from .shared import HullReader
 from .tasks import PatchOperator

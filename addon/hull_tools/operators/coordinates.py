@@ -5,8 +5,8 @@ import bpy
 from bpy.props import BoolProperty, CollectionProperty, FloatVectorProperty
 
 from ..bridge.blender import units
-from ..bridge.modelling import point_places
 from ..bridge.objects import hull_objects
+from ..features.modelling import point_places
 from .shared import EditModeOperator
 
 _MOST_ROWS = 40

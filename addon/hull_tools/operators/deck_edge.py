@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.hull import deck_edge
+from ..features.hull import deck_edge
 from .shared import EditModeOperator
 
 

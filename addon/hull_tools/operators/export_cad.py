@@ -5,9 +5,9 @@ far the patches are from the surface before anything is written."""
 import bpy
 from bpy.props import StringProperty
 
-from ..bridge.conversion import conversions
-from ..bridge.exchange import cad_files
 from ..bridge.objects import hull_objects
+from ..features.conversion import conversions
+from ..features.exchange import cad_files
 from .export_hull import ExportHull
 from .tasks import PatchOperator
 

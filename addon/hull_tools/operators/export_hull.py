@@ -5,9 +5,9 @@ import bpy
 from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from ..bridge import analyses
-from ..bridge.exchange import exports
 from ..bridge.objects import hull_objects
+from ..features import analyses
+from ..features.exchange import exports
 from .shared import HullReader
 
 

@@ -4,9 +4,9 @@
 import bpy
 from bpy.props import FloatProperty
 
-from ..bridge.hull import hull_state
 from ..bridge.mesh import selection
-from ..bridge.modelling import flat_check
+from ..features.hull import hull_state
+from ..features.modelling import flat_check
 from .shared import EditModeOperator, HullOperator, in_3d_view
 
 

@@ -9,8 +9,8 @@ from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
 from ..bridge.blender import units
-from ..bridge.fitting import fitting
 from ..bridge.objects import hull_objects
+from ..features.fitting import fitting
 from .shared import HullOperator, HullReader, can_change
 from .tasks import TaskOperator
 

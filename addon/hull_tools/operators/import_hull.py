@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
-from ..bridge.hull import hull_creation, samples
+from ..features.hull import hull_creation, samples
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 
 

@@ -5,9 +5,9 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..bridge.blender import units
-from ..bridge.hull import hull_state
-from ..bridge.lines import cut_planes, line_curves
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state
+from ..features.lines import cut_planes, line_curves
 from .shared import HullOperator, in_object_mode
 
 

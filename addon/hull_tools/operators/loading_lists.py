@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..bridge.hull import loading
 from ..bridge.objects import hull_objects
+from ..features.hull import loading
 from .shared import HullOperator
 
 

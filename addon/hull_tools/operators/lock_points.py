@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..bridge.constraints import point_locks
 from ..bridge.mesh import selection
+from ..features.constraints import point_locks
 from .shared import EditModeOperator
 
 

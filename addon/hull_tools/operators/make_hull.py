@@ -4,9 +4,9 @@
 import bpy
 from bpy.props import BoolProperty
 
-from ..bridge.hull import hull_creation, hull_state
 from ..bridge.mesh import mesh_arrays
 from ..bridge.objects import hull_objects, modifiers, shown_objects
+from ..features.hull import hull_creation, hull_state
 from .shared import BaseOperator, HullOperator, native_is_there
 
 

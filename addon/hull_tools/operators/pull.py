@@ -7,9 +7,9 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from mathutils import Matrix
 
 from ..bridge.blender import units
-from ..bridge.hull import hull_state
-from ..bridge.modelling import drags, pull_lines, pulling
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state
+from ..features.modelling import drags, pull_lines, pulling
 from .shared import HullOperator
 
 _AXES = {"X": 0, "Y": 1, "Z": 2}

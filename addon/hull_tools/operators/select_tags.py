@@ -4,8 +4,8 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty
 
-from ..bridge.hull import hull_state, tags
 from ..bridge.mesh import selection
+from ..features.hull import hull_state, tags
 from .shared import EditModeOperator
 
 

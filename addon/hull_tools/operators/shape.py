@@ -5,8 +5,8 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..bridge.blender import units
-from ..bridge.hull import hull_state
-from ..bridge.modelling import flat_making, point_places, valence
+from ..features.hull import hull_state
+from ..features.modelling import flat_making, point_places, valence
 from .shared import EditModeOperator
 
 

@@ -5,7 +5,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty
 
 from ..bridge.blender import units
-from ..bridge.modelling import mirroring
+from ..features.modelling import mirroring
 from .shared import HullOperator, in_object_mode
 
 

@@ -4,8 +4,8 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ..bridge import studio
 from ..bridge.objects import hull_objects
+from ..features import studio
 from .shared import BaseOperator, HullOperator, in_object_mode, make_active
 
 

@@ -4,14 +4,14 @@
 import bpy
 
 from ..bridge.background import jobs
-from ..bridge.conversion import conversions, patches
+from ..features.conversion import conversions, patches
 from .shared import HullReader
 
 _LOOK_SECONDS = 0.1
 
 
 class TaskOperator(HullReader):
-    """Subclasses begin a task of bridge.conversion.conversions, and tell what came of it:
+    """Subclasses begin a task of features.conversion.conversions, and tell what came of it:
     begin(hull, scene) → task, and outcome(result of the task, scene) → (text, whether it warns).
 
     What is run by a script, or without a window, is done when the operator returns.

@@ -2,7 +2,7 @@
 """What is drawn over the 3D view. Each overlay has a headless half that makes arrays, and a half
 that draws them with the graphics card."""
 
-from ..bridge.analyses import live_analyses
+from ..features.analyses import live_analyses
 from . import legend, lines, marks, plots, pulls, spots, status, tags
 
 _PARTS = (lines, marks, tags, legend, spots, pulls)

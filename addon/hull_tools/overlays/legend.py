@@ -7,9 +7,9 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions
-from ..bridge.display import colours
-from ..bridge.hull import hull_state
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state
+from ..features.surface import colours
 from .legend_arrays import HEIGHT_MM, LegendArrays, arrays_of
 from .plots import DOTS_PER_MM, free_room
 from .view import Handler

@@ -9,7 +9,7 @@ from gpu_extras.batch import batch_for_shader
 from mathutils import Vector
 
 from ..bridge.blender import blender_versions, units
-from ..bridge.modelling import pull_lines
+from ..features.modelling import pull_lines
 from .spots import ring
 from .view import Handler
 

@@ -8,7 +8,7 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions
-from ..bridge.conversion import worst_spots
+from ..features.conversion import worst_spots
 from .view import Handler, hulls_in_view
 
 _PAPER = (0.97, 0.97, 0.96, 0.96)

@@ -8,8 +8,8 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions
-from ..bridge.hull import hull_state
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state
 from .plots import free_room
 from .view import Handler
 

@@ -8,8 +8,8 @@ import numpy as np
 from mathutils import Vector
 
 from ..bridge.blender import preferences
-from ..bridge.hull import tags
 from ..bridge.mesh import mesh_check, selection
+from ..features.hull import tags
 from . import tag_arrays
 
 # Of each kind of points: its switch, colour, outline, and radius and width of the outline in dots

@@ -6,9 +6,9 @@ import bpy
 from mathutils import Matrix, Vector
 
 from ..bridge.blender import units
-from ..bridge.hull import hull_state
-from ..bridge.lines import lines
 from ..bridge.objects import shown_objects
+from ..features.hull import hull_state
+from ..features.lines import lines
 
 # What lies on the surface is drawn nearer to the eye by this part of the hull's size, lest the
 # surface object's flat faces hide it.

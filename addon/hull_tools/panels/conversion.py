@@ -3,8 +3,8 @@
 dialog."""
 
 from ..bridge.blender import units
-from ..bridge.conversion import conversions, patches, worst_spots
-from ..bridge.hull import hull_state
+from ..features.conversion import conversions, patches, worst_spots
+from ..features.hull import hull_state
 from .shared import label_value, label_wrapped
 
 

@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..bridge.conversion import conversions
 from ..bridge.objects import hull_objects
+from ..features.conversion import conversions
 from .conversion import draw_choice, draw_report, draw_spots, draw_task
 from .shared import HullPanel
 

@@ -4,9 +4,9 @@
 import bpy
 
 from ..bridge.blender.units import format_value
-from ..bridge.hull import hull_state
-from ..bridge.lines import combs
 from ..bridge.objects import hull_objects
+from ..features.fairness import combs
+from ..features.hull import hull_state
 from .shared import HullPanel, label_value, label_wrapped
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}

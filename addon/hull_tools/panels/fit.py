@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..bridge.fitting import fitting
 from ..bridge.objects import hull_objects
+from ..features.fitting import fitting
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped
 

@@ -4,8 +4,8 @@
 import bpy
 
 from ..bridge import native
-from ..bridge.hull import hull_state
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state
 from .shared import HullPanel, HullTab, label_value, label_wrapped
 
 

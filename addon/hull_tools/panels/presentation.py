@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..bridge import studio
 from ..bridge.objects import hull_objects
+from ..features import studio
 from .shared import HullPanel, label_wrapped, text_field
 
 

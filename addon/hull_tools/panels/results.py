@@ -4,9 +4,9 @@
 import bpy
 
 from ..bridge.blender.units import format_value
-from ..bridge.flotation import hydrostatics
-from ..bridge.hull import hull_state
 from ..bridge.objects import hull_objects
+from ..features.flotation import hydrostatics
+from ..features.hull import hull_state
 from .shared import HullPanel, export_buttons, label_value, label_wrapped, text_field
 
 # Open from the start; the others unfold.

@@ -3,9 +3,9 @@
 
 import bpy
 
-from ..bridge.hull import hull_state
-from ..bridge.lines import lines
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state
+from ..features.lines import lines
 from .shared import HullPanel, label_wrapped
 
 

@@ -3,9 +3,9 @@
 
 import bpy
 
-from ..bridge.constraints import flats
-from ..bridge.modelling import flat_making
 from ..bridge.objects import hull_objects
+from ..features.constraints import flats
+from ..features.modelling import flat_making
 from .shared import HullPanel, label_value
 
 _KINDS = {

@@ -3,8 +3,8 @@
 
 import textwrap
 
-from ..bridge import analyses
 from ..bridge.objects import hull_objects
+from ..features import analyses
 
 # What the tabs, the margins of panel and box and an icon leave of the sidebar's width, in points,
 # and the width of a letter of the interface's font on average.

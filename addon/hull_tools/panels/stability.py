@@ -5,10 +5,10 @@ from math import degrees
 
 import bpy
 
-from ..bridge import analyses
-from ..bridge.analyses import live_analyses
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
+from ..features import analyses
+from ..features.analyses import live_analyses
 from .shared import HullPanel, export_buttons, label_value, label_wrapped
 
 _OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}

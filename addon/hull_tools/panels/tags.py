@@ -3,8 +3,8 @@
 
 import bpy
 
-from ..bridge.hull import hull_state, tags
 from ..bridge.objects import hull_objects
+from ..features.hull import hull_state, tags
 from .shared import HullTab
 
 # Of a switch what of tags.Tags it shows.

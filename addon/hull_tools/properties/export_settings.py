@@ -7,9 +7,9 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ..bridge.blender import units
-from ..bridge.conversion import conversions
-from ..bridge.hull import hull_state
-from ..bridge.lines import lines
+from ..features.conversion import conversions
+from ..features.hull import hull_state
+from ..features.lines import lines
 from .shared import angle
 
 

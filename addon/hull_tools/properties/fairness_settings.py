@@ -6,7 +6,7 @@ from math import radians
 import bpy
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge.display import colour_views
+from ..features.surface import colour_views
 from .shared import angle, changed, length, switch
 
 

@@ -2,7 +2,7 @@
 """Object.hull: what makes a mesh object a hull, saved with the file.
 
 Lengths are in Blender's units, like the mesh: the scene's unit scale makes metres of both.
-Only what the user decides is here; results are kept by bridge.hull.hull_state.
+Only what the user decides is here; results are kept by features.hull.hull_state.
 """
 
 from math import radians

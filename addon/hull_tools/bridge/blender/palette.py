@@ -18,7 +18,7 @@ class Ink:
     on_dark: tuple = None
 
 
-# By the kinds of bridge.lines.lines and bridge.lines.level_lines.
+# By the kinds of features.lines.lines and features.fairness.level_lines.
 _LINES = {
     "station": Ink("Stations", (0.05, 0.05, 0.07), (0.96, 0.96, 0.96)),
     "waterline": Ink("Waterlines", (0.07, 0.25, 0.80), (0.50, 0.72, 1.00)),

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the add-on can do with a hull, one folder a subject: what it computes, keeps, and follows.
+
+Everything here can be called from a script as well as from an operator. What a user can get wrong
+raises ValueError with a message to show. Classes of Blender's (settings, operators, panels …) are
+elsewhere, and Blender's data are read and written by the bridge.
+
+Each subject uses itself, those above it and the bridge, nothing else:
+  constraints     what holds while points are moved: flats, the centre plane, locked points
+  flotation       how the hull lies in the water, and its hydrostatics
+  surface         the surface as an object to look at: its mesh, exact normals, colours, materials
+  lines           sections and other lines, places of the lines plan, the table of offsets
+  fairness        what fairness is judged by: curvature combs, reflection and other level lines
+  hull            a hull as a whole: made, brought up to date, its tags, saved
+  hydrostatics    tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
+  stability       righting levers, cross curves, load cases, criteria
+  analyses        all tables and plots of the two above, computed when they are looked at
+  conversion      the surface as B-spline patches, and how far they are from it
+  exchange        files for other programs: hull file, lines plan, tables, STEP, IGES, DXF
+  fitting         control points moved so that the surface meets a given shape
+  modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
+  studio          a studio around the hull, for pictures of it
+
+What is to come has its place, as a folder of its own: resistance after stability (an analysis
+more); plates after conversion; transformation of the whole form to given particulars, and fields
+that move points by influence, after modelling; networks of curves that make a surface, and morphing
+between hulls and their families, after these; the studio stays last.
+"""

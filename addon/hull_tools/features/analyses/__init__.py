@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Analyses of a hull: tables and plots that are computed when they are looked at.
+
+Each module here is one analysis:
+  LABEL           its name for people
+  IS_LIVE         whether it is quick enough to follow every change while it is shown
+  inputs          (Object.hull, metres per unit) → what it depends on beside the ship; hashable
+  compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread
+  header, rows    (result) → its table: names with units, and rows of numbers and texts
+  plot            (result, name of the hull) → hull_native.Plot; absent where nothing is drawn
+What a user can get wrong raises ValueError in `inputs` and `compute`.
+"""
+
+from dataclasses import dataclass
+
+from ...bridge.blender import units
+from ..hull import hull_state
+from ..hydrostatics import bonjean_curves, hydrostatic_table, sectional_areas
+from ..lines import offset_table
+from ..stability import criteria, cross_curves, load_cases, righting_levers
+
+_MODULES = (
+    hydrostatic_table,
+    sectional_areas,
+    bonjean_curves,
+    righting_levers,
+    cross_curves,
+    criteria,
+    load_cases,
+    offset_table,
+)
+
+ANALYSES = {module.__name__.rpartition(".")[2]: module for module in _MODULES}
+PLOTTED = {name: module for name, module in ANALYSES.items() if hasattr(module, "plot")}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What an analysis gave: its result, or None and the reason as a message."""
+
+    result: object = None
+    message: str = ""
+
+
+def key_of(obj, scene, name):
+    """What an analysis of a hull that has a body depends on now; ValueError when its inputs are
+    wrong."""
+    scale = units.metres_per_unit(scene)
+    return (hull_state.state_of(obj).keys["ship"], ANALYSES[name].inputs(obj.hull, scale))
+
+
+def last_outcome(obj, scene, name):
+    """(Outcome of the last time or None, whether it is of the hull as it is now)."""
+    state = hull_state.state_of(obj)
+    if state is None or state.body is None:
+        return None, True
+    stored_key, outcome = state.analyses.get(name, (None, None))
+    if state.status:  # the mesh has errors: what there was stays
+        return outcome, True
+    try:
+        return outcome, stored_key == key_of(obj, scene, name)
+    except ValueError as error:
+        return Outcome(message=str(error)), True
+
+
+def outcome_of(obj, scene, name):
+    """The Outcome for the hull as hull_state knows it, computed when it is not of now.
+
+    Those that follow every change are as close as live numbers are, the others as close as can be.
+    """
+    state = hull_state.state_of(obj)
+    if state is None or state.body is None:
+        return Outcome(message=state.status if state else "")
+    outcome, is_current = last_outcome(obj, scene, name)
+    if is_current:
+        return outcome or Outcome(message=state.status)
+    key = key_of(obj, scene, name)
+    ship = state.ship if ANALYSES[name].IS_LIVE else state.source.new_ship()
+    outcome = computed(name, ship, key)
+    keep(state, name, key, outcome)
+    return outcome
+
+
+def computed(name, ship, key):
+    """The Outcome of an analysis of a ship.Ship, by its key_of. For any thread."""
+    try:
+        return Outcome(ANALYSES[name].compute(ship, key[1]))
+    except ValueError as error:
+        return Outcome(message=str(error))
+
+
+def keep(state, name, key, outcome):
+    state.analyses[name] = (key, outcome)
+
+
+def result_of(obj, scene, name):
+    """The result for the hull as it is now, as close as can be; ValueError with the reason when
+    there is none."""
+    state = hull_state.refresh(obj, scene)
+    if state.status:
+        raise ValueError(state.status)
+    if ANALYSES[name].IS_LIVE and state.body is not None:
+        outcome = computed(name, state.source.new_ship(), key_of(obj, scene, name))
+    else:
+        outcome = outcome_of(obj, scene, name)
+    if outcome.message:
+        raise ValueError(outcome.message)
+    return outcome.result

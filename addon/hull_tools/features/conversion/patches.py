@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A hull's surface as B-spline patches, how far they are from it, and what to say of that."""
+
+from dataclasses import dataclass
+from math import radians, sqrt
+
+from ...bridge import native
+from ...bridge.blender import units
+from ..flotation.afloat import as_typed_angle
+
+EXACT, PER_CELL = "EXACT", "PER_CELL"
+
+# Of the time that conversion and measuring take together.
+_SHARE_OF_CONVERSION = 0.2
+
+# Seam angle that goes with a tolerance of a millionth, and with the root of others.
+_USUAL_ANGLE, _USUAL_TOLERANCE = radians(0.02), 1e-6
+# Measured values this much above what was asked for are rounding.
+_ROUNDING = 1.0 + 1e-6
+# Of the length: gaps below are those between numbers of double precision.
+_NO_GAP = 1e-12
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A way of conversion: EXACT or PER_CELL, with those of its options that are not as usual."""
+
+    conversion: str
+    options: tuple
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What patches are judged by: tolerance as a part of the hull's length, seam_angle in rad."""
+
+    tolerance: float
+    seam_angle: float
+
+
+@dataclass(frozen=True, eq=False)
+class Converted:
+    """patches: hull_native.PatchSet; quality: the hull_native.QualityReport of their distances."""
+
+    patches: object
+    quality: object
+
+
+def choice_of(settings):
+    """The Choice of an Object.hull.export; what its conversion does not ask for is left out."""
+    if settings.conversion == PER_CELL:
+        return Choice(PER_CELL, (("control_points", settings.control_points),))
+    options = {
+        "tolerance": units.as_typed(settings.tolerance),
+        "seam_angle": as_typed_angle(settings.seam_angle),
+        "matched_knots": settings.matched_knots,
+        "most_control_points": settings.most_control_points,
+        "bezier": settings.bezier,
+    }
+    return Choice(EXACT, tuple((name, value) for name, value in options.items() if value))
+
+
+def convert(surface, choice, progress):
+    """The Converted of a hull_native.LimitSurface. For any thread.
+
+    progress: a function of the share that is done; what it raises ends the work.
+    """
+    hull_native = native.require()
+    options = dict(choice.options)
+    if choice.conversion == PER_CELL:
+        found = hull_native.fit_per_cell(surface, **options)
+    else:
+        found = hull_native.exact_patches(
+            surface, **options, progress=lambda share: progress(_SHARE_OF_CONVERSION * share)
+        )
+    rest = 1.0 - _SHARE_OF_CONVERSION
+    quality = hull_native.measure_quality(
+        surface, found, progress=lambda share: progress(_SHARE_OF_CONVERSION + rest * share)
+    )
+    return Converted(found, quality)
+
+
+def asked_of(settings):
+    """The Asked of an Object.hull.export."""
+    tolerance = units.as_typed(settings.tolerance)
+    usual_angle = _USUAL_ANGLE * sqrt(tolerance / _USUAL_TOLERANCE)
+    return Asked(tolerance, as_typed_angle(settings.seam_angle) or usual_angle)
+
+
+def warnings(quality, asked):
+    """Sentences about what was Asked for and a quality report does not show."""
+    found = []
+    tolerance = asked.tolerance * quality.length
+    if quality.largest_distance > _ROUNDING * tolerance:
+        found.append(f"The distance is above the tolerance of {units.format_mm(tolerance)}")
+    if quality.largest_seam_angle > _ROUNDING * asked.seam_angle:
+        found.append(f"The seam angle is above {units.format_small_angle(asked.seam_angle)}")
+    if quality.largest_gap > _NO_GAP * quality.length:
+        found.append("There are gaps between the patches")
+    return found
+
+
+def summary(quality, asked):
+    """(one sentence for people, whether it warns) about a quality report."""
+    distance = units.format_mm(quality.largest_distance)
+    text = (
+        f"{quality.patch_count} patches, distance {distance}, "
+        f"seam angle {units.format_small_angle(quality.largest_seam_angle)}"
+    )
+    missed = warnings(quality, asked)
+    return ". ".join([text, *missed]), bool(missed)
+
+
+def rows(quality):
+    """Pairs (name, value with its unit) of a quality report, for people."""
+    patch_count = f"{quality.patch_count}, least {quality.theoretical_patch_count}"
+    return (
+        ("Distance", units.format_mm(quality.largest_distance)),
+        ("Of length", f"{quality.largest_distance_per_length:.2g}"),
+        ("RMS", units.format_mm(quality.rms_distance)),
+        ("Seam angle", units.format_small_angle(quality.largest_seam_angle)),
+        ("Curvature Δ", units.format_jump(quality.largest_curvature_jump)),
+        ("Gaps", _gap(quality)),
+        ("Exact", _percent(quality.exact_share)),
+        ("Patches", patch_count),
+        ("Control points", str(quality.control_point_count)),
+    )
+
+
+def _gap(quality):
+    is_none = quality.largest_gap <= _NO_GAP * quality.length
+    return "none" if is_none else units.format_mm(quality.largest_gap)
+
+
+def _percent(share):
+    """No share but the whole is told as 100 %."""
+    return "100 %" if share > 1.0 - 1e-9 else f"{min(100.0 * share, 99.9999):.6g} %"

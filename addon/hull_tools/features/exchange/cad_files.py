@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""STEP and IGES files of a hull, made beside Blender's own work."""
+
+from dataclasses import dataclass
+
+from ...bridge import native
+from ...bridge.background import jobs
+from ..conversion import conversions
+from ..hull import hull_state
+from . import cad_curves
+
+STEP, IGES = "STEP", "IGES"
+
+# Of the time that conversion and writing take together, and of that which curves and file take.
+_SHARE_OF_CONVERSION = 0.4
+_SHARE_OF_CURVES = 0.1
+
+_SOLIDS = ("SOLID", "HALF_SOLID")
+
+
+@dataclass(frozen=True, eq=False)
+class Written:
+    """converted: patches.Converted; report: what was found in the file, as hull_native tells it."""
+
+    converted: object
+    report: dict
+
+
+class Export(jobs.JobTask):
+    """The task (see conversions) of writing a hull, as it is when this is made, to a file.
+
+    The patches are those of the last conversion, if that is of the hull and its settings as they
+    are. ValueError when the hull has no surface, or a file of it is being written.
+    """
+
+    def __init__(self, obj, scene, path, file_format):
+        self.text = f"Writing {file_format}"
+        known = conversions.current(obj, scene)
+        if known is not None:
+            conversions.clear_way(obj)
+        self._conversion = None if known else conversions.begin(obj, scene)
+        self.state = hull_state.state_of(obj)
+        source = self.state.source
+        wanted = cad_curves.wanted(obj, scene, self.state.surface)
+        options = _options(obj, file_format)
+
+        # Jobs run one after the other: the conversion is over when this begins.
+        def work(progress):
+            converted = known or self._conversion.converted()
+            curves = []
+            if wanted is not None:
+                curves = cad_curves.curves(
+                    source.new_surface(), wanted, lambda share: progress(_SHARE_OF_CURVES * share)
+                )
+            rest = 1.0 - _SHARE_OF_CURVES
+            write = getattr(native.require(), f"write_{file_format.lower()}")
+            report = write(
+                converted.patches,
+                path,
+                curves=curves,
+                progress=lambda share: progress(_SHARE_OF_CURVES + rest * share),
+                **options,
+            )
+            return Written(converted, report)
+
+        self._job = jobs.Job(work)
+        conversions.watch(self)
+
+    @property
+    def share(self):
+        if self._conversion is None:
+            return super().share
+        rest = 1.0 - _SHARE_OF_CONVERSION
+        return _SHARE_OF_CONVERSION * self._conversion.share + rest * super().share
+
+    def cancel(self):
+        """The file of this name, if there is one, stays as it is."""
+        if self._conversion is not None:
+            self._conversion.cancel()
+        super().cancel()
+
+    def result(self):
+        """The Written, which is waited for. ValueError and OSError with the reason when nothing
+        was written, jobs.Cancelled when it was cancelled."""
+        if self._conversion is not None:
+            self._conversion.result()
+        return self._job.result()
+
+
+def _options(obj, file_format):
+    """Keyword arguments of hull_native.write_step or write_iges that an Object.hull decides."""
+    settings = obj.hull.export
+    options = {
+        "name": obj.name,
+        "unit": settings.unit,
+        "mirrored": obj.hull.half and settings.extent in cad_curves.BOTH_SIDES,
+        "solid": settings.extent in _SOLIDS,
+    }
+    return {**options, "schema": settings.schema} if file_format == STEP else options
+
+
+def export(obj, scene, path, file_format=STEP):
+    """Writes a hull to a file; returns the Written."""
+    return Export(obj, scene, path, file_format).result()

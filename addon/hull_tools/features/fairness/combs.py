@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curvature combs of the hull's lines, their inflections and extrema of curvature.
+
+Combs are of lines in the same places as those that are shown, whether these are switched on or not.
+What is off is not computed.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...bridge import native
+from ...bridge.blender.units import as_typed
+from ..lines import lines
+
+# The switch of each kind of lines.KINDS in Object.hull.fairness.
+SWITCHES = {
+    "station": "comb_stations",
+    "waterline": "comb_waterlines",
+    "buttock": "comb_buttocks",
+    "diagonal": "comb_diagonals",
+    "plane": "comb_planes",
+    "feature": "comb_features",
+}
+
+MARKS = ("inflection", "maximum", "minimum")
+
+# At a factor of 1 nearly all teeth are shorter than this part of the hull's size.
+_HEIGHT = 0.05
+
+# Over the hull's size: a curvature that is none.
+_STRAIGHT = 1e-3
+
+# Of the hull's size: the distance of teeth that is not given.
+_STEP = 1.0 / 200.0
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """hull_native.CurveFairness of the section by a lines.Cut, or of knuckles and borders: then
+    `cut` is None. straight: a curvature in 1/m that is none."""
+
+    cut: object
+    curves: list
+    straight: float
+
+    @cached_property
+    def comb(self):
+        """(points (n, 3) in m, curvature vectors (n, 3) in 1/m, pairs (m, 2) of points that follow
+        one another), of all that the cut wants to know."""
+        points, bends, pairs, count = [np.empty((0, 3))], [np.empty((0, 3))], [], 0
+        for curve in self.curves:
+            own = curve.points
+            kept = self._kept(own)
+            follows = np.ones(len(own), dtype=bool)
+            follows[curve.starts[1:] - 1] = False  # knuckles break the line
+            firsts = np.flatnonzero(follows[:-1] & kept[:-1] & kept[1:])
+            numbers = np.cumsum(kept) - 1 + count
+            pairs.append(np.column_stack([numbers[firsts], numbers[firsts + 1]]))
+            points.append(self._flipped(own[kept]))
+            bends.append(self._flipped(curve.curvature_vectors[kept]))
+            count += np.count_nonzero(kept)
+        pairs.append(np.empty((0, 2), dtype=np.int64))
+        return np.concatenate(points), np.concatenate(bends), np.concatenate(pairs)
+
+    @cached_property
+    def marks(self):
+        """Points (n, 3) in m by MARKS."""
+        found = {name: [np.empty((0, 3))] for name in MARKS}
+        for curve in self.curves:
+            marks = curve.marks
+            if not len(marks):
+                continue
+            points = marks.points
+            kept, points = self._kept(points), self._flipped(points)
+            is_inflection = np.array(marks.kinds) == "inflection"
+            # What is straight to rounding bends to neither side.
+            peaks = marks.peaks & (np.abs(marks.values) > self.straight)
+            found["inflection"].append(points[kept & is_inflection])
+            found["maximum"].append(points[kept & ~is_inflection & peaks])
+            found["minimum"].append(points[kept & ~is_inflection & ~peaks])
+        return {name: np.concatenate(parts) for name, parts in found.items()}
+
+    def _kept(self, points):
+        return np.ones(len(points), dtype=bool) if not self.cut else lines.kept_by(self.cut, points)
+
+    def _flipped(self, values):
+        return values if self.cut is None else lines.flipped(self.cut, values)
+
+
+@dataclass(frozen=True, eq=False)
+class CombGroup:
+    """All Judged lines of one kind.
+
+    scale: m of tooth for a curvature of 1/m, before the factor of the settings. rules: what
+    section_fairness was told beside the planes.
+    """
+
+    kind: str
+    key: tuple
+    is_mirrored: bool
+    sections: tuple
+    scale: float
+    rules: dict
+
+    @cached_property
+    def curves(self):
+        return [curve for section in self.sections for curve in section.curves]
+
+    def comb(self, scale):
+        """(points (n, 3), ends of their teeth (n, 3), pairs (m, 2) of ends that a line joins), in
+        m; scale in m²."""
+        if not self.sections:
+            return np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 2), dtype=np.int64)
+        combs = [section.comb for section in self.sections]
+        points, bends = (np.concatenate([comb[i] for comb in combs]) for i in (0, 1))
+        firsts = np.cumsum([0, *(len(comb[0]) for comb in combs[:-1])])
+        pairs = np.concatenate([comb[2] + first for comb, first in zip(combs, firsts)])
+        return points, points - scale * bends, pairs
+
+    def segments(self, scale):
+        """(segments (n, 2, 3), how many of them at the start are teeth), in m; scale in m²."""
+        points, tips, pairs = self.comb(scale)
+        return np.concatenate([np.stack([points, tips], axis=1), tips[pairs]]), len(points)
+
+    @cached_property
+    def marks(self):
+        """Points (n, 3) in m by MARKS: inflections, where the curve bends most and least."""
+        found = [section.marks for section in self.sections]
+        return {
+            name: np.concatenate([np.empty((0, 3)), *(marks[name] for marks in found)])
+            for name in MARKS
+        }
+
+    @cached_property
+    def mark_counts(self):
+        """How many there are of each of MARKS, those of the other side's images left out."""
+        own = [one.marks for one in self.sections if one.cut is None or not one.cut.is_image]
+        return {name: sum(len(marks[name]) for marks in own) for name in MARKS}
+
+
+def combs(known, surface, settings, moved, metres_per_unit, shown=()):
+    """CombGroup by kind that an Object.hull wants; `known` ones are taken that are the same still,
+    and of the others the sections that are. moved: the moves.Moves of the surface. shown:
+    lines.Group of the surface as it is, whose sections need not be cut again.
+
+    The scale of a kind is chosen when it is switched on, or when the mesh's faces change; then it
+    stays, so that combs can be compared while points move.
+    """
+    fairness = settings.fairness
+    kinds = [kind for kind, switch in SWITCHES.items() if getattr(fairness, switch)]
+    if not kinds:
+        return {}
+    size = lines.size_of(surface)
+    rules = _rules(surface, as_typed(fairness.comb_step) * metres_per_unit)
+    cuts = lines.cuts_of_kinds(settings, surface.mesh.points, metres_per_unit, kinds)
+    cut_already = {one.cut: one.curves for group in shown for one in group.sections}
+    groups = {}
+    for kind in kinds:
+        key = (moved.after, settings.half, cuts[kind], tuple(rules.values()))
+        before = known.get(kind)
+        if before is not None and before.key == key:
+            groups[kind] = before
+            continue
+        sections = _judged(surface, kind, cuts[kind], rules, before, moved, cut_already)
+        if before is not None and before.scale > 0.0 and before.key[0][0] == moved.after[0]:
+            scale = before.scale
+        else:
+            scale = _handy_scale([curve for one in sections for curve in one.curves], size)
+        is_mirrored = settings.half and kind != "plane"
+        groups[kind] = CombGroup(kind, key, is_mirrored, sections, scale, rules)
+    return groups
+
+
+def _rules(surface, step):
+    """Arguments of section_fairness; they stay while points move a little."""
+    size = lines.steady_size(surface)
+    return {
+        "step": step or _STEP * size,
+        "noise": _STRAIGHT / size,
+        "chord_tolerance": lines.chord_tolerance(surface),
+        "flat_tolerance": lines.flat_tolerance(surface),
+    }
+
+
+def _handy_scale(curves, size):
+    """A scale for teeth of a handy length; what is straight to rounding gets none that show."""
+    if not curves:
+        return 0.0
+    height = _HEIGHT * size
+    scale = native.require().suggested_comb_scale(curves, height=height)
+    return min(scale, height * size / _STRAIGHT)
+
+
+def _judged(surface, kind, cuts, rules, before, moved, cut_already):
+    hull_native = native.require()
+    judged = _judgements_that_stay(before, rules, moved)
+    new = [cut for cut in cuts if cut not in judged]
+    for own, sections in (
+        ([cut for cut in new if cut in cut_already], True),
+        ([cut for cut in new if cut not in cut_already], False),
+    ):
+        if own:
+            found = hull_native.section_fairness(
+                surface,
+                np.array([cut.plane for cut in own]),
+                sections=[cut_already[cut] for cut in own] if sections else None,
+                **rules,
+            )
+            judged.update((cut, Judged(cut, one, rules["noise"])) for cut, one in zip(own, found))
+    sections = [judged[cut] for cut in cuts]
+    if kind == "feature":
+        found = hull_native.feature_fairness(surface, step=rules["step"], noise=rules["noise"])
+        sections.append(Judged(None, found, rules["noise"]))
+    return tuple(sections)
+
+
+def _judgements_that_stay(before, rules, moved):
+    """Judged by Cut of a CombGroup of before, or None, that a move left as they are."""
+    if before is None or before.rules != rules:
+        return {}
+    sections = [one for one in before.sections if one.cut is not None]
+    planes = [one.cut.plane for one in sections]
+    stay = moved.kept(before.key[0], planes, rules["flat_tolerance"])
+    return {one.cut: one for one, is_same in zip(sections, stay) if is_same}

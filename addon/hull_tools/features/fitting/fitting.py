@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls fitted to a shape: the task that moves the control points, and its report."""
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from ...bridge import native
+from ...bridge.background import jobs
+from ...bridge.blender import units
+from ...bridge.mesh import mesh_arrays, mesh_points
+from ...bridge.objects import hull_objects
+from ..constraints import held_points, point_locks
+from ..conversion import conversions
+from ..hull import hull_state
+from ..lines import lines
+from . import fit_targets
+
+_USUAL_REACH = 0.05  # of the length
+_VIEW_DISTANCE = 0.3  # of the length
+_CHANGED = "The hull was changed meanwhile, and stays as it is: fit it again"
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """What came of a fit, in m. key: the geometry of the hull it gave; place (3,): where it is
+    farthest from the target."""
+
+    key: object
+    counted: int
+    left_out: int
+    rms: float
+    largest: float
+    place: np.ndarray
+    line_rms: float
+    settled: bool
+
+
+class Fitting(jobs.JobTask):
+    """The task of fitting a hull as it is now; see features.conversion.conversions."""
+
+    text = "Fitting"
+
+    def __init__(self, obj, scene):
+        self.state = hull_state.refresh(obj, scene)
+        if self.state.status:
+            raise ValueError(self.state.status)
+        conversions.clear_way(obj)
+        self._name, self.scale = obj.name, units.metres_per_unit(scene)
+        data = mesh_arrays.read_mesh(obj.data)
+        self._before = _digests(data)
+        control = mesh_arrays.control_arrays(data, self.scale, hull_objects.excluded_slots(obj))
+        self._ids = control.vertex_ids
+        hull_native = native.require()
+        surface = hull_native.LimitSurface(
+            hull_native.ControlMesh(*control.arguments()), obj.hull.scheme
+        )
+        targets, options = _arguments(obj, surface, control, self.scale)
+        self._job = jobs.Job(
+            lambda progress: hull_native.fit_surface(surface, targets, progress=progress, **options)
+        )
+        conversions.watch(self)
+
+    def result(self):
+        """The hull_native.Fit, which is waited for; raises what went wrong."""
+        return self._job.result()
+
+    def write(self, scene):
+        """Moves the hull's control points to where they fit; returns the Report. ValueError when
+        the hull is no longer what was fitted."""
+        fit = self.result()
+        obj = scene.objects.get(self._name)
+        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
+            raise ValueError(_CHANGED)
+        if _digests(mesh_arrays.read_mesh(obj.data)) != self._before:
+            raise ValueError(_CHANGED)
+        mesh_points.write(obj.data, self._ids, fit.points / self.scale)
+        hull_state.let_be_placed(obj)
+        state = hull_state.refresh(obj, scene)
+        state.fit = Report(
+            state.keys.get("geometry"),
+            fit.counted,
+            len(fit.distances) - fit.counted,
+            fit.rms,
+            fit.largest,
+            np.array(fit.largest_place),
+            fit.curve_rms,
+            fit.settled,
+        )
+        return state.fit
+
+
+def _digests(data):
+    return data.topology_digest(), data.points_digest()
+
+
+def _arguments(obj, surface, control, scale):
+    """(targets, the other arguments) of hull_native.fit_surface."""
+    hull_native, settings = native.require(), obj.hull.fit
+    size = lines.size_of(surface)
+    target = fit_targets.of_hull(obj, scale, size)
+    reach = scale * settings.reach or _USUAL_REACH * size
+    curves = [(line, None, False) for line in target.lines]
+    curves += fit_targets.centre_curves(target, hull_native.crease_curves(surface), reach)
+    held, normals = held_points.held_points(obj, control.vertex_ids, control.points, size)
+    return target.points, {
+        "normals": _turned_as(surface, target, reach),
+        "curves": curves,
+        "locked": np.flatnonzero(np.isin(control.vertex_ids, point_locks.locked_points(obj.data))),
+        "held_points": held,
+        "held_normals": normals,
+        "fairness": settings.fairness,
+        "stiffness": settings.stiffness,
+        "reach": reach,
+        "draw_border": settings.draw_border,
+    }
+
+
+def _turned_as(surface, target, reach):
+    """The target's normals, all turned round if most of them look inwards."""
+    if target.normals is None:
+        return None
+    near = native.require().SurfaceTree(surface).closest_points(target.points, reach)
+    found = near.cells >= 0
+    own = surface.normals(near.cells[found], near.uv[found])
+    agreement = (own * target.normals[found]).sum()
+    return target.normals if agreement >= 0.0 else -target.normals
+
+
+def last_report(obj):
+    """(the Report of a hull's last fit or None, whether the hull is as that made it)."""
+    state = hull_state.state_of(obj)
+    report = None if state is None else state.fit
+    return report, report is not None and state.keys.get("geometry") == report.key
+
+
+def rows(report):
+    """Pairs (name, value) of what a panel shows of a Report."""
+    found = [
+        ("Points", str(report.counted)),
+        ("Left out", str(report.left_out)),
+        ("RMS", units.format_mm(report.rms)),
+        ("Largest", units.format_mm(report.largest)),
+    ]
+    if report.line_rms:
+        found.append(("Creases RMS", units.format_mm(report.line_rms)))
+    return found
+
+
+def summary(report):
+    """A Report as a sentence."""
+    text = (
+        f"{report.counted} points, {report.left_out} left out: RMS {units.format_mm(report.rms)}, "
+        f"largest {units.format_mm(report.largest)}"
+    )
+    return text if report.settled else f"{text}. It may come nearer still: fit again"
+
+
+def mark_worst(obj, scene, view):
+    """Sets the 3D cursor where a hull is farthest from its target; brings that into a RegionView3D
+    unless it is None. ValueError without a report."""
+    report, is_current = last_report(obj)
+    if not is_current or not report.counted:
+        raise ValueError("There is no fit of the hull as it is: press Fit first")
+    scale = units.metres_per_unit(scene)
+    scene.cursor.location = obj.matrix_world @ (Vector(report.place) / scale)
+    if view is None:
+        return
+    if view.view_perspective == "CAMERA":
+        view.view_perspective = "PERSP"
+    view.view_location = scene.cursor.location
+    view.view_distance = _VIEW_DISTANCE * max(obj.dimensions)
+
+
+def shape_object(name, points, triangles, collection):
+    """A new mesh object of triangles (m, 3) between points (n, 3) in Blender's units."""
+    mesh = bpy.data.meshes.new(name)
+    sizes = np.full(len(triangles), 3, dtype=np.int32)
+    mesh_arrays.write_faces(mesh, points, sizes, np.asarray(triangles).reshape(-1))
+    obj = bpy.data.objects.new(name, mesh)
+    collection.objects.link(obj)
+    return obj

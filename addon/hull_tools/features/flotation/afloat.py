@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a hull lies in the water by its settings, in metres and radians."""
+
+from dataclasses import dataclass, replace
+from math import atan, cos, degrees, radians
+
+from ...bridge.blender.units import as_typed
+
+
+@dataclass(frozen=True)
+class Afloat:
+    """draft: on the ship's vertical amidships. trim_m: that at the after perpendicular less that at
+    the forward one. length_pp, beam: 0 where not given."""
+
+    draft: float
+    trim_m: float
+    heel: float
+    length_pp: float
+    beam: float
+    water_density: float
+
+    @property
+    def trim(self):
+        """The angle in rad. On the vertical of a heeled ship a trim is 1 / cos(heel) longer."""
+        if self.trim_m == 0.0:
+            return 0.0
+        if self.length_pp <= 0.0:
+            raise ValueError("Give Lpp first: a trim is measured between the perpendiculars")
+        return atan(self.trim_m * cos(self.heel) / self.length_pp)
+
+    @property
+    def draft_at(self):
+        return 0.5 * self.length_pp
+
+    def upright(self):
+        return replace(self, heel=0.0)
+
+    def position(self):
+        """Arguments of hull_native's functions of a position."""
+        return {
+            "draft": self.draft,
+            "trim": self.trim,
+            "heel": self.heel,
+            "draft_at": self.draft_at,
+        }
+
+    def project(self):
+        """Arguments of hull_native.hydrostatics about ship and water; the design draft is the
+        draft."""
+        return {
+            "length_pp": self.length_pp or None,
+            "beam": self.beam or None,
+            "water_density": self.water_density,
+        }
+
+
+def afloat(settings, metres_per_unit):
+    """Afloat of an Object.hull."""
+
+    def metres(value):
+        return as_typed(value) * metres_per_unit
+
+    return Afloat(
+        draft=metres(settings.draft),
+        trim_m=metres(settings.trim),
+        heel=as_typed_angle(settings.heel),
+        length_pp=metres(settings.length_pp),
+        beam=metres(settings.beam),
+        water_density=as_typed(settings.water_density),
+    )
+
+
+def as_typed_angle(value):
+    """The radians of the degrees that a user typed."""
+    return radians(as_typed(degrees(value)))

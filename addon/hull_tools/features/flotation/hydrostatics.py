@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hydrostatics of a floating body, with the names and units of the panel and of the table."""
+
+from dataclasses import dataclass
+from types import SimpleNamespace
+
+from ...bridge import native
+
+# Volumes from depths and from breadths that differ by more than this part are no rounding.
+_CLOSED_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number of hydrostatics: where it is in hull_native.Particulars, and how it is named.
+
+    name: of the value in Hydrostatics. title: in tables. unit: as units.format_value takes it.
+    """
+
+    group: str
+    name: str
+    label: str
+    title: str
+    unit: str
+    path: str
+
+
+def _quantities():
+    for group, rows in _GROUPS.items():
+        for name, label, title, unit, path in rows:
+            yield Quantity(group, name, label, title, unit, path or name)
+
+
+_COEFFICIENTS = (
+    ("block", "Cb", "Cb"),
+    ("prismatic", "Cp", "Cp"),
+    ("midship", "Cm", "Cm"),
+    ("waterplane", "Cwp", "Cwp"),
+    ("vertical_prismatic", "Cvp", "Cvp"),
+)
+
+
+def _coefficients(of, what):
+    return tuple(
+        (f"{of}_{name}", label, f"{title} {what}", "", f"{of}.{name}")
+        for name, label, title in _COEFFICIENTS
+    )
+
+
+# name, label in the panel, title in tables, unit, path in Particulars if it is not the name.
+_GROUPS = {
+    "Displacement": (
+        ("displaced_volume", "Volume ∇", "displaced volume", "m3", ""),
+        ("displacement_t", "Mass Δ", "displacement", "t", ""),
+        ("wetted_surface", "Wetted area", "wetted surface", "m2", ""),
+        ("tpc", "TPC", "TPC", "t/cm", ""),
+        ("mtc", "MTC", "MTC (with BMl)", "t m/cm", ""),
+    ),
+    "Centres": (
+        ("lcb", "LCB", "LCB from AP", "m", ""),
+        ("lcb_percent", "LCB of Lpp", "LCB forward of midship", "%", ""),
+        ("tcb", "TCB", "TCB to port", "m", ""),
+        ("kb", "KB", "KB", "m", ""),
+        ("lateral_area", "Lateral area", "lateral area", "m2", ""),
+        ("lateral_x", "Its x", "lateral area's centre from AP", "m", ""),
+        ("lateral_z", "Its z", "lateral area's centre above base", "m", ""),
+    ),
+    "Waterplane": (
+        ("waterplane_area", "Area", "waterplane area", "m2", ""),
+        ("lcf", "LCF", "LCF from AP", "m", ""),
+        ("lcf_percent", "LCF of Lpp", "LCF forward of midship", "%", ""),
+        ("tcf", "TCF", "TCF to port", "m", ""),
+        ("inertia_transverse", "I transv.", "waterplane I transverse", "m4",
+         "waterplane_inertia_transverse"),
+        ("inertia_longitudinal", "I longit.", "waterplane I longitudinal", "m4",
+         "waterplane_inertia_longitudinal"),
+        ("half_angle_of_entrance", "Entrance ½", "half angle of entrance", "deg", ""),
+        ("entrance_chord_angle", "Entr. chord", "entrance chord angle", "deg", ""),
+    ),
+    "Stability": (
+        ("bmt", "BMt", "BMt", "m", "bm_transverse"),
+        ("bml", "BMl", "BMl", "m", "bm_longitudinal"),
+        ("kmt", "KMt", "KMt", "m", "km_transverse"),
+        ("kml", "KMl", "KMl", "m", "km_longitudinal"),
+    ),
+    "Actual dimensions": (
+        ("waterline_length", "Lwl", "Lwl", "m", ""),
+        ("waterline_beam", "Bwl", "Bwl", "m", ""),
+        ("immersed_length", "Length", "immersed length", "m", ""),
+        ("immersed_beam", "Beam", "immersed beam", "m", ""),
+        ("immersed_draught", "Draught", "immersed draught", "m", ""),
+        ("midship_area", "Midship area", "midship section area", "m2", "midship_section.area"),
+        ("largest_area", "Largest area", "largest section area", "m2", "largest_section.area"),
+        ("largest_x", "Its x", "largest section from AP", "m",
+         "largest_section.position"),
+    ),
+    "Coefficients, project": _coefficients("project", "on project dimensions"),
+    "Coefficients, actual": _coefficients("immersed", "on immersed dimensions"),
+}  # fmt: skip
+
+GROUP_NOTES = {
+    "Centres": "x from AP, y to port, z from base; % forward of midship",
+    "Actual dimensions": "Of the waterline (wl) and of all that is immersed",
+    "Coefficients, project": "On Lpp, beam, draft and the section at Lpp/2",
+    "Coefficients, actual": "On immersed length, beam, draught and the largest section",
+}
+
+QUANTITIES = tuple(_quantities())
+GROUPS = tuple(_GROUPS)
+
+
+class Hydrostatics(SimpleNamespace):
+    """draft, draft_aft and draft_forward, trim (m), heel (rad), and the values of QUANTITIES, in
+    metres, radians and tonnes, by their names; both sides. What is undefined is None. remark: a
+    sentence, or ""."""
+
+
+def at(ship, where):
+    """Hydrostatics of a ship.Ship that lies as an Afloat says; ValueError as `particulars`."""
+    return described(ship.particulars(where), where)
+
+
+def particulars(body, where):
+    """The hull_native.Particulars of a hull_native.HullBody.
+
+    ValueError when nothing is under water, when the body floods, or faces are turned.
+    """
+    found = native.require().hydrostatics(body, **where.position(), **where.project())
+    if found.displaced_volume <= 0.0:
+        raise ValueError(f"Nothing is under water at a draft of {where.draft:.3f} m")
+    return found
+
+
+def described(found, where):
+    """Hydrostatics of hull_native.Particulars."""
+    values = {quantity.name: _value(found, quantity, where) for quantity in QUANTITIES}
+    return Hydrostatics(
+        draft=where.draft,
+        draft_aft=where.draft + 0.5 * where.trim_m,
+        draft_forward=where.draft - 0.5 * where.trim_m,
+        trim=where.trim_m,
+        heel=where.heel,
+        remark=_remark(found, where),
+        **values,
+    )
+
+
+def _value(found, quantity, where):
+    """A number of hull_native.Particulars, None where 0 there stands for undefined."""
+    value = found
+    for name in quantity.path.split("."):
+        value = getattr(value, name)
+    needs_length = quantity.unit == "%" or quantity.name in ("mtc", "midship_area")
+    is_undefined = quantity.unit in ("", "deg") and value == 0.0
+    return None if is_undefined or (needs_length and where.length_pp <= 0.0) else value
+
+
+def _remark(found, where):
+    """Whether the shell is open in a way that no closing rule covers; known of upright ones."""
+    if where.heel != 0.0 or where.trim_m != 0.0:
+        return ""
+    volume, other = found.displaced_volume, found.volume_from_breadths
+    if abs(volume - other) <= _CLOSED_TOLERANCE * volume:
+        return ""
+    return (
+        f"The shell is not closed below the water: from breadths the volume is {other:.6g} m³, "
+        f"not {volume:.6g} m³"
+    )

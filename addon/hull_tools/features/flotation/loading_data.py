@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a hull lies and is loaded: from hull_io's HullData to Object.hull, and back."""
+
+from math import degrees, radians
+
+from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening
+from ...bridge.blender.units import as_stored, as_typed
+
+_CENTRE = ("lcg", "tcg", "vcg")
+
+
+def give_loading(settings, hull, scale):
+    """To an Object.hull without load cases and openings; scale: metres of Blender's unit."""
+    settings.trim = hull.afloat.trim / scale
+    settings.heel = radians(hull.afloat.heel_deg)
+    settings.deck_closed = hull.afloat.deck_closed
+    loading, load = settings.loading, hull.load
+    loading.use_displacement = load.mass_t is None
+    loading.mass_t = load.mass_t or 0.0
+    loading.kg = load.kg / scale
+    loading.use_lcb = load.lcg is None
+    loading.lcg = (load.lcg or 0.0) / scale
+    loading.free_trim = load.free_trim
+    for case in hull.load_cases:
+        entry = loading.load_cases.add()
+        entry.name, entry.mass_t = case.name, case.mass_t
+        for key in _CENTRE:
+            setattr(entry, key, getattr(case, key) / scale)
+    for opening in hull.openings:
+        entry = loading.flooding_points.add()
+        entry.name = opening.name
+        entry.position = [value / scale for value in opening.position]
+
+
+def take_loading(settings, scale):
+    """The values for a HullData, by name, of an Object.hull."""
+    loading = settings.loading
+
+    def metres(value):
+        return as_stored(value) * scale
+
+    return {
+        "afloat": Afloat(
+            metres(settings.trim), as_typed(degrees(settings.heel)), settings.deck_closed
+        ),
+        "load": Load(
+            None if loading.use_displacement else as_stored(loading.mass_t),
+            metres(loading.kg),
+            None if loading.use_lcb else metres(loading.lcg),
+            loading.free_trim,
+        ),
+        "load_cases": [
+            LoadCase(
+                case.name, as_stored(case.mass_t), *(metres(getattr(case, key)) for key in _CENTRE)
+            )
+            for case in loading.load_cases
+        ],
+        "openings": [
+            Opening(point.name, tuple(metres(value) for value in point.position))
+            for point in loading.flooding_points
+        ],
+    }

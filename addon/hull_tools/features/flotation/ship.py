@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What hydrostatics and stability are computed of: surface, floating body, and what is marked."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from ...bridge import native
+from ...bridge.mesh.mesh_arrays import ControlArrays
+from . import hydrostatics
+
+
+@dataclass(frozen=True, eq=False)
+class Ship:
+    """body: hull_native.HullBody; its surface is that of the hull. deck_edge: the edges that are
+    marked, pairs of the surface's control points; without any the borders along the ship. moved:
+    the moves.Moves of a surface that follows edits, else None. memory: what analyses know of the
+    body as it is, or was; by what it is."""
+
+    body: object
+    deck_edge: tuple
+    moved: object = None
+    memory: dict = field(default_factory=dict)
+
+    def particulars(self, where):
+        """The hull_native.Particulars at an Afloat; ValueError as hydrostatics.particulars."""
+        key = (self.moved and self.moved.after, where)
+        known_key, known = self.memory.get("particulars", (None, None))
+        if known_key != key:
+            known = hydrostatics.particulars(self.body, where)
+            self.memory["particulars"] = key, known
+        return known
+
+
+@dataclass(frozen=True, eq=False)
+class ShipSource:
+    """All that a Ship is made of. It never changes: a thread may have it while the hull is edited.
+
+    openings: as hull_native.HullBody takes them.
+    """
+
+    control: ControlArrays
+    scheme: str
+    half: bool
+    openings: str
+    deck_edge: tuple
+
+    def new_surface(self):
+        """A hull_native.LimitSurface of the caller's own."""
+        hull_native = native.require()
+        return hull_native.LimitSurface(
+            hull_native.ControlMesh(*self.control.arguments()), self.scheme
+        )
+
+    def new_ship(self):
+        return Ship(self.new_body(self.new_surface()), self.deck_edge)
+
+    @cached_property
+    def ship(self):
+        """A Ship that no edit reaches; for one thread at a time."""
+        return self.new_ship()
+
+    def new_body(self, surface, **how):
+        """The hull_native.HullBody of a surface of these control points."""
+        return native.require().HullBody(surface, mirrored=self.half, openings=self.openings, **how)
+
+    def live_body(self, surface):
+        """One for numbers that follow the mouse: to some 1e-8 of the whole."""
+        return self.new_body(surface, tolerance=1e-8)

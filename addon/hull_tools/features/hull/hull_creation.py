@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls from mesh objects and from files."""
+
+import bpy
+import numpy as np
+
+from ...bridge.blender import preferences, units
+from ...bridge.mesh import mesh_arrays
+from ...bridge.objects import hull_objects, migration, shown_objects
+from ..constraints import flats
+from ..flotation import loading_data
+from ..lines import line_data, line_places
+from ..surface import materials
+from . import hull_state
+
+_PARTICULARS = ("length_pp", "beam", "draft", "depth")
+
+
+def make_hull(obj, scene, half):
+    """Turns a mesh object into a hull and shows its surface; returns its HullState.
+
+    Particulars that are still zero are taken from the mesh. ValueError when the object is refused.
+    """
+    reason = hull_objects.refusal(obj) or hull_objects.locked(obj)
+    if reason:
+        raise ValueError(reason)
+    obj.hull.is_hull = True
+    obj.hull.format = migration.FORMAT
+    obj.hull.half = half
+    _fill_particulars(obj)
+    _fill_choices(obj.hull)
+    obj.display_type = "WIRE"
+    obj.show_in_front = True
+    obj.hide_render = True
+    shown_objects.ensure(obj)
+    return hull_state.refresh(obj, scene)
+
+
+def hull_object(hull, scene, collection):
+    """A new hull object from hull_io's HullData, in a collection; returns it, up to date."""
+    scale = units.metres_per_unit(scene)
+    mesh = bpy.data.meshes.new(hull.name)
+    sizes = np.array([len(face) for face in hull.faces], dtype=np.int32)
+    corners = np.array([index for face in hull.faces for index in face], dtype=np.int32)
+    mesh_arrays.write_faces(mesh, np.asarray(hull.points) / scale, sizes, corners)
+    mesh_arrays.write_tags(mesh, hull.creases, hull.corners, hull.deck_edge)
+    obj = bpy.data.objects.new(hull.name, mesh)
+    collection.objects.link(obj)
+    _add_layers(obj, hull)
+    _copy_particulars(obj.hull, hull, scale)
+    loading_data.give_loading(obj.hull, hull, scale)
+    if hull.lines is not None:
+        line_data.give_lines(obj.hull.lines, hull.lines, scale)
+    for flat in hull.flats:
+        flats.mark(obj, flat.faces, (*flat.normal, flat.offset / scale))
+    make_hull(obj, scene, hull.half)
+    return obj
+
+
+def _add_layers(obj, hull):
+    for layer in hull.layers:
+        material = materials.layer_material(layer.name, layer.colour)
+        obj.data.materials.append(material)
+        entry = obj.hull.layers.add()
+        entry.name = layer.name
+        entry.material = material
+        entry.in_hydrostatics = layer.in_hydrostatics
+    if hull.layers:
+        slots = np.array(hull.face_layers, dtype=np.int32)
+        obj.data.polygons.foreach_set("material_index", slots)
+
+
+def _copy_particulars(settings, hull, scale):
+    for name in _PARTICULARS:
+        value = getattr(hull.particulars, name)
+        if value:
+            setattr(settings, name, value / scale)
+    if hull.particulars.water_density:
+        settings.water_density = hull.particulars.water_density
+    settings.source = hull.source
+    settings.scheme = hull.scheme
+
+
+def _fill_particulars(obj):
+    """Particulars not given are the extent of the mesh; draft and KG are guesses, six tenths of the
+    depth."""
+    settings = obj.hull
+    points = mesh_arrays.read_mesh(obj.data).points
+    if not len(points):
+        return
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = {
+        "length_pp": high[0] - low[0],
+        "beam": 2.0 * max(abs(low[1]), abs(high[1])),
+        "depth": max(high[2], 0.0),
+        "draft": 0.6 * max(high[2], 0.0),
+    }
+    for name, value in extent.items():
+        if getattr(settings, name) <= 0.0:
+            setattr(settings, name, value)
+    if settings.loading.kg <= 0.0:
+        settings.loading.kg = 0.6 * settings.depth
+
+
+def _fill_choices(settings):
+    """What nobody gave is as the add-on's preferences have it."""
+    lines = settings.lines
+    for group, name, preference in (
+        (settings, "samples", "samples"),
+        (settings, "water_density", "water_density"),
+        (lines, "station_count", "station_count"),
+        (lines, "width", "line_width"),
+    ):
+        if not group.is_property_set(name):
+            setattr(group, name, preferences.value(preference))
+    for name, extent, preference in (
+        ("waterline_spacing", settings.depth, "waterline_count"),
+        ("buttock_spacing", 0.5 * settings.beam, "buttock_count"),
+    ):
+        if not lines.is_property_set(name):
+            parts = preferences.value(preference)
+            spacing = line_places.handy_spacing(extent, parts) if parts else 0.0
+            setattr(lines, name, spacing)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A hull object as hull_io's HullData: what a hull file keeps of it."""
+
+import numpy as np
+from mathutils import Color
+
+from ....hull_io.hull_data import Flat, HullData, Layer, Particulars
+from ...bridge.blender import units
+from ...bridge.mesh import mesh_arrays
+from ...bridge.objects import hull_objects
+from ..constraints import flats
+from ..flotation import loading_data
+from ..lines import line_data
+
+
+def hull_data(obj, scene):
+    """The HullData of a hull, in metres; ValueError when the object is refused.
+
+    Numbers have the digits that Blender keeps of them, so that reading brings the same hull.
+    """
+    reason = hull_objects.refusal(obj)
+    if reason:
+        raise ValueError(reason)
+    settings, scale = obj.hull, units.metres_per_unit(scene)
+    data = mesh_arrays.read_mesh(obj.data)
+    faces = [
+        face.tolist() for face in np.split(data.face_vertices, np.cumsum(data.face_sizes)[:-1])
+    ]
+    of_faces = mesh_arrays.edges_of_faces(data)
+    layers = _layers(obj)
+    return HullData(
+        name=obj.name,
+        points=units.all_as_stored(data.points) * scale,
+        faces=faces,
+        creases=_pairs(data.edges[of_faces & (data.edge_creases >= 1.0)]),
+        corners=np.flatnonzero(data.vertex_creases >= 1.0).tolist(),
+        half=settings.half,
+        layers=layers,
+        face_layers=np.clip(data.face_slots, 0, len(layers) - 1).tolist(),
+        particulars=_particulars(settings, scale),
+        scheme=settings.scheme,
+        deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
+        flats=_flats(obj, scale),
+        source=settings.source,
+        lines=line_data.take_lines(settings.lines, scale),
+        **loading_data.take_loading(settings, scale),
+    )
+
+
+def _pairs(edges):
+    return sorted(map(tuple, np.sort(edges, axis=1).tolist()))
+
+
+def _flats(obj, scale):
+    return [
+        Flat(
+            region.faces.tolist(),
+            tuple(units.as_stored(part) for part in region.plane[:3]),
+            units.as_stored(region.plane[3]) * scale,
+        )
+        for region in flats.regions(obj)
+    ]
+
+
+def _layers(obj):
+    excluded = hull_objects.excluded_slots(obj)
+    return [
+        _layer(slot.material, index, index not in excluded)
+        for index, slot in enumerate(obj.material_slots)
+    ] or [Layer()]
+
+
+def _layer(material, index, in_hydrostatics):
+    if material is None:
+        return Layer(f"Layer {index}", in_hydrostatics)
+    colour = Color(material.diffuse_color[:3]).from_scene_linear_to_srgb()
+    parts = tuple(round(min(max(part, 0.0), 1.0), 4) for part in colour)
+    return Layer(material.name, in_hydrostatics, parts)
+
+
+def _particulars(settings, scale):
+    lengths = {
+        name: units.as_stored(getattr(settings, name)) * scale
+        for name in ("length_pp", "beam", "draft", "depth")
+    }
+    return Particulars(**lengths, water_density=units.as_stored(settings.water_density))

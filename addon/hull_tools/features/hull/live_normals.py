@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The exact normals of hulls in edit mode come when the user pauses: while points move, Blender
+shades the surface objects by their faces."""
+
+import bpy
+
+from ...bridge.blender import units
+from ..surface import shown_surface
+from . import hull_state
+
+_PAUSE_SECONDS = 0.4
+
+
+def ask():
+    """Has normals written at the next pause; each call puts it off."""
+    if bpy.app.background:
+        return
+    stop()
+    bpy.app.timers.register(_write, first_interval=_PAUSE_SECONDS)
+
+
+def stop():
+    if bpy.app.timers.is_registered(_write):
+        bpy.app.timers.unregister(_write)
+
+
+def _write():
+    scale = units.metres_per_unit(bpy.context.scene)
+    for hull, state in hull_state.known_hulls(bpy.context.view_layer):
+        if hull.mode == "EDIT":
+            shown_surface.follow_normals(hull, state, scale)

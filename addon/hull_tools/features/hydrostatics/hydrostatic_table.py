@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hydrostatics over drafts and trims: table, and curves of even keel or the first trim."""
+
+from dataclasses import dataclass, replace
+from math import degrees
+
+import numpy as np
+
+from ....hull_io.number_lists import numbers
+from ...bridge import native
+from ...bridge.blender.units import as_typed
+from ..flotation import afloat, hydrostatics
+from .ranges import stepped
+
+LABEL = "Hydrostatics"
+IS_LIVE = False
+
+_DEFAULT_ROWS = 10
+_CURVE_ROWS = 40  # of the plot, whatever the table's step
+
+
+@dataclass(frozen=True)
+class Inputs:
+    drafts: tuple  # m
+    trims: tuple  # m
+    where: afloat.Afloat
+
+
+@dataclass(frozen=True)
+class Result:
+    """hydrostatics of each row, all drafts of the first trim before the next; curves: hull_native's
+    Particulars of the first trim at close drafts."""
+
+    hydrostatics: list
+    curves: list
+    inputs: Inputs
+
+
+def inputs(settings, metres_per_unit):
+    table = settings.table
+    where = replace(afloat.afloat(settings, metres_per_unit).upright(), trim_m=0.0)
+    first = as_typed(table.draft_from) * metres_per_unit
+    last = as_typed(table.draft_to) * metres_per_unit or where.draft
+    step = as_typed(table.draft_step) * metres_per_unit or (last - first) / _DEFAULT_ROWS
+    if not last > first:
+        raise ValueError(f"The table's last draft, {last:g} m, must be greater than its first")
+    if first == 0.0:  # nothing is under water
+        drafts = stepped(step, last, step, "drafts") if last > step else (last,)
+    else:
+        drafts = stepped(first, last, step, "drafts")
+    trims = numbers(table.trims, "Trims") or (0.0,)
+    for trim in trims:
+        replace(where, trim_m=trim).trim  # refused here rather than in the middle
+    return Inputs(drafts, trims, where)
+
+
+def compute(ship, given):
+    """Rows for the drafts at which something is under water; ValueError if there are none."""
+    described = []
+    for trim_m in given.trims:
+        where = replace(given.where, trim_m=trim_m)
+        for found in _afloat(ship.body, where, given.drafts):
+            described.append(hydrostatics.described(found, replace(where, draft=found.draft)))
+    if not described:
+        raise ValueError(f"Nothing is under water up to a draft of {given.drafts[-1]:.3f} m")
+    close = np.linspace(given.drafts[0], given.drafts[-1], _CURVE_ROWS)
+    first_trim = replace(given.where, trim_m=given.trims[0])
+    return Result(described, _afloat(ship.body, first_trim, close), given)
+
+
+def _afloat(body, where, drafts):
+    """hull_native.Particulars at those of the drafts at which something is under water."""
+    rows = native.require().hydrostatic_table(
+        body, drafts=drafts, trims=[where.trim], **where.project()
+    )
+    return [row for row in rows if row.displaced_volume > 0.0]
+
+
+_POSITION = (
+    ("draft [m]", "draft"),
+    ("draft aft [m]", "draft_aft"),
+    ("draft forward [m]", "draft_forward"),
+    ("trim by the stern [m]", "trim"),
+)
+_UNIT_NAMES = {"": "-", "%": "% of Lpp"}
+
+
+def header(result):
+    return [title for title, _ in _POSITION] + [
+        f"{quantity.title} [{_UNIT_NAMES.get(quantity.unit, quantity.unit)}]"
+        for quantity in hydrostatics.QUANTITIES
+    ]
+
+
+def rows(result):
+    for row in result.hydrostatics:
+        yield [getattr(row, name) for _, name in _POSITION] + [
+            _in_unit(getattr(row, quantity.name), quantity.unit)
+            for quantity in hydrostatics.QUANTITIES
+        ]
+
+
+def _in_unit(value, unit):
+    return degrees(value) if unit == "deg" and value is not None else value
+
+
+def plot(result, name):
+    trim_m = result.inputs.trims[0]
+    at = "even keel" if trim_m == 0.0 else f"trim {trim_m:g} m by the stern"
+    density = f"water {result.inputs.where.water_density:g} t/m³"
+    return native.require().hydrostatic_curves_plot(
+        result.curves,
+        subtitles=[f"{name}, {at}, {density}"],
+        draft=result.inputs.where.draft,
+    )

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the lines of a hull lie, as its Object.hull.lines says: for the 3D view, the lines plan and
+the table of offsets alike."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....hull_io.number_lists import diagonals, numbers
+from ...bridge.blender.units import as_typed
+
+# A spacing that would give more planes than this is a slip of the keyboard.
+_MOST_PLANES = 400
+
+
+@dataclass(frozen=True)
+class LinePlaces:
+    """Positions and spacings in m; positions given one by one count before spacings.
+
+    diagonals: pairs of height in m and angle in rad. in_frames: whether stations are to be named
+    by frames.
+    """
+
+    length: float
+    station_spacing: float
+    waterline_spacing: float
+    buttock_spacing: float
+    stations: tuple
+    waterlines: tuple
+    buttocks: tuple
+    diagonals: tuple
+    frame_spacing: float
+    in_frames: bool
+
+    def positions(self, points):
+        """(stations, waterlines, buttocks) in m, as far as control points (n, 3) in m reach.
+
+        Stations stand at Lpp / count from the after perpendicular, and go on beyond both ends.
+        Buttocks are measured to port and stand for both sides.
+        """
+        low, high = points.min(axis=0), points.max(axis=0)
+        aft, fore = min(low[0], 0.0), max(high[0], self.length)
+        half_beam = max(abs(low[1]), abs(high[1]))
+        return (
+            self.stations or multiples(self.station_spacing, aft, fore, "stations", with_ends=True),
+            self.waterlines or multiples(self.waterline_spacing, low[2], high[2], "waterlines"),
+            self.buttocks or multiples(self.buttock_spacing, 0.0, half_beam, "buttocks"),
+        )
+
+
+def line_places(settings, metres_per_unit):
+    """LinePlaces of an Object.hull; ValueError for lists that can't be understood."""
+    lines = settings.lines
+
+    def metres(value):
+        return as_typed(value) * metres_per_unit
+
+    length, frame_spacing = metres(settings.length_pp), metres(lines.frame_spacing)
+    stations = numbers(lines.stations, "Stations")
+    in_frames = lines.stations_in == "FRAMES" and bool(stations)
+    if in_frames:
+        if not frame_spacing:
+            raise ValueError("Give the frame spacing first: the stations are in frames")
+        stations = tuple(number * frame_spacing for number in stations)
+    return LinePlaces(
+        length,
+        length / lines.station_count if lines.station_count else 0.0,
+        metres(lines.waterline_spacing),
+        metres(lines.buttock_spacing),
+        stations,
+        numbers(lines.waterlines, "Waterlines"),
+        numbers(lines.buttocks, "Buttocks"),
+        diagonals(lines.diagonals),
+        frame_spacing,
+        in_frames,
+    )
+
+
+def multiples(spacing, low, high, name, with_ends=False):
+    """Multiples of the spacing between two positions, which themselves count only with_ends; none
+    when the spacing is 0."""
+    if spacing <= 0.0:
+        return ()
+    if (high - low) / spacing > _MOST_PLANES:
+        raise ValueError(
+            f"A spacing of {spacing:.4g} m gives more than {_MOST_PLANES} {name}: widen it"
+        )
+    margin = 1e-6 * spacing * (-1.0 if with_ends else 1.0)
+    first = int(np.floor((low + margin) / spacing)) + 1
+    last = int(np.ceil((high - margin) / spacing)) - 1
+    return tuple(k * spacing for k in range(first, last + 1))
+
+
+def handy_spacing(extent, parts):
+    """1, 2 or 5 times a power of ten that divides an extent into about so many parts; 0 for 0."""
+    if extent <= 0.0:
+        return 0.0
+    wanted = extent / parts
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(min((1.0, 2.0, 5.0, 10.0), key=lambda m: abs(np.log(m * power / wanted))) * power)

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an Object.hull wants of its lines plan."""
+
+import numpy as np
+
+from ...bridge.blender.units import as_typed
+from .line_places import line_places
+
+_OWN_PAPER = "OWN"
+
+
+def drawing_options(settings, surface, metres_per_unit):
+    """Keyword arguments of hull_native.write_lines_drawing that an Object.hull decides."""
+    plan = settings.plan
+    wanted = line_places(settings, metres_per_unit)
+    stations, waterlines, buttocks = wanted.positions(surface.mesh.points)
+    texts = (("Drawn", plan.drawn), ("Date", plan.date), ("Drawing no.", plan.number))
+    return {
+        "stations": np.array(stations),
+        "waterlines": np.array(waterlines),
+        "buttocks": np.array(buttocks),
+        "diagonals": wanted.diagonals,
+        "mirrored": settings.half,
+        "draft": as_typed(settings.draft) * metres_per_unit or None,
+        "length": wanted.length or None,
+        "station_spacing": wanted.frame_spacing if wanted.in_frames else None,
+        "frame_spacing": wanted.frame_spacing or None,
+        "offsets": plan.offsets,
+        "title_block": [(name, text) for name, text in texts if text],
+        "paper": (plan.width, plan.height) if plan.paper == _OWN_PAPER else plan.paper,
+        "scale": as_typed(plan.scale) or None,
+        "dxf_unit": plan.dxf_unit,
+    }

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a half hull to a whole one and back, in object mode.
+
+A half hull's borders in the centre plane are creases of the whole one, so that surface and numbers
+stay the same.
+
+Points nearer to the centre plane than a millionth of the hull's size are put on it, and are shared
+by both sides. Tags, layers, marks and flat regions come along.
+"""
+
+from dataclasses import dataclass
+
+import bmesh
+import numpy as np
+from mathutils import kdtree
+
+from ....hull_io.mirror import ON_CENTRE_PLANE
+from ...bridge.blender import blender_versions
+from ...bridge.mesh.mesh_editing import editing
+from ..constraints import flat_marks, flats, planes
+from ..hull import hull_state
+
+# Points of both sides that are nearer than this part of the hull's size are alike.
+ALIKE = 1e-5
+
+# The sides by the sign of y.
+SIDES = {"PORT": 1.0, "STARBOARD": -1.0}
+
+
+@dataclass(frozen=True)
+class HalfMade:
+    """difference: how far, in Blender's units, a point of the side that went was from the mirror
+    image of this one, at most. smooth_edges: how many edges in the centre plane were no crease, so
+    that the surface is another there."""
+
+    difference: float
+    smooth_edges: int
+
+
+def to_whole(obj, scene):
+    """Gives a half hull its other side: the same ship, modelled whole. ValueError when it is
+    whole, or points are on the other side already."""
+    if not obj.hull.half:
+        raise ValueError("The hull is whole already")
+    _check_users(obj.data)
+    with editing(obj.data) as bm:
+        _put_on_centre_plane(bm)
+        astray = sum(vertex.co.y < 0.0 for vertex in bm.verts if vertex.link_faces)
+        if astray:
+            raise ValueError(
+                f"{astray} points of the half hull are to starboard (y < 0): move them to port"
+            )
+        numbers = _numbers_of_other_side(obj)
+        _add_other_side(bm, numbers)
+    for number, (other, plane) in numbers.items():
+        if other != number:
+            flats.store_plane(obj, other, plane)
+    obj.hull.half = False
+    hull_state.refresh(obj, scene)
+
+
+def to_half(obj, scene, side="PORT", cut=False):
+    """Leaves one of SIDES of a whole hull, turned to port; returns a HalfMade.
+
+    cut: whether faces that reach across the centre plane are cut there, which changes the surface;
+    else ValueError for such.
+    """
+    if obj.hull.half:
+        raise ValueError("The hull is a half already")
+    _check_users(obj.data)
+    with editing(obj.data) as bm:
+        _put_on_centre_plane(bm)
+        _cut_at_centre_plane(bm, cut)
+        made = _leave(bm, SIDES[side])
+    if side == "STARBOARD":
+        _mirror_planes(obj)
+    flats.clear_unused(obj)
+    obj.hull.half = True
+    hull_state.refresh(obj, scene)
+    return made
+
+
+def _check_users(mesh):
+    users = mesh.users - mesh.use_fake_user
+    if users > 1:
+        raise ValueError(
+            f'{users} objects share the mesh "{mesh.name}": make it single-user first (Object ▸ '
+            "Relations)"
+        )
+
+
+def _put_on_centre_plane(bm):
+    """Points that are as good as there."""
+    places = np.array([vertex.co for vertex in bm.verts]).reshape(-1, 3)
+    allowed = ON_CENTRE_PLANE * float(np.ptp(places, axis=0).max(initial=0.0))
+    for vertex in bm.verts:
+        if abs(vertex.co.y) <= allowed:
+            vertex.co.y = 0.0
+
+
+def _numbers_of_other_side(obj):
+    """{number of a flat region: (that of its mirror image, its plane)}; a plane that is its own
+    mirror image keeps the number."""
+    found, following = {}, flats.new_number(obj)
+    for region in flats.regions(obj):
+        other = region.number
+        if region.plane[1] != 0.0:
+            other, following = following, following + 1
+        found[region.number] = (other, _image(region.plane))
+    return found
+
+
+def _image(plane):
+    return planes.stored(plane * [1.0, -1.0, 1.0, 1.0])
+
+
+def _add_other_side(bm, numbers):
+    edge_layer, _ = blender_versions.ensure_crease_layers(bm)
+    faces = [face for face in bm.faces if not _is_on_centre_plane(face)]
+    edges = {edge for face in faces for edge in face.edges}
+    vertices = {vertex for face in faces for vertex in face.verts}
+    keel = [tuple(edge.verts) for edge in edges if _is_on_centre_plane(edge)]
+    shared = [vertex for vertex in vertices if vertex.co.y == 0.0]
+    made = bmesh.ops.duplicate(bm, geom=[*vertices, *edges, *faces])
+    new_faces = [part for part in made["geom"] if isinstance(part, bmesh.types.BMFace)]
+    for part in made["geom"]:
+        if isinstance(part, bmesh.types.BMVert):
+            part.co.y = -part.co.y
+    layer = bm.faces.layers.int.get(flat_marks.ATTRIBUTE)
+    if layer is not None:
+        for face in new_faces:
+            if face[layer] in numbers:
+                face[layer] = numbers[face[layer]][0]
+    bmesh.ops.reverse_faces(bm, faces=new_faces)
+    image = made["vert_map"]
+    bmesh.ops.weld_verts(bm, targetmap={image[vertex]: vertex for vertex in shared})
+    for pair in keel:
+        bm.edges.get(pair)[edge_layer] = 1.0
+
+
+def _cut_at_centre_plane(bm, cut):
+    across = [
+        face
+        for face in bm.faces
+        if min(vertex.co.y for vertex in face.verts)
+        < 0.0
+        < max(vertex.co.y for vertex in face.verts)
+    ]
+    if across and not cut:
+        raise ValueError(
+            f"{len(across)} faces reach across the centre plane: have them cut, or give them an "
+            "edge there first"
+        )
+    if across:
+        parts = {part for face in across for part in (face, *face.edges, *face.verts)}
+        bmesh.ops.bisect_plane(
+            bm, geom=list(parts), plane_co=(0.0, 0.0, 0.0), plane_no=(0.0, 1.0, 0.0)
+        )
+        _put_on_centre_plane(bm)
+
+
+def _leave(bm, sign):
+    """Removes the other side and turns this one to port; returns a HalfMade."""
+    edge_layer, _ = blender_versions.ensure_crease_layers(bm)
+    others = [vertex for vertex in bm.verts if sign * vertex.co.y < 0.0]
+    if all(vertex.co.y == 0.0 for vertex in set(bm.verts).difference(others)):
+        raise ValueError("There is nothing on that side: choose the other")
+    difference = _furthest_from_image(bm, others)
+    keel = [edge for edge in bm.edges if len(edge.link_faces) > 1 and _is_on_centre_plane(edge)]
+    bmesh.ops.delete(bm, geom=others, context="VERTS")
+    if sign < 0.0:
+        for vertex in bm.verts:
+            vertex.co.y = -vertex.co.y
+        bmesh.ops.reverse_faces(bm, faces=bm.faces)
+    borders = [edge for edge in keel if edge.is_boundary]
+    smooth_edges = sum(edge[edge_layer] < 1.0 for edge in borders)
+    for edge in borders:
+        edge[edge_layer] = 0.0  # a border is a crease by itself
+    return HalfMade(difference, smooth_edges)
+
+
+def _is_on_centre_plane(part):
+    return all(vertex.co.y == 0.0 for vertex in part.verts)
+
+
+def _furthest_from_image(bm, vertices):
+    """How far the mirror image of any of these vertices is from the nearest other one at most."""
+    others = list(set(bm.verts).difference(vertices))
+    tree = kdtree.KDTree(len(others))
+    for index, vertex in enumerate(others):
+        tree.insert(vertex.co, index)
+    tree.balance()
+    places = (vertex.co for vertex in vertices)
+    return max((tree.find((x, -y, z))[2] for x, y, z in places), default=0.0)
+
+
+def _mirror_planes(obj):
+    for region in flats.regions(obj):
+        flats.store_plane(obj, region.number, _image(region.plane))

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the hull floats under each load case, or why it does not."""
+
+from dataclasses import dataclass
+from math import degrees
+
+from ...bridge import native
+from ...bridge.blender.units import as_typed
+from ..flotation import afloat
+from . import loads
+
+LABEL = "Load cases"
+IS_LIVE = False
+
+AFLOAT = ("stable", "neutral", "unstable")
+
+
+@dataclass(frozen=True)
+class Case:
+    name: str
+    mass_t: float
+    centre: tuple  # LCG, TCG, VCG in m
+
+
+@dataclass(frozen=True)
+class Inputs:
+    cases: tuple
+    where: afloat.Afloat
+
+
+@dataclass(frozen=True)
+class Rest:
+    """draft_mean, draft_aft, draft_forward, trim (m), heel (rad), gm (m) are None unless afloat;
+    status as hull_native.Equilibrium's, or "refused"; message: a sentence where there is more to
+    say than that it is stable."""
+
+    case: Case
+    status: str
+    message: str
+    draft_mean: object = None
+    draft_aft: object = None
+    draft_forward: object = None
+    trim: object = None
+    heel: object = None
+    gm: object = None
+
+
+def inputs(settings, metres_per_unit):
+    cases = tuple(
+        Case(
+            one.name,
+            as_typed(one.mass_t),
+            tuple(as_typed(value) * metres_per_unit for value in (one.lcg, one.tcg, one.vcg)),
+        )
+        for one in settings.loading.load_cases
+    )
+    return Inputs(cases, afloat.afloat(settings, metres_per_unit).upright())
+
+
+def compute(ship, given):
+    """A Rest of each case."""
+    return [_rest(ship.body, case, given.where) for case in given.cases]
+
+
+def _rest(body, case, where):
+    try:
+        found = native.require().equilibrium(
+            body,
+            mass_t=case.mass_t,
+            centre_of_gravity=case.centre,
+            water_density=where.water_density,
+            draft_at=where.draft_at,
+        )
+    except ValueError as error:
+        return Rest(case, "refused", str(error))
+    message = "" if found.status == "stable" and found.left is None else found.message
+    if found.status not in AFLOAT:
+        return Rest(case, found.status, message)
+    length_pp = where.length_pp
+    return Rest(
+        case,
+        found.status,
+        message,
+        found.draft_mean,
+        found.draft(0.0) if length_pp else None,
+        found.draft(length_pp) if length_pp else None,
+        loads.trim_m(found.trim, found.heel, length_pp),
+        found.heel,
+        found.gm_transverse,
+    )
+
+
+def header(result):
+    return [
+        "load case",
+        "mass [t]",
+        "LCG [m]",
+        "TCG [m]",
+        "VCG [m]",
+        "outcome",
+        "mean draft [m]",
+        "draft aft [m]",
+        "draft forward [m]",
+        "trim by the stern [m]",
+        "heel to starboard [deg]",
+        "GM [m]",
+        "remark",
+    ]
+
+
+def rows(result):
+    for rest in result:
+        heel_deg = None if rest.heel is None else degrees(rest.heel)
+        yield [rest.case.name, rest.case.mass_t, *rest.case.centre, rest.status, rest.draft_mean,
+               rest.draft_aft, rest.draft_forward, rest.trim, heel_deg, rest.gm,
+               rest.message]  # fmt: skip

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Righting levers over the heel, with what is read from the curve."""
+
+from dataclasses import dataclass
+from math import degrees, radians
+
+from ...bridge import native
+from ..flotation.afloat import as_typed_angle
+from ..hull import deck_edge
+from ..hydrostatics.ranges import stepped
+from . import loads
+
+LABEL = "Righting levers"
+IS_LIVE = False
+
+# The intervals whose areas the intact stability code asks for.
+_INTERVALS_DEG = ((0.0, 30.0), (0.0, 40.0), (30.0, 40.0))
+
+_AREA_TOLERANCE = 1e-5  # m·rad, finer than is shown; the criteria have their own
+
+
+@dataclass(frozen=True)
+class Inputs:
+    load: loads.LoadInputs
+    heels: tuple  # rad
+    intervals: tuple  # rad, within the heels
+
+
+@dataclass(frozen=True)
+class Result:
+    levers: object  # hull_native.RightingLevers
+    load: loads.Load
+    inputs: Inputs
+
+    def areas(self):
+        """(from, to, area) in rad and m·rad."""
+        return [
+            (start, end, float(area))
+            for (start, end), area in zip(self.inputs.intervals, self.levers.areas)
+        ]
+
+
+def inputs(settings, metres_per_unit):
+    loading = settings.loading
+    heels = stepped(
+        0.0, as_typed_angle(loading.heel_greatest), as_typed_angle(loading.heel_step), "heels"
+    )
+    intervals = tuple(
+        (radians(start), radians(end))
+        for start, end in _INTERVALS_DEG
+        if radians(end) <= heels[-1] + 1e-9
+    )
+    return Inputs(loads.load_inputs(settings, metres_per_unit), heels, intervals)
+
+
+def compute(ship, given):
+    body = ship.body
+    load = loads.load(body, given.load)
+    levers = native.require().righting_levers(
+        body,
+        **load.arguments(given.load),
+        heels=given.heels,
+        downflooding_points=given.load.flooding_points or None,
+        deck_edge=deck_edge.points_of(body.surface, ship.deck_edge),
+        area_intervals=given.intervals,
+        area_tolerance=_AREA_TOLERANCE,
+    )
+    return Result(levers, load, given)
+
+
+def header(result):
+    return ["heel to starboard [deg]", "GZ [m]", "dGZ/dheel [m/rad]", "trim by the stern [deg]",
+            "trim by the stern [m]"]  # fmt: skip
+
+
+def rows(result):
+    found = result.levers
+    length_pp = result.inputs.load.where.length_pp
+    for heel, lever, slope, trim in zip(found.heels, found.levers, found.slopes, found.trims):
+        yield [degrees(heel), lever, slope, degrees(trim), loads.trim_m(trim, heel, length_pp)]
+
+
+def plot(result, name):
+    found = result.levers
+    greatest = None
+    if found.greatest_lever is not None:
+        greatest = (found.greatest_lever_heel, found.greatest_lever)
+    return native.require().righting_lever_plot(
+        found.heels,
+        found.levers,
+        slopes=found.slopes,
+        greatest=greatest,
+        subtitles=[loads.describe(result.load, result.inputs.load, name)],
+        gm=found.gm,
+        vanishing=found.vanishing_heel,
+        deck_edge=found.deck_edge_heel,
+        flooding=found.flooding_heel,
+        areas=[area for area in result.areas() if area[0] > 0.0 or area[1] < radians(35.0)],
+    )

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface object of a hull follows its surface: points, faces, exact normals, colours; each
+only when it is due."""
+
+import hashlib
+
+from ...bridge import native
+from ...bridge.objects import shown_objects
+from . import colours, surface_object
+
+_KEYS = ("shown surface", "normals", "colours")
+# On the surface object's mesh: what its faces were made for. It is saved and undone with the mesh.
+_FACES = "hull_faces"
+# More corners than these get their normals only when the hull leaves edit mode: the time it takes
+# would be felt.
+_MOST_AT_A_PAUSE = 200_000
+
+
+def forget(state):
+    """Nothing is known of what a surface object shows, after it changed by itself."""
+    for key in _KEYS:
+        state.keys.pop(key, None)
+
+
+def follow(obj, state, scale, geometry_key):
+    """Brings the surface object of a hull up to date with the surface of its HullState.
+
+    While the mesh is edited the exact normals wait for follow_normals, and a surface that is hidden
+    in views and renders waits until it is seen.
+    """
+    shown = shown_objects.surface_of(obj)
+    if shown is None:
+        state.colour_scale = None
+        return
+    if obj.mode == "EDIT" and shown.hide_render and not shown.visible_get():
+        return
+    choice = colours.wanted(obj.hull.fairness)
+    place_key = (geometry_key, obj.hull.samples, shown.name_full)
+    are_normals_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
+    colours_key = None if choice is None else place_key, choice
+    are_colours_due = state.keys.get("colours") != colours_key
+    is_due = state.keys.get("shown surface") != place_key
+    if not (is_due or are_normals_due or are_colours_due):
+        return
+    writer = _Writer(obj, state, shown, scale, geometry_key[0])
+    if is_due:
+        are_normals_due |= writer.write_points()
+        state.keys["shown surface"] = place_key
+    if are_normals_due:
+        writer.write_normals()
+        state.keys["normals"] = place_key
+    if are_colours_due:
+        state.colour_scale = writer.write_colours(choice)
+        state.keys["colours"] = colours_key
+
+
+def follow_normals(obj, state, scale):
+    """Gives the surface object its exact normals when the user pauses; large ones wait for the end
+    of edit mode."""
+    shown = shown_objects.surface_of(obj)
+    place_key = state.keys.get("shown surface")
+    if shown is None or place_key is None or state.keys.get("normals") == place_key:
+        return
+    if len(shown.data.loops) > _MOST_AT_A_PAUSE:
+        return
+    _Writer(obj, state, shown, scale, place_key[0][0]).write_normals()
+    state.keys["normals"] = place_key
+
+
+class _Writer:
+    """Writes the mesh of the object `shown`."""
+
+    def __init__(self, obj, state, shown, scale, topology_key):
+        self._settings, self._state, self._shown = obj.hull, state, shown
+        self._scale, self._topology_key = scale, topology_key
+        self._known_tessellation = None
+
+    def write_points(self):
+        """Whether the faces were made anew, without normals."""
+        points, mesh = self._points(), self._shown.data
+        stamp = self._stamp(points)
+        coordinates = points.coordinates
+        if mesh.get(_FACES) == stamp and len(mesh.vertices) == len(coordinates):
+            surface_object.move_surface(mesh, coordinates)
+            return False
+        quads, _ = surface_object.surface_faces(self._tessellation(), points.shared)
+        surface_object.write_surface(mesh, coordinates, quads)
+        mesh[_FACES] = stamp
+        return True
+
+    def write_normals(self):
+        _, normals = surface_object.surface_faces(self._tessellation(), self._points().shared)
+        surface_object.write_normals(self._shown.data, normals)
+
+    def write_colours(self, choice):
+        """Gives the surface object its colours; returns their scale, or None."""
+        if choice is None:
+            colours.remove_colours(self._shown)
+            return None
+        tessellation = self._tessellation()
+        scale, of_normals = colours.coloured(self._state.surface, tessellation, choice)
+        corners = colours.linear(of_normals)[tessellation.normal_indices]
+        shared = self._points().shared
+        colours.write_colours(self._shown, surface_object.both_sides(tessellation, shared, corners))
+        return scale
+
+    def _points(self):
+        """The hull_native.ShownPoints of the surface as it is now."""
+        state, settings = self._state, self._settings
+        key = (settings.samples, settings.half, self._scale)
+        if state.shown_points is None or state.keys.get("shown points") != key:
+            state.shown_points = native.require().ShownPoints(
+                state.surface,
+                settings.samples,
+                mirrored=settings.half,
+                metres_per_unit=self._scale,
+            )
+            state.keys["shown points"] = key
+            state.keys["sharing"] = None
+        elif not state.shown_points.update():
+            state.keys["sharing"] = None
+        return state.shown_points
+
+    def _stamp(self, points):
+        """Equal for meshes of equal faces; as text, which Blender keeps with the mesh."""
+        known = self._state.keys.get("sharing")
+        if known is not None:
+            return known
+        digest = hashlib.blake2b(repr(self._topology_key).encode(), digest_size=16)
+        digest.update(repr(self._settings.samples).encode())
+        digest.update(points.shared.tobytes())
+        self._state.keys["sharing"] = digest.hexdigest()
+        return self._state.keys["sharing"]
+
+    def _tessellation(self):
+        if self._known_tessellation is None:
+            surface = self._state.surface
+            self._known_tessellation = surface.tessellate(self._settings.samples)
+        return self._known_tessellation
