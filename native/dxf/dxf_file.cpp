@@ -14,6 +14,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "dxf/dxf_objects.h"
 #include "dxf/dxf_text.h"
 #include "files/atomic_file.h"
 
@@ -234,8 +235,7 @@ void write_dxf(const DxfDrawing& drawing, const std::string& path) {
     write_tables(dxf, *file, drawing);
     write_blocks(dxf, *file);
     write_entities(dxf, *file, drawing);
-    dxf.writeObjects(*file);
-    dxf.writeObjectsEnd(*file);
+    write_dxf_objects(*file);
     file->dxfEOF();
     file->close();
   }

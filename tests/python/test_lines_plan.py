@@ -66,7 +66,8 @@ def draw(hull, path, **others):
 def dxf_of(hull, folder, **others):
     ezdxf = pytest.importorskip("ezdxf")
     document = ezdxf.readfile(draw(hull, folder / "plan.dxf", **others))
-    assert not document.audit().errors
+    audit = document.audit()
+    assert [(found.code, found.message) for found in audit.errors + audit.fixes] == []
     return document
 
 
