@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A large tanker or bulk carrier after KVLCC2, fitted to its published surface.
 
+KVLCC2 is a tanker of Kim, Van & Kim 2001.
+
 A flat bar, two rows of points 0.25 m apart, runs round the whole centre plane: from the transom
 under the counter, round the propeller boss, along the keel, round the bulb and up the stem. Within
 it, lower rows of points run from the stern aperture forward and end on the bulb; upper ones begin

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A large container ship after the Duisburg Test Case, fitted to its published surface.
 
+The test case is that of el Moctar, Shigunov & Zorn 2012.
+
 A flat bar, two rows of points 0.22 m apart, runs round the whole centre plane: from the transom
 under the counter, round the propeller boss, along the keel, round the bulb and up the stem. Within
 it, lower rows of points run from the stern aperture forward and end on the bulb; upper ones begin

@@ -40,7 +40,7 @@ struct CornerRules {
 
 // Moments of all that `ring`, which walks around a corner of `points`, has still to pass, positions
 // counted from `origin`. Rings are summed, and the sums extrapolated by their known ratios
-// (Richardson), until that settles; ∫ n dS is exact. The ring is left at the last of them.
+// (Richardson 1911), until that settles; ∫ n dS is exact. The ring is left at the last of them.
 ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasis& basis,
                             const surface::CornerPoints& points, const CornerSeries& series,
                             const Vector3d& origin, const CornerRules& rules);

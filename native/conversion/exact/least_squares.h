@@ -68,8 +68,7 @@ struct LeastSquaresLimits {
 };
 
 // Minimises a sum of squares, beginning at `x`: Levenberg-Marquardt with the damping of Nielsen
-// (Madsen, Nielsen, Tingleff, "Methods for Non-Linear Least Squares Problems", 2004,
-// algorithm 3.16). A Problem has
+// (Madsen, Nielsen & Tingleff 2004, algorithm 3.16). A Problem has
 //   NormalEquations linearised(const Eigen::VectorXd& x) const;
 //   double squares(const Eigen::VectorXd& x) const;
 template <class Problem>

@@ -42,7 +42,8 @@ bool overlap(const OrientedBox& a, const OrientedBox& b) {
 }
 
 bool overlap(const OrientedBox& box, const Vector2d& a, const Vector2d& b) {
-  // Liang and Barsky's clipping in the frame of the box: the part of the segment within both slabs.
+  // The clipping of Liang and Barsky 1984 in the frame of the box: the part of the segment within
+  // both slabs.
   const Vector2d start{(a - box.centre).dot(along(box)), (a - box.centre).dot(across(box))};
   const Vector2d end{(b - box.centre).dot(along(box)), (b - box.centre).dot(across(box))};
   double first = 0.0, last = 1.0;

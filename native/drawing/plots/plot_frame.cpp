@@ -19,7 +19,7 @@ struct Segment {
   Vector2d a, b;
 };
 
-// The part of a segment inside the box (Liang and Barsky, ACM Trans. Graph. 3, 1984).
+// The part of a segment inside the box (Liang and Barsky 1984).
 std::optional<Segment> clipped(const Segment& segment, const AlignedBox2d& box) {
   double enter = 0.0, leave = 1.0;
   const Vector2d along = segment.b - segment.a;
