@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The comparison of results tells each bit that differs, and nothing else."""
 
-import sys
-from pathlib import Path
-
+import compare_results
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import compare_results  # noqa: E402
 
 NUMBERS = np.array([1.0, -2.5, np.nan, 0.0])
 
