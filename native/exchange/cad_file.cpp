@@ -84,6 +84,7 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
   if (!found.valid) return "a shape that is not valid";
   const double area = model.integrals.area;
   if (!(std::abs(found.area - area) <= kIntegralTolerance * area)) return "another area";
+  // By the area times the size, for the volume of a thin shell may be nearly nothing.
   if (found.closed && !(std::abs(*found.volume - model.integrals.volume) <=
                         kIntegralTolerance * area * model.size)) {
     return *found.volume * model.integrals.volume < 0.0 ? "a solid turned inside out"
@@ -102,8 +103,8 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
 
 CadReport write_cad_file(const conversion::PatchSet& patches, const std::string& path,
                          const CadOptions& options, const CadText& text_of) {
-  files::ReplacingFile file(
-      path);  // first of all, so that nobody waits for a file that can't be written
+  // First of all, so that nobody waits for a file that can't be written.
+  files::ReplacingFile file(path);
   surface::tell(options.progress, 0.0, 1.0);
   CadModel model;
   std::string text;
@@ -126,6 +127,7 @@ CadReport write_cad_file(const conversion::PatchSet& patches, const std::string&
                                 "points that almost coincide");
   }
   report.cells_left_out = std::move(model.cells_left_out);
+  // Only now, after it was found to say what was meant, does it take its name.
   file.replace();
   return report;
 }

@@ -141,6 +141,7 @@ class IgesText {
 
   std::string printed() {
     IGESData_IGESWriter text(writer_.Model());
+    // 17 significant digits: doubles come back as they were.
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
     std::ostringstream stream;

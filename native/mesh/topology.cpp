@@ -87,6 +87,7 @@ void Topology::find_outgoing() {
   outgoing_.assign(kind_.size(), -1);
   for (int h = 0; h < half_edge_count(); ++h) {
     int& out = outgoing_[origin_[h]];
+    // At a border the half-edge without a twin begins the fan, so that turning left passes all.
     if (out < 0 || twin_[h] < 0) out = h;
   }
 }
@@ -99,6 +100,7 @@ void Topology::find_sectors() {
     for (int h = turn_right(*this, first); h >= 0 && h != start; h = turn_right(*this, h)) {
       first = h;
     }
+    // Without a crease the walk came round to `start`, and any beginning will do.
     if (turn_right(*this, first) == start) first = start;
     int faces = 0;
     int h = first;
@@ -122,6 +124,7 @@ void Topology::find_kinds(const std::vector<int>& corners, bool round_border_cor
   for (int v : corners) cornered[v] = 1;
   if (!round_border_corners) {
     for (int h = 0; h < half_edge_count(); ++h) {
+      // A single face at the border: both its edges here are borders.
       if (twin_[h] < 0 && twin_[prev(h)] < 0) cornered[origin_[h]] = 1;
     }
   }

@@ -48,6 +48,7 @@ void LimitSurface::take_points() {
   std::vector<Vector3d> refined = layout_->refine(mesh_.topology(), mesh_.points());
   std::vector<char> moved(refined.size(), 1);
   if (refined_.size() == refined.size()) {
+    // Bitwise: a point dragged reaches two rings of cells only, all others keep what was derived.
     for (std::size_t i = 0; i < refined.size(); ++i) moved[i] = refined[i] != refined_[i];
   }
   for (int cell = 0; cell < cell_count(); ++cell) {
@@ -77,6 +78,7 @@ bool LimitSurface::take_node(const SurfaceNode& node, const std::vector<Vector3d
   }
   bool any = false;
   for (const SurfaceNode& child : layout_->split(node.index)) {
+    // The call first: every child has to take its points.
     any = take_node(child, refined, moved) || any;
   }
   return any;

@@ -107,6 +107,7 @@ class SurfaceLayout::Builder {
     if (is_regular_cell(t, layout_.scheme_, h)) return leaf(t, h);
     int corner = h;
     for (int turn = 0; turn < 4; ++turn, corner = t.next(corner)) {
+      // At most one: a cell with two irregular corners is split first.
       if (!is_regular_corner(t, corner) && is_corner_cell(t, layout_.scheme_, corner)) {
         return corner_node(t, corner, turn);
       }
@@ -188,6 +189,7 @@ std::vector<Vector3d> SurfaceLayout::refine(const mesh::Topology& control_topolo
   std::unordered_map<int, Vector3d> known;
   const auto second = [&](int h) -> Vector3d {
     const auto [it, is_new] = known.try_emplace(level2.origin(h));
+    // Several third-level points use the same second-level one, which may be no node's own.
     if (is_new) it->second = refined_value<Vector3d>(cells_, scheme_, h, first);
     return it->second;
   };

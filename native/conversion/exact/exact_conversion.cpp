@@ -130,6 +130,7 @@ PatchSet exact_patches(const surface::LimitSurface& surface, const ExactOptions&
   const BlockLayout layout(surface);
   const SetBuilder builder(surface, layout);
   PatchSet set = builder.build(graded_patches(surface, layout, options, progress));
+  // Bézier patches are divided at all knots, so nothing is left to match or to limit.
   if (options.bezier) return divided(set, cuts_at_knots(set));
   if (options.matched_knots) match_knots(set);
   if (options.most_control_points == 0) return set;

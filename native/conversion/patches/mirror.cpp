@@ -97,6 +97,7 @@ PatchSet with_mirror_image(const PatchSet& half) {
     for (Vector3d& point : image.control_points) point.y() = 0.0 - point.y();  // never -0
     const std::array<int, 4>& c = half.corners[p];
     whole.patches.push_back(std::move(image));
+    // Transposed, the image runs the other way round and so has its normal outside again.
     whole.corners.push_back({vertices[c[0]], vertices[c[3]], vertices[c[2]], vertices[c[1]]});
     std::array<PatchSide, 4> sides;
     for (int k = 0; k < 4; ++k) sides[k] = image_of(half.sides[p][3 - k], vertices, edges);

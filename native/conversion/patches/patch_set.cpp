@@ -38,6 +38,7 @@ void check_side(const PatchSet& set, int p, int k) {
       refuse(patch, "there is no edge " + std::to_string(part.edge));
     }
     check_vertex(set, p, part.to);
+    // Negated, so that what is not a number is refused too.
     if (part.from != vertex || part.begin != at || !(part.end > at)) {
       refuse(patch, "edge " + std::to_string(part.edge) + " does not begin where side " +
                         std::to_string(k) + " has come to");
@@ -147,6 +148,7 @@ void PatchSet::check() const {
       const auto corner = [this](int patch, int side) {
         return patches[patch].control_points[patches[patch].side_index(side, 0)];
       };
+      // Bitwise, not within a tolerance: corners are copies of one computed point.
       if (corner(p, k) != corner(vertex.patch, vertex.side)) {
         refuse(patches[p], "vertex " + std::to_string(corners[p][k]) + " is not where cell " +
                                std::to_string(patches[vertex.patch].cell) + " has it");

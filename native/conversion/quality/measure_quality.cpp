@@ -55,6 +55,7 @@ void take_patch(QualityReport& report, double& squares, double& exact, PatchQual
   report.area += found.area;
   report.knot_count += found.knot_count;
   report.control_point_count += found.control_point_count;
+  // The mean over the whole area, not over patches, of which some are tiny.
   squares += found.area * found.rms_distance * found.rms_distance;
   exact += found.exact_area;
   report.patches.push_back(std::move(found));

@@ -52,6 +52,7 @@ std::vector<Slot> slots_along(const PagePath& path, double width, double bend) {
   const std::vector<double> lengths = arc_lengths(path);
   const double total = lengths.back();
   std::vector<Slot> slots;
+  // A label that took most of a curve would hide it.
   if (total < 3.0 * width) return slots;
   const int count = std::clamp(static_cast<int>(total), 10, 600);
   for (int k = 0; k <= count; ++k) {
@@ -75,6 +76,7 @@ const PlacedCurve* longest(const std::vector<PlacedCurve>& curves) {
 }
 
 void put_first_ones_first(std::vector<Tick>& ticks) {
+  // Where there is not room for all, those placed first get it.
   std::stable_partition(ticks.begin(), ticks.end(), [](const Tick& tick) { return tick.first; });
 }
 
@@ -84,6 +86,7 @@ Projection projection(const View& view, const Eigen::RowVector3d& right,
                       const Eigen::RowVector3d& up) {
   Projection shown;
   shown.linear.row(0) = view.scale * right;
+  // On paper y runs down.
   shown.linear.row(1) = -view.scale * up;
   shown.shift = view.origin;
   return shown;
@@ -177,6 +180,7 @@ void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<P
       if (std::abs(slot.centre.x() - x) > reach) break;
       const OrientedBox box =
           SheetBuilder::text_box(text, style, slot.centre, Align::kCentre, slot.angle);
+      // The curve itself gives way: the label is knocked out of it.
       if (!builder.has_room(box, 0.3, view.bounds, curve->number)) continue;
       builder.put_text(text, style, box);
       return;

@@ -43,6 +43,7 @@ cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int
   try {
     static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
   } catch (const std::bad_alloc&) {
+    // An exception must not pass through Cairo, which is written in C.
     return CAIRO_STATUS_NO_MEMORY;
   }
   return CAIRO_STATUS_SUCCESS;
@@ -110,6 +111,7 @@ void draw_stroke(cairo_t* context, const Stroke& stroke) {
   const bool closed = stroke.points.size() > 2 && stroke.points.front() == stroke.points.back();
   cairo_new_path(context);
   for (const Vector2d& point : stroke.points) cairo_line_to(context, point.x(), point.y());
+  // Closed by Cairo the ends are joined round; closed by a point they would be butted.
   if (closed) cairo_close_path(context);
   cairo_stroke(context);
 }
@@ -153,6 +155,7 @@ void check_drawing_path(const std::string& path) { kind_of(path); }
 
 void write_sheet(const Sheet& sheet, const std::string& path) {
   const FileKind kind = kind_of(path);
+  // Drawn to memory first, so that a failure leaves the file that was there.
   std::string bytes;
   const CairoSurface surface = make_surface(sheet, kind, bytes);
   check(cairo_surface_status(surface.get()), path);

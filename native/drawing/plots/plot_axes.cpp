@@ -171,11 +171,13 @@ AxisScale y_scale(const Plot& plot, double height) {
 std::vector<AxisScale> x_scales(const Plot& plot, double width) {
   const int count = static_cast<int>(plot.x_axes.size());
   std::vector<AxisScale> scales;
+  // Fewer steps have shorter numbers too: tried until the widest number fits between two ticks.
   for (int steps = std::clamp(static_cast<int>(width / kLeastStepX), 2, 14);; --steps) {
     scales.clear();
     double room = std::numeric_limits<double>::infinity();
     for (int i = 0; i < count; ++i) {
       const PlotRange range = x_range(plot, i);
+      // Several axes share the lines of one grid, so each is divided into as many steps.
       scales.push_back(count > 1 ? divided_scale(range, steps)
                                  : suited_scale(plot.x_axes[i], range, steps));
       const double step = scales.back().step / (scales.back().high - scales.back().low) * width;

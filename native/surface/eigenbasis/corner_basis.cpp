@@ -96,6 +96,7 @@ void CornerBasis::extend_eigenvectors() {
       right_.block(ring, block.begin + j, outer, 1) = solution.segment(outer * j, outer);
     }
   }
+  // Affine invariance gives the first eigenvector exactly; the solve only nearly.
   right_.col(0).setOnes();
 }
 
@@ -183,6 +184,8 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
 void CornerBasis::evaluate(const CornerPoints& points, double u, double v, int order,
                            SurfaceJet& jet) const {
   if (u == 0.0 && v == 0.0) {
+    // Derivatives in (u, v) do not exist at an irregular point: the parametrisation is singular
+    // there.
     jet = {};
     jet.point = points.limit;
     return;
@@ -234,6 +237,8 @@ void CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u,
 Vector3d CornerBasis::corner_normal(const CornerPoints& points) const {
   if (!tangent_.defined) return Vector3d::Zero();
   Vector3d a = Vector3d::Zero(), b = Vector3d::Zero();
+  // Rows of tangents sum to zero, so the first point is taken off before they are applied: what
+  // remains is as small as the square, and so is its rounding.
   for (Eigen::Index i = 1; i < tangent_rows_.cols(); ++i) {
     const Vector3d q = points.inner[i] - points.inner.front();
     a += tangent_rows_(0, i) * q;
@@ -271,6 +276,7 @@ void CornerRing::advance() {
   deep_square_.clear();
   if (step_ == kPlainRings) {
     deep_ = basis_.eigen_coordinates(points_);
+    // The constant part is the limit point, which is added at the end.
     deep_.slow.row(0).setZero();
   } else if (step_ > kPlainRings) {
     basis_.advance(deep_, 1);

@@ -77,6 +77,8 @@ void PieceWeights::add_node(int cell, const SurfaceNode& node, double size, Poin
     span[i].setZero(dense.weights.cols());
     if (points[i] != kNoPoint) span[i] = dense.weights.row(row++);
   }
+  // Beyond creases the missing points are reflections of those that are there, as for the points
+  // themselves; a linear rule, so it serves for rows of weights too.
   fill_ghosts(span, points);
   Eigen::MatrixXd rows(16, dense.weights.cols());
   for (int i = 0; i < 16; ++i) rows.row(i) = span[i];
@@ -95,6 +97,7 @@ void PieceWeights::add_corner(int cell, int corner, double size, PointWeights& w
       pieces_.push_back({cell, std::ldexp(segment.size, -ring) * size, square.points,
                          segment.rows * square.weights});
     }
+    // One subdivision on: the weights of the square that is half as large.
     square.weights = basis.matrix() * square.weights;
   }
 }
@@ -107,6 +110,7 @@ std::optional<PieceWeights::Place> PieceWeights::find(int cell, double u, double
   const CornerBasis& basis = layout_->basis(place.node.index);
   Eigen::Vector2d seen = turned(place.node.turn, place.u, place.v);
   for (int ring = 0; ring < kPlainRings; ++ring, seen *= 2.0) {
+    // Ring k fills what is between 2^-k and 2^-(k+1) of the square; doubling brings it to ring 0.
     if (seen.maxCoeff() < 0.5) continue;
     for (int s = 0; s < basis.segment_count(); ++s) {
       const RingSegment& segment = basis.segments()[s];

@@ -194,6 +194,8 @@ class Search {
   }
 
   void count_part() {
+    // About the centre of a sphere every part is as near as any other: the accuracy asked for is
+    // given up step by step, and the gap that was reached is told with the result.
     if (++parts_ > kFreeParts && (parts_ - kFreeParts) % kPartsPerDoubling == 1) gap_ *= 2.0;
   }
 

@@ -149,6 +149,7 @@ std::int32_t SurfaceTree::build(int* begin, int* end,
 
 void SurfaceTree::fit_boxes() {
   box_.setEmpty();
+  // Children have larger numbers than their parents, so backwards they come first.
   for (std::size_t n = nodes_.size(); n-- > 0;) {
     Node& node = nodes_[n];
     for (int k = 0; k < 4; ++k) {

@@ -32,6 +32,7 @@ ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, doub
   first_.assign(surface.cell_count() + 1, 0);
   for (int cell : tessellation.cells) ++first_[cell + 1];
   for (int cell = 0; cell < surface.cell_count(); ++cell) first_[cell + 1] += first_[cell];
+  // By counting sort: first_ tells where the places of each cell begin in taken_.
   taken_.resize(count);
   std::vector<int> next(first_.begin(), first_.end() - 1);
   for (std::size_t point = 0; point < count; ++point) {
@@ -90,6 +91,8 @@ void ShownPoints::take_point(int point, const Vector3d& position) {
     shared_[point] = shared;
     sharing_changed_ = true;
   }
+  // Once a point has left the plane or come to it the images' numbers are stale; number_images()
+  // then writes all of them anew.
   if (shared || sharing_changed_) return;
   out = &coordinates_[3 * static_cast<std::size_t>(images_[point])];
   out[0] = x;
