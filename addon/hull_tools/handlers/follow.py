@@ -58,7 +58,8 @@ def after_update(scene, depsgraph):
     if depsgraph.id_type_updated("SCENE"):  # what was hidden may be seen again
         changed.update(obj for obj in depsgraph.view_layer.objects if obj.mode == "EDIT")
     hull_state.forget_deleted()
-    _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
+    hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
+    _follow(hulls, scene, depsgraph.view_layer)
 
 
 @persistent

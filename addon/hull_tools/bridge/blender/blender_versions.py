@@ -92,6 +92,18 @@ def set_corner_normals(mesh, normals):
     mesh.normals_split_custom_set(normals.tolist())
 
 
+def corner_normals(mesh):
+    """The normals, (loops, 3) float32, that a mesh is shaded with."""
+    normals = np.empty((len(mesh.loops), 3), dtype=np.float32)
+    if _SPLIT_NORMALS_NEED_AUTO_SMOOTH:
+        mesh.calc_normals_split()
+        mesh.loops.foreach_get("normal", normals.reshape(-1))
+        mesh.free_normals_split()
+    else:
+        mesh.corner_normals.foreach_get("vector", normals.reshape(-1))
+    return normals
+
+
 def rest_corner_normals(mesh):
     """Spares Blender the work of corner normals until they are set again, where it can be."""
     if _SPLIT_NORMALS_NEED_AUTO_SMOOTH and mesh.use_auto_smooth:

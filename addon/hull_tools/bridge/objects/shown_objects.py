@@ -7,6 +7,8 @@ A copy of a hull still points to the first one's object; only a child counts as 
 import bpy
 from mathutils import Matrix
 
+from . import hull_objects
+
 _IDENTITY = Matrix.Identity(4)
 
 
@@ -22,6 +24,34 @@ def ensure(obj):
     if surface_of(obj) is None:
         mesh = bpy.data.meshes.new(f"{obj.name} surface")
         obj.hull.surface_object = _new_child(obj, mesh)
+
+
+def is_worked_on(shown):
+    """Whether a mode other than object mode has a surface object's mesh, and would overwrite what
+    is written to it."""
+    return shown.mode != "OBJECT" or shown.data.is_editmode
+
+
+def is_free(shown):
+    """Whether a surface object's mesh can be written: no mode has it, it is no hull's nor shown for
+    another one, and shape keys do not move its points."""
+    mesh = shown.data
+    if is_worked_on(shown) or mesh.shape_keys is not None:
+        return False
+    if mesh.users - mesh.use_fake_user <= 1:
+        return True
+    sharing = (other for other in bpy.data.objects if other.data == mesh and other != shown)
+    return all(hull_objects.hull_of(other) is None for other in sharing)
+
+
+def set_free(shown):
+    """Gives a surface object, that is not worked on, a mesh of its own where it needs one."""
+    if is_free(shown):
+        return
+    before = shown.data
+    shown.data = bpy.data.meshes.new(shown.name)
+    for material in before.materials:
+        shown.data.materials.append(material)
 
 
 def put_in_place(obj):

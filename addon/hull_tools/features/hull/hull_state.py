@@ -112,6 +112,21 @@ def forget_shown():
         state.is_placed = True
 
 
+def with_foreign_surface(objects):
+    """The hulls whose surface objects are among these, and are not as they were left: nothing is
+    known of what they show any longer."""
+    found = []
+    for shown in objects:
+        hull = hull_objects.hull_of(shown)
+        if hull in (None, shown) or shown != hull.hull.surface_object:
+            continue
+        state = state_of(hull)
+        if state is not None and not shown_surface.is_as_left(hull, state):
+            shown_surface.forget(state)
+            found.append(hull)
+    return found
+
+
 def let_be_placed(obj):
     """What is about to move a hull's points places them on purpose, the centre plane or not."""
     if state_of(obj) is not None:

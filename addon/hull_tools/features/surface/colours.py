@@ -74,6 +74,12 @@ def write_colours(shown, corner_colours):
     mesh.update()
 
 
+def has_colours(mesh):
+    """Whether a surface object's mesh has an attribute for the colours."""
+    attribute = mesh.color_attributes.get(ATTRIBUTE)
+    return attribute is not None and len(attribute.data) == len(mesh.loops)
+
+
 def remove_colours(shown):
     """Gives the surface object its own material back."""
     attribute = shown.data.color_attributes.get(ATTRIBUTE)

@@ -1,16 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The surface object of a hull follows its surface: points, faces, exact normals, colours; each
-only when it is due."""
+only when it is due.
+
+What it shows is known only as long as its mesh is as it was left: who makes it selectable may edit
+it, join it or give it another mesh. Then it is made anew, once it is not edited any longer.
+"""
 
 import hashlib
+
+import numpy as np
 
 from ...bridge import native
 from ...bridge.objects import shown_objects
 from . import colours, surface_object
 
-_KEYS = ("shown surface", "normals", "colours")
-# On the surface object's mesh: what its faces were made for. It is saved and undone with the mesh.
-_FACES = "hull_faces"
+_KEYS = ("shown surface", "normals", "normals left", "colours")
+# On the surface object's mesh: what its faces were made for, and a digest of them as they were left.
+# They are saved and undone with the mesh.
+_FACES, _FACES_LEFT = "hull_faces", "hull_faces_left"
 # More corners than these get their normals only when the hull leaves edit mode: the time it takes
 # would be felt.
 _MOST_AT_A_PAUSE = 200_000
@@ -22,18 +29,58 @@ def forget(state):
         state.keys.pop(key, None)
 
 
+def is_as_left(obj, state):
+    """Whether the surface object of a hull is as `follow` has left it: points, faces, shading and
+    colours; while the hull is edited, at every step of the mouse, points alone."""
+    shown = shown_objects.surface_of(obj)
+    if shown is None:
+        return True
+    if "shown surface" not in state.keys or not _has_points_left(shown, state):
+        return False
+    return obj.mode == "EDIT" or _has_looks_left(shown.data, state)
+
+
+def _has_points_left(shown, state):
+    mesh = shown.data
+    if not shown_objects.is_free(shown) or mesh.get(_FACES) != state.keys.get("sharing"):
+        return False
+    if state.shown_points is None:  # the hull has other faces now: all is made anew
+        return True
+    left = state.shown_points.coordinates
+    points = surface_object.points_of(mesh)
+    # By their bits: not even what is no number may differ from itself.
+    return points.shape == left.shape and np.array_equal(points.view("i4"), left.view("i4"))
+
+
+def _has_looks_left(mesh, state):
+    if mesh.get(_FACES_LEFT) != surface_object.faces_digest(mesh):
+        return False
+    if "normals" in state.keys:
+        digest = surface_object.normals_digest(mesh)
+        if state.keys.setdefault("normals left", digest) != digest:
+            return False
+    return state.keys.get("colours") is None or colours.has_colours(mesh)
+
+
 def follow(obj, state, scale, geometry_key):
     """Brings the surface object of a hull up to date with the surface of its HullState.
 
     While the mesh is edited the exact normals wait for follow_normals, and a surface that is hidden
-    in views and renders waits until it is seen.
+    in views and renders waits until it is seen. One that is worked on itself waits for the end of
+    that.
     """
     shown = shown_objects.surface_of(obj)
     if shown is None:
         state.colour_scale = None
         return
+    if shown_objects.is_worked_on(shown):
+        forget(state)
+        return
     if obj.mode == "EDIT" and shown.hide_render and not shown.visible_get():
         return
+    if not _has_points_left(shown, state):
+        forget(state)
+        shown_objects.set_free(shown)
     choice = colours.wanted(obj.hull.fairness)
     place_key = (geometry_key, obj.hull.samples, shown.name_full)
     are_normals_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
@@ -61,7 +108,7 @@ def follow_normals(obj, state, scale):
     place_key = state.keys.get("shown surface")
     if shown is None or place_key is None or state.keys.get("normals") == place_key:
         return
-    if len(shown.data.loops) > _MOST_AT_A_PAUSE:
+    if len(shown.data.loops) > _MOST_AT_A_PAUSE or not _has_points_left(shown, state):
         return
     _Writer(obj, state, shown, scale, place_key[0][0]).write_normals()
     state.keys["normals"] = place_key
@@ -77,20 +124,27 @@ class _Writer:
 
     def write_points(self):
         """Whether the faces were made anew, without normals."""
+        is_known = "shown surface" in self._state.keys
         points, mesh = self._points(), self._shown.data
         stamp = self._stamp(points)
         coordinates = points.coordinates
-        if mesh.get(_FACES) == stamp and len(mesh.vertices) == len(coordinates):
+        if mesh.get(_FACES) == stamp and (is_known or self._has_faces_left(mesh, coordinates)):
             surface_object.move_surface(mesh, coordinates)
             return False
         quads, _ = surface_object.surface_faces(self._tessellation(), points.shared)
         surface_object.write_surface(mesh, coordinates, quads)
-        mesh[_FACES] = stamp
+        mesh[_FACES], mesh[_FACES_LEFT] = stamp, surface_object.faces_digest(mesh)
         return True
+
+    @staticmethod
+    def _has_faces_left(mesh, coordinates):
+        is_of_size = len(mesh.vertices) == len(coordinates)
+        return is_of_size and mesh.get(_FACES_LEFT) == surface_object.faces_digest(mesh)
 
     def write_normals(self):
         _, normals = surface_object.surface_faces(self._tessellation(), self._points().shared)
         surface_object.write_normals(self._shown.data, normals)
+        self._state.keys.pop("normals left", None)
 
     def write_colours(self, choice):
         """Gives the surface object its colours; returns their scale, or None."""

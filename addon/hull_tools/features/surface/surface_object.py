@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The surface as a Blender mesh: exact points, exact normals, both sides of a half hull."""
 
+import hashlib
+
 import numpy as np
 
 from ...bridge.blender import blender_versions
@@ -51,3 +53,34 @@ def move_surface(mesh, points):
 def write_normals(mesh, normals):
     """Gives a surface its exact normals, (k, 4, 3)."""
     blender_versions.set_corner_normals(mesh, normals.reshape(-1, 3))
+
+
+def points_of(mesh):
+    """(n, 3) float32 in Blender's units."""
+    points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
+    mesh.vertices.foreach_get("co", points.reshape(-1))
+    return points
+
+
+def faces_digest(mesh):
+    """As text: equal for equal faces that are shaded alike."""
+    corners = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("vertex_index", corners)
+    sizes = np.empty(len(mesh.polygons), dtype=np.int32)
+    mesh.polygons.foreach_get("loop_total", sizes)
+    are_smooth = np.empty(len(mesh.polygons), dtype=bool)
+    mesh.polygons.foreach_get("use_smooth", are_smooth)
+    return _digest(corners, sizes, are_smooth)
+
+
+def normals_digest(mesh):
+    """As text: equal for equal normals of the corners, as Blender keeps them."""
+    return _digest(blender_versions.corner_normals(mesh))
+
+
+def _digest(*arrays):
+    state = hashlib.blake2b(digest_size=16)
+    for array in arrays:
+        state.update(array.size.to_bytes(8, "little"))
+        state.update(array.data)
+    return state.hexdigest()

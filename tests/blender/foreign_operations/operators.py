@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's own operators on meshes and objects, called with arguments by chance."""
+
+import bpy
+
+FAMILIES = {
+    "EDIT": ("mesh", "transform", "object", "geometry"),
+    "OBJECT": ("object", "transform", "geometry"),
+    "SCULPT": ("sculpt", "paint", "object"),
+    "PAINT": ("paint", "geometry", "object"),
+}
+
+# What is left out, by reason.
+_NEEDS_THE_MOUSE = {
+    "mesh.knife_tool",
+    "object.voxel_size_edit",
+    "object.transform_to_mouse",
+    "object.transfer_mode",
+    "sculpt.brush_stroke",
+    "sculpt.dyntopo_detail_size_edit",
+    "sculpt.expand",
+    "sculpt.sample_detail_size",
+    "transform.from_gizmo",
+    "transform.seq_slide",
+}
+_TAKES_FILES_OR_TIME = {
+    "object.bake",
+    "object.bake_image",
+    "object.lineart_bake_strokes",
+    "object.lineart_bake_strokes_all",
+    "object.multires_external_save",
+    "object.ocean_bake",
+    "object.paths_calculate",
+    "object.quick_explode",
+    "object.quick_fur",
+    "object.quick_liquid",
+    "object.quick_smoke",
+    "object.volume_import",
+    "paint.image_from_view",
+}
+# These are done by the session itself, which has to know of them.
+_ACTIONS_OF_THE_SESSION = {
+    "object.editmode_toggle",
+    "object.mode_set",
+    "object.mode_set_with_submode",
+    "object.posemode_toggle",
+    "paint.texture_paint_toggle",
+    "paint.vertex_paint_toggle",
+    "paint.weight_paint_toggle",
+    "sculpt.sculptmode_toggle",
+}
+# Objects that are no meshes: Blender's own operators come down with some of them.
+_NO_MESHES = {
+    "object.add",
+    "object.armature_add",
+    "object.camera_add",
+    "object.collection_instance_add",
+    "object.curves_empty_hair_add",
+    "object.curves_random_add",
+    "object.data_instance_add",
+    "object.drop_named_image",
+    "object.effector_add",
+    "object.gpencil_add",
+    "object.light_add",
+    "object.lightprobe_add",
+    "object.metaball_add",
+    "object.pointcloud_add",
+    "object.speaker_add",
+    "object.text_add",
+    "object.volume_add",
+}
+_BRINGS_BLENDER_DOWN = {"sculpt.set_persistent_base"}
+_LEFT_OUT = _NEEDS_THE_MOUSE | _TAKES_FILES_OR_TIME | _ACTIONS_OF_THE_SESSION | _NO_MESHES | _BRINGS_BLENDER_DOWN
+# Simulations, and what reads files.
+_MODIFIERS_LEFT_OUT = {
+    "CLOTH",
+    "COLLISION",
+    "DYNAMIC_PAINT",
+    "EXPLODE",
+    "FLUID",
+    "MESH_CACHE",
+    "MESH_SEQUENCE_CACHE",
+    "MESH_TO_VOLUME",
+    "OCEAN",
+    "PARTICLE_INSTANCE",
+    "PARTICLE_SYSTEM",
+    "SOFT_BODY",
+    "VOLUME_TO_MESH",
+}
+_MOST = 3  # of what an operator repeats or divides by
+_FARTHEST = 4.0
+
+
+def by_chance(mode, random):
+    """Names as "mesh.delete" of the operators of a mode, in an order by chance."""
+    family = "PAINT" if mode.endswith("PAINT") else mode
+    names = [f"{module}.{name}" for module in FAMILIES[family] for name in _names(module)]
+    names = [name for name in names if name not in _LEFT_OUT]
+    return random.sample(names, len(names))
+
+
+def _names(module):
+    return sorted(dir(getattr(bpy.ops, module)))
+
+
+def _operator(name):
+    module, own = name.split(".")
+    return getattr(getattr(bpy.ops, module), own)
+
+
+def can_be_called(name):
+    try:
+        return _operator(name).poll()
+    except (AttributeError, KeyError, RuntimeError, TypeError):  # those of scripts may read much
+        return False
+
+
+def call(name, arguments):
+    """What the operator returned, or what it refused with."""
+    try:
+        return sorted(_operator(name)("EXEC_DEFAULT", **arguments))
+    except (RuntimeError, TypeError, ValueError) as error:
+        return str(error).strip().splitlines()[-1][:80]
+
+
+def arguments_by_chance(name, random):
+    """Arguments for about half of what the operator takes."""
+    found = {}
+    for prop in _operator(name).get_rna_type().properties:
+        if prop.identifier == "rna_type" or random.random() < 0.5:
+            continue
+        value = _value(prop, random)
+        if value is not None:
+            found[prop.identifier] = value
+    return found
+
+
+def _value(prop, random):
+    if prop.type == "POINTER":
+        return _macro_step(prop, random)
+    if prop.type == "ENUM":
+        return _choice(prop, random)
+    if prop.type == "STRING":
+        return _modifier(random) if prop.identifier == "modifier" else None
+    if prop.type not in ("BOOLEAN", "INT", "FLOAT") or prop.identifier == "wait_for_input":
+        return None
+    if getattr(prop, "is_array", False):
+        return [_number(prop, random) for _ in range(prop.array_length)]
+    return _number(prop, random)
+
+
+def _macro_step(prop, random):
+    """Arguments of a part of an operator that is made of others."""
+    if "translate" in prop.identifier:
+        return {"value": [random.uniform(-1.0, 1.0) for _ in range(3)]}
+    return {"value": random.uniform(-1.0, 1.0)} if "shrink_fatten" in prop.identifier else None
+
+
+def _choice(prop, random):
+    items = [item.identifier for item in prop.enum_items]
+    items = [item for item in items if item not in _MODIFIERS_LEFT_OUT]
+    if not items:
+        return None
+    return {random.choice(items)} if prop.is_enum_flag else random.choice(items)
+
+
+def _modifier(random):
+    active = bpy.context.view_layer.objects.active
+    names = [modifier.name for modifier in active.modifiers] if active is not None else []
+    return random.choice(names) if names else None
+
+
+def _number(prop, random):
+    if prop.type == "BOOLEAN":
+        return random.random() < 0.5
+    if prop.type == "INT":
+        return random.randint(max(prop.hard_min, -_MOST), max(min(prop.hard_max, _MOST), -_MOST))
+    low, high = max(prop.soft_min, -_FARTHEST), min(prop.soft_max, _FARTHEST)
+    value = random.choice([0.0, 1.0, random.uniform(low, high), random.uniform(low, high)])
+    return min(max(value, prop.hard_min), prop.hard_max)

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is shown of every hull, beside what is computed afresh of its control mesh."""
+
+import bpy
+import numpy as np
+from addon_under_test import mesh_points, part, state_of
+
+# Integrals of a surface that followed edits are to 1e-8 of the whole.
+_INTEGRAL_TOLERANCE = 1e-7
+# Blender keeps corner normals as two angles of 16 bits.
+_NORMAL_TOLERANCE = 1e-3
+
+
+class Fresh:
+    """Surface, lines and numbers of a hull, of nothing but its mesh and settings."""
+
+    def __init__(self, hull, scene):
+        arrays, objects = part("bridge.mesh.mesh_arrays"), part("bridge.objects.hull_objects")
+        ship, lines = part("bridge.flotation.ship"), part("bridge.lines.lines")
+        native, settings = part("bridge.native").require(), hull.hull
+        scale = part("bridge.blender.units").metres_per_unit(scene)
+        self.surface, self.status = None, objects.refusal(hull)
+        if self.status:
+            return
+        data = arrays.read_mesh(hull.data)
+        control = arrays.control_arrays(data, scale, objects.excluded_slots(hull))
+        check, mesh = part("bridge.mesh.mesh_check").check_control_mesh(
+            data, control, settings.half
+        )
+        if mesh is None:
+            self.status = check.errors[0].message
+            return
+        self.surface = native.LimitSurface(mesh, settings.scheme)
+        self.shown = native.ShownPoints(
+            self.surface, settings.samples, mirrored=settings.half, metres_per_unit=scale
+        )
+        self.quads, self.normals = part("bridge.display.surface_object").surface_faces(
+            self.surface.tessellate(settings.samples), self.shown.shared
+        )
+        openings = "closed" if settings.deck_closed else "open"
+        source = ship.ShipSource(control, settings.scheme, settings.half, openings, ())
+        where = part("bridge.flotation.afloat").afloat(settings, scale)
+        try:
+            own = ship.Ship(source.live_body(self.surface), ())
+            self.hydrostatics = part("bridge.flotation.hydrostatics").at(own, where)
+        except ValueError as error:
+            self.hydrostatics = str(error)
+        moved = part("bridge.mesh.moves").Moves(None, "fresh", None)
+        try:
+            cuts = lines.wanted_cuts(settings, self.surface.mesh.points, scale)
+            self.lines = lines.groups({}, self.surface, cuts, settings.half, moved)
+        except ValueError as error:
+            self.lines = str(error)
+
+
+def differences():
+    """Sentences on what is not as it is computed afresh, of the hulls that are seen."""
+    scene, view_layer = bpy.context.scene, bpy.context.view_layer
+    found = []
+    for hull in part("bridge.objects.hull_objects").hulls(view_layer.objects):
+        if hull.visible_get() and hull.mode != "SCULPT":
+            found += [f"{hull.name}: {text}" for text in _of_hull(hull, scene)]
+    return found
+
+
+def _of_hull(hull, scene):
+    state = state_of(hull)
+    if state is None:
+        return ["nothing was computed"]
+    fresh = Fresh(hull, scene)
+    if state.status != fresh.status:
+        return [f'status "{state.status}", afresh "{fresh.status}"']
+    if fresh.surface is None:
+        return []
+    if not np.array_equal(state.surface.mesh.points, fresh.surface.mesh.points):
+        return ["the surface's points are not those of the mesh"]
+    return [
+        *_of_shown(hull, fresh),
+        *_of_hydrostatics(state, fresh.hydrostatics),
+        *_of_lines(state, fresh.lines),
+    ]
+
+
+def _of_shown(hull, fresh):
+    shown = part("bridge.objects.shown_objects").surface_of(hull)
+    if shown is None:
+        return ["it has no surface object of its own"] if hull.hull.surface_object else []
+    if shown.data.is_editmode or shown.mode != "OBJECT":
+        return []
+    mesh, wanted = shown.data, fresh.shown.coordinates
+    points = mesh_points(shown)
+    if points.shape != wanted.shape:
+        return [f"{len(points)} points shown, afresh {len(wanted)}"]
+    if not np.array_equal(points, wanted):
+        return [f"shown up to {np.abs(points - wanted).max()} beside the surface"]
+    corners = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("vertex_index", corners)
+    if not np.array_equal(corners, fresh.quads.reshape(-1)):
+        return ["other faces are shown than those of the surface"]
+    if hull.mode == "EDIT" or hull.data.is_editmode:
+        return []
+    return _of_normals(mesh, fresh)
+
+
+def _of_normals(mesh, fresh):
+    """Beside those of a mesh that is made anew: Blender rounds them in its own way."""
+    if not mesh.has_custom_normals:
+        return ["the exact normals are missing"]
+    drawn, own = part("bridge.display.surface_object"), bpy.data.meshes.new("fresh")
+    try:
+        drawn.write_surface(own, fresh.shown.coordinates, fresh.quads)
+        drawn.write_normals(own, fresh.normals)
+        apart = np.abs(_corner_normals(mesh) - _corner_normals(own)).max(initial=0.0)
+    finally:
+        bpy.data.meshes.remove(own)
+    return [f"normals shown are off by {apart}"] if apart > _NORMAL_TOLERANCE else []
+
+
+def _corner_normals(mesh):
+    if hasattr(mesh, "calc_normals_split"):
+        mesh.calc_normals_split()
+    normals = np.empty((len(mesh.loops), 3), dtype=np.float32)
+    mesh.loops.foreach_get("normal", normals.reshape(-1))
+    return normals
+
+
+def _of_hydrostatics(state, wanted):
+    if isinstance(wanted, str) or state.hydrostatics is None:
+        if state.hydrostatics is None and state.hydrostatics_status == wanted:
+            return []
+        return [f"hydrostatics {state.hydrostatics_status!r}, afresh {wanted!r}"[:300]]
+    found, size = [], max(wanted.displaced_volume, 1.0)
+    for name in ("displaced_volume", "wetted_surface", "kb", "lcb", "waterplane_area"):
+        ours, theirs = getattr(state.hydrostatics, name), getattr(wanted, name)
+        if abs(ours - theirs) > _INTEGRAL_TOLERANCE * max(abs(theirs), size):
+            found.append(f"{name} {ours}, afresh {theirs}")
+    return found
+
+
+def _of_lines(state, wanted):
+    if isinstance(wanted, str) or state.lines_status:
+        same = state.lines_status == wanted
+        return [] if same else [f"lines {state.lines_status!r}, afresh {wanted!r}"[:300]]
+    if state.lines.keys() != wanted.keys():
+        return [f"lines of {sorted(state.lines)}, afresh of {sorted(wanted)}"]
+    for kind, group in wanted.items():
+        ours, theirs = state.lines[kind].polylines, group.polylines
+        if len(ours) != len(theirs) or not all(map(np.array_equal, ours, theirs)):
+            return [f"lines of kind {kind} are not those of the surface"]
+    return []
