@@ -21,7 +21,7 @@ from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
 
 
-LONGEST_STEP_SECONDS = 60
+LONGEST_STEP_SECONDS = 300
 
 
 class Listening:

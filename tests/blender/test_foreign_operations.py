@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's own operations on hulls, by chance: what is shown after each is what is computed afresh
+of the control mesh, and no handler ends in a traceback.
+
+HULL_FOREIGN_STEPS is the number of steps, 2,000 when not said; HULL_FOREIGN_SEED the first seed.
+"""
+
+import os
+
+import bpy
+from foreign_operations import runs
+
+STEPS = int(os.environ.get("HULL_FOREIGN_STEPS", 2000))
+SEED = int(os.environ.get("HULL_FOREIGN_SEED", 20261122))
+# Where Blender itself crashes a session ends early, and another one takes its place.
+MOST_CRASHES = 2 + STEPS // 400
+
+
+def test_what_is_shown_follows_whatever_is_done(tmp_path):
+    done, crashes, seed = 0, [], SEED
+    while done < STEPS:
+        print("seed", seed)
+        blender = [bpy.app.binary_path, "--background"]
+        steps = min(runs.STEPS_A_SESSION, STEPS - done)
+        outcome = runs.run(blender, seed, steps, tmp_path / str(seed))
+        assert not outcome.finding, outcome.finding
+        done, seed = done + outcome.steps, seed + 1
+        crashes += [outcome.crashed_at] if outcome.crashed_at else []
+        assert len(crashes) <= MOST_CRASHES, crashes
+    print(done, "steps; Blender itself crashed at", crashes)
