@@ -70,7 +70,13 @@ _NO_MESHES = {
     "object.volume_add",
 }
 _BRINGS_BLENDER_DOWN = {"sculpt.set_persistent_base"}
-_LEFT_OUT = _NEEDS_THE_MOUSE | _TAKES_FILES_OR_TIME | _ACTIONS_OF_THE_SESSION | _NO_MESHES | _BRINGS_BLENDER_DOWN
+_LEFT_OUT = (
+    _NEEDS_THE_MOUSE
+    | _TAKES_FILES_OR_TIME
+    | _ACTIONS_OF_THE_SESSION
+    | _NO_MESHES
+    | _BRINGS_BLENDER_DOWN
+)
 # Simulations, and what reads files.
 _MODIFIERS_LEFT_OUT = {
     "CLOTH",

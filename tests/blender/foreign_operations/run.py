@@ -20,7 +20,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
 
-
 LONGEST_STEP_SECONDS = 300
 
 
@@ -60,7 +59,9 @@ def main(seed, steps, folder):
         if done.startswith("FAILED"):
             found.append(done)
         if found:
-            (folder / "finding.txt").write_text("\n".join([f"seed {seed} step {number}: {done}", *found]))
+            (folder / "finding.txt").write_text(
+                "\n".join([f"seed {seed} step {number}: {done}", *found])
+            )
             log.flush()
             os._exit(3)
     print("done", file=log, flush=True)

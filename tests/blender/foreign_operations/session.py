@@ -171,8 +171,11 @@ class Session:
         shown = hull.hull.surface_object
         if shown is None:
             make_active(hull)
-            return f"update {hull.name} {sorted(bpy.ops.hull.update())}" if not part(
-                "bridge.objects.hull_objects").refusal(hull) else None
+            return (
+                f"update {hull.name} {sorted(bpy.ops.hull.update())}"
+                if not part("bridge.objects.hull_objects").refusal(hull)
+                else None
+            )
         if shown.name not in bpy.context.view_layer.objects:
             return None
         shown.hide_select = False
@@ -252,8 +255,13 @@ class Session:
     def tidy(self):
         """Keeps the scene small, and some hulls in it; what was done, or None."""
         objects = bpy.context.view_layer.objects
-        large = [o for o in objects if o.type == "MESH" and len(o.data.polygons) > MOST_FACES
-                 and not any(h.hull.surface_object == o for h in self.hulls())]
+        large = [
+            o
+            for o in objects
+            if o.type == "MESH"
+            and len(o.data.polygons) > MOST_FACES
+            and not any(h.hull.surface_object == o for h in self.hulls())
+        ]
         few = len(self.hulls()) < FEWEST_HULLS
         many = len(objects) > MOST_OBJECTS or len(self.hulls()) > MOST_HULLS
         if not (large or few or many):

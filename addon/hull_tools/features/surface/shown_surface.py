@@ -59,7 +59,8 @@ def _has_looks_left(mesh, state):
         digest = surface_object.normals_digest(mesh)
         if state.keys.setdefault("normals left", digest) != digest:
             return False
-    return state.keys.get("colours") is None or colours.has_colours(mesh)
+    _, choice = state.keys.get("colours", (None, None))
+    return choice is None or colours.has_colours(mesh)
 
 
 def follow(obj, state, scale, geometry_key):
@@ -84,7 +85,7 @@ def follow(obj, state, scale, geometry_key):
     choice = colours.wanted(obj.hull.fairness)
     place_key = (geometry_key, obj.hull.samples, shown.name_full)
     are_normals_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
-    colours_key = None if choice is None else place_key, choice
+    colours_key = (None if choice is None else place_key, choice)
     are_colours_due = state.keys.get("colours") != colours_key
     is_due = state.keys.get("shown surface") != place_key
     if not (is_due or are_normals_due or are_colours_due):

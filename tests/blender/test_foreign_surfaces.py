@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A surface object that others have changed is made anew, and what is not its own is left alone."""
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import add_hull, make_active, mesh_points, part, state_of
+
+
+def surface(hull):
+    return part("bridge.objects.shown_objects").surface_of(hull)
+
+
+@pytest.fixture
+def hull():
+    found = add_hull()
+    bpy.context.view_layer.update()
+    surface(found).hide_select = False
+    return found
+
+
+def assert_shows_the_box(hull, capfd):
+    bpy.context.view_layer.update()
+    bpy.context.view_layer.update()
+    mesh, state = surface(hull).data, state_of(hull)
+    assert np.array_equal(mesh_points(surface(hull)), state.shown_points.coordinates)
+    quads, _ = part("bridge.display.surface_object").surface_faces(
+        state.surface.tessellate(hull.hull.samples), state.shown_points.shared
+    )
+    assert [tuple(polygon.vertices) for polygon in mesh.polygons] == list(map(tuple, quads))
+    assert mesh.has_custom_normals and all(polygon.use_smooth for polygon in mesh.polygons)
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def in_edit_mode(shown, operator):
+    make_active(shown)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    operator()
+    bpy.context.view_layer.update()
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@pytest.mark.parametrize(
+    "operator",
+    [
+        lambda: bpy.ops.mesh.subdivide(),
+        lambda: bpy.ops.mesh.delete(type="VERT"),
+        lambda: bpy.ops.mesh.flip_normals(),
+        lambda: bpy.ops.transform.translate(value=(1.0, 0.0, 0.0)),
+        lambda: bpy.ops.mesh.sort_elements(type="RANDOMIZE", elements={"FACE"}),
+    ],
+)
+def test_what_was_edited_is_made_anew_when_edit_mode_ends(hull, operator, capfd):
+    in_edit_mode(surface(hull), operator)
+    assert_shows_the_box(hull, capfd)
+
+
+def test_a_hull_that_changes_while_its_surface_is_edited(hull, capfd):
+    make_active(surface(hull))
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.subdivide()
+    hull.hull.samples = 3
+    bpy.context.view_layer.update()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert_shows_the_box(hull, capfd)
+
+
+def test_flat_shading_is_undone(hull, capfd):
+    make_active(surface(hull))
+    bpy.ops.object.shade_flat()
+    assert_shows_the_box(hull, capfd)
+
+
+def test_another_mesh_is_left_as_it_is(hull, capfd):
+    other = add_hull("other")
+    bpy.context.view_layer.update()
+    before = mesh_points(other)
+    surface(hull).data = other.data
+    assert_shows_the_box(hull, capfd)
+    assert np.array_equal(mesh_points(other), before)
+    assert surface(hull).data != other.data
+
+
+def test_an_empty_mesh_is_filled(hull, capfd):
+    surface(hull).data = bpy.data.meshes.new("empty")
+    assert_shows_the_box(hull, capfd)
+
+
+def test_surfaces_that_share_a_mesh_are_parted(hull, capfd):
+    other = add_hull("other")
+    other.hull.samples = 2
+    bpy.context.view_layer.update()
+    surface(hull).data = surface(other).data
+    assert_shows_the_box(hull, capfd)
+    assert_shows_the_box(other, capfd)
+
+
+def test_shape_keys_of_a_surface_do_not_hold_its_points(hull, capfd):
+    surface(hull).shape_key_add(name="Basis")
+    surface(hull).shape_key_add(name="other").value = 1.0
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update()
+    assert_shows_the_box(hull, capfd)
+    assert surface(hull).data.shape_keys is None
+
+
+def test_points_added_by_joining_go(hull, capfd):
+    bpy.ops.mesh.primitive_cube_add()
+    make_active(surface(hull))
+    bpy.data.objects["Cube"].select_set(True)
+    bpy.ops.object.join()
+    assert_shows_the_box(hull, capfd)
+
+
+def test_an_instance_of_a_surface_follows(hull, capfd):
+    instance = bpy.data.objects.new("instance", surface(hull).data)
+    bpy.context.collection.objects.link(instance)
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update()
+    assert_shows_the_box(hull, capfd)
+    assert instance.data == surface(hull).data
