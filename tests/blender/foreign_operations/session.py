@@ -164,7 +164,7 @@ class Session:
         return f"{how} {one.name} {other.name}"
 
     def touch_surface_object(self):
-        """Surface objects are not to be selected: who makes them selectable may do all with them."""
+        """Who makes a surface object selectable may do with it what he likes."""
         if self.mode() != "OBJECT" or not self.hulls():
             return None
         hull = self.random.choice(self.hulls())

@@ -15,8 +15,8 @@ from ...bridge.objects import shown_objects
 from . import colours, surface_object
 
 _KEYS = ("shown surface", "normals", "normals left", "colours")
-# On the surface object's mesh: what its faces were made for, and a digest of them as they were left.
-# They are saved and undone with the mesh.
+# On the surface object's mesh: what its faces were made for, and a digest of them as they were
+# left. They are saved and undone with the mesh.
 _FACES, _FACES_LEFT = "hull_faces", "hull_faces_left"
 # More corners than these get their normals only when the hull leaves edit mode: the time it takes
 # would be felt.
