@@ -24,7 +24,7 @@ def assert_shows_the_box(hull, capfd):
     bpy.context.view_layer.update()
     mesh, state = surface(hull).data, state_of(hull)
     assert np.array_equal(mesh_points(surface(hull)), state.shown_points.coordinates)
-    quads, _ = part("bridge.display.surface_object").surface_faces(
+    quads, _ = part("features.surface.surface_object").surface_faces(
         state.surface.tessellate(hull.hull.samples), state.shown_points.shared
     )
     assert [tuple(polygon.vertices) for polygon in mesh.polygons] == list(map(tuple, quads))

@@ -16,7 +16,7 @@ class Fresh:
 
     def __init__(self, hull, scene):
         arrays, objects = part("bridge.mesh.mesh_arrays"), part("bridge.objects.hull_objects")
-        ship, lines = part("bridge.flotation.ship"), part("bridge.lines.lines")
+        ship, lines = part("features.flotation.ship"), part("features.lines.lines")
         native, settings = part("bridge.native").require(), hull.hull
         scale = part("bridge.blender.units").metres_per_unit(scene)
         self.surface, self.status = None, objects.refusal(hull)
@@ -34,15 +34,15 @@ class Fresh:
         self.shown = native.ShownPoints(
             self.surface, settings.samples, mirrored=settings.half, metres_per_unit=scale
         )
-        self.quads, self.normals = part("bridge.display.surface_object").surface_faces(
+        self.quads, self.normals = part("features.surface.surface_object").surface_faces(
             self.surface.tessellate(settings.samples), self.shown.shared
         )
         openings = "closed" if settings.deck_closed else "open"
         source = ship.ShipSource(control, settings.scheme, settings.half, openings, ())
-        where = part("bridge.flotation.afloat").afloat(settings, scale)
+        where = part("features.flotation.afloat").afloat(settings, scale)
         try:
             own = ship.Ship(source.live_body(self.surface), ())
-            self.hydrostatics = part("bridge.flotation.hydrostatics").at(own, where)
+            self.hydrostatics = part("features.flotation.hydrostatics").at(own, where)
         except ValueError as error:
             self.hydrostatics = str(error)
         moved = part("bridge.mesh.moves").Moves(None, "fresh", None)
@@ -106,7 +106,7 @@ def _of_normals(mesh, fresh):
     """Beside those of a mesh that is made anew: Blender rounds them in its own way."""
     if not mesh.has_custom_normals:
         return ["the exact normals are missing"]
-    drawn, own = part("bridge.display.surface_object"), bpy.data.meshes.new("fresh")
+    drawn, own = part("features.surface.surface_object"), bpy.data.meshes.new("fresh")
     try:
         drawn.write_surface(own, fresh.shown.coordinates, fresh.quads)
         drawn.write_normals(own, fresh.normals)
