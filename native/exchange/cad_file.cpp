@@ -42,11 +42,6 @@ bool is_same(const Colour& one, const Colour& two) {
   return true;
 }
 
-Colour colour_of(const std::string& region, const CadOptions& options) {
-  const auto given = options.colours.find(region);
-  return given != options.colours.end() ? given->second : region_colour(region);
-}
-
 std::string layer_difference(const CadModel& model, const CadOptions& options,
                              const CadReport& found) {
   const std::vector<CadRegion> meant = regions_of(model);

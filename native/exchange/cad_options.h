@@ -40,8 +40,8 @@ struct CadOptions {
   std::vector<std::string> regions{};
   std::map<std::string, Colour> colours{};  // beside or instead of region_colour()
   std::vector<CadCurve> curves{};
-  surface::Progress
-      progress{};  // called now and then; what it throws ends the task and leaves nothing behind
+  // Called now and then; what it throws ends the task and leaves nothing behind.
+  surface::Progress progress{};
 };
 
 }  // namespace hull::exchange

@@ -66,4 +66,9 @@ Colour region_colour(const std::string& region) {
   return found != kColours.end() ? found->second : kColours.at("shell");
 }
 
+Colour colour_of(const std::string& region, const CadOptions& options) {
+  const auto given = options.colours.find(region);
+  return given != options.colours.end() ? given->second : region_colour(region);
+}
+
 }  // namespace hull::exchange

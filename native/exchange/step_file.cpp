@@ -81,8 +81,7 @@ class StepText {
       const Item item = item_of(model_.brep.faces[f]);
       if (item.IsNull()) continue;  // the file read back will show it
       const std::string& region = model_.regions[f];
-      const auto given = options_.colours.find(region);
-      colours.add(item, given != options_.colours.end() ? given->second : region_colour(region));
+      colours.add(item, colour_of(region, options_));
       regions[region].push_back(item);
     }
     colours.put_into(writer_.Model());
