@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
-from ..features.hull import hull_creation, samples
+from ..features.hull import hull_creation, hull_state, samples
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there
 
 
@@ -15,10 +15,15 @@ def _import(operator, context, path):
     hull = hull_io.read_hull(path)
     obj = hull_creation.hull_object(hull, context.scene, context.collection)
     make_active(context, obj)
-    for note in hull.notes:
+    state = hull_state.state_of(obj)
+    for note in (*hull.notes, *([state.status] if state.status else _doubts(state))):
         operator.report({"WARNING"}, note)
     operator.report({"INFO"}, f"{obj.name}: {len(obj.data.polygons)} faces read")
     return {"FINISHED"}
+
+
+def _doubts(state):
+    return [doubt.message for doubt in state.doubts]
 
 
 class HULL_OT_import_hull(bpy.types.Operator, BaseOperator, ImportHelper):

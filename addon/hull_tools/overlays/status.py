@@ -30,6 +30,8 @@ def status_line(hull):
         return ""
     if state.surface is None:
         return state.status
+    if state.is_part:
+        return f"Only what makes a surface is shown: {state.status}"
     return f"The surface waits for the mesh: {state.status}"
 
 

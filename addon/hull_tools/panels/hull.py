@@ -6,6 +6,7 @@ import bpy
 from ..bridge import native
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
+from .doubts import draw_doubts, draw_mending
 from .shared import HullPanel, HullTab, label_value, label_wrapped
 
 
@@ -41,6 +42,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         if hull_objects.is_turned(hull):
             button = layout.operator("object.transform_apply", text="Apply", icon="CHECKMARK")
             button.location = False
+        draw_doubts(layout, context, state)
         for remark in (*state.remarks, *([state.held] if state.held else [])):
             label_wrapped(layout, context, remark, icon="INFO")
 
@@ -80,6 +82,7 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
             label_wrapped(box, context, problem.message, icon)
             if problem.elements:
                 box.operator("hull.select_problem").index = index
+            draw_mending(box, problem)
         layout.operator("hull.turn_outwards")
 
 

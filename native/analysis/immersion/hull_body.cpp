@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/sections/port_side.h"
+
 namespace hull::analysis {
 namespace {
 
@@ -197,6 +199,8 @@ Immersion HullBody::immersion(const Plane& water) const {
   if (!water.normal.allFinite() || !std::isfinite(water.offset)) {
     throw std::invalid_argument("The water's surface must be given by finite numbers.");
   }
+  const std::string missing = mirrored_ ? missing_port_side(surface()) : "";
+  if (!missing.empty()) throw std::invalid_argument(missing);
   if (!inversion_.empty()) throw std::invalid_argument(inversion_);
   refuse_flooding(water);
   const Vector3d& centre = parts_.rules().centre;

@@ -7,6 +7,7 @@
 
 #include "analysis/offsets/feature_offsets.h"
 #include "analysis/offsets/line_planes.h"
+#include "analysis/sections/port_side.h"
 #include "analysis/sections/sections.h"
 
 namespace hull::analysis {
@@ -106,6 +107,8 @@ OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector
                                   " m has no offsets: they are of the port half, from 0 up");
     }
   }
+  const std::string missing = missing_port_side(surface);
+  if (!missing.empty()) throw std::invalid_argument(missing);
   OffsetTable table{stations, waterlines, buttocks, {}, {}, {}};
   for (const double x : stations) {
     const Station station(surface, x);

@@ -50,8 +50,8 @@ struct OffsetTable {
 // another; their values are exact. One that meets a station more than once counts furthest out.
 // A border is named "Deck edge" if it is the only one, else "Edge 1", ...; creases "Knuckle 1", ...
 //
-// Throws std::invalid_argument for a position that is not finite, a negative buttock, and more than
-// kMostOffsetPositions of a kind.
+// Throws std::invalid_argument for a position that is not finite, a negative buttock, more than
+// kMostOffsetPositions of a kind, and a surface that lies to starboard.
 OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector<double>& stations,
                          const std::vector<double>& waterlines,
                          const std::vector<double>& buttocks);

@@ -10,6 +10,7 @@
 
 #include "analysis/offsets/line_planes.h"
 #include "analysis/offsets/offset_table.h"
+#include "analysis/sections/port_side.h"
 #include "analysis/sections/section_splines.h"
 #include "analysis/sections/sections.h"
 #include "drawing/lines_plan/hull_extents.h"
@@ -313,6 +314,8 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (options.draft && !std::isfinite(*options.draft)) {
     throw std::invalid_argument("The draft is not a finite number");
   }
+  const std::string missing = options.mirrored ? analysis::missing_port_side(surface) : "";
+  if (!missing.empty()) throw std::invalid_argument(missing);
   drawing.stations = cutter.cut_all(analysis::Axis::kX, stations);
   number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
   drawing.waterlines = cutter.cut_all(analysis::Axis::kZ, waterlines);

@@ -5,24 +5,30 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....hull_io.mending import ACROSS
 from .. import native
 from . import mesh_arrays
 
 # Points nearer to the centre plane than this part of the hull's size are on it.
 _CENTRE_PLANE_TOLERANCE = 1e-6
 
+# What the native check says of what Split mends.
+_TO_SPLIT = ("more than two faces", "share no edge there")
+
 
 @dataclass(frozen=True)
 class Problem:
     """severity "error" or "warning"; kind "mesh", "vertex", "edge" or "face".
 
-    elements are Blender's indices: vertices, faces, or for edges pairs of vertices.
+    elements are Blender's indices: vertices, faces, or for edges pairs of vertices. remedy: what
+    mends it, "SPLIT", "PORT" or "".
     """
 
     severity: str
     kind: str
     elements: tuple
     message: str
+    remedy: str = ""
 
 
 @dataclass(frozen=True)
@@ -74,6 +80,7 @@ def _from_native(found, control):
         found.kind,
         tuple(tuple(e) if isinstance(e, list) else e for e in elements),
         found.message,
+        "SPLIT" if any(words in found.message for words in _TO_SPLIT) else "",
     )
 
 
@@ -98,8 +105,13 @@ def _tag_warnings(data):
 
 def _side_warnings(control, half):
     problems = []
-    starboard = np.flatnonzero(control.points[:, 1] < -_dust(control.points))
-    if half and len(starboard):
+    y = control.points[:, 1]
+    starboard = np.flatnonzero(y < -_dust(control.points))
+    if half and len(starboard) and y.max() <= -ACROSS * y.min():
+        elements = tuple(control.vertex_ids[starboard].tolist())
+        message = "The half hull lies to starboard (y < 0): mirror it to port"
+        problems.append(Problem("error", "vertex", elements, message, "PORT"))
+    elif half and len(starboard):
         elements = tuple(control.vertex_ids[starboard].tolist())
         message = f"{len(starboard)} points of the half hull are to starboard (y < 0)"
         problems.append(Problem("warning", "vertex", elements, message))

@@ -16,13 +16,14 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender import units
-from ...bridge.mesh import mesh_arrays, mesh_check, moves
+from ...bridge.mesh import mesh_arrays, mesh_check, moves, valid_part
 from ...bridge.objects import hull_objects
 from ..constraints import centre_keeping, flat_keeping
 from ..fairness import combs, level_lines
 from ..flotation import afloat, hydrostatics, ship
 from ..lines import lines
 from ..surface import shown_surface
+from . import plausible
 
 _states = {}
 
@@ -47,11 +48,14 @@ class HullState:
     fit, or None. worst_spot: the one of patches.SPOTS that is marked in the 3D view, or "".
     keys: what each result was computed from. flat_memory: see features.constraints.flat_keeping.
     held: what points were kept from in the last edit that moved any, for the user, or "".
-    is_placed: undo or numbers have put the points where they are. name: the object's.
+    is_part: the mesh has errors, and the surface is of what makes one. extents, doubts: see
+    features.hull.plausible. is_placed: undo or numbers have put the points where they are. name:
+    the object's.
     """
 
     name: str
     status: str = ""
+    is_part: bool = False
     remarks: list = field(default_factory=list)
     check: mesh_check.MeshCheck = mesh_check.MeshCheck()
     surface: object = None
@@ -76,6 +80,8 @@ class HullState:
     keys: dict = field(default_factory=dict)
     flat_memory: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)
     held: str = ""
+    extents: object = None
+    doubts: list = field(default_factory=list)
     is_placed: bool = False
 
     @property
@@ -171,17 +177,22 @@ def _refresh(obj, scene, state):
     geometry_key = _update_ship(obj, state, scale, held)
     if held or geometry_key != geometry_before:
         state.held = " ".join(held)
-    shown_surface.follow(obj, state, scale, geometry_key)
+    if state.surface is not None and state.keys.get("geometry") == geometry_key:
+        shown_surface.follow(obj, state, scale, geometry_key)
+    if state.check.errors:
+        raise ValueError(state.check.errors[0].message)
     _update_hydrostatics(obj, state, scale)
+    plausible.update(obj, state, scale)
     _update_lines(obj, state, scale)
     _update_fairness(obj, state, scale)
 
 
 def _update_ship(obj, state, scale, held):
-    """Brings surface, body and source up to date; returns the key of the surface. What points are
-    kept from is added to the texts `held`.
+    """Brings surface, body and source up to date; returns the key of the mesh. What points are kept
+    from is added to the texts `held`.
 
-    ValueError with the first error of a mesh that has any.
+    Of a mesh with errors the last good surface stays; where there is none, it is that of its part
+    that makes one.
     """
     settings = obj.hull
     data = mesh_arrays.read_mesh(obj.data)
@@ -204,14 +215,16 @@ def _update_ship(obj, state, scale, held):
         else:
             control = mesh_arrays.control_arrays(data, scale, excluded)
         state.check, mesh = mesh_check.check_control_mesh(data, control, settings.half)
+        is_whole = mesh is not None
+        if not is_whole and (state.surface is None or state.is_part):
+            control, mesh = valid_part.valid_part(control)
         if mesh is not None:
+            state.is_part = not is_whole
             deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
             source = ship.ShipSource(control, settings.scheme, settings.half, openings, deck_edge)
             _make_body(state, mesh, source, topology_key, geometry_key)
-            state.keys["control"] = topology_key, marks
+            state.keys["control"] = (topology_key, marks) if is_whole else None
         state.keys["ship"] = key
-    if state.check.errors:
-        raise ValueError(state.check.errors[0].message)
     return geometry_key
 
 

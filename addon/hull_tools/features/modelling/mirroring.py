@@ -14,8 +14,10 @@ import bmesh
 import numpy as np
 from mathutils import kdtree
 
+from ....hull_io.mending import ACROSS
 from ....hull_io.mirror import ON_CENTRE_PLANE
 from ...bridge.blender import blender_versions
+from ...bridge.mesh import mesh_points
 from ...bridge.mesh.mesh_editing import editing
 from ..constraints import flat_marks, flats, planes
 from ..hull import hull_state
@@ -78,6 +80,20 @@ def to_half(obj, scene, side="PORT", cut=False):
     obj.hull.half = True
     hull_state.refresh(obj, scene)
     return made
+
+
+def to_port(obj, scene):
+    """Mirrors a half hull that lies to starboard. ValueError for any other."""
+    _check_users(obj.data)
+    y = mesh_points.read(obj.data)[:, 1]
+    if not (obj.hull.half and len(y) and y.min() < 0.0 and y.max() <= -ACROSS * y.min()):
+        raise ValueError("The hull is no half that lies to starboard (y < 0)")
+    with editing(obj.data) as bm:
+        for vertex in bm.verts:
+            vertex.co.y = -vertex.co.y
+        bmesh.ops.reverse_faces(bm, faces=bm.faces)
+    _mirror_planes(obj)
+    hull_state.refresh(obj, scene)
 
 
 def _check_users(mesh):

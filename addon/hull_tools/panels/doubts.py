@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can't be true of a hull, and what helps, as boxes in the panels of the hull and its mesh."""
+
+from .shared import label_wrapped
+
+# The buttons of mesh problems, by the kind of their remedy.
+_MENDING = {
+    "SPLIT": ("hull.split", "hull.set_aside"),
+    "PORT": ("hull.mirror_to_port",),
+}
+
+
+def draw_doubts(layout, context, state):
+    """A box for each doubt of a HullState."""
+    for doubt in () if state.status else state.doubts:
+        box = layout.box()
+        label_wrapped(box, context, doubt.message, icon="ERROR")
+        if doubt.remedy == "TAKE":
+            box.operator("hull.take_from_surface").names = set(doubt.takes)
+        elif doubt.remedy:
+            button = box.operator("hull.count_sides", text=f"Count as {doubt.remedy.capitalize()}")
+            button.sides = doubt.remedy
+
+
+def draw_mending(layout, problem):
+    """The buttons that mend a problem of the mesh check."""
+    row = layout.row(align=True)
+    for name in _MENDING.get(problem.remedy, ()):
+        row.operator(name)
