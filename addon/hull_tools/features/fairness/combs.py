@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..lines import lines
 
@@ -176,6 +176,9 @@ def combs(known, surface, settings, moved, metres_per_unit, shown=()):
 def _rules(surface, step):
     """Arguments of section_fairness; they stay while points move a little."""
     size = lines.steady_size(surface)
+    if step:
+        least = limits.LEAST_TOOTH_DISTANCE * size
+        limits.within(step, "Distance of the combs' teeth in m", least, limits.LONGEST)
     return {
         "step": step or _STEP * size,
         "noise": _STRAIGHT / size,

@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..flotation.afloat import as_typed_angle
 from ..lines import lines
@@ -40,6 +40,7 @@ def level_lines(known, surface, settings, geometry_key):
         if not getattr(fairness, switch):
             continue
         options = _OPTIONS[kind](fairness)
+        limits.within(fairness.divisions, "Fineness", *limits.DIVISIONS)
         key = (geometry_key, settings.half, options, fairness.divisions)
         if kind in known and known[kind].key == key:
             found[kind] = known[kind]
@@ -62,9 +63,16 @@ def _direction(vector, name):
     return direction
 
 
+def _spacing(angle, name):
+    least, most = limits.LEAST_LIGHT_ANGLE, limits.GREATEST_LIGHT_ANGLE
+    return limits.within(as_typed_angle(angle), f"Spacing of {name} in rad", least, most)
+
+
 def _isophote_options(fairness):
-    spacing = as_typed_angle(fairness.isophote_spacing)
-    return _direction(fairness.isophote_direction, "Isophotes"), spacing
+    return (
+        _direction(fairness.isophote_direction, "Isophotes"),
+        _spacing(fairness.isophote_spacing, "isophotes"),
+    )
 
 
 def _reflection_options(fairness):
@@ -72,7 +80,7 @@ def _reflection_options(fairness):
         _direction(fairness.line_direction, "Reflection lines along"),
         _direction(fairness.light_direction, "Light of reflection lines"),
         _direction(fairness.eye_direction, "Eye"),
-        as_typed_angle(fairness.reflection_spacing),
+        _spacing(fairness.reflection_spacing, "reflection lines"),
     )
 
 

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays, mesh_points
@@ -99,9 +99,13 @@ def _digests(data):
 def _arguments(obj, surface, control, scale):
     """(targets, the other arguments) of hull_native.fit_surface."""
     hull_native, settings = native.require(), obj.hull.fit
+    limits.within(settings.samples, "Points", *limits.FIT_POINTS)
+    limits.within(settings.fairness, "Fairness", 0.0, limits.GREATEST_FAIRNESS)
+    limits.within(settings.stiffness, "Stiffness", 0.0, limits.GREATEST_STIFFNESS)
     size = lines.size_of(surface)
     target = fit_targets.of_hull(obj, scale, size)
     reach = scale * settings.reach or _USUAL_REACH * size
+    limits.within(reach, "Reach in m", 0.0, limits.LONGEST)
     curves = [(line, None, False) for line in target.lines]
     curves += fit_targets.centre_curves(target, hull_native.crease_curves(surface), reach)
     held, normals = held_points.held_points(obj, control.vertex_ids, control.points, size)

@@ -4,6 +4,7 @@
 from dataclasses import dataclass, replace
 from math import atan, cos, degrees, radians
 
+from ...bridge import limits
 from ...bridge.blender.units import as_typed
 
 
@@ -55,18 +56,22 @@ class Afloat:
 
 
 def afloat(settings, metres_per_unit):
-    """Afloat of an Object.hull."""
+    """Afloat of an Object.hull; ValueError for what no ship has."""
 
-    def metres(value):
-        return as_typed(value) * metres_per_unit
+    def metres(value, name, least):
+        length = as_typed(value) * metres_per_unit
+        return limits.within(length, f"{name} in m", least, limits.LONGEST)
 
+    heel = as_typed_angle(settings.heel)
     return Afloat(
-        draft=metres(settings.draft),
-        trim_m=metres(settings.trim),
-        heel=as_typed_angle(settings.heel),
-        length_pp=metres(settings.length_pp),
-        beam=metres(settings.beam),
-        water_density=as_typed(settings.water_density),
+        draft=metres(settings.draft, "Draft", -limits.LONGEST),
+        trim_m=metres(settings.trim, "Trim", -limits.LONGEST),
+        heel=limits.within(heel, "Heel in rad", -limits.GREATEST_HEEL, limits.GREATEST_HEEL),
+        length_pp=metres(settings.length_pp, "Lpp", 0.0),
+        beam=metres(settings.beam, "Beam", 0.0),
+        water_density=limits.within(
+            as_typed(settings.water_density), "Density in t/m³", *limits.DENSITIES
+        ),
     )
 
 

@@ -181,10 +181,19 @@ def _refresh(obj, scene, state):
         shown_surface.follow(obj, state, scale, geometry_key)
     if state.check.errors:
         raise ValueError(state.check.errors[0].message)
+    _tell_samples(obj, state)
     _update_hydrostatics(obj, state, scale)
     plausible.update(obj, state, scale)
     _update_lines(obj, state, scale)
     _update_fairness(obj, state, scale)
+
+
+def _tell_samples(obj, state):
+    shown, wanted = shown_surface.samples_of(obj, state), obj.hull.samples
+    if shown < wanted:
+        state.remarks.append(
+            f"Samples: {shown} are shown for {wanted}: Blender would take long for more faces"
+        )
 
 
 def _update_ship(obj, state, scale, held):
@@ -287,11 +296,12 @@ def _update_fairness(obj, state, scale):
 
 
 def _update_hydrostatics(obj, state, scale):
-    where = afloat.afloat(obj.hull, scale)
-    key = (state.keys["ship"], where)
-    if state.keys.get("hydrostatics") == key:
-        return
+    key = None
     try:
+        where = afloat.afloat(obj.hull, scale)
+        key = (state.keys["ship"], where)
+        if state.keys.get("hydrostatics") == key:
+            return
         state.hydrostatics = hydrostatics.at(state.ship, where)
         state.hydrostatics_status = ""
     except ValueError as error:

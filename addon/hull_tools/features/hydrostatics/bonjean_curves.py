@@ -8,6 +8,7 @@ import numpy as np
 from ...bridge import native
 from ...bridge.blender.units import as_typed
 from ..flotation import afloat
+from ..lines.line_places import station_spaces
 
 LABEL = "Bonjean curves"
 IS_LIVE = False
@@ -35,7 +36,7 @@ class Result:
 
 def inputs(settings, metres_per_unit):
     where = afloat.afloat(settings, metres_per_unit)
-    count = settings.lines.station_count or _DRAFTS
+    count = station_spaces(settings.lines) or _DRAFTS
     if where.length_pp <= 0.0:
         raise ValueError("Give Lpp first: stations divide the length between perpendiculars")
     highest = max(as_typed(settings.depth) * metres_per_unit, where.draft)

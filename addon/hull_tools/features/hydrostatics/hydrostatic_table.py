@@ -7,7 +7,7 @@ from math import degrees
 import numpy as np
 
 from ....hull_io.number_lists import numbers
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..flotation import afloat, hydrostatics
 from .ranges import stepped
@@ -39,8 +39,11 @@ class Result:
 def inputs(settings, metres_per_unit):
     table = settings.table
     where = replace(afloat.afloat(settings, metres_per_unit).upright(), trim_m=0.0)
-    first = as_typed(table.draft_from) * metres_per_unit
-    last = as_typed(table.draft_to) * metres_per_unit or where.draft
+    first, last = (
+        limits.within(as_typed(value) * metres_per_unit, "A draft in m", 0.0, limits.LONGEST)
+        for value in (table.draft_from, table.draft_to)
+    )
+    last = last or where.draft
     step = as_typed(table.draft_step) * metres_per_unit or (last - first) / _DEFAULT_ROWS
     if not last > first:
         raise ValueError(f"The table's last draft, {last:g} m, must be greater than its first")
@@ -49,6 +52,7 @@ def inputs(settings, metres_per_unit):
     else:
         drafts = stepped(first, last, step, "drafts")
     trims = numbers(table.trims, "Trims") or (0.0,)
+    limits.at_most(len(drafts) * len(trims), "drafts at all trims", limits.MOST_TABLE_ROWS)
     for trim in trims:
         replace(where, trim_m=trim).trim  # refused here rather than in the middle
     return Inputs(drafts, trims, where)

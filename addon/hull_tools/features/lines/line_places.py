@@ -7,10 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....hull_io.number_lists import diagonals, numbers
+from ...bridge import limits
 from ...bridge.blender.units import as_typed
-
-# A spacing that would give more planes than this is a slip of the keyboard.
-_MOST_PLANES = 400
 
 
 @dataclass(frozen=True)
@@ -52,11 +50,14 @@ def line_places(settings, metres_per_unit):
     """LinePlaces of an Object.hull; ValueError for lists that can't be understood."""
     lines = settings.lines
 
-    def metres(value):
-        return as_typed(value) * metres_per_unit
+    def metres(value, name):
+        length = as_typed(value) * metres_per_unit
+        return limits.within(length, f"{name} in m", 0.0, limits.LONGEST)
 
-    length, frame_spacing = metres(settings.length_pp), metres(lines.frame_spacing)
-    stations = numbers(lines.stations, "Stations")
+    length = metres(settings.length_pp, "Lpp")
+    frame_spacing = metres(lines.frame_spacing, "Frame spacing")
+    spaces = station_spaces(lines)
+    stations = _listed(lines.stations, "Stations")
     in_frames = lines.stations_in == "FRAMES" and bool(stations)
     if in_frames:
         if not frame_spacing:
@@ -64,16 +65,32 @@ def line_places(settings, metres_per_unit):
         stations = tuple(number * frame_spacing for number in stations)
     return LinePlaces(
         length,
-        length / lines.station_count if lines.station_count else 0.0,
-        metres(lines.waterline_spacing),
-        metres(lines.buttock_spacing),
+        length / spaces if spaces else 0.0,
+        metres(lines.waterline_spacing, "Spacing of waterlines"),
+        metres(lines.buttock_spacing, "Spacing of buttocks"),
         stations,
-        numbers(lines.waterlines, "Waterlines"),
-        numbers(lines.buttocks, "Buttocks"),
-        diagonals(lines.diagonals),
+        _listed(lines.waterlines, "Waterlines"),
+        _listed(lines.buttocks, "Buttocks"),
+        _of_a_number(diagonals(lines.diagonals), "diagonals"),
         frame_spacing,
         in_frames,
     )
+
+
+def station_spaces(lines):
+    """How many spaces the stations of an Object.hull.lines divide Lpp into; 0 for none."""
+    return limits.within(
+        lines.station_count, "The number of spaces Lpp /", 0, limits.MOST_STATION_SPACES
+    )
+
+
+def _listed(text, name):
+    return _of_a_number(numbers(text, name), name.lower())
+
+
+def _of_a_number(places, name):
+    limits.at_most(len(places), name, limits.MOST_LINES)
+    return places
 
 
 def multiples(spacing, low, high, name, with_ends=False):
@@ -81,9 +98,9 @@ def multiples(spacing, low, high, name, with_ends=False):
     when the spacing is 0."""
     if spacing <= 0.0:
         return ()
-    if (high - low) / spacing > _MOST_PLANES:
+    if (high - low) / spacing > limits.MOST_LINES:
         raise ValueError(
-            f"A spacing of {spacing:.4g} m gives more than {_MOST_PLANES} {name}: widen it"
+            f"A spacing of {spacing:.4g} m gives more than {limits.MOST_LINES} {name}: widen it"
         )
     margin = 1e-6 * spacing * (-1.0 if with_ends else 1.0)
     first = int(np.floor((low + margin) / spacing)) + 1

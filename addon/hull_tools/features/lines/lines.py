@@ -10,7 +10,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from .line_places import line_places
 
@@ -164,6 +164,7 @@ def _diagonals(wanted, half):
 def _planes(planes, half, metres_per_unit):
     """Of a half hull the other side is cut by the plane's mirror image."""
     cuts = []
+    limits.at_most(len(planes), "planes", limits.MOST_LINES)
     for plane in planes:
         normal = np.array(plane.normal, dtype=np.float64)
         length = np.linalg.norm(normal)

@@ -6,7 +6,7 @@ from math import degrees
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..flotation.afloat import as_typed_angle
 from ..hydrostatics.ranges import stepped
@@ -38,13 +38,15 @@ class Result:
 
 def inputs(settings, metres_per_unit):
     loading = settings.loading
-    greatest = as_typed_angle(loading.heel_greatest)
+    greatest = loads.greatest_heel(loading)
     step = max(as_typed_angle(loading.heel_step), np.radians(_FEWEST_DEGREES))
     return Inputs(
         loads.load_inputs(settings, metres_per_unit),
-        as_typed(loading.least_t),
-        as_typed(loading.greatest_t),
-        loading.displacement_count,
+        limits.within(
+            as_typed(loading.least_t), "The least displacement in t", 0.0, limits.HEAVIEST
+        ),
+        limits.within(as_typed(loading.greatest_t), "The greatest one in t", 0.0, limits.HEAVIEST),
+        limits.within(loading.displacement_count, "Displacements", *limits.DISPLACEMENTS),
         stepped(0.0, greatest, step, "heels")[1:],
     )
 

@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 from math import degrees
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..flotation import afloat
 from . import loads
@@ -46,11 +46,15 @@ class Rest:
 
 
 def inputs(settings, metres_per_unit):
+    limits.at_most(len(settings.loading.load_cases), "load cases", limits.MOST_LOADING_ENTRIES)
     cases = tuple(
         Case(
             one.name,
-            as_typed(one.mass_t),
-            tuple(as_typed(value) * metres_per_unit for value in (one.lcg, one.tcg, one.vcg)),
+            limits.within(as_typed(one.mass_t), f"{one.name}: mass in t", 0.0, limits.HEAVIEST),
+            tuple(
+                loads.within_a_ship(value, one.name, metres_per_unit)
+                for value in (one.lcg, one.tcg, one.vcg)
+            ),
         )
         for one in settings.loading.load_cases
     )

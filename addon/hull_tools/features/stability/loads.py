@@ -4,9 +4,10 @@
 from dataclasses import dataclass
 from math import cos, tan
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..flotation import afloat, hydrostatics
+from ..flotation.afloat import as_typed_angle
 
 
 @dataclass(frozen=True)
@@ -40,25 +41,40 @@ class Load:
 
 def load_inputs(settings, metres_per_unit):
     loading = settings.loading
-    mass_t = None if loading.use_displacement else as_typed(loading.mass_t)
+    mass_t = None
+    if not loading.use_displacement:
+        mass_t = limits.within(as_typed(loading.mass_t), "Mass in t", 0.0, limits.HEAVIEST)
     if mass_t == 0.0:
         raise ValueError("Give the mass of ship and load first")
-    lcg = None if loading.use_lcb else as_typed(loading.lcg) * metres_per_unit
+    lcg = None if loading.use_lcb else within_a_ship(loading.lcg, "LCG", metres_per_unit)
     return LoadInputs(
         afloat.afloat(settings, metres_per_unit).upright(),
         mass_t,
-        as_typed(loading.kg) * metres_per_unit,
+        within_a_ship(loading.kg, "VCG", metres_per_unit),
         lcg,
         loading.free_trim,
         flooding_points(loading, metres_per_unit),
     )
 
 
+def within_a_ship(value, name, metres_per_unit):
+    """A coordinate in m of one in Blender's units."""
+    place = as_typed(value) * metres_per_unit
+    return limits.within(place, f"{name} in m", -limits.LONGEST, limits.LONGEST)
+
+
+def greatest_heel(loading):
+    """In rad."""
+    greatest = as_typed_angle(loading.heel_greatest)
+    return limits.within(greatest, "The greatest heel in rad", 0.0, limits.GREATEST_HEEL)
+
+
 def flooding_points(loading, metres_per_unit):
     """Points (x, y, z) in m, those off the centre plane on both sides."""
     points = []
+    limits.at_most(len(loading.flooding_points), "openings", limits.MOST_LOADING_ENTRIES)
     for entry in loading.flooding_points:
-        x, y, z = (as_typed(value) * metres_per_unit for value in entry.position)
+        x, y, z = (within_a_ship(value, entry.name, metres_per_unit) for value in entry.position)
         points += [(x, y, z)] if y == 0.0 else [(x, y, z), (x, -y, z)]
     return tuple(points)
 

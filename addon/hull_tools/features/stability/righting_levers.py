@@ -42,9 +42,7 @@ class Result:
 
 def inputs(settings, metres_per_unit):
     loading = settings.loading
-    heels = stepped(
-        0.0, as_typed_angle(loading.heel_greatest), as_typed_angle(loading.heel_step), "heels"
-    )
+    heels = stepped(0.0, loads.greatest_heel(loading), as_typed_angle(loading.heel_step), "heels")
     intervals = tuple(
         (radians(start), radians(end))
         for start, end in _INTERVALS_DEG

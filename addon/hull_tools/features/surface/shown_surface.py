@@ -10,7 +10,7 @@ import hashlib
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.objects import shown_objects
 from . import colours, surface_object
 
@@ -83,7 +83,7 @@ def follow(obj, state, scale, geometry_key):
         forget(state)
         shown_objects.set_free(shown)
     choice = colours.wanted(obj.hull.fairness)
-    place_key = (geometry_key, obj.hull.samples, shown.name_full)
+    place_key = (geometry_key, samples_of(obj, state), shown.name_full)
     are_normals_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
     colours_key = (None if choice is None else place_key, choice)
     are_colours_due = state.keys.get("colours") != colours_key
@@ -100,6 +100,11 @@ def follow(obj, state, scale, geometry_key):
     if are_colours_due:
         state.colour_scale = writer.write_colours(choice)
         state.keys["colours"] = colours_key
+
+
+def samples_of(obj, state):
+    """How many faces along each side of a cell the surface object of a hull has."""
+    return limits.samples(obj.hull.samples, state.surface.cell_count, 1 + obj.hull.half)
 
 
 def follow_normals(obj, state, scale):
@@ -121,6 +126,7 @@ class _Writer:
     def __init__(self, obj, state, shown, scale, topology_key):
         self._settings, self._state, self._shown = obj.hull, state, shown
         self._scale, self._topology_key = scale, topology_key
+        self._samples = samples_of(obj, state)
         self._known_tessellation = None
 
     def write_points(self):
@@ -162,11 +168,11 @@ class _Writer:
     def _points(self):
         """The hull_native.ShownPoints of the surface as it is now."""
         state, settings = self._state, self._settings
-        key = (settings.samples, settings.half, self._scale)
+        key = (self._samples, settings.half, self._scale)
         if state.shown_points is None or state.keys.get("shown points") != key:
             state.shown_points = native.require().ShownPoints(
                 state.surface,
-                settings.samples,
+                self._samples,
                 mirrored=settings.half,
                 metres_per_unit=self._scale,
             )
@@ -182,7 +188,7 @@ class _Writer:
         if known is not None:
             return known
         digest = hashlib.blake2b(repr(self._topology_key).encode(), digest_size=16)
-        digest.update(repr(self._settings.samples).encode())
+        digest.update(repr(self._samples).encode())
         digest.update(points.shared.tobytes())
         self._state.keys["sharing"] = digest.hexdigest()
         return self._state.keys["sharing"]
@@ -190,5 +196,5 @@ class _Writer:
     def _tessellation(self):
         if self._known_tessellation is None:
             surface = self._state.surface
-            self._known_tessellation = surface.tessellate(self._settings.samples)
+            self._known_tessellation = surface.tessellate(self._samples)
         return self._known_tessellation

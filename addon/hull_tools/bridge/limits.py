@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The most and the least that settings may ask for, and why. They are held where a value is used:
+files, drivers and scripts set what a panel would not take."""
+
+from math import pi
+
+from ...hull_io import limits as of_files
+
+# m; the longest ship has half a kilometre.
+LONGEST = of_files.LONGEST_DIMENSION
+HEAVIEST = of_files.HEAVIEST_LOAD  # t
+DENSITIES = (0.5, 2.0)  # t/m³, of what floats a ship
+_ROUNDING = 1e-6  # rad: Blender keeps angles in single precision
+GREATEST_HEEL = pi + _ROUNDING
+
+# Faces of a surface object, both sides. Blender takes 10 µs and 1.4 kB for each, most of it for the
+# normals of its corners, while the window waits.
+MOST_SHOWN_FACES = 200_000
+MOST_SAMPLES = 32
+
+MOST_STATION_SPACES = of_files.MAX_LINE_SPACES
+# Of one kind; a lines plan of so many takes a second to find that they run together.
+MOST_LINES = 400
+# Teeth of a comb closer than this part of the hull are not told apart.
+LEAST_TOOTH_DISTANCE = 1.0 / 2000.0
+# Finer ones of light lines are not told apart; rad.
+LEAST_LIGHT_ANGLE = 0.25 * pi / 180.0 - _ROUNDING
+GREATEST_LIGHT_ANGLE = 0.25 * pi + _ROUNDING
+DIVISIONS = (2, 32)  # of a cell's side, where light lines are searched
+
+# Rows of a table of hydrostatics; each takes about a millisecond.
+MOST_TABLE_ROWS = 1000
+DISPLACEMENTS = (2, 50)  # of cross curves
+# Load cases or openings, each of which takes some milliseconds; a stability booklet has dozens.
+MOST_LOADING_ENTRIES = 200
+
+FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
+GREATEST_FAIRNESS, GREATEST_STIFFNESS = 0.1 + _ROUNDING, 10.0
+
+
+def within(value, name, least, most):
+    """The value; ValueError where it is not between two others, or no number."""
+    if not least <= value <= most:
+        raise ValueError(f"{name} is {value:g}: it must be from {least:g} to {most:g}")
+    return value
+
+
+def at_most(count, name, most):
+    """ValueError where there are more than so many."""
+    if count > most:
+        raise ValueError(f"{count} {name} are more than {most}: take fewer")
+
+
+def samples(wanted, cells, sides):
+    """How many faces each side of a cell gets in a surface object that shows so many sides: what is
+    wanted, where the whole has no more than MOST_SHOWN_FACES then."""
+    room = MOST_SHOWN_FACES / max(cells * sides, 1)
+    return int(max(min(wanted, MOST_SAMPLES, room**0.5), 1))
