@@ -55,10 +55,9 @@ def _has_points_left(shown, state):
 def _has_looks_left(mesh, state):
     if mesh.get(_FACES_LEFT) != surface_object.faces_digest(mesh):
         return False
-    if "normals" in state.keys:
-        digest = surface_object.normals_digest(mesh)
-        if state.keys.setdefault("normals left", digest) != digest:
-            return False
+    left = state.keys.get("normals left")
+    if left is not None and left != surface_object.normals_digest(mesh):
+        return False
     _, choice = state.keys.get("colours", (None, None))
     return choice is None or colours.has_colours(mesh)
 
@@ -132,6 +131,7 @@ class _Writer:
     def write_points(self):
         """Whether the faces were made anew, without normals."""
         is_known = "shown surface" in self._state.keys
+        self._state.keys.pop("normals left", None)
         points, mesh = self._points(), self._shown.data
         stamp = self._stamp(points)
         coordinates = points.coordinates
@@ -151,7 +151,7 @@ class _Writer:
     def write_normals(self):
         _, normals = surface_object.surface_faces(self._tessellation(), self._points().shared)
         surface_object.write_normals(self._shown.data, normals)
-        self._state.keys.pop("normals left", None)
+        self._state.keys["normals left"] = surface_object.normals_digest(self._shown.data)
 
     def write_colours(self, choice):
         """Gives the surface object its colours; returns their scale, or None."""
