@@ -12,13 +12,17 @@ ON_CENTRE_PLANE = 1e-6
 def mirror_faces(data, face_indices):
     """Add the mirror image of some faces of a HullData, in place; the rest stays as it is.
 
+    Faces in the centre plane, which would be walls inside, are left out of it: flats of faces must
+    not be there yet.
     Points on the centre plane are shared (and put at y = 0 exactly); tags are mirrored too. Edges
     of these faces that lie in the centre plane become creases: they were borders of a half, which
     are creases, and the surface must not change.
     """
+    inside = _in_centre_plane(data, face_indices)
+    face_indices = _without(data, inside, face_indices)
     faces = [data.faces[index] for index in face_indices]
     used = sorted({point for face in faces for point in face})
-    extent = float(np.ptp(data.points, axis=0).max())
+    extent = _extent(data)
     image = {}
     new_points = []
     for point in used:
@@ -45,3 +49,23 @@ def mirror_faces(data, face_indices):
     data.corners = sorted({*data.corners, *(image[p] for p in data.corners if p in image)})
     data.creases = sorted(creases)
     data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])
+
+
+def _extent(data):
+    return float(np.ptp(data.points, axis=0).max())
+
+
+def _in_centre_plane(data, face_indices):
+    near = np.abs(data.points[:, 1]) <= ON_CENTRE_PLANE * _extent(data)
+    return {index for index in face_indices if near[data.faces[index]].all()}
+
+
+def _without(data, left_out, face_indices):
+    """Takes faces away; returns the other indices as they are then."""
+    kept = [index for index in range(len(data.faces)) if index not in left_out]
+    data.faces = [data.faces[index] for index in kept]
+    data.face_layers = [data.face_layers[index] for index in kept]
+    edges = {edge_key(a, b) for face in data.faces for a, b in face_edges(face)}
+    data.creases = [pair for pair in data.creases if edge_key(*pair) in edges]
+    number = {old: new for new, old in enumerate(kept)}
+    return [number[index] for index in face_indices if index in number]

@@ -2,8 +2,8 @@
 """Faces that join without making one surface are parted.
 
 A surface has at most two faces at an edge, and around a point its faces are joined over edges.
-Where more faces meet at an edge, two stay together: of the same layer, else joined another way
-round, else those that go on most smoothly. What stands on a shell, as a bulkhead, comes off, and
+Where more faces meet at an edge, two stay together: joined another way round, else of the same
+layer, else those that go on most smoothly. What stands on a shell, as a bulkhead, comes off, and
 the shell stays whole. Of faces that have only a point in common, each part gets a point of its own
 at the same place. Points are only added and faces keep their order, so that what is known of both
 stays true.
@@ -111,7 +111,7 @@ def _joins(points, faces, layers, users):
     regions = _Sets(len(faces))
     for ((a, b),) in joins.values():
         regions.join(a, b)
-    groups = [(layer, regions.root(index)) for index, layer in enumerate(layers)]
+    groups = [(regions.root(index), layer) for index, layer in enumerate(layers)]
     for edge, at_edge in users.items():
         if len(at_edge) > 2:
             joins[edge] = _best_pairs(points, faces, groups, edge, at_edge)

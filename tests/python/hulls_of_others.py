@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Copies of a hull as other programs might have left it: noisy, with both sides, to starboard, of
+triangles, torn apart, with a wall inside, pinched at a point."""
+
+import copy
+import zlib
+
+import numpy as np
+from hull_io.mirror import mirror_faces
+
+NOISES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5)  # of the size
+
+
+def copies(data, seed):
+    """{name: HullData}; the same for the same arguments."""
+    made = {f"noise {noise:g}": noisy(data, noise, seed) for noise in NOISES}
+    for make in (whole, to_starboard, of_triangles, torn, with_a_wall, pinched):
+        made[make.__name__.replace("_", " ")] = make(copy.deepcopy(data))
+    return made
+
+
+def noisy(data, noise, seed):
+    random = np.random.default_rng([seed, zlib.crc32(data.name.encode())])
+    data = copy.deepcopy(data)
+    size = float(np.ptp(data.points, axis=0).max())
+    data.points += noise * size * random.uniform(-1.0, 1.0, data.points.shape)
+    return data
+
+
+def whole(data):
+    if data.half:
+        mirror_faces(data, range(len(data.faces)))
+        data.half = False
+    return data
+
+
+def to_starboard(data):
+    data.points[:, 1] *= -1.0
+    data.faces = [face[::-1] for face in data.faces]
+    return data
+
+
+def of_triangles(data):
+    pieces = [
+        ([face[0], a, b], layer)
+        for face, layer in zip(data.faces, data.face_layers)
+        for a, b in zip(face[1:], face[2:])
+    ]
+    data.faces, data.face_layers = [face for face, _ in pieces], [layer for _, layer in pieces]
+    return data
+
+
+def torn(data):
+    """Parted amidships: the faces further forward have points of their own."""
+    middle = 0.5 * (data.points[:, 0].min() + data.points[:, 0].max())
+    forward = [i for i, face in enumerate(data.faces) if data.points[face, 0].mean() > middle]
+    aft = {point for i, face in enumerate(data.faces) if i not in set(forward) for point in face}
+    shared = sorted({point for i in forward for point in data.faces[i]} & aft)
+    image = {point: len(data.points) + k for k, point in enumerate(shared)}
+    data.points = np.vstack([data.points, data.points[shared]])
+    for i in forward:
+        data.faces[i] = [image.get(point, point) for point in data.faces[i]]
+    edges = {frozenset(pair) for face in data.faces for pair in zip(face, face[1:] + face[:1])}
+    both = [(image.get(a, a), image.get(b, b)) for a, b in data.creases]
+    data.creases = sorted(
+        {tuple(sorted(p)) for p in (*data.creases, *both) if frozenset(p) in edges}
+    )
+    data.corners = sorted({*data.corners, *(image[p] for p in data.corners if p in image)})
+    return data
+
+
+def with_a_wall(data):
+    """A plate on an inner edge that is not on the centre plane, as a web frame on the shell."""
+    users = {}
+    for face in data.faces:
+        for a, b in zip(face, face[1:] + face[:1]):
+            users.setdefault(tuple(sorted((a, b))), []).append(face)
+    inner = [edge for edge, at_edge in sorted(users.items()) if len(at_edge) == 2]
+    inner = [e for e in inner if np.ptp(data.points[list(e)], axis=0).max() > 0.0]
+    edge = max(inner, key=lambda e: np.abs(data.points[list(e), 1]).min())
+    inwards = 0.2 * data.points[list(edge)] * [0.0, 1.0, 0.0]
+    data.points = np.vstack([data.points, data.points[list(edge)] - inwards])
+    data.faces.append([edge[0], edge[1], len(data.points) - 1, len(data.points) - 2])
+    data.face_layers.append(data.face_layers[0])
+    return data
+
+
+def pinched(data):
+    """A triangle that touches the hull in its highest point only."""
+    top = int(np.argmax(data.points[:, 2]))
+    size = float(np.ptp(data.points, axis=0).max())
+    x, y, z = data.points[top]
+    data.points = np.vstack(
+        [
+            data.points,
+            [(x + 0.01 * size, y, z + 0.02 * size), (x - 0.01 * size, y, z + 0.02 * size)],
+        ]
+    )
+    data.faces.append([top, len(data.points) - 2, len(data.points) - 1])
+    data.face_layers.append(data.face_layers[0])
+    return data
