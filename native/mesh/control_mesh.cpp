@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/least_size.h"
+
 namespace hull::mesh {
 namespace {
 
@@ -39,6 +41,12 @@ ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const 
       throw std::invalid_argument("The position given for point " + std::to_string(i) +
                                   " is not finite or too far away.");
     }
+  }
+  Eigen::AlignedBox3d box;
+  for (int h = 0; h < topology().half_edge_count(); ++h) box.extend(points[topology().origin(h)]);
+  if (box.sizes().maxCoeff() < kLeastSize) {
+    throw std::invalid_argument(
+        "The points given all lie in one place: the mesh would have no size.");
   }
   ControlMesh moved = *this;
   moved.points_ = std::move(points);

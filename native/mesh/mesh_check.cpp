@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
+
+#include "mesh/least_size.h"
 
 namespace hull::mesh {
 namespace {
@@ -130,6 +133,18 @@ void check_points(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
   }
   report(not_finite, problems);
   report(far, problems);
+}
+
+// REQUIRES: the faces' numbers of points are in range.
+void check_size(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
+  Eigen::AlignedBox3d box;
+  for (int v : mesh.face_vertices) box.extend(mesh.points[v]);
+  if (!box.sizes().allFinite() || box.sizes().maxCoeff() >= kLeastSize) return;
+  std::ostringstream words;
+  words << "The mesh has no size: all points of its faces lie at (" << box.center().x() << ", "
+        << box.center().y() << ", " << box.center().z()
+        << ") m. Undo what moved them together, or check the units.";
+  problems.push_back({Severity::kError, ElementKind::kMesh, {}, words.str()});
 }
 
 // One corner of a face: the edge that leaves it, as a sortable key.
@@ -325,6 +340,7 @@ std::vector<MeshProblem> check_mesh(const MeshArrays& mesh) {
   std::vector<MeshProblem> problems;
   if (!check_arrays(mesh, problems)) return problems;
   check_points(mesh, problems);
+  check_size(mesh, problems);
   if (check_repeats(mesh, problems)) {
     Connectivity connectivity(mesh);
     if (connectivity.pair_sides(problems)) check_fans(mesh, connectivity, problems);

@@ -60,6 +60,11 @@ ERRORS = {
         (POINTS, np.array([4, -4]), np.array(FACES[0])),
         "Face 1 has fewer than three",
     ),
+    "no size": (
+        arrays(FACES, np.tile([1.0, 2.0, 3.0], (9, 1))),
+        "has no size: all points of its faces lie at (1, 2, 3) m",
+    ),
+    "too small to have a size": (arrays(FACES, 1e-12 * POINTS), "has no size"),
     "no faces": ((POINTS, np.zeros(0, int), np.zeros(0, int)), "has no faces"),
 }
 
@@ -106,6 +111,8 @@ def test_moved_points_are_checked_too():
     for wrong in (np.nan, np.inf, 1e300):
         with pytest.raises(ValueError, match="point 4"):
             surface.set_points(with_point(4, [0, wrong, 0]))
+    with pytest.raises(ValueError, match="no size"):
+        surface.set_points(0.0 * POINTS)
     with pytest.raises(ValueError, match="9 points, but 8"):
         surface.set_points(POINTS[:8])
     np.testing.assert_array_equal(surface.mesh.points, POINTS)

@@ -190,6 +190,66 @@ TEST(LimitSurface, ConeTipsHaveNoNormal) {
   EXPECT_EQ(surface.position(0, 0.0, 0.0), arrays.points[0]);
 }
 
+// A closed mesh of faces subdivided once by Catmull and Clark's masks, written out, its first point
+// kept. Faces in the order of Topology::refined().
+mesh::MeshArrays subdivided_around_a_tip(const mesh::MeshArrays& mesh) {
+  const mesh::Topology t = mesh::ControlMesh(mesh).topology();
+  const auto face_point = [&](int h) {
+    Vector3d sum = Vector3d::Zero();
+    const int f = t.face(h);
+    for (int i = 0; i < t.face_size(f); ++i) {
+      sum += mesh.points[t.origin(t.first_half_edge(f) + i)] / t.face_size(f);
+    }
+    return sum;
+  };
+  const auto end = [&](int h) { return mesh.points[t.origin(t.next(h))]; };
+  const int n = t.vertex_count(), faces = t.face_count();
+  mesh::MeshArrays fine;
+  fine.points.resize(n + faces + t.edge_count(), Vector3d::Zero());
+  for (int v = 0; v < n; ++v) {
+    fine.points[v] = mesh.points[v];
+    if (v == 0) continue;
+    Vector3d around = Vector3d::Zero();
+    int valence = 0;
+    for (int h = 0; h < t.half_edge_count(); ++h) {
+      if (t.origin(h) != v) continue;
+      around += face_point(h) + end(h);
+      ++valence;
+    }
+    fine.points[v] = around / (valence * valence) + mesh.points[v] * ((valence - 2.0) / valence);
+  }
+  for (int h = 0; h < t.half_edge_count(); ++h) {
+    fine.points[n + t.face(h)] = face_point(h);
+    fine.points[n + faces + t.edge(h)] =
+        0.25 * (mesh.points[t.origin(h)] + end(h) + face_point(h) + face_point(t.twin(h)));
+    fine.face_sizes.push_back(4);
+    for (int v : {t.origin(h), n + faces + t.edge(h), n + t.face(h), n + faces + t.edge(t.prev(h))})
+      fine.face_vertices.push_back(v);
+  }
+  fine.corners = {0};
+  return fine;
+}
+
+// Where a corner is tagged without creases there are no sectors to take weights from: its edges
+// keep 1/4 under both schemes.
+TEST(LimitSurface, EdgesOfConeTipsKeepTheSmoothWeights) {
+  std::mt19937 random(kSeed + 6);
+  mesh::MeshArrays arrays = testing::cube();
+  testing::randomise(arrays, random, 0.0, 0.0, 0.2);
+  arrays.corners = {0};
+  const LimitSurface biermann{mesh::ControlMesh(arrays)};
+  const LimitSurface catmull_clark(mesh::ControlMesh(arrays), Scheme::kCatmullClark);
+  const LimitSurface fine{mesh::ControlMesh(subdivided_around_a_tip(arrays))};
+  ASSERT_EQ(biermann.mesh().topology().kind(0), mesh::VertexKind::kCone);
+  for (int cell = 0; cell < biermann.cell_count(); ++cell) {
+    for (double u : {0.0, 0.01, 0.3, 0.5}) {
+      const Vector3d here = biermann.position(cell, u, 0.4);
+      EXPECT_EQ(here, catmull_clark.position(cell, u, 0.4));
+      EXPECT_LT((here - fine.position(4 * cell, 2.0 * u, 0.8)).norm(), 1e-14);
+    }
+  }
+}
+
 TEST(LimitSurface, MovesAndTurnsWithItsMesh) {
   std::mt19937 random(kSeed + 5);
   const Eigen::AngleAxisd turn(0.7, Vector3d(1.0, 2.0, -0.5).normalized());
