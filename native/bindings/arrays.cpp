@@ -53,6 +53,14 @@ std::vector<int> whole_numbers(const py::array& array, const char* name) {
   return values;
 }
 
+// NumPy makes a number of each object; of text, too.
+bool holds_text(const py::array& array) {
+  for (const py::handle item : array.attr("flat")) {
+    if (py::isinstance<py::str>(item) || py::isinstance<py::bytes>(item)) return true;
+  }
+  return false;
+}
+
 template <class Item, class Scalar, int kColumns>
 py::array_t<Scalar> rows_to_array(const std::vector<Item>& rows) {
   static_assert(sizeof(Item) == kColumns * sizeof(Scalar));
@@ -63,7 +71,24 @@ py::array_t<Scalar> rows_to_array(const std::vector<Item>& rows) {
 
 }  // namespace
 
-Eigen::Vector3d point_from(const DoubleArray& array, const char* name) {
+DoubleArray::Values DoubleArray::values(const char* name) const {
+  const auto refuse = [name](const std::string& found) {
+    throw std::invalid_argument(std::string(name) + " must be an array of real numbers" + found +
+                                ".");
+  };
+  const py::array array = py::array::ensure(given_);
+  if (!given_ || given_.is_none() || !array) refuse("");
+  const char kind = array.dtype().kind();
+  if (kind == 'c') refuse(", not of complex ones");
+  if (kind == 'U' || kind == 'S' || (kind == 'O' && holds_text(array))) refuse(", not of text");
+  if (std::strchr("biufO", kind) == nullptr) refuse("");
+  const Values values = Values::ensure(array);
+  if (!values) refuse("");
+  return values;
+}
+
+Eigen::Vector3d point_from(const DoubleArray& given, const char* name) {
+  const DoubleArray::Values array = given.values(name);
   if (array.ndim() == 1 && array.size() == 3) {
     return Eigen::Map<const Eigen::Vector3d>(array.data());
   }
@@ -71,7 +96,8 @@ Eigen::Vector3d point_from(const DoubleArray& array, const char* name) {
                               ".");
 }
 
-std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name) {
+std::vector<Eigen::Vector3d> points_from(const DoubleArray& given, const char* name) {
+  const DoubleArray::Values array = given.values(name);
   check_shape(array, 3, name);
   std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(array.size() / 3));
   const double* data = array.data();
@@ -81,12 +107,14 @@ std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* n
   return points;
 }
 
-std::vector<double> numbers_from(const DoubleArray& array, const char* name) {
+std::vector<double> numbers_from(const DoubleArray& given, const char* name) {
+  const DoubleArray::Values array = given.values(name);
   check_shape(array, 0, name);
   return std::vector<double>(array.data(), array.data() + array.size());
 }
 
-std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const char* name) {
+std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& given, const char* name) {
+  const DoubleArray::Values array = given.values(name);
   check_shape(array, 2, name);
   std::vector<Eigen::Vector2d> pairs(static_cast<std::size_t>(array.size() / 2));
   const double* data = array.data();

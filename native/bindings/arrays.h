@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <vector>
 
 // NumPy arrays in and out: shapes and ranges are checked here, so that nothing behind them can be
@@ -15,7 +16,21 @@ namespace hull::bindings {
 
 namespace py = pybind11;
 
-using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+// An argument that is to be an array of real numbers, or nested lists of them; taken for one by the
+// functions below, which know its name. Complex numbers, text and dates are none: NumPy would drop
+// imaginary parts and read numbers out of text.
+class DoubleArray {
+ public:
+  using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+  DoubleArray() = default;
+  explicit DoubleArray(py::object given) : given_(std::move(given)) {}
+
+  Values values(const char* name) const;
+
+ private:
+  py::object given_;
+};
 
 // (3,) -> a point.
 Eigen::Vector3d point_from(const DoubleArray& array, const char* name);
@@ -38,3 +53,13 @@ py::array_t<int> to_array(const std::vector<int>& values);
 py::array_t<int> to_array(const std::vector<std::array<int, 2>>& pairs);
 
 }  // namespace hull::bindings
+
+template <>
+struct pybind11::detail::type_caster<hull::bindings::DoubleArray> {
+  PYBIND11_TYPE_CASTER(hull::bindings::DoubleArray, const_name("numpy.ndarray[numpy.float64]"));
+
+  bool load(handle source, bool) {
+    value = hull::bindings::DoubleArray(reinterpret_borrow<object>(source));
+    return true;
+  }
+};

@@ -6,6 +6,7 @@
 // One function per class or group of functions, each in a file of its own.
 namespace hull::bindings {
 
+void bind_tolerances(pybind11::module_& module);
 void bind_control_mesh(pybind11::module_& module);
 void bind_limit_surface(pybind11::module_& module);
 void bind_curvature(pybind11::module_& module);

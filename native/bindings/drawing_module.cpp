@@ -15,6 +15,7 @@
 #include "bindings/companion_module.h"
 #include "bindings/paper_names.h"
 #include "bindings/plot.h"
+#include "bindings/unmade_instances.h"
 #include "drawing/lines_plan/collect_lines.h"
 
 namespace py = pybind11;
@@ -94,4 +95,5 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
       py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
       "What write_lines_drawing does with all positions in m and all options given.");
+  refuse_unmade_instances(module);
 }

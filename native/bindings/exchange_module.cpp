@@ -12,6 +12,7 @@
 #include "bindings/arrays.h"
 #include "bindings/companion_module.h"
 #include "bindings/progress.h"
+#include "bindings/unmade_instances.h"
 #include "conversion/exact/exact_conversion.h"
 #include "conversion/per_cell/per_cell.h"
 #include "exchange/iges_file.h"
@@ -101,8 +102,8 @@ exchange::CadCurve curve_from(const py::handle& value) {
   const py::object knots = parts.size() == 4 ? py::object(parts[2]) : parts[2].attr("knots");
   const py::object points =
       parts.size() == 4 ? py::object(parts[3]) : parts[2].attr("control_points");
-  curve.curve.knots = numbers_from(knots.cast<DoubleArray>(), "knots");
-  curve.curve.points = points_from(points.cast<DoubleArray>(), "control_points");
+  curve.curve.knots = numbers_from(DoubleArray(knots), "knots");
+  curve.curve.points = points_from(DoubleArray(points), "control_points");
   curve.curve.degree =
       static_cast<int>(curve.curve.knots.size()) - static_cast<int>(curve.curve.points.size()) - 1;
   return curve;
@@ -251,4 +252,5 @@ PYBIND11_MODULE(_exchange, module) {
       "free_edge_length (m), area (m2), volume (m3, or None unless closed), box (2, 3; m), curves "
       "(of no face), regions (dicts of name, colour, faces and area), layers, bytes, and from "
       "writing cells_left_out (cells without area). Raises OSError if the file can't be read.");
+  refuse_unmade_instances(module);
 }

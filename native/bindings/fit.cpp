@@ -36,8 +36,8 @@ std::vector<modelling::FitCurve> curves_from(const py::iterable& curves) {
 modelling::FitTarget target_from(const DoubleArray& targets, const py::object& normals,
                                  const py::object& weights) {
   modelling::FitTarget target{points_from(targets, "targets"), {}, {}};
-  if (!normals.is_none()) target.normals = points_from(normals.cast<DoubleArray>(), "normals");
-  if (!weights.is_none()) target.weights = numbers_from(weights.cast<DoubleArray>(), "weights");
+  if (!normals.is_none()) target.normals = points_from(DoubleArray(normals), "normals");
+  if (!weights.is_none()) target.weights = numbers_from(DoubleArray(weights), "weights");
   return target;
 }
 

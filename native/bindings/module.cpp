@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings/classes.h"
+#include "bindings/unmade_instances.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace hull::bindings;
   module.doc() = "Exact hull surfaces and their analysis: the core of hull_native.";
+  bind_tolerances(module);
   bind_control_mesh(module);
   bind_limit_surface(module);
   bind_curvature(module);
@@ -29,4 +31,5 @@ PYBIND11_MODULE(_core, module) {
   bind_pull(module);
   bind_fit(module);
   bind_bilge_arc(module);
+  refuse_unmade_instances(module);
 }

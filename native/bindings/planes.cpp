@@ -16,7 +16,8 @@ analysis::Plane plane_from(const Vector3d& normal, double offset, const std::str
   return {normal / length, offset / length};
 }
 
-analysis::Plane plane_from(const DoubleArray& array, const char* name) {
+analysis::Plane plane_from(const DoubleArray& given, const char* name) {
+  const DoubleArray::Values array = given.values(name);
   if (array.ndim() != 1 || array.shape(0) != 4) {
     std::string message = name;
     message += " has to be of shape (4,): a normal x, y, z and an offset, for normal·p = offset.";
@@ -25,7 +26,8 @@ analysis::Plane plane_from(const DoubleArray& array, const char* name) {
   return plane_from({array.at(0), array.at(1), array.at(2)}, array.at(3), name);
 }
 
-std::vector<analysis::Plane> planes_from(const DoubleArray& array) {
+std::vector<analysis::Plane> planes_from(const DoubleArray& given) {
+  const DoubleArray::Values array = given.values("planes");
   if (array.ndim() != 2 || array.shape(1) != 4) {
     throw std::invalid_argument(
         "planes has to be of shape (n, 4): normals x, y, z and offsets of planes normal·p = "

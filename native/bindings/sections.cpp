@@ -37,8 +37,7 @@ std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& 
   const analysis::Plane plane =
       py::isinstance<py::str>(axis)
           ? analysis::plane_across(axis_from(py::cast<std::string>(axis)), position)
-          : plane_from(point_from(py::cast<DoubleArray>(axis), "axis").normalized(), position,
-                       "axis");
+          : plane_from(point_from(DoubleArray(axis), "axis").normalized(), position, "axis");
   const analysis::SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
   const py::gil_scoped_release release;
   return analysis::section(surface, plane, options);

@@ -86,16 +86,9 @@ RayHits find_ray_hits(const surface::SurfaceTree& tree, const DoubleArray& origi
   return hits;
 }
 
-Vector3d vector_from(const DoubleArray& array, const char* name) {
-  if (array.ndim() != 1 || array.shape(0) != 3) {
-    throw std::invalid_argument(std::string(name) + " must have shape (3,).");
-  }
-  return {array.at(0), array.at(1), array.at(2)};
-}
-
 RayHits find_all_ray_hits(const surface::SurfaceTree& tree, const DoubleArray& origin,
                           const DoubleArray& direction, double max_distance) {
-  const surface::Ray ray{vector_from(origin, "origin"), vector_from(direction, "direction"), 0.0,
+  const surface::Ray ray{point_from(origin, "origin"), point_from(direction, "direction"), 0.0,
                          max_distance};
   const py::gil_scoped_release release;
   return {surface::all_ray_hits(tree, ray)};

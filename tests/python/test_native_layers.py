@@ -32,7 +32,7 @@ LIBRARIES = {
 }
 
 # What all layers share stands in the namespace of the project.
-COMMON = {NATIVE / "mesh" / "vectors.h"}
+COMMON = {NATIVE / "mesh" / name for name in ("vectors.h", "tolerances.h")}
 
 
 def sources(folder):
