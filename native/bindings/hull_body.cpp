@@ -70,7 +70,9 @@ void bind_hull_body(py::module_& module) {
           "to the whole that integrals may have, between 0 and 0.01; 1e-8 serves for numbers that "
           "follow the mouse. Raises ValueError for others.")
       .def("update", &analysis::HullBody::update, py::call_guard<py::gil_scoped_release>(),
-           "To be called after surface.set_points(). Only what has moved is computed again.")
+           "To be called after surface.set_points(); until then whatever is asked of the body, "
+           "also by hydrostatics() and its like, raises ValueError. Only what has moved is "
+           "computed again.")
       .def_property_readonly("surface", &analysis::HullBody::surface,
                              py::return_value_policy::reference)
       .def_property_readonly("mirrored", &analysis::HullBody::mirrored)

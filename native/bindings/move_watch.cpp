@@ -37,7 +37,7 @@ void bind_move_watch(py::module_& module) {
            "Nothing has moved yet.")
       .def("update", &analysis::MoveWatch::update, py::call_guard<py::gil_scoped_release>(),
            "After surface.set_points(): what has moved since the last update, or the beginning, is "
-           "what counts from now on.")
+           "what counts from now on. Until then comes_near() and cells raise ValueError.")
       .def("comes_near", &comes_near, py::arg("planes"), py::kw_only(), py::arg("margin"),
            "planes: (n, 4), as for sections(). Returns (n,): whether a cell that has moved comes, "
            "or came, nearer to the plane than margin, m.")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What follows a surface whose points move: shown points, and which sections can stay."""
+"""What follows a surface whose points move: shown points, which sections can stay, bodies. None
+answers before its update()."""
 
 import hull_native as hn
 import numpy as np
@@ -68,3 +69,78 @@ def test_the_watch_tells_sections_that_stay():
     for margin in (-1.0, float("nan")):
         with pytest.raises(ValueError, match="margin"):
             watch.comes_near(planes, margin=margin)
+
+
+STALE = "Call update\\(\\) first"
+LOAD = {"mass_t": 3.0, "centre_of_gravity": (4.0, 0.0, 0.2)}
+OF_A_BODY = {
+    "immersion": lambda body: body.immersion((0.0, 0.0, 1.0), 0.5),
+    "shell_area": lambda body: body.shell_area,
+    "shell_flux_forms": lambda body: body.shell_flux_forms,
+    "hydrostatics": lambda body: hn.hydrostatics(body, draft=0.5),
+    "hydrostatics_table": lambda body: hn.hydrostatics_table(body, drafts=[0.4, 0.5]),
+    "section_areas": lambda body: hn.section_areas(body, [1.0, 2.0], draft=0.5),
+    "bonjean": lambda body: hn.bonjean(body, stations=[1.0, 2.0], drafts=[0.2, 0.5]),
+    "righting_levers": lambda body: hn.righting_levers(body, **LOAD, heels=[0.0, 0.1]),
+    "cross_curves": lambda body: hn.cross_curves(body, displacements_t=[3.0], heels=[0.1]),
+    "stability_criteria": lambda body: hn.stability_criteria(body, **LOAD),
+    "equilibrium": lambda body: hn.equilibrium(body, **LOAD),
+    "equilibria": lambda body: hn.equilibria(
+        body, masses_t=[3.0], centres_of_gravity=[LOAD["centre_of_gravity"]]
+    ),
+}
+
+
+def box_surface():
+    """A closed box of 8 m by 2 m by 1 m with its corners kept."""
+    points = [(x, y, z) for z in (0.0, 1.0) for y in (-1.0, 1.0) for x in (0.0, 8.0)]
+    faces = [0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5]
+    edges = [(0, 1), (2, 3), (4, 5), (6, 7), (0, 2), (1, 3), (4, 6), (5, 7)]
+    edges += [(0, 4), (1, 5), (2, 6), (3, 7)]
+    return hn.LimitSurface(hn.ControlMesh(points, [4] * 6, faces, creases=edges))
+
+
+def test_all_that_takes_a_body_is_tried():
+    takers = [
+        name for name in dir(hn) if "(body: " in (getattr(getattr(hn, name), "__doc__", "") or "")
+    ]
+    assert takers and set(takers) <= set(OF_A_BODY)
+
+
+@pytest.mark.parametrize("ask", OF_A_BODY.values(), ids=OF_A_BODY)
+def test_a_body_out_of_date_refuses(ask):
+    surface = box_surface()
+    body = hn.HullBody(surface, mirrored=False)
+    ask(body)
+    surface.set_points(surface.mesh.points * [1.0, 1.1, 1.0])
+    with pytest.raises(ValueError, match=STALE):
+        ask(body)
+    body.update()
+    ask(body)
+
+
+def test_what_is_shown_and_the_watch_refuse_out_of_date():
+    surface = grid_surface()
+    shown, watch = hn.ShownPoints(surface, 2, mirrored=False), hn.MoveWatch(surface)
+    surface.set_points(moved_points(surface, 20, (0.0, 0.0, 1.0)))
+    for ask in (
+        lambda: shown.coordinates,
+        lambda: shown.shared,
+        lambda: watch.cells,
+        lambda: watch.comes_near([(1.0, 0.0, 0.0, 2.0)], margin=0.0),
+    ):
+        with pytest.raises(ValueError, match=STALE):
+            ask()
+    shown.update()
+    watch.update()
+    assert len(watch.cells) and len(shown.coordinates)
+
+
+def test_a_tree_keeps_to_the_points_it_was_made_of():
+    surface = grid_surface()
+    tree = hn.SurfaceTree(surface)
+    here = surface.positions([5], [(0.3, 0.4)])
+    surface.set_points(surface.mesh.points + [0.0, 0.0, 1.0])
+    assert tree.closest_points(here).distances[0] < 1e-12
+    tree.refit(surface)
+    assert tree.closest_points(here).distances[0] > 0.5

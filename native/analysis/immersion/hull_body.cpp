@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "analysis/sections/port_side.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 namespace {
 
 // Of the mesh's size.
-constexpr double kNoVolume = 1e-9;        // times the area: what an open sheet may have
-constexpr double kAtEdge = 1e-9;          // water at an opening's edge does not flow in
-constexpr double kSmallestCorner = 1e-9;  // beyond it a corner cut by the water is left out
+constexpr double kNoVolume = 1e-9;  // times the area: what an open sheet may have
+constexpr double kAtEdge = 1e-9;    // water at an opening's edge does not flow in
 
 // Closings are no part of the wetted surface.
 ShellMoments without_area(ShellMoments moments) {
@@ -37,7 +37,8 @@ Plane mirror_image(const Plane& plane) {
 
 HullBody::HullBody(const surface::LimitSurface& surface, bool mirrored, Openings openings,
                    double tolerance)
-    : mirrored_(mirrored),
+    : stamp_(surface),
+      mirrored_(mirrored),
       openings_(openings),
       tolerance_(checked(tolerance)),
       bodies_(bodies_of(surface)),
@@ -50,6 +51,7 @@ void HullBody::update() {
   parts_.update();
   boxes_.update(surface());
   close();
+  stamp_.renew();
 }
 
 void HullBody::close() {
@@ -153,6 +155,7 @@ HullBody::Wet HullBody::wet_part(const Plane& water) const {
 }
 
 ShellMoments HullBody::shell_moments() const {
+  current();
   ShellMoments sum;
   for (const ShellPart& leaf : parts_.leaves()) sum += leaf.moments;
   for (const ShellPart& corner : parts_.corners()) sum += corner.moments;
@@ -162,12 +165,13 @@ ShellMoments HullBody::shell_moments() const {
 }
 
 HullBody HullBody::closed() const {
-  HullBody twin = *this;
+  HullBody twin = current();
   twin.openings_ = Openings::kClosed;
   return twin;
 }
 
 FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
+  current();
   FloodingPoint lowest{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
   if (openings_ == Openings::kClosed) return lowest;
   for (const Vector3d& mirror : {Vector3d(1.0, 1.0, 1.0), Vector3d(1.0, -1.0, 1.0)}) {
@@ -196,6 +200,7 @@ void HullBody::refuse_flooding(const Plane& water) const {
 }
 
 Immersion HullBody::immersion(const Plane& water) const {
+  current();
   if (!water.normal.allFinite() || !std::isfinite(water.offset)) {
     throw std::invalid_argument("The water's surface must be given by finite numbers.");
   }

@@ -10,6 +10,7 @@
 #include "analysis/immersion/shell_parts.h"
 #include "analysis/sections/cell_boxes.h"
 #include "surface/limit_surface.h"
+#include "surface/surface_stamp.h"
 
 namespace hull::analysis {
 
@@ -24,6 +25,9 @@ enum class Openings { kOpen, kClosed };
 // exactly where the water does not cut, and to about 1e-13 of the whole where it does; the wetted
 // surface to about 1e-9. With a coarser one all of them are right to about that, relative to the
 // whole. Estimates come with the results. Queries are thread-safe among themselves.
+//
+// After surface.set_points() all queries below update() throw std::invalid_argument until it is
+// called, but for those that tell what the body was made with.
 class HullBody {
  public:
   // `mirrored`: the surface is the port half (y >= 0) and counts twice. `surface` must outlive the
@@ -34,16 +38,18 @@ class HullBody {
   // To be called after surface.set_points(). Only what has moved is computed again.
   void update();
 
-  const surface::LimitSurface& surface() const { return parts_.surface(); }
+  const surface::LimitSurface& surface() const { return stamp_.surface(); }
+  // LimitSurface::revision() of the points that the body was computed of.
+  int revision() const { return stamp_.revision(); }
   bool mirrored() const { return mirrored_; }
   double tolerance() const { return tolerance_; }
   Openings openings() const { return openings_; }
   // Which connected body (hull, rudder, demi-hull) each cell belongs to.
   const Bodies& bodies() const { return bodies_; }
-  const CellBoxes& boxes() const { return boxes_; }
-  const std::vector<BorderEdge>& border() const { return border_; }
+  const CellBoxes& boxes() const { return current().boxes_; }
+  const std::vector<BorderEdge>& border() const { return current().border_; }
   // What closes the shell, on the modelled side.
-  const std::vector<ClosingSpan>& closings() const { return closings_; }
+  const std::vector<ClosingSpan>& closings() const { return current().closings_; }
 
   // Of the whole shell without closings, both sides, about the origin.
   ShellMoments shell_moments() const;
@@ -64,6 +70,10 @@ class HullBody {
   double lowest_opening(const Vector3d& up) const { return flooding_point(up).height; }
 
  private:
+  const HullBody& current() const {
+    stamp_.require_current("The body");
+    return *this;
+  }
   void close();
   std::string inversion() const;
 
@@ -76,6 +86,7 @@ class HullBody {
   Wet wet_part(const Plane& water) const;
   ShellMoments wet_corner(int corner, const Plane& water) const;
 
+  surface::SurfaceStamp stamp_;
   bool mirrored_;
   Openings openings_;
   double tolerance_;

@@ -6,27 +6,28 @@
 
 namespace hull::analysis {
 
-MoveWatch::MoveWatch(const surface::LimitSurface& surface)
-    : surface_(&surface), boxes_(surface), revision_(surface.revision()) {}
+MoveWatch::MoveWatch(const surface::LimitSurface& surface) : stamp_(surface), boxes_(surface) {}
 
 void MoveWatch::update() {
+  const surface::LimitSurface& surface = stamp_.surface();
   cells_.clear();
   moved_.clear();
-  for (int cell = 0; cell < surface_->cell_count(); ++cell) {
-    if (surface_->moved_at(cell) <= revision_) continue;
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    if (surface.moved_at(cell) <= stamp_.revision()) continue;
     cells_.push_back(cell);
     moved_.push_back({boxes_.low(cell), boxes_.high(cell)});
   }
-  boxes_.update(*surface_);
+  boxes_.update(surface);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Vector3d low = moved_[i].middle.cwiseMin(boxes_.low(cells_[i]));
     const Vector3d high = moved_[i].half.cwiseMax(boxes_.high(cells_[i]));
     moved_[i] = {0.5 * (low + high), 0.5 * (high - low)};
   }
-  revision_ = surface_->revision();
+  stamp_.renew();
 }
 
 bool MoveWatch::comes_near(const Plane& plane, double margin) const {
+  stamp_.require_current("The watch");
   const Vector3d extent = plane.normal.cwiseAbs();
   return std::any_of(moved_.begin(), moved_.end(), [&](const Box& box) {
     return std::abs(plane.height(box.middle)) <= extent.dot(box.half) + margin;

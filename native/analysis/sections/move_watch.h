@@ -5,6 +5,7 @@
 
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/plane_cut.h"
+#include "surface/surface_stamp.h"
 
 namespace hull::analysis {
 
@@ -16,23 +17,25 @@ class MoveWatch {
   explicit MoveWatch(const surface::LimitSurface& surface);
 
   // After surface.set_points(): what has moved since the last update, or the beginning, is what
-  // counts from now on.
+  // counts from now on. Until then the queries throw std::invalid_argument.
   void update();
 
   // Whether a cell that has moved comes, or came, nearer to the plane than `margin`, m.
   bool comes_near(const Plane& plane, double margin) const;
 
   // The cells that have moved, in order.
-  const std::vector<int>& cells() const { return cells_; }
+  const std::vector<int>& cells() const {
+    stamp_.require_current("The watch");
+    return cells_;
+  }
 
  private:
   struct Box {
     Vector3d middle, half;
   };
 
-  const surface::LimitSurface* surface_;
+  surface::SurfaceStamp stamp_;
   CellBoxes boxes_;
-  int revision_;
   std::vector<int> cells_;
   std::vector<Box> moved_;  // around each of these before and after
 };

@@ -35,7 +35,7 @@ Sample depth_of(const HeeledState& s) { return {s.heel, s.depth, s.depth_slope};
 
 HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volume,
                          const Vector3d& centre_of_gravity, TrimMode mode, double trim)
-    : body_(body), whole_volume_(whole_volume), first_trim_(trim) {
+    : body_(body), revision_(body.revision()), whole_volume_(whole_volume), first_trim_(trim) {
   task_.volume = volume;
   task_.centre_of_gravity = centre_of_gravity;
   task_.freedom = {mode == TrimMode::kFree, false};
@@ -46,6 +46,9 @@ HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volum
 }
 
 const HeeledState* HeelingPath::find(double heel) const {
+  if (body_.revision() != revision_) {
+    throw std::invalid_argument("The body was updated: its levers need a new heeling path.");
+  }
   const auto found = states_.find(heel);
   if (found != states_.end()) return &found->second;
   std::optional<HeeledState> state = solve(heel);

@@ -31,7 +31,8 @@ struct HeeledState {
 class HeelingPath {
  public:
   // REQUIRES: 0 < volume < whole_volume, which greatest_volume() gives; `trim` below 90°: held, or
-  // the first guess. `body` must outlive the path, and not be updated.
+  // the first guess. `body` must outlive the path; once it
+  // was updated, queries throw std::invalid_argument.
   HeelingPath(const HullBody& body, double volume, double whole_volume,
               const Vector3d& centre_of_gravity, TrimMode mode, double trim = 0.0);
 
@@ -56,6 +57,7 @@ class HeelingPath {
   void add_slopes(HeeledState& state) const;
 
   const HullBody& body_;
+  int revision_;  // of the body that states_ are of
   double whole_volume_;
   FloatingTask task_;
   double first_trim_;

@@ -6,23 +6,22 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/tolerances.h"
 #include "surface/sampling/tessellation.h"
 
 namespace hull::surface {
 namespace {
 
-constexpr double kCentrePlane = 1e-9;       // of the mesh's size
 constexpr std::size_t kCellsAtATime = 128;  // their samples stay in the processor's cache
 
 }  // namespace
 
 ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, double metres_per_unit)
-    : surface_(&surface),
+    : stamp_(surface),
       n_(n),
       mirrored_(mirrored),
       metres_per_unit_(metres_per_unit),
-      centre_plane_(kCentrePlane * surface.mesh().size()),
-      revision_(surface.revision()) {
+      centre_plane_(kOnCentrePlane * surface.mesh().size()) {
   if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) {
     throw std::invalid_argument("A unit must be a positive number of metres, not " +
                                 std::to_string(metres_per_unit) + ".");
@@ -52,16 +51,17 @@ ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, doub
 }
 
 bool ShownPoints::update() {
+  const LimitSurface& surface = stamp_.surface();
   sharing_changed_ = false;
   std::vector<int> cells;
-  for (int cell = 0; cell < surface_->cell_count(); ++cell) {
-    if (surface_->moved_at(cell) > revision_) cells.push_back(cell);
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    if (surface.moved_at(cell) > stamp_.revision()) cells.push_back(cell);
     if (cells.size() < kCellsAtATime) continue;
     take_cells(cells);
     cells.clear();
   }
   take_cells(cells);
-  revision_ = surface_->revision();
+  stamp_.renew();
   if (!sharing_changed_) return true;
   number_images();
   return false;
@@ -69,7 +69,7 @@ bool ShownPoints::update() {
 
 void ShownPoints::take_cells(const std::vector<int>& cells) {
   if (cells.empty()) return;
-  evaluate_cells(*surface_, cells, n_, 0, samples_);
+  evaluate_cells(stamp_.surface(), cells, n_, 0, samples_);
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const Vector3d* samples = &samples_.points[samples_.index(static_cast<int>(k), 0, 0)];
     for (int i = first_[cells[k]]; i < first_[cells[k] + 1]; ++i) {

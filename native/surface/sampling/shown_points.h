@@ -5,6 +5,7 @@
 
 #include "surface/limit_surface.h"
 #include "surface/sampling/grid_samples.h"
+#include "surface/surface_stamp.h"
 
 namespace hull::surface {
 
@@ -13,7 +14,7 @@ namespace hull::surface {
 // points move, and only those of cells that have moved are computed again.
 //
 // First come the points of the tessellation, in its order, then the mirror images (x, -y, z) of
-// those that are off the centre plane. Points nearer to it than 1e-9 of the mesh's size are put on
+// those that are off the centre plane. Points within kOnCentrePlane of it are put on
 // it, and both sides share them.
 class ShownPoints {
  public:
@@ -22,14 +23,14 @@ class ShownPoints {
   ShownPoints(const LimitSurface& surface, int n, bool mirrored, double metres_per_unit);
 
   // After surface.set_points(). Whether both sides share the same points as before; if not, the
-  // images are numbered anew.
+  // images are numbered anew. Until then the queries throw std::invalid_argument.
   bool update();
 
   // x, y, z of point after point.
-  const std::vector<float>& coordinates() const { return coordinates_; }
+  const std::vector<float>& coordinates() const { return current().coordinates_; }
   // Per point of the tessellation, whether both sides share it; all of them where nothing is
   // mirrored.
-  const std::vector<char>& shared() const { return shared_; }
+  const std::vector<char>& shared() const { return current().shared_; }
 
  private:
   // A sample of a cell's grid and the point that is taken from it.
@@ -37,15 +38,18 @@ class ShownPoints {
     int sample, point;
   };
 
+  const ShownPoints& current() const {
+    stamp_.require_current("What is shown");
+    return *this;
+  }
   void take_cells(const std::vector<int>& cells);
   void take_point(int point, const Vector3d& position);
   void number_images();
 
-  const LimitSurface* surface_;
+  SurfaceStamp stamp_;
   int n_;
   bool mirrored_;
   double metres_per_unit_, centre_plane_;
-  int revision_;
   std::vector<int> first_;    // of the cell in taken_, which each cell's points follow
   std::vector<Taken> taken_;  // each point is taken from one cell
   std::vector<float> coordinates_;

@@ -286,6 +286,41 @@ TEST(HullBody, FollowsMovedPoints) {
   }
 }
 
+// Moments of the old points must not meet the new ones that the water cuts.
+TEST(HullBody, OutOfDateRefusesToAnswer) {
+  mesh::MeshArrays arrays = testing::prism(7);
+  surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  HullBody body(surface, false, Openings::kOpen);
+  const Plane water{Vector3d::UnitZ(), 0.1};
+  const double before = body.immersion(water).volume;
+  const HullBody twin = body.closed();
+  EXPECT_EQ(body.revision(), 0);
+  for (auto& point : arrays.points) point.x() *= 2.0;
+  surface.set_points(arrays.points);
+  const auto refuses = [&](const auto& query) {
+    try {
+      query();
+      ADD_FAILURE() << "an answer of old and new parts";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("Call update() first"), std::string::npos);
+    }
+  };
+  for (const HullBody* stale : {&body, &twin}) {
+    refuses([&] { stale->immersion(water); });
+    refuses([&] { stale->shell_moments(); });
+    refuses([&] { stale->flooding_point(Vector3d::UnitZ()); });
+    refuses([&] { stale->refuse_flooding(water); });
+    refuses([&] { stale->closed(); });
+    refuses([&] { stale->boxes(); });
+    refuses([&] { stale->border(); });
+    refuses([&] { stale->closings(); });
+  }
+  body.update();
+  EXPECT_EQ(body.revision(), 1);
+  EXPECT_NEAR(body.immersion(water).volume, 2.0 * before, 1e-12 * before);
+  refuses([&] { twin.immersion(water); });
+}
+
 std::string words_of(const HullBody& body, const Plane& water) {
   try {
     body.immersion(water);

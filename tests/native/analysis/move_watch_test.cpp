@@ -66,5 +66,17 @@ TEST(MoveWatch, SectionsThatNothingCameNearStay) {
   EXPECT_TRUE(watch.cells().empty());
 }
 
+TEST(MoveWatch, OutOfDateRefusesToAnswer) {
+  mesh::MeshArrays arrays = testing::grid(4, 4);
+  surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  MoveWatch watch(surface);
+  arrays.points[12].z() += 1.0;
+  surface.set_points(arrays.points);
+  EXPECT_THROW(watch.comes_near(plane_across(Axis::kX, 2.0), 0.0), std::invalid_argument);
+  EXPECT_THROW(watch.cells(), std::invalid_argument);
+  watch.update();
+  EXPECT_TRUE(watch.comes_near(plane_across(Axis::kX, 2.0), 0.0));
+}
+
 }  // namespace
 }  // namespace hull::analysis

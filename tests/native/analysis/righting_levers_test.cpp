@@ -118,6 +118,18 @@ TEST(RightingLevers, OfABodyOfFourfoldSymmetry) {
   EXPECT_GT(std::abs(quarter), 1e-5);
 }
 
+// What is known of other heels was of the body as it was.
+TEST(RightingLevers, PathsRefuseOnceTheirBodyWasUpdated) {
+  surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
+  HullBody body(surface, false);
+  const HeelingPath path = heeling_path(body, {0.4, Vector3d::Zero(), 1.0}, TrimMode::kFree, 0.0);
+  path.at(0.1);
+  surface.set_points(surface.mesh().points());
+  EXPECT_THROW(path.at(0.2), std::invalid_argument);
+  body.update();
+  EXPECT_THROW(path.at(0.1), std::invalid_argument);
+}
+
 // ∇ ∫ GZ cos θ dφ is the rise of the energy ∇ (G - B)·up, at any trim.
 TEST(RightingLevers, WorkIsTheEnergysRise) {
   std::mt19937 random(17);

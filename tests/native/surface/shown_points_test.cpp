@@ -126,6 +126,17 @@ TEST(ShownPoints, NumberImagesAnewWherePointsLeaveTheCentrePlane) {
   EXPECT_EQ(shown.coordinates().data(), kept) << "whoever reads the numbers holds on to them";
 }
 
+TEST(ShownPoints, OutOfDateRefuseToAnswer) {
+  mesh::MeshArrays arrays = testing::cube();
+  LimitSurface surface{mesh::ControlMesh(arrays)};
+  ShownPoints shown(surface, 2, false, 1.0);
+  surface.set_points(arrays.points);
+  EXPECT_THROW(shown.coordinates(), std::invalid_argument);
+  EXPECT_THROW(shown.shared(), std::invalid_argument);
+  shown.update();
+  EXPECT_FALSE(shown.coordinates().empty());
+}
+
 TEST(ShownPoints, RefuseUnitsThatAreNone) {
   const LimitSurface surface{mesh::ControlMesh(testing::cube())};
   EXPECT_THROW(ShownPoints(surface, 4, false, 0.0), std::invalid_argument);
