@@ -5,6 +5,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "mesh/centre_plane.h"
 
 namespace hull::bindings {
 namespace {
@@ -169,6 +170,18 @@ void bind_control_mesh(py::module_& module) {
           "irregular_vertices",
           [](const mesh::ControlMesh& m) { return to_array(m.irregular_vertices()); },
           "(k,) points where the surface is not everywhere a bicubic B-spline.")
+      .def(
+          "with_centre_line",
+          [](const mesh::ControlMesh& m) {
+            return m.with_points(mesh::points_with_centre_line(m));
+          },
+          "The same mesh with its centre line in the centre plane exactly: both ends of border "
+          "edges whose ends are within tolerances.ON_CENTRE_PLANE of the size of it.")
+      .def_property_readonly(
+          "near_centre_line",
+          [](const mesh::ControlMesh& m) { return to_array(mesh::vertices_near_centre_line(m)); },
+          "(k,) points of border edges that run along the centre plane, but further off than that "
+          "and within tolerances.NEAR_CENTRE_PLANE: probably meant to be on it.")
       .def_property_readonly("size", &mesh::ControlMesh::size,
                              "Diagonal of the bounding box of the points, m.")
       .def_property_readonly(

@@ -11,11 +11,10 @@
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 #include "bindings/planes.h"
+#include "mesh/tolerances.h"
 
 namespace hull::bindings {
 namespace {
-
-constexpr double kTolerance = 1e-6;  // of the mesh's size, unless given
 
 std::optional<analysis::Plane> plane_if_given(const std::optional<DoubleArray>& plane) {
   return plane ? std::optional<analysis::Plane>(plane_from(*plane, "plane")) : std::nullopt;
@@ -77,7 +76,7 @@ void bind_regions(py::module_& module) {
         const std::optional<analysis::Plane> wanted = plane_if_given(plane);
         const py::gil_scoped_release release;
         return analysis::flat_regions(
-            surface, wanted, tolerance.value_or(kTolerance * surface.mesh().size()), smallest_area);
+            surface, wanted, tolerance.value_or(kInPlane * surface.mesh().size()), smallest_area);
       },
       py::arg("surface"), py::kw_only(), py::arg("plane") = py::none(),
       py::arg("tolerance") = py::none(), py::arg("smallest_area") = 0.0,
@@ -135,7 +134,7 @@ void bind_flatness(py::module_& module) {
         const std::optional<analysis::Plane> wanted = plane_if_given(plane);
         const py::gil_scoped_release release;
         return analysis::flatness(surface, part, wanted,
-                                  tolerance.value_or(kTolerance * surface.mesh().size()));
+                                  tolerance.value_or(kInPlane * surface.mesh().size()));
       },
       py::arg("surface"), py::kw_only(), py::arg("faces") = py::none(),
       py::arg("vertices") = py::none(), py::arg("plane") = py::none(),

@@ -23,6 +23,7 @@
 #include "conversion/patches/edge_uses.h"
 #include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
+#include "mesh/tolerances.h"
 
 namespace hull::exchange {
 namespace {
@@ -106,7 +107,7 @@ class ShapeMaker {
   };
 
   bool is_collapsed(const conversion::CapEdge& edge) const {
-    return edge.curve.polygon_length() <= conversion::kCollapsed * size_;
+    return edge.curve.polygon_length() <= kNoLength * size_;
   }
   bool is_collapsed(int edge) const {
     return edge < set_.edge_count ? uses_.is_collapsed(edge)
@@ -117,7 +118,7 @@ class ShapeMaker {
     TopoDS_Vertex& vertex = vertices_[vertex_groups_.find(number)];
     if (vertex.IsNull()) {
       // Ends of a collapsed side may lie apart by as much as such a side is long.
-      const double tolerance = kTolerance + conversion::kCollapsed * size_ * kMillimetresPerMetre;
+      const double tolerance = kTolerance + kNoLength * size_ * kMillimetresPerMetre;
       builder_.MakeVertex(vertex, in_millimetres(position), tolerance);
     }
     return vertex;

@@ -23,8 +23,8 @@ struct BRepShape {
 
 // Faces carry the patches as they are. Joined faces share one edge object, whose curve is the
 // border curve of both; so there is nothing to sew, and no tolerance beyond rounding. A side of no
-// length (all its control points within 1e-9 of the set's size) becomes a degenerated edge, its
-// ends one vertex. Caps are faces like the others; edges of plane faces have as tolerance their
+// length (all its control points within kNoLength of the set's size) becomes a degenerated edge,
+// its ends one vertex. Caps are faces like the others; edges of plane faces have as tolerance their
 // distance from the plane.
 //
 // Throws std::invalid_argument if set.check() does. REQUIRES: at least one patch, none without area

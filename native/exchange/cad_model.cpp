@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conversion/centre_line.h"
 #include "conversion/patches/flat_patches.h"
 #include "conversion/patches/mirror.h"
 #include "exchange/cad_report.h"
 #include "exchange/face_integrals.h"
 #include "exchange/regions.h"
+#include "mesh/tolerances.h"
 
 namespace hull::exchange {
 namespace {
@@ -67,7 +69,7 @@ std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
     check_curve(curve);
     curve.curve = conversion::clamped(curve.curve);
     const bool in_plane = std::ranges::all_of(curve.curve.points, [&](const Vector3d& p) {
-      return std::abs(p.y()) <= conversion::kOnCentrePlane * size;
+      return std::abs(p.y()) <= kOnCentrePlane * size;
     });
     curves.push_back(curve);
     if (!options.mirrored || in_plane) continue;
@@ -90,6 +92,18 @@ void turn_long_sides_to_v(conversion::PatchSet& set) {
   set.blocks.clear();
 }
 
+// Of which a solid is closed in the centre plane.
+bool is_on_one_side(const conversion::PatchSet& set) {
+  double low = 0.0, high = 0.0;
+  for (const conversion::BSplinePatch& patch : set.patches) {
+    for (const Vector3d& point : patch.control_points) {
+      low = std::min(low, point.y());
+      high = std::max(high, point.y());
+    }
+  }
+  return std::min(-low, high) <= kNearCentrePlane * set.size();
+}
+
 void check_solid(const BRepShape& brep) {
   if (brep.free_edges > 0) {
     throw std::invalid_argument("no solid: " + std::to_string(brep.free_edges) +
@@ -107,6 +121,9 @@ void check_solid(const BRepShape& brep) {
 
 CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& options) {
   patches.check();
+  if (options.mirrored || (options.solid && is_on_one_side(patches))) {
+    conversion::refuse_near_centre_line(patches.source.near_centre_line, patches.size());
+  }
   conversion::WithoutFlatPatches flat = conversion::without_flat_patches(patches);
   if (flat.patches.patches.empty()) {
     throw std::invalid_argument("no patch has an area: nothing to write");

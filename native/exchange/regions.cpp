@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/tolerances.h"
+
 namespace hull::exchange {
 namespace {
-
-// Of the size; models in single precision have flat parts that are no flatter.
-constexpr double kFlat = 1e-6;
 
 std::string region_of(const conversion::BSplinePatch& patch, double tolerance, double aft) {
   Eigen::AlignedBox3d box;
@@ -32,7 +31,7 @@ std::vector<std::string> find_regions(const conversion::PatchSet& set) {
   for (const conversion::BSplinePatch& patch : set.patches) {
     for (const Vector3d& point : patch.control_points) aft = std::min(aft, point.x());
   }
-  const double tolerance = kFlat * set.size();
+  const double tolerance = kInPlane * set.size();
   std::vector<std::string> regions;
   for (const conversion::BSplinePatch& patch : set.patches) {
     regions.push_back(region_of(patch, tolerance, aft));

@@ -12,7 +12,7 @@ namespace hull::exchange {
 // Of every patch the part of the hull that it belongs to as a whole: "flat side" (y constant, away
 // from the centre plane), "flat bottom" (z constant, normal down), "deck" (z constant, normal up),
 // "transom" (x constant, furthest aft); all others, and those that are plane only in part, "shell".
-// Constant to 1e-6 of the set's size.
+// Constant to kInPlane of the set's size.
 std::vector<std::string> find_regions(const conversion::PatchSet& set);
 
 // "deck", "transom", "centre plane", "opening".

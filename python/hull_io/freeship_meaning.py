@@ -10,7 +10,7 @@ from .cleanup import clean_faces, creases_of_faces, listed
 from .hull_data import HullData, Layer, Particulars, shell_face_indices
 from .limits import LONGEST_DIMENSION
 from .mending import mend
-from .mirror import mirror_faces
+from .mirror import mirror_faces, put_on_centre_plane
 from .subdivision import subdivided
 
 FOOT = 0.3048
@@ -115,6 +115,8 @@ def _settle_symmetry(data, symmetric):
     shell_layers = {layer for layer, shell in zip(data.face_layers, in_shell) if shell}
     kinds = {symmetric[layer] for layer in shell_layers}
     data.half = kinds == {True}
+    if data.half and (moved := put_on_centre_plane(data)):
+        data.notes.append(f"Put on the centre plane, off by rounding in the file: {moved} points.")
     if kinds == {True, False}:
         lone = [data.layers[layer].name for layer in sorted(shell_layers) if not symmetric[layer]]
         mirror_faces(

@@ -5,8 +5,22 @@ import numpy as np
 
 from .hull_data import edge_key, face_edges
 
-# Points nearer to the centre plane than this part of the hull's extent are shared by both sides.
+# Points nearer to the centre plane than this part of the hull's size, the diagonal of its box, are
+# shared by both sides: hull_native.tolerances.ON_CENTRE_PLANE.
 ON_CENTRE_PLANE = 1e-6
+
+
+def put_on_centre_plane(data):
+    """Put points of a HullData that are on the centre plane but for noise at y = 0 exactly, in
+    place; returns how many were not."""
+    near = _are_on_centre_plane(data.points) & (data.points[:, 1] != 0.0)
+    data.points[near, 1] = 0.0
+    return int(near.sum())
+
+
+def _are_on_centre_plane(points):
+    size = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
+    return np.abs(points[:, 1]) <= ON_CENTRE_PLANE * size
 
 
 def mirror_faces(data, face_indices):
@@ -22,12 +36,12 @@ def mirror_faces(data, face_indices):
     face_indices = _without(data, inside, face_indices)
     faces = [data.faces[index] for index in face_indices]
     used = sorted({point for face in faces for point in face})
-    extent = _extent(data)
+    is_shared = _are_on_centre_plane(data.points)
     image = {}
     new_points = []
     for point in used:
         x, y, z = data.points[point]
-        if abs(y) <= ON_CENTRE_PLANE * extent:
+        if is_shared[point]:
             data.points[point, 1] = 0.0
             image[point] = point
         else:
@@ -51,12 +65,8 @@ def mirror_faces(data, face_indices):
     data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])
 
 
-def _extent(data):
-    return float(np.ptp(data.points, axis=0).max())
-
-
 def _in_centre_plane(data, face_indices):
-    near = np.abs(data.points[:, 1]) <= ON_CENTRE_PLANE * _extent(data)
+    near = _are_on_centre_plane(data.points)
     return {index for index in face_indices if near[data.faces[index]].all()}
 
 

@@ -143,6 +143,9 @@ def test_refuses_what_does_not_fit(surface):
         hn.measure_quality(surface, patches, samples=0)
     with pytest.raises(ValueError, match="reach"):
         hn.measure_quality(surface, patches, normal_reach=-1.0)
+    moved = hn.LimitSurface(surface.mesh.with_points(surface.mesh.points * [1.0, 1.0, 1.1]))
+    with pytest.raises(ValueError, match="out of date"):
+        hn.measure_quality(moved, patches)
     other = pyramid(3)
     with pytest.raises(ValueError, match="not of this surface"):
         hn.measure_quality(other, patches)

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "analysis/sections/arc_square.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 namespace {
 
-constexpr double kTolerance = 1e-10;       // of the size
-constexpr double kZeroHeight = 1e-13;      // of the size
-constexpr double kSmallestCorner = 1e-11;  // of the size
-constexpr int kDeepest = 100;              // halvings
-constexpr int kSamples = 8;                // of the slope along a stretch of the waterline
+constexpr double kTolerance = 1e-10;      // of the size
+constexpr double kSmallestPiece = 1e-11;  // of the size: an extent is off by no more
+constexpr int kDeepest = 100;             // halvings
+constexpr int kSamples = 8;               // of the slope along a stretch of the waterline
 
 using Part = ExtentSearch::Part;
 
@@ -232,7 +232,7 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
   FarthestPoint best;
   const auto search_cell = [&](int c) {
     const auto descend = [&](const surface::CornerSquare& square) {
-      if (square.extent() < kSmallestCorner * size_) return false;
+      if (square.extent() < kSmallestPiece * size_) return false;
       double low = std::numeric_limits<double>::infinity(), high = -low, top = -low;
       for (const Vector3d& p : square.points()) {
         low = std::min(low, water_.height(p));

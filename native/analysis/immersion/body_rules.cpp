@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tolerances.h"
+
 namespace hull::analysis {
 namespace {
 
 // Of the mesh's size, or of its powers.
-constexpr double kZeroHeight = 1e-13;
 constexpr double kCornerFirst = 1e-15;  // per irregular corner
 constexpr double kCutVolume = 1e-15;    // per part of a cut
 constexpr double kSpanArea = 1e-12;     // per span

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tolerances.h"
+
 namespace hull::analysis {
 namespace {
 
-// Of the mesh's size: what lies in a plane, of models with single-precision coordinates too.
-constexpr double kInPlane = 1e-6;
 // Of the square of a loop's extent: a projection without area.
 constexpr double kNoArea = 1e-9;
 
@@ -109,7 +109,7 @@ std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
   for (const BorderLoop& loop : border_loops(edges)) {
     const Extent extent = extent_of(loop.spans);
     const double diagonal = (extent.high - extent.low).norm();
-    const bool at_centre = mirrored && extent.low.y() <= kInPlane * size;
+    const bool at_centre = mirrored && extent.low.y() <= kOnCentrePlane * size;
     const bool across =
         at_centre || std::abs(area_on_centre_plane(loop)) <= kNoArea * diagonal * diagonal;
     const Vector3d apex = centroid(loop);
@@ -118,7 +118,7 @@ std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
       const Cubic& border = loop.spans[i];
       const Extent own = extent_of(std::array<Cubic, 1>{border});
       const bool in_centre_plane =
-          at_centre && std::max(-own.low.y(), own.high.y()) <= kInPlane * size;
+          at_centre && std::max(-own.low.y(), own.high.y()) <= kOnCentrePlane * size;
       const Cubic target = across ? athwartships(border, y) : Cubic{apex, apex, apex, apex};
       const bool transverse = is_transverse(across ? own : extent, size);
       result.push_back(

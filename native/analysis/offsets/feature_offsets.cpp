@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "analysis/offsets/line_planes.h"
+#include "mesh/tolerances.h"
 #include "surface/creases/crease_curves.h"
 
 namespace hull::analysis {
@@ -17,9 +18,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kStepsPerEdge = 16;
 constexpr int kHalvings = 60;
-// Of the mesh's size: how far from the centre plane the centre line of a half hull may lie by its
-// modelling.
-constexpr double kCentreSlack = 1e-3;
 // Chains go on in one another where they turn by less than about 45 degrees.
 constexpr double kStraightOn = -0.7;
 
@@ -119,7 +117,7 @@ bool runs_along_off_centre(const surface::CreaseCurve& chain, double size) {
     low = std::min(low, point.x());
     high = std::max(high, point.x());
   }
-  return most > kCentreSlack * size && high - low > kSamePosition * size;
+  return most > kAtCentreLine * size && high - low > kSamePosition * size;
 }
 
 void name_in_order(std::vector<Measured>& features) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tolerances.h"
+
 namespace hull::analysis {
 
 Plane line_plane(const surface::LimitSurface& surface, Axis axis, double position) {

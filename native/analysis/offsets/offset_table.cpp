@@ -9,6 +9,7 @@
 #include "analysis/offsets/line_planes.h"
 #include "analysis/sections/port_side.h"
 #include "analysis/sections/sections.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 
@@ -39,7 +40,7 @@ class Station {
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
         curves_(section(surface, line_plane(surface, Axis::kX, x),
                         SectionOptions{kChordTolerance * surface.mesh().size(),
-                                       kInPlane * surface.mesh().size()})) {}
+                                       kInSection * surface.mesh().size()})) {}
 
   Offset half_breadth(double z) const {
     Vector3d best(0.0, -1.0, 0.0);

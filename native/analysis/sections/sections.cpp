@@ -9,14 +9,12 @@
 #include "analysis/sections/plane_sides.h"
 #include "analysis/sections/section_arcs.h"
 #include "analysis/sections/section_curves.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 namespace {
 
-// Of the mesh's size: heights below are rounding, and squares at irregular knots smaller than that
-// are not looked into.
-constexpr double kZeroHeight = 1e-13;
-constexpr double kSmallestCorner = 1e-9;
+// Of the mesh's size: parts nearer to the plane lie in it, unless the caller says how near.
 constexpr double kFlat = 1e-10;
 // Squares and pieces at irregular knots are taken for flat down to this part of a cell, and so are
 // sides that do not go on from such. Smaller ones lie near the plane because they are small.

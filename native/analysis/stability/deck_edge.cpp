@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/tolerances.h"
+
 namespace hull::analysis {
 namespace {
 
@@ -19,9 +21,9 @@ bool runs_along_the_ship(const surface::CreaseCurve& curve, double size) {
     high = high.cwiseMax(p);
   }
   const Vector3d extent = high - low;
-  const double rounding = 1e-9 * size;
-  const bool in_centre_plane = std::max(std::abs(low.y()), std::abs(high.y())) <= rounding;
-  return !in_centre_plane && extent.x() > rounding && extent.x() >= extent.z();
+  const bool in_centre_plane =
+      std::max(std::abs(low.y()), std::abs(high.y())) <= kOnCentrePlane * size;
+  return !in_centre_plane && extent.x() > kNoLength * size && extent.x() >= extent.z();
 }
 
 // The least value over [0, 1] of the cubic with these values and slopes at the ends.

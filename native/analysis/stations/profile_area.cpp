@@ -7,13 +7,13 @@
 #include <limits>
 
 #include "analysis/arithmetic/gauss.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 namespace {
 
 // Exact for the polynomials of degree 8 along a cubic.
 constexpr int kNodes = 5;
-constexpr double kAtCentre = 1e-6;  // of the size: bodies that reach the centre plane
 
 double derivative(const BezierCubic& c, double t) {
   const double s = 1.0 - t;
@@ -57,7 +57,7 @@ Profile profile_of(const HullBody& ship, int body) {
     low = std::min(low, boxes.low(cell).y());
     high = std::max(high, boxes.high(cell).y());
   }
-  const double reach = kAtCentre * ship.surface().mesh().size();
+  const double reach = kOnCentrePlane * ship.surface().mesh().size();
   const bool beside = low > reach || high < -reach;
   return {body, ship.mirrored() && !beside, {Vector3d::UnitY(), beside ? 0.5 * (low + high) : 0.0}};
 }

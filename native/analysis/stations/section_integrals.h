@@ -6,6 +6,7 @@
 #include "analysis/sections/arc_square.h"
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/plane_cut.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 
@@ -70,9 +71,6 @@ void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
                   const SectionFrame& frame, double level, const Visit& visit);
 
 namespace section_internal {
-
-inline constexpr double kZeroHeight = 1e-13;
-inline constexpr double kSmallestCorner = 1e-9;
 
 inline bool reaches(const Vector3d* begin, const Vector3d* end, const SectionFrame& frame,
                     double top) {

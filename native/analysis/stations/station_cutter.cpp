@@ -5,12 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/tolerances.h"
+
 namespace hull::analysis {
 namespace {
-
-using section_internal::kZeroHeight;
-
-constexpr double kAlmostFlat = 1e-6;  // of the size
 
 // A point where a border crosses the plane of a section.
 struct BorderCrossing {
@@ -114,7 +112,7 @@ StationCutter::StationCutter(const HullBody& body)
 
 std::optional<double> StationCutter::distance_of_flats(double position) const {
   const surface::LimitSurface& surface = body_->surface();
-  const double most = kAlmostFlat * surface.mesh().size();
+  const double most = kInPlane * surface.mesh().size();
   std::optional<double> distance;
   const auto take = [&](const auto& points) {
     if (std::abs(points[0].x() - position) > most) return;

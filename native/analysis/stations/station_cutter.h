@@ -42,8 +42,8 @@ class StationCutter {
   explicit StationCutter(const HullBody& body);
 
   // Where a flat of the shell, or a border, lies in the plane x = position, areas may jump: how
-  // far, in m, the control points of such flats are from it, as in single precision; less than 1e-6
-  // of the size.
+  // far, in m, the control points of such flats are from it, as in single precision; less than
+  // kInPlane of the size.
   std::optional<double> distance_of_flats(double position) const;
 
   // The port side's outline, or that of the whole where the body is modelled whole. `frame` is that

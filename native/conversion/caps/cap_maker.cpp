@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/tolerances.h"
+
 namespace hull::conversion {
 namespace {
 
@@ -111,7 +113,7 @@ void CapMaker::add_plane(Cap::Kind kind, std::vector<EdgePath> loops) {
   Cap cap;
   cap.kind = kind;
   const Vector3d area = area_vector(outer);
-  if (!(area.norm() > kCollapsed * size_ * size_)) {
+  if (!(area.norm() > kNoLength * size_ * size_)) {
     throw std::invalid_argument("the border at " + place_text(outer[0].points[0]) +
                                 " encloses no area to close; move its sides apart, or merge their "
                                 "points");
@@ -171,7 +173,7 @@ DirectedEdge CapMaker::add_edge(BSplineCurve curve, int from, int to) {
 
 int CapMaker::far_vertex(int vertex, const Vector3d& position, FarSide& far) {
   if (!far.is_plane) return far.vertices.at(vertex);
-  if (std::abs(position.y() - far.y) <= kOnCentrePlane * size_) return vertex;
+  if (std::abs(position.y() - far.y) <= tolerance()) return vertex;
   const auto [found, fresh] = far.vertices.try_emplace(vertex, -1);
   if (fresh) {
     found->second = set_.vertex_count + static_cast<int>(result_.vertices.size());
@@ -240,7 +242,7 @@ EdgePath CapMaker::far_path(const BorderChain& chain, const Run& run, FarSide& f
   if (!run.is_plane) {
     curve = first.curve;
     for (Vector3d& point : curve.points) point = on_plane(point);
-  } else if (from == to || curve.polygon_length() <= kCollapsed * size_) {
+  } else if (from == to || curve.polygon_length() <= kNoLength * size_) {
     return {};
   }
   const DirectedEdge made = add_edge(std::move(curve), from, to);

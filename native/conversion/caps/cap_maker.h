@@ -8,6 +8,7 @@
 #include "conversion/caps/caps.h"
 #include "conversion/patches/edge_uses.h"
 #include "conversion/patches/mirror.h"
+#include "mesh/tolerances.h"
 
 namespace hull::conversion {
 
@@ -35,7 +36,7 @@ class CapMaker {
 
   const PatchSet& set() const { return set_; }
   const EdgeUses& uses() const { return uses_; }
-  double tolerance() const { return kInPlane * size_; }
+  double tolerance() const { return kInCap * size_; }
   BorderStep step(const EdgeUse& use) const;
   // Whether an edge runs straight athwartships.
   bool is_athwart(const BorderStep& step) const;

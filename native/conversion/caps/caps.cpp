@@ -11,20 +11,10 @@
 #include "conversion/caps/cap_maker.h"
 #include "conversion/caps/centre_plane.h"
 #include "conversion/patches/mirror.h"
+#include "mesh/tolerances.h"
 
 namespace hull::conversion {
 namespace {
-
-constexpr double kOneSide = 1e-6;  // of the size: how far a half hull may cross the centre plane
-
-bool is_near(double value, double place, double tolerance) {
-  return std::abs(value - place) <= tolerance;
-}
-
-bool lies_in(const BorderStep& step, double y, double tolerance) {
-  return std::ranges::all_of(
-      step.curve.points, [&](const Vector3d& point) { return is_near(point.y(), y, tolerance); });
-}
 
 Vector3d mirrored(const Vector3d& point, double y) {
   return {point.x(), 2.0 * y - point.y(), point.z()};
@@ -82,7 +72,7 @@ FarSide find_images(const BorderChain& loop, double tolerance) {
 class Closer {
  public:
   explicit Closer(const PatchSet& set)
-      : set_(set), uses_(set), maker_(set, uses_), on_plane_(kOnCentrePlane * set.size()) {}
+      : set_(set), uses_(set), maker_(set, uses_), size_(set.size()) {}
 
   // Edges that are their own mirror images, and not athwart: the closing lacks what is there.
   const std::vector<int>& crossing() const { return crossing_; }
@@ -115,17 +105,18 @@ class Closer {
       }
     }
     is_port_half_ = high > -low;
-    const bool one_side = std::min(-low, high) <= kOneSide * set_.size();
+    const bool one_side = std::min(-low, high) <= kOnCentrePlane * size_;
     is_half_ = one_side && std::ranges::any_of(loops, [&](const BorderChain& loop) {
-                 return std::ranges::any_of(
-                     loop, [&](const BorderStep& step) { return lies_in(step, 0.0, on_plane_); });
+                 return std::ranges::any_of(loop, [&](const BorderStep& step) {
+                   return lies_in_centre_plane(step.curve, size_);
+                 });
                });
   }
 
   // Splits a loop at the centre plane and closes the parts; false if it does not come there.
   bool close_to_centre_plane(BorderChain loop) {
     const auto is_there = [&](const BorderStep& step) {
-      return is_near(step.curve.points.front().y(), 0.0, on_plane_);
+      return std::abs(step.curve.points.front().y()) <= maker_.tolerance();
     };
     const auto first = std::ranges::find_if(loop, is_there);
     if (first == loop.end()) return false;
@@ -134,7 +125,7 @@ class Closer {
     BorderChain chain;
     for (const BorderStep& step : loop) {
       if (!chain.empty() && is_there(step)) close_chain(chain, far);
-      if (lies_in(step, 0.0, on_plane_)) {
+      if (lies_in_centre_plane(step.curve, size_)) {
         in_plane_.push_back({step.edge, true});
       } else {
         chain.push_back(step);
@@ -211,7 +202,7 @@ class Closer {
   const PatchSet& set_;
   EdgeUses uses_;
   CapMaker maker_;
-  double on_plane_;
+  double size_;
   bool is_half_ = false, is_port_half_ = true;
   EdgePath in_plane_;
   std::vector<int> crossing_;

@@ -46,10 +46,6 @@ struct Closing {
   std::vector<Cap> caps;
 };
 
-// Of a set's size: what lies in a plane, or on a line athwartships. Not more, because what CAD
-// systems take for the same point is not more either: 1 µm on 100 m.
-inline constexpr double kInPlane = 1e-8;
-
 // The caps that make a closed shell of a hull; none where it has no border.
 //
 // A half hull is a set with borders in the centre plane y = 0, wholly on one side of it. Its other
@@ -65,8 +61,8 @@ inline constexpr double kInPlane = 1e-8;
 // as around a bow, is divided there into two edges of the set.
 //
 // Throws std::invalid_argument, saying where and what to do about it, at a border that is neither.
-// REQUIRES: set.check() does not throw; borders in the centre plane of a half hull lie in it to
-// kOnCentrePlane (mirror.h).
+// REQUIRES: set.check() does not throw; borders in the centre plane of a half hull lie in it as
+// with_seam_in_plane() puts them.
 Closing closing_of(PatchSet& set);
 
 }  // namespace hull::conversion

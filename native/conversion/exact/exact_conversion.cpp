@@ -4,19 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "conversion/blocks/block_places.h"
+#include "conversion/centre_line.h"
 #include "conversion/exact/grading.h"
 #include "conversion/patches/divide.h"
 #include "conversion/patches/matched_knots.h"
+#include "mesh/tolerances.h"
 
 namespace hull::conversion {
 namespace {
-
-constexpr double kInPlane = 1e-7;  // of the mesh's size
 
 class SetBuilder {
  public:
@@ -72,7 +73,8 @@ class SetBuilder {
 
   bool is_in_plane(int h) const {
     for (double t : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-      if (std::abs(point_on_half_edge(surface_, h, t).y()) > kInPlane * surface_.mesh().size()) {
+      if (std::abs(point_on_half_edge(surface_, h, t).y()) >
+          kOnCentrePlane * surface_.mesh().size()) {
         return false;
       }
     }
@@ -124,12 +126,15 @@ void check(const ExactOptions& options) {
 
 }  // namespace
 
-PatchSet exact_patches(const surface::LimitSurface& surface, const ExactOptions& options,
+PatchSet exact_patches(const surface::LimitSurface& given, const ExactOptions& options,
                        const surface::Progress& progress) {
   check(options);
+  const std::optional<surface::LimitSurface> centred = with_centre_line(given);
+  const surface::LimitSurface& surface = centred ? *centred : given;
   const BlockLayout layout(surface);
   const SetBuilder builder(surface, layout);
   PatchSet set = builder.build(graded_patches(surface, layout, options, progress));
+  set.source = source_of(given);
   // Bézier patches are divided at all knots, so nothing is left to match or to limit.
   if (options.bezier) return divided(set, cuts_at_knots(set));
   if (options.matched_knots) match_knots(set);

@@ -34,6 +34,7 @@ struct ExactOptions {
 //     points that are joined by sides of blocks. They end where knots would come closer than CAD
 //     systems tell apart. Normals nearer to irregular points than the tolerance do not count.
 //   - Patches cut further stand for parts of their blocks.
+//   - A border along the centre plane lies in it exactly (centre_line.h).
 //
 // Throws std::invalid_argument unless the tolerance is from 1e-10 to 0.1, the angle 0 to 1, the
 // grading 0 or one of exact_patch(), and the most control points 0 or at least 16.

@@ -249,7 +249,9 @@ int most_along(int intervals, int pieces) { return (intervals + pieces - 1) / pi
 }  // namespace
 
 PatchSet divided(const PatchSet& set, const std::vector<PatchCuts>& cuts) {
-  return Divider(set, cuts).divide();
+  PatchSet result = Divider(set, cuts).divide();
+  result.source = set.source;
+  return result;
 }
 
 std::vector<PatchCuts> cuts_at_knots(const PatchSet& set) {

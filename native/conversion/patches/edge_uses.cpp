@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/patches/edge_uses.h"
 
+#include "mesh/tolerances.h"
+
 namespace hull::conversion {
 
 EdgeUses::EdgeUses(const PatchSet& set)
     : set_(set), uses_(set.edge_count), collapsed_(set.edge_count, false) {
-  const double tolerance = kCollapsed * set.size();
+  const double tolerance = kNoLength * set.size();
   Groups groups(set.vertex_count);
   for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {

@@ -9,9 +9,6 @@
 
 namespace hull::conversion {
 
-// Of a set's size: shorter sides have no length.
-inline constexpr double kCollapsed = 1e-9;
-
 // A part of a patch's side, by place.
 struct EdgeUse {
   int patch = -1, side = -1, part = -1;
@@ -27,7 +24,7 @@ class EdgeUses {
   const std::array<EdgeUse, 2>& of(int edge) const { return uses_[edge]; }
   // Edges with one patch, a border of the set. Unused numbers are none.
   bool is_border(int edge) const { return uses_[edge][0].patch >= 0 && uses_[edge][1].patch < 0; }
-  // Edges of no length: all their control points lie within kCollapsed of the size.
+  // Edges of no length: all their control points lie within kNoLength of the size.
   bool is_collapsed(int edge) const { return collapsed_[edge]; }
   // The number that stands for a vertex and those that edges of no length join it to.
   int vertex(int number) const { return vertices_[number]; }

@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "conversion/groups.h"
+#include "mesh/tolerances.h"
 
 namespace hull::conversion {
 namespace {
-
-constexpr double kFlat = 1e-9;  // of the size
 
 // The cross product of the derivatives is the longer one times the width across it.
 bool is_flat(const BSplinePatch& patch, double width) {
@@ -155,7 +154,7 @@ void unify_edges(PatchSet& set, Groups& edges) {
 }  // namespace
 
 WithoutFlatPatches without_flat_patches(const PatchSet& set) {
-  const double tolerance = kFlat * set.size();
+  const double tolerance = kNoLength * set.size();
   std::vector<char> is_left_out;
   for (const BSplinePatch& patch : set.patches) {
     is_left_out.push_back(tolerance == 0.0 || is_flat(patch, tolerance));
@@ -184,6 +183,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   PatchSet& kept = result.patches;
   kept.vertex_count = all.vertex_count;
   kept.edge_count = all.edge_count;
+  kept.source = std::move(all.source);
   for (int p = 0; p < count; ++p) {
     result.is_kept.push_back(!is_left_out[p]);
     if (is_left_out[p]) {

@@ -15,10 +15,10 @@ struct WithoutFlatPatches {
 
 // Leaves out patches that have no area because they are folded onto a line or a point: they have no
 // normal, no program takes them for a face, and nothing of the surface is lost with them. Flat is
-// what is nowhere wider than 1e-9 of the set's size.
+// what is nowhere wider than kNoLength of the set's size.
 //
 // Where exactly two sides of such a patch have a length and lie on one another, the patches beyond
-// them are joined: the control points of the one take the place of the other's (1e-9 of the size
+// them are joined: the control points of the one take the place of the other's (so little
 // away). Other sides of it become borders, which lie on one line.
 //
 // REQUIRES: set.check() does not throw.

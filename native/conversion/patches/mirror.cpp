@@ -5,15 +5,20 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/tolerances.h"
+
 namespace hull::conversion {
 namespace {
+
+// The last piece of a border that leaves the plane may be shorter than what is on the plane.
+constexpr double kAlong = 0.1;
 
 struct Seam {
   std::vector<bool> edges, vertices;
 };
 
 Seam find_seam(const PatchSet& set) {
-  const double tolerance = kOnCentrePlane * set.size();
+  const double size = set.size();
   std::vector<int> uses(set.edge_count, 0);
   for (const auto& sides : set.sides) {
     for (const PatchSide& side : sides) {
@@ -25,10 +30,7 @@ Seam find_seam(const PatchSet& set) {
     for (int k = 0; k < 4; ++k) {
       for (const SideEdge& part : set.sides[p][k]) {
         if (uses[part.edge] != 1) continue;
-        const bool flat = std::ranges::all_of(
-            set.curve(p, k, part).points,
-            [&](const Vector3d& point) { return std::abs(point.y()) <= tolerance; });
-        if (!flat) continue;
+        if (!lies_in_centre_plane(set.curve(p, k, part), size)) continue;
         seam.edges[part.edge] = true;
         seam.vertices[part.from] = seam.vertices[part.to] = true;
       }
@@ -83,6 +85,13 @@ PatchSet flattened(const PatchSet& half, const Seam& seam) {
 }
 
 }  // namespace
+
+bool lies_in_centre_plane(const BSplineCurve& curve, double size) {
+  double farthest = 0.0;
+  for (const Vector3d& point : curve.points) farthest = std::max(farthest, std::abs(point.y()));
+  if (farthest > kOnCentrePlane * size) return false;
+  return farthest <= kNoLength * size || farthest <= kAlong * curve.polygon_length();
+}
 
 PatchSet with_seam_in_plane(const PatchSet& half) { return flattened(half, find_seam(half)); }
 

@@ -5,8 +5,9 @@
 
 namespace hull::conversion {
 
-// Of a set's size: what lies in the centre plane y = 0.
-inline constexpr double kOnCentrePlane = 1e-7;
+// Whether a curve of a set of this size lies in the centre plane y = 0: within kOnCentrePlane of
+// it, and along it rather than so short.
+bool lies_in_centre_plane(const BSplineCurve& curve, double size);
 
 // The patches with the seam of with_mirror_image() put on the centre plane exactly.
 PatchSet with_seam_in_plane(const PatchSet& half);
@@ -15,10 +16,9 @@ PatchSet with_seam_in_plane(const PatchSet& half);
 // along the seam. The patches given come first, then their images in the same order with the same
 // cell numbers; in an image u and v are exchanged, so that its normal points outwards as well.
 //
-// The seam is every edge with one patch whose control points lie within kOnCentrePlane of the set's
-// size from the centre plane; they are put on it exactly. Patches or inner edges lying in the plane
-// (a thin skeg) get images of their own and are not joined: they are the two sides of something
-// thin.
+// The seam is every edge with one patch that lies in the centre plane; its control points are put
+// on it exactly. Patches or inner edges lying in the plane (a thin skeg) get images of their own
+// and are not joined: they are the two sides of something thin.
 //
 // Images have blocks without sides.
 //

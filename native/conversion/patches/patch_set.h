@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "conversion/blocks/block_layout.h"
@@ -25,6 +26,15 @@ using PatchSide = std::vector<SideEdge>;
 // Of the set's size: edges of two patches lie no further apart.
 inline constexpr double kLargestGap = 1e-13;
 
+// What patches were made of.
+struct PatchSource {
+  // The control points of the surface that the blocks are of; null where there is none.
+  std::shared_ptr<const std::vector<Vector3d>> points;
+  // Those of them that keep its centre line from the centre plane although they were probably
+  // meant to be on it (centre_line.h): the mirror image would not join there.
+  std::vector<Vector3d> near_centre_line;
+};
+
 // Patches that join into a surface, and how: edges with the same number are one curve, vertices
 // with the same number one point. Corner k of a patch is where its side k begins.
 struct PatchSet {
@@ -36,6 +46,7 @@ struct PatchSet {
   std::vector<Block> blocks;
   int vertex_count = 0;
   int edge_count = 0;
+  PatchSource source;
 
   // Diagonal of the box around all control points, m; 0 without any. What tolerances refer to.
   double size() const;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/per_cell/per_cell.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "conversion/blocks/block_places.h"
+#include "conversion/centre_line.h"
 #include "conversion/per_cell/uniform_fit.h"
 
 namespace hull::conversion {
@@ -40,12 +42,14 @@ std::vector<Vector3d> inner_data(const surface::LimitSurface& surface, int cell,
 
 }  // namespace
 
-PatchSet fit_per_cell(const surface::LimitSurface& surface, int control_points) {
+PatchSet fit_per_cell(const surface::LimitSurface& given, int control_points) {
   if (control_points < kMinControlPoints || control_points > kMaxControlPoints) {
     throw std::invalid_argument("control_points must be from " + std::to_string(kMinControlPoints) +
                                 " to " + std::to_string(kMaxControlPoints) + ", not " +
                                 std::to_string(control_points));
   }
+  const std::optional<surface::LimitSurface> centred = with_centre_line(given);
+  const surface::LimitSurface& surface = centred ? *centred : given;
   const int n = control_points;
   const UniformFit fit(n, data_intervals(n));
   const mesh::Topology& cells = surface.cells();
@@ -57,6 +61,7 @@ PatchSet fit_per_cell(const surface::LimitSurface& surface, int control_points) 
   PatchSet set;
   set.vertex_count = cells.vertex_count();
   set.edge_count = cells.edge_count();
+  set.source = source_of(given);
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     BSplinePatch patch{3, 3, open_uniform_knots(3, n), open_uniform_knots(3, n), n, n, {}, cell};
     patch.control_points.assign(n * n, Vector3d::Zero());

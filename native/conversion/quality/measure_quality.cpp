@@ -48,6 +48,11 @@ void check(const surface::LimitSurface& surface, const PatchSet& set,
                                   "patches were made from.");
     }
   }
+  if (set.source.points && *set.source.points != surface.mesh().points()) {
+    throw std::invalid_argument(
+        "The patches are out of date: they were made of other control points than the surface has. "
+        "Convert it again, or give the surface as it was.");
+  }
 }
 
 void take_patch(QualityReport& report, double& squares, double& exact, PatchQuality found) {

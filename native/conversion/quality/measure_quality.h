@@ -37,7 +37,8 @@ struct QualityOptions {
 // Patches without cells have no distance, and their seams gaps only.
 //
 // Throws std::invalid_argument unless the set has a block for each patch, with cells of this
-// surface, and the options are in range. REQUIRES: set.check() does not throw.
+// surface and made of its control points, and the options are in range. REQUIRES: set.check() does
+// not throw.
 QualityReport measure_quality(const surface::LimitSurface& surface, const PatchSet& set,
                               const QualityOptions& options = {},
                               const surface::Progress& progress = {});

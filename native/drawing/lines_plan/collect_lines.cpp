@@ -16,6 +16,7 @@
 #include "drawing/lines_plan/hull_extents.h"
 #include "drawing/lines_plan/ship_curve.h"
 #include "drawing/lines_plan/ship_spline.h"
+#include "mesh/tolerances.h"
 #include "surface/creases/crease_curves.h"
 
 namespace hull::drawing {
@@ -24,8 +25,6 @@ namespace {
 
 // On paper, mm: a tenth of a thin line.
 constexpr double kPaperTolerance = 0.02;
-// Of the mesh's size: how far to starboard the centre line of a half hull may lie by its modelling.
-constexpr double kCentreLineSlack = 1e-3;
 constexpr int kStepsPerEdge = 16;  // of knuckles and borders
 constexpr int kStepsPerKnot = 8;   // of splines
 
@@ -139,7 +138,7 @@ class Cutter {
   Cutter(const surface::LimitSurface& surface, double tolerance, bool splines)
       : surface_(surface), tolerance_(tolerance), splines_(splines), size_(surface.mesh().size()) {}
 
-  double same() const { return analysis::kSamePosition * size_; }
+  double same() const { return kSamePosition * size_; }
 
   // To port, exactly at the position.
   std::vector<ShipCurve> cut(analysis::Axis axis, double position) const {
@@ -181,14 +180,14 @@ class Cutter {
     std::vector<ShipCurve> curves;
     if (splines_) {
       for (const analysis::SectionSplines& branch :
-           analysis::section_splines(surface_, plane, tolerance_, analysis::kInPlane * size_)) {
+           analysis::section_splines(surface_, plane, tolerance_, kInSection * size_)) {
         for (const analysis::SectionSpline& spline : branch.splines) {
           curves.push_back(with_points(spline.curve));
         }
       }
     } else {
       for (analysis::SectionCurve& branch : analysis::section(
-               surface_, plane, analysis::SectionOptions{tolerance_, analysis::kInPlane * size_})) {
+               surface_, plane, analysis::SectionOptions{tolerance_, kInSection * size_})) {
         curves.push_back({std::move(branch.points), std::nullopt});
       }
     }
@@ -247,8 +246,7 @@ ShipCurve ship_curve(const surface::CreaseCurve& crease) {
 }
 
 void add_features(const surface::LimitSurface& surface, bool mirrored, LinesDrawing& drawing) {
-  const double slack =
-      (mirrored ? kCentreLineSlack : analysis::kSamePosition) * surface.mesh().size();
+  const double slack = (mirrored ? kAtCentreLine : kSamePosition) * surface.mesh().size();
   for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
     const bool border = crease.kind() == surface::CreaseKind::kBorder;
     add_port_half(border ? drawing.outlines : drawing.knuckles, ship_curve(crease), slack);

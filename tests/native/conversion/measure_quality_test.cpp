@@ -326,6 +326,11 @@ TEST(MeasureQuality, RefusesWhatDoesNotFit) {
   EXPECT_THROW(measure_quality(plane(), set, {.normal_reach = -1.0}), std::invalid_argument);
   const surface::LimitSurface smaller{mesh::ControlMesh(testing::grid(1, 1))};
   EXPECT_THROW(measure_quality(smaller, set), std::invalid_argument);
+  surface::LimitSurface moved = plane();
+  std::vector<Vector3d> points = moved.mesh().points();
+  points[0].z() += 0.1;
+  moved.set_points(points);
+  EXPECT_THROW(measure_quality(moved, set), std::invalid_argument);
   PatchSet unknown = set;
   unknown.blocks.clear();
   EXPECT_THROW(measure_quality(plane(), unknown), std::invalid_argument);

@@ -9,9 +9,6 @@ from ....hull_io.mending import ACROSS
 from .. import native
 from . import mesh_arrays
 
-# Points nearer to the centre plane than this part of the hull's size are on it.
-_CENTRE_PLANE_TOLERANCE = 1e-6
-
 # What the native check says of what Split mends.
 _TO_SPLIT = ("more than two faces", "share no edge there")
 
@@ -56,6 +53,8 @@ def check_control_mesh(data, control, half):
         return MeshCheck(len(control.points), 0, len(control.face_sizes), 0, tuple(problems)), None
     mesh = hull_native.ControlMesh(*control.arguments())
     problems += _side_warnings(control, half)
+    if half:
+        problems += _centre_line_warnings(mesh, control)
     check = MeshCheck(
         mesh.vertex_count,
         mesh.edge_count,
@@ -121,8 +120,24 @@ def _side_warnings(control, half):
     return problems
 
 
+def _centre_line_warnings(mesh, control):
+    """Where the two sides would not be joined, although they were probably meant to be."""
+    near = mesh.near_centre_line
+    if not len(near):
+        return []
+    furthest = np.abs(mesh.points[near, 1]).max()
+    message = (
+        f"{len(near)} points of the centre line are off the centre plane, by up to "
+        f"{1e3 * furthest:.3g} mm: put them there (y = 0), or the two sides do not join"
+    )
+    return [Problem("warning", "vertex", tuple(control.vertex_ids[near].tolist()), message)]
+
+
 def _dust(points):
-    return _CENTRE_PLANE_TOLERANCE * np.ptp(points, axis=0).max() if len(points) else 0.0
+    if not len(points):
+        return 0.0
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    return native.require().tolerances.ON_CENTRE_PLANE * size
 
 
 def on_centre_plane(points):

@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from ...bridge.mesh import mesh_points
+from ...bridge.mesh import mesh_check, mesh_points
 from . import flats
 
 
@@ -15,11 +15,11 @@ def kept(obj, data, control, border_edges):
     Blender's mesh too.
 
     control: the ControlArrays of the same mesh as it was seen last; border_edges (b, 2) of these.
-    Only points of the border that were at y = 0 exactly are kept. Not so points without a face that
+    Only points of the border that were on it are kept. Not so points without a face that
     has an area, which were just extruded, and points of flats that would leave their plane.
     """
     border = np.unique(border_edges)
-    on_plane = border[control.points[border, 1] == 0.0]
+    on_plane = border[mesh_check.on_centre_plane(control.points)[border]]
     left = on_plane[data.points[control.vertex_ids[on_plane], 1] != 0.0]
     if not len(left):
         return data

@@ -4,10 +4,8 @@ are kept flat, and those on the centre plane of a half hull."""
 
 import numpy as np
 
+from .. import native
 from . import flats
-
-# Of the size: what counts as on the centre plane.
-_ON_CENTRE = 1e-6
 
 
 def held_points(obj, vertex_ids, points, size):
@@ -24,4 +22,4 @@ def held_points(obj, vertex_ids, points, size):
 
 def on_centre(points, size):
     """(n,) which points are on the centre plane."""
-    return np.abs(points[:, 1]) <= _ON_CENTRE * size
+    return np.abs(points[:, 1]) <= native.require().tolerances.ON_CENTRE_PLANE * size

@@ -16,9 +16,6 @@ from . import lines
 # The tubes' radius as a part of the hull's length: a pencil line seen from a ship's length away.
 _LINE_RADIUS = 6e-4
 
-# Curves nearer to the centre plane than this part of the hull's size have no mirror image.
-_CENTRE_PLANE_TOLERANCE = 1e-6
-
 # Of the kinds of lines, in lists and files.
 LAYER_NAMES = {
     "station": "stations",
@@ -60,7 +57,8 @@ def chains_of(surface, group, as_splines):
     left handle, point and right handle."""
     chains = _splines_of(surface, group) if as_splines else _polylines_of(group)
     if group.is_mirrored:
-        return _with_images(chains, _CENTRE_PLANE_TOLERANCE * lines.size_of(surface))
+        on_plane = native.require().tolerances.ON_CENTRE_PLANE
+        return _with_images(chains, on_plane * lines.size_of(surface))
     return chains
 
 

@@ -29,10 +29,8 @@ SWITCHES = {
     "feature": "show_features",
 }
 
-# Of the hull's size: how far chords depart from the curve, and how near to a plane what lies in it
-# is, since Blender keeps points in single precision.
+# Of the hull's size: how far chords depart from the curve.
 _CHORD_TOLERANCE = 1e-5
-_FLAT_TOLERANCE = 2e-7
 _STEPS_AN_OCTAVE = 4
 _SAMPLES_PER_EDGE = 16
 # Flats smaller than this part of the size squared are not what is called one.
@@ -268,7 +266,7 @@ def chord_tolerance(surface):
 
 
 def flat_tolerance(surface):
-    return _FLAT_TOLERANCE * steady_size(surface)
+    return native.require().tolerances.IN_SECTION * steady_size(surface)
 
 
 def mirror_image(points):

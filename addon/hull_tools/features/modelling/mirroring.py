@@ -15,9 +15,8 @@ import numpy as np
 from mathutils import kdtree
 
 from ....hull_io.mending import ACROSS
-from ....hull_io.mirror import ON_CENTRE_PLANE
 from ...bridge.blender import blender_versions
-from ...bridge.mesh import mesh_points
+from ...bridge.mesh import mesh_check, mesh_points
 from ...bridge.mesh.mesh_editing import editing
 from ..constraints import flat_marks, flats, planes
 from ..hull import hull_state
@@ -108,10 +107,9 @@ def _check_users(mesh):
 def _put_on_centre_plane(bm):
     """Points that are as good as there."""
     places = np.array([vertex.co for vertex in bm.verts]).reshape(-1, 3)
-    allowed = ON_CENTRE_PLANE * float(np.ptp(places, axis=0).max(initial=0.0))
-    for vertex in bm.verts:
-        if abs(vertex.co.y) <= allowed:
-            vertex.co.y = 0.0
+    bm.verts.ensure_lookup_table()
+    for index in np.flatnonzero(mesh_check.on_centre_plane(places)).tolist():
+        bm.verts[index].co.y = 0.0
 
 
 def _numbers_of_other_side(obj):

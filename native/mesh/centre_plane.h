@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "mesh/control_mesh.h"
+
+// The centre line of a half hull: the border edges of its control mesh that lie in the centre plane
+// y = 0. Files of other programs have it there only nearly.
+namespace hull::mesh {
+
+// The points of the mesh, with both ends of every border edge whose ends are within kOnCentrePlane
+// of the size of the plane put on it exactly; all others as they are. The curve of such a border
+// is in the plane, too, since it depends on the points of the border alone.
+std::vector<Eigen::Vector3d> points_with_centre_line(const ControlMesh& mesh);
+
+// The vertices, in order, that were probably meant to be on the centre line, but are not within
+// kOnCentrePlane: ends of border edges that run along the plane, rising from it by less than a
+// hundredth of their length, within kNearCentrePlane.
+std::vector<int> vertices_near_centre_line(const ControlMesh& mesh);
+
+}  // namespace hull::mesh
