@@ -34,7 +34,7 @@ LEAST_DEPTH = 2e-4
 # A tangent that turns by less is no knuckle.
 KNUCKLE = np.radians(1.0)
 # Of the beam: the distance of samples; of the hull's size: what lies in a plane.
-_STEP, _IN_PLANE = 1.0 / 200.0, 1e-6
+_STEP = 1.0 / 200.0
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def _features(surface, step, size):
     for index, curve in enumerate(plain):
         ends = " to ".join("({:.2f}, {:.2f}, {:.2f})".format(*curve.points[i]) for i in (0, -1))
         name = f"{curve.kind} from {ends}"
-        frame = _plane_frame(curve.points, _IN_PLANE * size)
+        frame = _plane_frame(curve.points, hn.tolerances.IN_PLANE * size)
         if frame is not None:
             yield "feature", name, [(curve.points @ frame.T, *_rest(curve))]
             continue

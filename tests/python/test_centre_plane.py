@@ -2,18 +2,12 @@
 """Half hulls whose centre line is in the centre plane but for noise, as in files of other programs:
 one rule for what is on it, whatever is made of the hull."""
 
-import sys
-from pathlib import Path
-
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
-
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "blender" / "io"))
-from hull_io_loader import load_hull_io  # noqa: E402
-
-hull_io = load_hull_io()
+from hull_io import mirror
+from reference_data import hull_path
 
 SEED = 20251
 NAMES = ("coaster", "barge", "naval_vessel")
@@ -28,7 +22,7 @@ EXTENTS = {
 
 
 def mesh_of(name):
-    data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
+    data = hull_io.read_hull(hull_path(f"{name}.hull.json"))
     shell = hull_io.shell_arrays(data)
     mesh = hn.ControlMesh(
         shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
@@ -159,3 +153,11 @@ def test_with_centre_line_changes_nothing_else():
         assert not len(mesh.near_centre_line)
         noisy = with_noise(mesh, NOISES[-1])
         assert np.array_equal(noisy.with_centre_line().points, mesh.points)
+
+
+def test_readers_of_files_share_the_rule():
+    assert mirror.ON_CENTRE_PLANE == ON
+    data, mesh = mesh_of("coaster")
+    data.points = with_noise(mesh, NOISES[-1]).points.copy()
+    assert mirror.put_on_centre_plane(data) == len(centre_line(mesh))
+    assert np.array_equal(data.points, mesh.points)
