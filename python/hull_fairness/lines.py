@@ -33,7 +33,7 @@ PLANES = {"station": ("x", 48), "waterline": ("z", 20), "buttock": ("y", 12)}
 LEAST_DEPTH = 2e-4
 # A tangent that turns by less is no knuckle.
 KNUCKLE = np.radians(1.0)
-# Of the beam: the distance of samples; of the hull's size: what lies in a plane.
+# Of the beam: the distance of samples.
 _STEP = 1.0 / 200.0
 
 
