@@ -4,7 +4,7 @@ are kept flat, and those on the centre plane of a half hull."""
 
 import numpy as np
 
-from .. import native
+from ...bridge import native
 from . import flats
 
 
