@@ -154,3 +154,30 @@ def test_undo_is_not_an_edit(hull):
     bpy.ops.ed.redo()
     bpy.context.view_layer.update()
     assert points(bpy.context.object)[index, 1] == 0.0
+
+
+def shift(hull, index, y):
+    """Puts a point beside the centre plane in object mode, as a file may have it."""
+    bpy.ops.object.mode_set(mode="OBJECT")
+    hull.data.vertices[index].co.y = y
+    hull.data.update()
+    bpy.context.view_layer.update()
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
+def test_points_off_by_rounding_are_on_it_and_stay(hull):
+    index = int(on_centre(hull)[5])
+    shift(hull, index, 1e-5)
+    assert not state_of(hull).check.problems
+    move(hull, [index], (0.25, 0.5, 0.0))
+    assert points(hull)[index, 1] == 0.0
+
+
+def test_points_near_it_are_told(hull):
+    index = int(on_centre(hull)[5])
+    shift(hull, index, 0.002)
+    (problem,) = state_of(hull).check.problems
+    assert problem.elements == (index,)
+    assert "1 point of the centre line off the centre plane, by up to 2 mm" in problem.message
+    shift(hull, index, 0.5)
+    assert not state_of(hull).check.problems

@@ -126,9 +126,10 @@ def _centre_line_warnings(mesh, control):
     if not len(near):
         return []
     furthest = np.abs(mesh.points[near, 1]).max()
+    points = "1 point" if len(near) == 1 else f"{len(near)} points"
     message = (
-        f"{len(near)} points of the centre line are off the centre plane, by up to "
-        f"{1e3 * furthest:.3g} mm: put them there (y = 0), or the two sides do not join"
+        f"{points} of the centre line off the centre plane, by up to {1e3 * furthest:.3g} mm: put "
+        "them there (y = 0), or the two sides do not join"
     )
     return [Problem("warning", "vertex", tuple(control.vertex_ids[near].tolist()), message)]
 
