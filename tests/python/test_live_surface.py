@@ -78,12 +78,12 @@ OF_A_BODY = {
     "shell_area": lambda body: body.shell_area,
     "shell_flux_forms": lambda body: body.shell_flux_forms,
     "hydrostatics": lambda body: hn.hydrostatics(body, draft=0.5),
-    "hydrostatics_table": lambda body: hn.hydrostatics_table(body, drafts=[0.4, 0.5]),
     "section_areas": lambda body: hn.section_areas(body, [1.0, 2.0], draft=0.5),
     "bonjean": lambda body: hn.bonjean(body, stations=[1.0, 2.0], drafts=[0.2, 0.5]),
     "righting_levers": lambda body: hn.righting_levers(body, **LOAD, heels=[0.0, 0.1]),
     "cross_curves": lambda body: hn.cross_curves(body, displacements_t=[3.0], heels=[0.1]),
     "stability_criteria": lambda body: hn.stability_criteria(body, **LOAD),
+    "hydrostatic_table": lambda body: hn.hydrostatic_table(body, drafts=[0.4, 0.5]),
     "equilibrium": lambda body: hn.equilibrium(body, **LOAD),
     "equilibria": lambda body: hn.equilibria(
         body, masses_t=[3.0], centres_of_gravity=[LOAD["centre_of_gravity"]]

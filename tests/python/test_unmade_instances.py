@@ -24,14 +24,12 @@ def unmade(cls):
     return Forgetful.__new__(Forgetful)
 
 
-def parameters(function):
-    """(name, bound class or None) of each parameter; () for Python's own functions."""
-    lines = (function.__doc__ or "").strip().splitlines()
-    signature = re.match(r"\w+\((.*)\) ->", lines[0]) if lines else None
-    if not signature:
-        return ()
-    found = re.findall(r"(\w+): ([\w.]+)", signature[1])
-    return [(name, CLASSES.get(kind.rpartition(".")[2])) for name, kind in found]
+def signatures(function):
+    """Of each overload the (name, bound class or None) of its parameters; none of Python's own."""
+    found = re.findall(r"^(?:\d+\. )?\w+\((.*)\) ->", function.__doc__ or "", re.MULTILINE)
+    for parameters in found:
+        named = re.findall(r"(\w+): ([\w.]+)", parameters)
+        yield [(name, CLASSES.get(kind.rpartition(".")[2])) for name, kind in named]
 
 
 def uses():
@@ -40,18 +38,30 @@ def uses():
         for name, member in vars(cls).items():
             if isinstance(member, property):
                 yield f"{cls.__name__}.{name}", lambda m=member, c=cls: m.fget(unmade(c))
-    functions = [getattr(hn, name) for name in NAMES]
-    functions += [getattr(c, name) for c in CLASSES.values() for name in vars(c)]
-    for function in functions:
-        taken = parameters(function)
-        for index, (parameter, cls) in enumerate(taken):
-            is_constructed = index == 0 and function.__name__ == "__init__"
-            if cls is None or is_constructed:
-                continue
-            yield f"{function.__qualname__}({parameter})", lambda f=function, t=taken: f(
-                *(unmade(cls) if cls else None for name, cls in t[:1]),
-                **{name: unmade(cls) if cls else None for name, cls in t[1:]},
-            )
+    functions = [(name, getattr(hn, name)) for name in NAMES]
+    functions += [
+        (f"{cls.__name__}.{name}", getattr(cls, name))
+        for cls in CLASSES.values()
+        for name in vars(cls)
+    ]
+    for label, function in functions:
+        for overload, taken in enumerate(signatures(function)):
+            for index, (parameter, cls) in enumerate(taken):
+                is_made_now = index == 0 and function.__name__ == "__init__"
+                if cls is not None and not is_made_now:
+                    use = f"{label}({parameter}) {overload}"
+                    yield use, lambda f=function, t=taken: call(f, t)
+
+
+def call(function, taken):
+    """With None for what is of no bound class."""
+    values = [(name, unmade(cls) if cls else None) for name, cls in taken]
+    # Operators' arguments have no names of their own.
+    by_place = [value for name, value in values if re.fullmatch(r"self|arg\d+", name)]
+    return function(
+        *by_place,
+        **{name: value for name, value in values if not re.fullmatch(r"self|arg\d+", name)},
+    )
 
 
 USES = dict(uses())
