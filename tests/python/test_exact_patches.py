@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = sorted(path.name for path in (ROOT / "samples").glob("*.hull.json"))
 SHIPS = foreign_ships()
 ALL = SAMPLES + SHIPS + MESHES
-FEW_PATCHES = SAMPLES + foreign_ships(*(f"FREE!ship demo {number}.fbm" for number in (3, 4, 6)))
+FEW_PATCHES = [*SAMPLES, *foreign_ships(*(f"FREE!ship demo {number}.fbm" for number in (3, 4, 6)))]
 SCHEMES = ["biermann", "catmull_clark"]
 SEED = 601
 

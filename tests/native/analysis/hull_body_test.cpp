@@ -305,7 +305,7 @@ TEST(HullBody, OutOfDateRefusesToAnswer) {
       EXPECT_NE(std::string(error.what()).find("Call update() first"), std::string::npos);
     }
   };
-  for (const HullBody* stale : {&body, &twin}) {
+  for (const HullBody* stale : std::initializer_list<const HullBody*>{&body, &twin}) {
     refuses([&] { stale->immersion(water); });
     refuses([&] { stale->shell_moments(); });
     refuses([&] { stale->flooding_point(Vector3d::UnitZ()); });

@@ -50,6 +50,8 @@ def path(request, freeship_files):
     return next(path for path in freeship_files if path.name == request.param)
 
 
+# Their centre lines are off y = 0 by 1.5e-7 and up to 7.3e-7 of the size.
+OFF_BY_ROUNDING = {"27mpatrol.fbm", "ellipsoid321.fbm"}
 # The lowest points, of the exact surface, where they are not at z = 0 and a draft is given; how
 # much lower or higher the mesh is that FREE!ship measures from.
 KEELS = {
@@ -83,8 +85,11 @@ def test_counts_and_particulars(path):
     )
     keel = KEELS.get(path.name, 0.0)
     assert found.draft == pytest.approx(draft + keel, abs=FACETED if keel else 1e-7)
-    assert len(hull.notes) == (path.name in KEELS)
-    assert all("lowest point" in note for note in hull.notes)
+    of_keel = [note for note in hull.notes if "lowest point" in note]
+    of_centre = [note for note in hull.notes if "on the centre plane" in note]
+    assert len(of_keel) == (path.name in KEELS)
+    assert len(of_centre) == (path.name in OFF_BY_ROUNDING)
+    assert len(hull.notes) == len(of_keel) + len(of_centre)
     assert all(layer.in_hydrostatics for layer in hull.layers)
 
 
