@@ -25,7 +25,7 @@ _HANDLERS = (
 
 def _begin():
     """The file that is open when the add-on is enabled was loaded without it."""
-    follow.after_load()
+    follow.begin()
     keep.after_load()
 
 

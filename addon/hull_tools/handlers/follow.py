@@ -89,6 +89,11 @@ def before_load(*unused):
 @persistent
 def after_load(*unused):
     forget_all()
+    begin()
+
+
+def begin():
+    """Brings all hulls of the file up to date, of which nothing is known yet."""
     _follow_all()
     colour_views.follow()
 

@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import EnumProperty, StringProperty
 
+from ..bridge.blender import redraw
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions, worst_spots
 from ..features.exchange import exports
@@ -62,7 +63,7 @@ class HULL_OT_show_worst_spot(bpy.types.Operator, HullReader):
         worst_spots.show(hull, context.scene, kind)
         if kind and context.region_data is not None:
             worst_spots.look_at(hull, context.scene, context.region_data)
-        conversions.redraw()
+        redraw.redraw()
 
 
 class HULL_OT_copy_report(bpy.types.Operator, HullReader):

@@ -50,7 +50,7 @@ class HULL_OT_export_step(bpy.types.Operator, ExportCad):
     bl_idname = "hull.export_step"
     bl_label = "Export STEP"
 
-    file_format = cad_files.STEP
+    file_format = "STEP"
     filename_ext = ".step"
     filter_glob: StringProperty(default="*.step;*.stp", options={"HIDDEN"})
 
@@ -61,7 +61,7 @@ class HULL_OT_export_iges(bpy.types.Operator, ExportCad):
     bl_idname = "hull.export_iges"
     bl_label = "Export IGES"
 
-    file_format = cad_files.IGES
+    file_format = "IGES"
     filename_ext = ".igs"
     filter_glob: StringProperty(default="*.igs;*.iges", options={"HIDDEN"})
 

@@ -54,9 +54,7 @@ class HULL_OT_update(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         shown_objects.ensure(hull)
         hull_state.forget(hull)
-        state = hull_state.refresh(hull, context.scene)
-        if state.status:
-            raise ValueError(state.status)
+        hull_state.up_to_date(hull, context.scene)
 
 
 CLASSES = (HULL_OT_make_hull, HULL_OT_update)

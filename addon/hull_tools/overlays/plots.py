@@ -12,7 +12,7 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge.blender import blender_versions, preferences
+from ..bridge.blender import blender_versions, preferences, redraw
 from .plot_arrays import arrays_of
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
@@ -70,13 +70,13 @@ def show(plots, placement=None, outdated=()):
     if plots == _shown.plots and placement == _shown.placement:
         if outdated != _shown.outdated:
             _shown.outdated = outdated
-            _redraw()
+            redraw.redraw()
         return
     arrays = [arrays_of(plot, placement.width_mm, placement.height_mm) for plot in plots]
     _shown.plots, _shown.placement, _shown.arrays = plots, placement, arrays
     _shown.outdated = outdated
     _shown.batches = None
-    _redraw()
+    redraw.redraw()
 
 
 def hide():
@@ -132,14 +132,6 @@ def _rows(sizes, room_width, gap):
     widest = max((sum(w + gap for w, _ in row) + gap for row in rows), default=0.0)
     tall = sum(max(h for _, h in row) + gap for row in rows) + gap
     return rows, (widest, tall)
-
-
-def _redraw():
-    for window_manager in bpy.data.window_managers:
-        for window in window_manager.windows:
-            for area in window.screen.areas:
-                if area.type == "VIEW_3D":
-                    area.tag_redraw()
 
 
 def free_room(area, region):

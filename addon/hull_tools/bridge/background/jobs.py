@@ -5,9 +5,9 @@ One job runs after the other. None knows anything of Blender, so that only the m
 touches what Blender and the add-on keep.
 """
 
-from concurrent.futures import CancelledError, ThreadPoolExecutor
+from .work_queue import WorkQueue
 
-_pool = None
+_queue = WorkQueue("hull job")
 _unfinished = set()
 
 
@@ -23,13 +23,10 @@ class Job:
     """
 
     def __init__(self, work):
-        global _pool
-        if _pool is None:
-            _pool = ThreadPoolExecutor(1, thread_name_prefix="hull job")
         self.share = 0.0
         self._is_cancelled = False
         _unfinished.add(self)
-        self._future = _pool.submit(self._run, work)
+        self._future = _queue.submit(self._run, work)
 
     def _run(self, work):
         try:
@@ -56,6 +53,8 @@ class Job:
 
     def result(self):
         """What the work returned, when it is done; raises what the work raised, or Cancelled."""
+        from concurrent.futures import CancelledError
+
         try:
             return self._future.result()
         except CancelledError as error:
@@ -78,9 +77,6 @@ class JobTask:
 
 def stop():
     """Cancels all jobs; when this returns none runs."""
-    global _pool
-    pool, _pool = _pool, None
     for job in list(_unfinished):
         job.cancel()
-    if pool is not None:
-        pool.shutdown(wait=True)
+    _queue.stop()

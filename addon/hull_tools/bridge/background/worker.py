@@ -5,10 +5,10 @@ The pieces know nothing of Blender. Their results wait until they are fetched, s
 thread ever touches what Blender and the add-on keep.
 """
 
-from concurrent.futures import ThreadPoolExecutor
+from .work_queue import WorkQueue
 
 _jobs = []  # (what for, Future) in the order in which they were asked for
-_pool = None
+_queue = WorkQueue("hull analysis")
 
 
 def ask(purpose, work):
@@ -16,11 +16,8 @@ def ask(purpose, work):
 
     One that has begun cannot be stopped: its result comes before the new one's.
     """
-    global _pool
-    if _pool is None:
-        _pool = ThreadPoolExecutor(1, thread_name_prefix="hull analysis")
     _jobs[:] = [job for job in _jobs if job[0] != purpose or not job[1].cancel()]
-    _jobs.append((purpose, _pool.submit(work)))
+    _jobs.append((purpose, _queue.submit(work)))
 
 
 def fetch():
@@ -43,8 +40,5 @@ def finish():
 
 def stop():
     """Drops all work; when this returns nothing runs."""
-    global _pool
-    pool, _pool = _pool, None
     _jobs.clear()
-    if pool is not None:
-        pool.shutdown(wait=True, cancel_futures=True)
+    _queue.stop()

@@ -7,7 +7,7 @@ then on: a file looks the same on every machine.
 
 import bpy
 
-from . import palette
+from . import palette, redraw
 
 # The add-on's name in Blender: a legacy one or an extension.
 ADDON = __package__.rsplit(".", 3)[0]
@@ -61,8 +61,4 @@ def changed():
     """Tells the listeners, and has all 3D views drawn anew."""
     for listener in listeners:
         listener()
-    for window_manager in bpy.data.window_managers:
-        for window in window_manager.windows:
-            for area in window.screen.areas:
-                if area.type == "VIEW_3D":
-                    area.tag_redraw()
+    redraw.redraw()

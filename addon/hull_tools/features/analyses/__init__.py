@@ -96,9 +96,7 @@ def keep(state, name, key, outcome):
 def result_of(obj, scene, name):
     """The result for the hull as it is now, as close as can be; ValueError with the reason when
     there is none."""
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     if ANALYSES[name].IS_LIVE and state.body is not None:
         outcome = computed(name, state.source.new_ship(), key_of(obj, scene, name))
     else:

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 import bpy
 
-from ...bridge.background import worker
+from ...bridge.background import timers, worker
+from ...bridge.blender import redraw
 from ...bridge.objects import hull_objects
 from .. import analyses
 from ..hull import hull_state
@@ -89,16 +90,15 @@ def _request(obj, name):
     if bpy.app.background:
         return
     _wanted.add((obj.name, name))
-    _stop_timer(_begin_wanted)
-    bpy.app.timers.register(_begin_wanted, first_interval=_PAUSE_SECONDS)
+    _pause.put_off()
 
 
 def _begin_wanted():
     wanted = sorted(_wanted)
     _wanted.clear()
     begin(wanted)
-    if worker.is_busy() and not bpy.app.timers.is_registered(_look):
-        bpy.app.timers.register(_look, first_interval=_LOOK_SECONDS)
+    if worker.is_busy():
+        _looks.start()
 
 
 def begin(wanted):
@@ -135,32 +135,23 @@ def take_finished():
     if finished:
         active = bpy.context.view_layer.objects.active
         show_plots(hull_objects.hull_of(active), bpy.context.scene)
-        _redraw_sidebars()
+        redraw.redraw()
     return bool(finished)
 
 
 def _look():
     take_finished()
-    return _LOOK_SECONDS if worker.is_busy() else None
+    return worker.is_busy()
 
 
-def _redraw_sidebars():
-    for window_manager in bpy.data.window_managers:
-        for window in window_manager.windows:
-            for area in window.screen.areas:
-                if area.type == "VIEW_3D":
-                    area.tag_redraw()
-
-
-def _stop_timer(function):
-    if bpy.app.timers.is_registered(function):
-        bpy.app.timers.unregister(function)
+_pause = timers.Timer(_PAUSE_SECONDS, _begin_wanted)
+_looks = timers.Timer(_LOOK_SECONDS, _look)
 
 
 def stop():
     """Forgets all requests and plots, and shows none; when this returns nothing is computed."""
-    _stop_timer(_begin_wanted)
-    _stop_timer(_look)
+    _pause.stop()
+    _looks.stop()
     worker.stop()
     _wanted.clear()
     _asked.clear()

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import bpy
 
-from ...bridge.background import jobs
+from ...bridge.background import jobs, timers
+from ...bridge.blender import redraw
 from ...bridge.objects import hull_objects
 from ..hull import hull_state
 from . import patches
@@ -19,6 +20,7 @@ from . import patches
 _LOOK_SECONDS = 0.1
 _PAUSE_SECONDS = 0.3  # in the changes of settings, before they are converted by
 
+# Of sidebars and of file dialogs.
 _AREAS = ("VIEW_3D", "FILE_BROWSER")
 
 # Outcomes by their key: undo finds those of before, of whatever hull has the same surface.
@@ -127,9 +129,7 @@ def begin(obj, scene):
 
     ValueError when its mesh has no surface, or a file of the hull is being written.
     """
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     choice = patches.choice_of(obj.hull.export)
     before = running(obj)
     if isinstance(before, Conversion) and before.key == _key(state, choice):
@@ -154,8 +154,7 @@ def watch(task):
     """Makes a task that of its `state`, and has the panels show how far it is."""
     task.state.task = task
     _tasks.append(task)
-    if not bpy.app.background and not bpy.app.timers.is_registered(_look):
-        bpy.app.timers.register(_look, first_interval=_LOOK_SECONDS)
+    _looks.start()
 
 
 def take_finished():
@@ -169,17 +168,8 @@ def take_finished():
 
 def _look():
     take_finished()
-    redraw()
-    return _LOOK_SECONDS if _tasks else None
-
-
-def redraw():
-    """Draws the panels anew in sidebars and file dialogs."""
-    for manager in bpy.data.window_managers:
-        for window in manager.windows:
-            for area in window.screen.areas:
-                if area.type in _AREAS:
-                    area.tag_redraw()
+    redraw.redraw(*_AREAS)
+    return bool(_tasks)
 
 
 def request(obj):
@@ -187,8 +177,7 @@ def request(obj):
     if bpy.app.background or not _is_due(obj):
         return
     _requested.add(obj.name)
-    if not bpy.app.timers.is_registered(_begin_requested):
-        bpy.app.timers.register(_begin_requested, first_interval=_PAUSE_SECONDS)
+    _pause.start()
 
 
 def _is_due(obj):
@@ -215,11 +204,14 @@ def _begin_requested():
                 begin(obj, scene)
 
 
+_looks = timers.Timer(_LOOK_SECONDS, _look)
+_pause = timers.Timer(_PAUSE_SECONDS, _begin_requested)
+
+
 def stop():
     """Cancels all tasks and forgets all outcomes; when this returns nothing is converted."""
-    for timer in (_look, _begin_requested):
-        if bpy.app.timers.is_registered(timer):
-            bpy.app.timers.unregister(timer)
+    _looks.stop()
+    _pause.stop()
     jobs.stop()
     _tasks.clear()
     _requested.clear()

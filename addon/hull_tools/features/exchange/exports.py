@@ -18,9 +18,7 @@ from .files import replacing
 
 def _up_to_date(obj, scene):
     """The hull's HullState; ValueError with the reason when the mesh has no surface as it is."""
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     return state
 
 

@@ -44,9 +44,7 @@ class Fitting(jobs.JobTask):
     text = "Fitting"
 
     def __init__(self, obj, scene):
-        self.state = hull_state.refresh(obj, scene)
-        if self.state.status:
-            raise ValueError(self.state.status)
+        self.state = hull_state.up_to_date(obj, scene)
         conversions.clear_way(obj)
         self._name, self.scale = obj.name, units.metres_per_unit(scene)
         data = mesh_arrays.read_mesh(obj.data)

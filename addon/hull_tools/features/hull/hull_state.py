@@ -166,6 +166,14 @@ def refresh(obj, scene):
     return state
 
 
+def up_to_date(obj, scene):
+    """The HullState of a hull as it is now; ValueError with the reason when that has no surface."""
+    state = refresh(obj, scene)
+    if state.status:
+        raise ValueError(state.status)
+    return state
+
+
 def _refresh(obj, scene, state):
     reason = hull_objects.refusal(obj)
     if reason:

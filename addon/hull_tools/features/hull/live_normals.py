@@ -4,6 +4,7 @@ shades the surface objects by their faces."""
 
 import bpy
 
+from ...bridge.background import timers
 from ...bridge.blender import units
 from ..surface import shown_surface
 from . import hull_state
@@ -13,15 +14,11 @@ _PAUSE_SECONDS = 0.4
 
 def ask():
     """Has normals written at the next pause; each call puts it off."""
-    if bpy.app.background:
-        return
-    stop()
-    bpy.app.timers.register(_write, first_interval=_PAUSE_SECONDS)
+    _pause.put_off()
 
 
 def stop():
-    if bpy.app.timers.is_registered(_write):
-        bpy.app.timers.unregister(_write)
+    _pause.stop()
 
 
 def _write():
@@ -29,3 +26,6 @@ def _write():
     for hull, state in hull_state.known_hulls(bpy.context.view_layer):
         if hull.mode == "EDIT":
             shown_surface.follow_normals(hull, state, scale)
+
+
+_pause = timers.Timer(_PAUSE_SECONDS, _write)

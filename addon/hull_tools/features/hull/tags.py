@@ -57,9 +57,7 @@ def of_state(state):
 
 def of_hull(obj, scene):
     """The same of a hull as it is now. ValueError when its mesh has errors."""
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     return of_state(state)
 
 
@@ -141,9 +139,7 @@ def chains(surface):
 
 def chains_through(obj, scene, edges):
     """The edges of all whole chains that some of `edges` belong to; pairs of Blender's vertices."""
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     ids = state.source.control.vertex_ids.tolist()
     wanted = {edge_key(*edge) for edge in edges}
     through = set()

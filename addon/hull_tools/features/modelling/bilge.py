@@ -69,9 +69,7 @@ def round_selected(obj, scene, radius, move_borders):
     indices = np.array(list(places))
     points = np.array(list(places.values())) / scale
     mesh_points.write(obj.data, control.vertex_ids[indices], points)
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     return [_outcome(state.surface, control, *one) for one in rounded]
 
 

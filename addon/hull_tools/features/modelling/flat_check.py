@@ -27,9 +27,7 @@ class FlatCheck:
 def check_selected(obj, scene, tolerance):
     """The FlatCheck of the faces that are selected in edit mode; tolerance in Blender's units, 0:
     what single precision tells apart. ValueError without faces of the shell."""
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(obj, scene)
     control = state.source.control
     bm = bmesh.from_edit_mesh(obj.data)
     bm.faces.index_update()

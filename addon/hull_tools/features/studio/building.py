@@ -15,9 +15,7 @@ _SAMPLES = 12
 def make(hull, scene):
     """Sets up the studio that Object.hull.studio of a hull asks for, in place of one that there is;
     returns its collection. ValueError when the hull has no surface as it is."""
-    state = hull_state.refresh(hull, scene)
-    if state.status:
-        raise ValueError(state.status)
+    state = hull_state.up_to_date(hull, scene)
     settings = hull.hull.studio
     plan = following.Plan.of(hull, state, scene, settings.lines)
     remove(scene)

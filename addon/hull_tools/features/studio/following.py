@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import bpy
 
+from ...bridge.background import timers
 from ...bridge.blender import units
 from ...bridge.objects import shown_objects
 from ..hull import hull_state
@@ -33,14 +34,12 @@ def ask(hulls, scene):
     call puts it off."""
     if bpy.app.background or not _is_main_thread() or hull_of(scene) not in hulls:
         return
-    stop()
     _is_at_rest.clear()
-    bpy.app.timers.register(_follow_all, first_interval=_PAUSE_SECONDS)
+    _pause.put_off()
 
 
 def stop():
-    if bpy.app.timers.is_registered(_follow_all):
-        bpy.app.timers.unregister(_follow_all)
+    _pause.stop()
     _is_at_rest.set()
 
 
@@ -50,6 +49,9 @@ def _follow_all():
             follow(scene)
     finally:
         _is_at_rest.set()
+
+
+_pause = timers.Timer(_PAUSE_SECONDS, _follow_all)
 
 
 def before_picture(scene):

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Enabling the add-on loads what Blender needs at once, and nothing of what is used later."""
+
+import json
+import subprocess
+
+import bpy
+from addon_under_test import module_name
+
+# Of the add-on's modules, run by enabling it: properties, operators, panels, overlays, and what
+# their classes are made with.
+MOST_MODULES = 150
+LATER = (
+    "hull_native",
+    "hull_io.freeship",
+    "hull_io.hull_file",
+    "features.hull.hull_state",
+    "features.surface.shown_surface",
+    "features.lines.lines",
+    "features.conversion.conversions",
+    "features.conversion.patches",
+    "features.fitting.fitting",
+    "features.modelling.pulling",
+    "features.studio.ground",
+)
+# Modules that have run are of Python's own type.
+PROGRAM = """
+import json, sys, types
+import addon_utils
+addon_utils.enable({name!r})
+print("RAN", json.dumps([name for name, module in sys.modules.items()
+                         if name.startswith({name!r}) and type(module) is types.ModuleType]))
+print("FOREIGN", json.dumps(sorted(name for name in sys.modules if "." not in name)))
+"""
+
+
+def loaded():
+    """(names of the add-on's modules that have run, all other packages) in a fresh Blender that has
+    just enabled it."""
+    name = module_name()
+    done = subprocess.run(
+        [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1"]
+        + ["--python-expr", PROGRAM.format(name=name)],
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = [line for line in done.stdout.splitlines() if line.startswith(("RAN ", "FOREIGN "))]
+    found = dict(line.split(" ", 1) for line in lines)
+    return [one[len(name) + 1 :] for one in json.loads(found["RAN"])], json.loads(found["FOREIGN"])
+
+
+def test_enabling_loads_little():
+    ran, foreign = loaded()
+    own = [name.removeprefix("hull_tools.") for name in ran]
+    assert "operators.pull" in own and "panels.hull" in own
+    for later in LATER:
+        assert later not in own and not any(name.startswith(later + ".") for name in own), later
+    assert len(own) <= MOST_MODULES
+    assert not {"concurrent", "tempfile", "logging"} & set(foreign)
