@@ -98,9 +98,7 @@ class HULL_OT_take_from_surface(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         scene = context.scene
-        state = hull_state.refresh(hull, scene)
-        if state.status:
-            raise ValueError(state.status)
+        state = hull_state.up_to_date(hull, scene)
         values = plausible.take_from_surface(hull, state, scene, sorted(self.names))
         hull_state.refresh(hull, scene)
         titles = {item.identifier: item.name for item in self.properties.bl_rna.properties[
