@@ -217,3 +217,80 @@ def test_it_is_cancelled_or_given_up_when_the_hull_changes():
     other = add_hull("other")
     make_active(other)
     assert fitting.last_report(other) == (None, False)
+
+
+def box_target(deck_too):
+    """Port side and bottom of a box of 10 x 4.2 x 3 m, and a house on it."""
+    points = [(x, y, z) for x in (0.0, 10.0) for y in (0.0, 2.1) for z in (0.0, 3.0)]
+    faces = [(2, 3, 7, 6), (0, 2, 6, 4), (0, 1, 3, 2), (4, 6, 7, 5)]
+    if deck_too:
+        points += [(x, y, z) for x in (2.0, 8.0) for y in (0.0, 2.0) for z in (9.0, 19.0)]
+        faces += [(10, 11, 15, 14), (8, 9, 11, 10), (12, 14, 15, 13)]
+    mesh = bpy.data.meshes.new("target")
+    mesh.from_pydata(points, [], faces)
+    obj = bpy.data.objects.new("target", mesh)
+    bpy.context.collection.objects.link(obj)
+    return obj
+
+
+def decked_box():
+    """The box with a deck of two by two faces, its middle point 0.4 m up."""
+    hull = add_hull()
+    mesh = hull.data
+    points = [vertex.co[:] for vertex in mesh.vertices]
+    faces = [tuple(polygon.vertices) for polygon in mesh.polygons]
+    top = {(x, y): points.index((x, y, 3.0)) for x in (0.0, 10.0) for y in (0.0, 2.0)}
+    number = len(points)
+    points += [(5.0, 0.0, 3.0), (5.0, 2.0, 3.0), (0.0, 1.0, 3.0), (10.0, 1.0, 3.0), (5.0, 1.0, 3.4)]
+    keel, side, aft, fore, middle = range(number, number + 5)
+    a, b, c, d = top[0.0, 0.0], top[0.0, 2.0], top[10.0, 2.0], top[10.0, 0.0]
+    deck = [(a, keel, middle, aft), (keel, d, fore, middle), (aft, middle, side, b)]
+    deck.append((middle, fore, c, side))
+    low = {(x, y): points.index((x, y, 0.0)) for x in (0.0, 10.0) for y in (0.0, 2.0)}
+    hull_faces = [(low[0.0, 2.0], b, side, c, low[10.0, 2.0]), faces[1]]
+    hull_faces += [(low[0.0, 0.0], a, aft, b, low[0.0, 2.0])]
+    hull_faces += [(low[10.0, 0.0], low[10.0, 2.0], c, fore, d)]
+    mesh.clear_geometry()
+    mesh.from_pydata(points, [], hull_faces + deck)
+    inner = {tuple(sorted((middle, other))) for other in (keel, side, aft, fore)}
+    edges = [edge.index for edge in mesh.edges if tuple(sorted(edge.vertices)) not in inner]
+    part("bridge.blender.blender_versions").set_creases(mesh, edges, [])
+    bpy.context.view_layer.update()
+    assert wanted(hull).mesh.face_count == 8
+    return hull, middle
+
+
+def test_a_deck_without_target_is_left_alone():
+    hull, middle = decked_box()
+    hull.hull.fit.target = box_target(False)
+    hull.hull.fit.fairness = 1e-2
+    before = points_of(hull)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    report, _ = part("features.fitting.fitting").last_report(hull)
+    assert report.faces_alone == 4
+    assert (points_of(hull)[middle] == before[middle]).all()
+    assert np.abs(points_of(hull) - before).max() > 0.05
+    rows = dict(part("features.fitting.fitting").rows(report))
+    assert rows["Faces without target"] == "4"
+
+
+def test_a_target_that_is_mostly_left_out_is_warned_of():
+    hull = add_hull()
+    hull.hull.fit.target = box_target(True)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    fitting = part("features.fitting.fitting")
+    report, _ = fitting.last_report(hull)
+    assert report.left_out > report.counted / 2 and report.is_mostly_beside
+    assert "was left out" in fitting.warning(report) and "was left out" in fitting.summary(report)
+    # The house stands up to 16 m above the box's upper edge.
+    assert report.target_largest == pytest.approx(16.0, abs=0.2)
+    assert report.target_rms > 3.0 > report.rms
+
+
+def test_a_target_all_of_which_counts_is_not_warned_of():
+    hull = add_hull()
+    hull.hull.fit.target = box_target(False)
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    report, _ = part("features.fitting.fitting").last_report(hull)
+    assert not part("features.fitting.fitting").warning(report)
+    assert report.target_largest == pytest.approx(report.largest, abs=1e-4)

@@ -42,6 +42,8 @@ class HULL_PT_fit(HullPanel, bpy.types.Panel):
             return
         if not is_current:
             label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
+        if fitting.warning(report):
+            label_wrapped(layout, context, fitting.warning(report), icon="ERROR")
         column = layout.column(align=True)
         column.active = is_current
         column.scale_y = 0.8

@@ -16,17 +16,19 @@ from ..constraints import held_points, point_locks
 from ..conversion import conversions
 from ..hull import hull_state
 from ..lines import lines
-from . import fit_targets
+from . import coverage, fit_targets
 
 _USUAL_REACH = 0.05  # of the length
 _VIEW_DISTANCE = 0.3  # of the length
+_MOST_LEFT_OUT = 1.0 / 3.0
 _CHANGED = "The hull was changed meanwhile, and stays as it is: fit it again"
 
 
 @dataclass(frozen=True, eq=False)
 class Report:
     """What came of a fit, in m. key: the geometry of the hull it gave; place (3,): where it is
-    farthest from the target."""
+    farthest from the target; target_rms, target_largest: of all of the target from the hull, that
+    which was left out too; faces_alone: how many faces have no target, and were left alone."""
 
     key: object
     counted: int
@@ -36,6 +38,14 @@ class Report:
     place: np.ndarray
     line_rms: float
     settled: bool
+    target_rms: float
+    target_largest: float
+    faces_alone: int
+
+    @property
+    def is_mostly_beside(self):
+        """Whether so much of the target was left out that the fit says little of it."""
+        return self.left_out > _MOST_LEFT_OUT * (self.counted + self.left_out)
 
 
 class Fitting(jobs.JobTask):
@@ -55,7 +65,8 @@ class Fitting(jobs.JobTask):
         surface = hull_native.LimitSurface(
             hull_native.ControlMesh(*control.arguments()), obj.hull.scheme
         )
-        targets, options = _arguments(obj, surface, control, self.scale)
+        targets, options, self._faces_alone = _arguments(obj, surface, control, self.scale)
+        self._targets = targets
         self._job = jobs.Job(
             lambda progress: hull_native.fit_surface(surface, targets, progress=progress, **options)
         )
@@ -77,6 +88,7 @@ class Fitting(jobs.JobTask):
         mesh_points.write(obj.data, self._ids, fit.points / self.scale)
         hull_state.let_be_placed(obj)
         state = hull_state.refresh(obj, scene)
+        apart = coverage.distances(state.surface, self._targets)
         state.fit = Report(
             state.keys.get("geometry"),
             fit.counted,
@@ -86,6 +98,9 @@ class Fitting(jobs.JobTask):
             np.array(fit.largest_place),
             fit.curve_rms,
             fit.settled,
+            float(np.sqrt((apart**2).mean())),
+            float(apart.max()),
+            self._faces_alone,
         )
         return state.fit
 
@@ -95,7 +110,8 @@ def _digests(data):
 
 
 def _arguments(obj, surface, control, scale):
-    """(targets, the other arguments) of hull_native.fit_surface."""
+    """(targets, the other arguments) of hull_native.fit_surface, and how many faces are left alone
+    for want of a target."""
     hull_native, settings = native.require(), obj.hull.fit
     limits.within(settings.samples, "Points", *limits.FIT_POINTS)
     limits.within(settings.fairness, "Fairness", 0.0, limits.GREATEST_FAIRNESS)
@@ -107,10 +123,14 @@ def _arguments(obj, surface, control, scale):
     curves = [(line, None, False) for line in target.lines]
     curves += fit_targets.centre_curves(target, hull_native.crease_curves(surface), reach)
     held, normals = held_points.held_points(obj, control.vertex_ids, control.points, size)
-    return target.points, {
-        "normals": _turned_as(surface, target, reach),
+    turned = _turned_as(surface, target, reach)
+    alone, faces_alone = coverage.uncovered(control, surface, target.points, turned, reach)
+    locked = np.isin(control.vertex_ids, point_locks.locked_points(obj.data))
+    locked[alone] = True
+    options = {
+        "normals": turned,
         "curves": curves,
-        "locked": np.flatnonzero(np.isin(control.vertex_ids, point_locks.locked_points(obj.data))),
+        "locked": np.flatnonzero(locked),
         "held_points": held,
         "held_normals": normals,
         "fairness": settings.fairness,
@@ -118,6 +138,7 @@ def _arguments(obj, surface, control, scale):
         "reach": reach,
         "draw_border": settings.draw_border,
     }
+    return target.points, options, faces_alone
 
 
 def _turned_as(surface, target, reach):
@@ -145,7 +166,11 @@ def rows(report):
         ("Left out", str(report.left_out)),
         ("RMS", units.format_mm(report.rms)),
         ("Largest", units.format_mm(report.largest)),
+        ("All of target, RMS", units.format_mm(report.target_rms)),
+        ("All of target, largest", units.format_mm(report.target_largest)),
     ]
+    if report.faces_alone:
+        found.append(("Faces without target", str(report.faces_alone)))
     if report.line_rms:
         found.append(("Creases RMS", units.format_mm(report.line_rms)))
     return found
@@ -157,7 +182,20 @@ def summary(report):
         f"{report.counted} points, {report.left_out} left out: RMS {units.format_mm(report.rms)}, "
         f"largest {units.format_mm(report.largest)}"
     )
+    if report.is_mostly_beside:
+        text = f"{warning(report)}. {text}"
     return text if report.settled else f"{text}. It may come nearer still: fit again"
+
+
+def warning(report):
+    """What is to be said of a Report first, a sentence, or ""."""
+    if not report.is_mostly_beside:
+        return ""
+    share = 100.0 * report.left_out / (report.counted + report.left_out)
+    return (
+        f"{share:.0f} % of the target was left out, being beyond Reach, beyond the borders or "
+        "turned otherwise: the RMS says nothing of it"
+    )
 
 
 def mark_worst(obj, scene, view):
