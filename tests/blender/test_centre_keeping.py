@@ -179,5 +179,8 @@ def test_points_near_it_are_told(hull):
     (problem,) = state_of(hull).check.problems
     assert problem.elements == (index,)
     assert "1 point of the centre line off the centre plane, by up to 2 mm" in problem.message
+    assert bpy.ops.hull.put_on_centre_plane() == {"FINISHED"}
+    assert points(hull)[index, 1] == 0.0
+    assert not state_of(hull).check.problems
     shift(hull, index, 0.5)
     assert not state_of(hull).check.problems

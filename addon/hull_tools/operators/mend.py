@@ -58,6 +58,18 @@ class HULL_OT_mirror_to_port(bpy.types.Operator, HullOperator):
         self.report({"INFO"}, f"{hull.name} is to port now")
 
 
+class HULL_OT_put_on_centre_plane(bpy.types.Operator, HullOperator):
+    """Put points of the centre line that are beside the centre plane on it (y = 0), so that both
+    sides of the half hull join"""
+
+    bl_idname = "hull.put_on_centre_plane"
+    bl_label = "Put on Centre Plane"
+
+    def run_on(self, hull, context):
+        count = mirroring.put_centre_line_on_plane(hull, context.scene)
+        self.report({"INFO"}, f"{count} points put on the centre plane")
+
+
 class HULL_OT_count_sides(bpy.types.Operator, HullOperator):
     """Count the hull as what is modelled of it"""
 
@@ -114,6 +126,7 @@ CLASSES = (
     HULL_OT_split,
     HULL_OT_set_aside,
     HULL_OT_mirror_to_port,
+    HULL_OT_put_on_centre_plane,
     HULL_OT_count_sides,
     HULL_OT_take_from_surface,
 )

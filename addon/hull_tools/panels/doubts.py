@@ -7,6 +7,7 @@ from .shared import label_wrapped
 _MENDING = {
     "SPLIT": ("hull.split", "hull.set_aside"),
     "PORT": ("hull.mirror_to_port",),
+    "CENTRE": ("hull.put_on_centre_plane",),
 }
 
 

@@ -18,7 +18,7 @@ class Problem:
     """severity "error" or "warning"; kind "mesh", "vertex", "edge" or "face".
 
     elements are Blender's indices: vertices, faces, or for edges pairs of vertices. remedy: what
-    mends it, "SPLIT", "PORT" or "".
+    mends it, "SPLIT", "PORT", "CENTRE" or "".
     """
 
     severity: str
@@ -131,7 +131,8 @@ def _centre_line_warnings(mesh, control):
         f"{points} of the centre line off the centre plane, by up to {1e3 * furthest:.3g} mm: put "
         "them there (y = 0), or the two sides do not join"
     )
-    return [Problem("warning", "vertex", tuple(control.vertex_ids[near].tolist()), message)]
+    elements = tuple(control.vertex_ids[near].tolist())
+    return [Problem("warning", "vertex", elements, message, "CENTRE")]
 
 
 def _dust(points):

@@ -104,6 +104,20 @@ def _check_users(mesh):
         )
 
 
+def put_centre_line_on_plane(obj, scene):
+    """Puts the points of a half hull's centre line that are beside the centre plane, but were
+    probably meant to be on it, there; returns how many. ValueError when it has no surface."""
+    state = hull_state.refresh(obj, scene)
+    if state.status:
+        raise ValueError(state.status)
+    indices = state.source.control.vertex_ids[state.surface.mesh.near_centre_line]
+    points = mesh_points.read(obj.data)[indices]
+    points[:, 1] = 0.0
+    mesh_points.write(obj.data, indices, points)
+    hull_state.refresh(obj, scene)
+    return len(indices)
+
+
 def _put_on_centre_plane(bm):
     """Points that are as good as there."""
     places = np.array([vertex.co for vertex in bm.verts]).reshape(-1, 3)
