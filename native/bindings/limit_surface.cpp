@@ -151,9 +151,9 @@ void bind_limit_surface(py::module_& module) {
           },
           py::arg("points"),
           "Moves the control points to (n, 3), m, on the same topology. Not to be called while "
-          "another thread uses the surface. HullBody, ShownPoints and MoveWatch of this surface "
-          "refuse to answer until their update(); a SurfaceTree keeps to the points it was made "
-          "of.")
+          "another thread uses the surface. HullBody and MoveWatch of this surface refuse to "
+          "answer until their update(); ShownPoints and SurfaceTree keep to the points they were "
+          "made of.")
       .def_property_readonly("revision", &surface::LimitSurface::revision,
                              "How often set_points() was called.")
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("uv"), py::arg("derivatives") = 0,

@@ -46,8 +46,8 @@ void bind_shown_points(py::module_& module) {
            "mirrored: whether the surface is one side of a hull, and the other is its image.")
       .def("update", &surface::ShownPoints::update, py::call_guard<py::gil_scoped_release>(),
            "After surface.set_points(). Returns whether both sides share the same points as "
-           "before; if not, the images are numbered anew. Until then coordinates and shared raise "
-           "ValueError.")
+           "before; if not, the images are numbered anew. Until then coordinates and shared tell "
+           "what was shown last.")
       .def_property_readonly("coordinates", &coordinates,
                              "(m, 3) float32, in the units asked for; a view that the next "
                              "update() changes.")

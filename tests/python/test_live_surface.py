@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What follows a surface whose points move: shown points, which sections can stay, bodies. None
-answers before its update()."""
+mixes old and new."""
 
 import hull_native as hn
 import numpy as np
@@ -121,21 +121,28 @@ def test_a_body_out_of_date_refuses(ask):
     ask(body)
 
 
-def test_what_is_shown_and_the_watch_refuse_out_of_date():
+def test_a_watch_out_of_date_refuses():
     surface = grid_surface()
-    shown, watch = hn.ShownPoints(surface, 2, mirrored=False), hn.MoveWatch(surface)
+    watch = hn.MoveWatch(surface)
     surface.set_points(moved_points(surface, 20, (0.0, 0.0, 1.0)))
     for ask in (
-        lambda: shown.coordinates,
-        lambda: shown.shared,
         lambda: watch.cells,
         lambda: watch.comes_near([(1.0, 0.0, 0.0, 2.0)], margin=0.0),
     ):
         with pytest.raises(ValueError, match=STALE):
             ask()
-    shown.update()
     watch.update()
-    assert len(watch.cells) and len(shown.coordinates)
+    assert len(watch.cells)
+
+
+def test_shown_points_keep_what_was_shown_last():
+    surface = grid_surface()
+    shown = hn.ShownPoints(surface, 2, mirrored=False)
+    before = shown.coordinates.copy()
+    surface.set_points(moved_points(surface, 20, (0.0, 0.0, 1.0)))
+    assert np.array_equal(shown.coordinates, before)
+    shown.update()
+    assert not np.array_equal(shown.coordinates, before)
 
 
 def test_a_tree_keeps_to_the_points_it_was_made_of():

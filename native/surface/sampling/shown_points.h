@@ -23,14 +23,14 @@ class ShownPoints {
   ShownPoints(const LimitSurface& surface, int n, bool mirrored, double metres_per_unit);
 
   // After surface.set_points(). Whether both sides share the same points as before; if not, the
-  // images are numbered anew. Until then the queries throw std::invalid_argument.
+  // images are numbered anew. Until then the queries tell what was shown last.
   bool update();
 
   // x, y, z of point after point.
-  const std::vector<float>& coordinates() const { return current().coordinates_; }
+  const std::vector<float>& coordinates() const { return coordinates_; }
   // Per point of the tessellation, whether both sides share it; all of them where nothing is
   // mirrored.
-  const std::vector<char>& shared() const { return current().shared_; }
+  const std::vector<char>& shared() const { return shared_; }
 
  private:
   // A sample of a cell's grid and the point that is taken from it.
@@ -38,10 +38,6 @@ class ShownPoints {
     int sample, point;
   };
 
-  const ShownPoints& current() const {
-    stamp_.require_current("What is shown");
-    return *this;
-  }
   void take_cells(const std::vector<int>& cells);
   void take_point(int point, const Vector3d& position);
   void number_images();
