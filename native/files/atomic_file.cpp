@@ -5,11 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
+#include <system_error>
 
 namespace hull::files {
 
@@ -22,8 +23,9 @@ class ReplacingFile::NewFile {
     // Nobody else has this name: the process and a running number make it.
     static std::atomic<unsigned> number{0};
     do {
-      name_ = target.string() + "." + std::to_string(getpid()) + "." + std::to_string(number++) +
-              ".part";
+      // Of its own length: the final name may be as long as names can be.
+      const std::string own = std::to_string(getpid()) + "." + std::to_string(number++) + ".part";
+      name_ = (target.parent_path() / (".hull-" + own)).string();
       descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) fail();
@@ -58,7 +60,9 @@ class ReplacingFile::NewFile {
   const std::string& name() const { return name_; }
 
  private:
-  [[noreturn]] static void fail() { throw std::runtime_error(std::strerror(errno)); }
+  [[noreturn]] static void fail() {
+    throw fs::filesystem_error("", std::error_code(errno, std::generic_category()));
+  }
 
   std::string name_;
   int descriptor_ = -1;
@@ -66,12 +70,17 @@ class ReplacingFile::NewFile {
 
 namespace {
 
+bool is_control(unsigned char letter) { return letter < 0x20 || letter == 0x7f; }
+
 template <class Do>
 void or_file_error(const std::string& path, const Do& action) {
   try {
     action();
   } catch (const fs::filesystem_error& error) {
-    throw FileError("Cannot write \"" + path + "\": " + error.code().message());
+    const bool is_long = error.code() == std::errc::filename_too_long;
+    const std::string reason =
+        is_long ? "the name is too long; shorten it" : error.code().message();
+    throw FileError("Cannot write \"" + path + "\": " + reason);
   } catch (const std::runtime_error& error) {
     throw FileError("Cannot write \"" + path + "\": " + error.what());
   }
@@ -82,6 +91,11 @@ void or_file_error(const std::string& path, const Do& action) {
 ReplacingFile::ReplacingFile(const std::string& path) : path_(path) {
   or_file_error(path_, [&] {
     fs::path target = path;
+    const std::string own_name = target.filename().string();
+    if (std::any_of(own_name.begin(), own_name.end(), is_control)) {
+      throw std::runtime_error(
+          "a file's name can't have line breaks or control characters; give it another");
+    }
     if (fs::is_symlink(target)) target = fs::weakly_canonical(target);
     const fs::path folder = target.parent_path();
     if (!folder.empty() && !fs::is_directory(folder)) {

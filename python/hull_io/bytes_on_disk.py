@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whole files in and out: bounded reading, and writing that can't leave half a file."""
 
+import errno
 import os
 import stat
 import tempfile
@@ -29,10 +30,19 @@ def read_bytes(path, largest):
 
 
 def write_bytes(path, data):
-    """Write a file beside its final name and rename it: all of it, or nothing changed."""
+    """Write a file beside its final name and rename it: all of it, or nothing changed.
+
+    HullFileError where that can't be done.
+    """
+    if any(ord(letter) < 0x20 or ord(letter) == 0x7F for letter in path.name):
+        raise HullFileError(
+            f"{path.name!r}: a file's name can't have line breaks or control characters; give it "
+            "another."
+        )
     handle, temporary = None, None
     try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        # Of its own length: the final name may be as long as names can be.
+        handle, temporary = tempfile.mkstemp(prefix=".hull-", dir=path.parent)
         with os.fdopen(handle, "wb") as file:
             file.write(data)
             file.flush()
@@ -42,6 +52,8 @@ def write_bytes(path, data):
     except OSError as error:
         if temporary is not None and os.path.exists(temporary):
             os.unlink(temporary)
+        if error.errno == errno.ENAMETOOLONG:
+            raise HullFileError(f"{path.name}: the name is too long; shorten it.") from error
         raise HullFileError(
             f"{path.name}: it can't be written ({error.strerror}); check the folder, your rights "
             "to it and the free space."

@@ -50,6 +50,20 @@ TEST_F(WriteFileAtomically, WritesBytesAsTheyAre) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(WriteFileAtomically, TakesTheLongestNameThereIs) {
+  const std::string longest(255, 'n');
+  write_file_atomically(in_folder(longest), "new");
+  EXPECT_EQ(text(in_folder(longest)), "new");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WriteFileAtomically, SaysWhatIsWrongWithAName) {
+  EXPECT_NE(refusal(in_folder(std::string(256, 'n'))).find("the name is too long; shorten it"),
+            std::string::npos);
+  EXPECT_NE(refusal(in_folder("two\nlines")).find("can't have line breaks"), std::string::npos);
+  EXPECT_EQ(files(), 0);
+}
+
 TEST_F(WriteFileAtomically, ReplacesAFileAndKeepsItsMode) {
   write_file_atomically(in_folder("f"), "a longer old text");
   ASSERT_EQ(chmod(in_folder("f").c_str(), 0640), 0);

@@ -318,6 +318,20 @@ def test_writing_into_no_folder_is_refused(read, tmp_path):
         hull_io.write_hull_file(read(content()), tmp_path / "no" / "x.hull.json")
 
 
+@pytest.mark.parametrize("begin, said", [("n" * 300, "too long"), ("two\nlines", "line breaks")])
+def test_names_that_no_file_can_have(read, tmp_path, begin, said):
+    before = os.listdir(tmp_path)
+    with pytest.raises(hull_io.HullFileError, match=said):
+        hull_io.write_hull_file(read(content()), tmp_path / f"{begin}.hull.json")
+    assert set(os.listdir(tmp_path)) <= {*before, "box.hull.json"}
+
+
+def test_the_longest_name(read, tmp_path):
+    path = tmp_path / ("n" * 245 + ".hull.json")
+    hull_io.write_hull_file(read(content()), path)
+    assert len(hull_io.read_hull(path).points) > 0
+
+
 def test_damaged_copies_are_refused_or_read(tmp_path):
     """Cut short, bits turned, or a piece replaced by something hostile."""
     seed = 12

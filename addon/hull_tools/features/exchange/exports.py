@@ -3,8 +3,10 @@
 analyses, the report of its conversion."""
 
 from dataclasses import replace
+from pathlib import Path
 
 from ....hull_io import write_hull_file
+from ....hull_io.bytes_on_disk import write_bytes
 from ...bridge import native
 from ...bridge.blender import units
 from .. import analyses
@@ -13,7 +15,6 @@ from ..flotation import afloat, hydrostatics
 from ..hull import hull_saving, hull_state
 from ..lines import lines_plan
 from . import tables
-from .files import replacing
 
 
 def _up_to_date(obj, scene):
@@ -80,5 +81,4 @@ def export_report(obj, path):
     hull as it is; as JSON if the file's name ends so, else as text."""
     report = conversions.report_of(obj)
     content = report.json() if path.lower().endswith(".json") else report.text()
-    with replacing(path) as beside, open(beside, "w", encoding="utf-8") as stream:
-        stream.write(content)
+    write_bytes(Path(path), content.encode())

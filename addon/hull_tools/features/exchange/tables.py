@@ -3,8 +3,9 @@
 
 import csv
 import io
+from pathlib import Path
 
-from .files import replacing
+from ....hull_io.bytes_on_disk import write_bytes
 
 _FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
 
@@ -21,8 +22,7 @@ def write_table(path, header, rows):
         table.writerow([_cell(value) for value in row])
     content = text.getvalue()
     encoding = "utf-8" if content.isascii() else "utf-8-sig"
-    with replacing(path) as beside, open(beside, "w", newline="", encoding=encoding) as stream:
-        stream.write(content)
+    write_bytes(Path(path), content.encode(encoding))
 
 
 def _cell(value):
