@@ -236,3 +236,14 @@ def test_only_what_moved_is_computed_and_it_is_all_that_moved():
         bmesh.update_edit_mesh(hull.data)
         bpy.context.view_layer.update()
         assert_surface_is_fresh(hull)
+
+
+def test_a_hull_without_a_surface_is_refused_with_the_reason():
+    hull, hull_state = add_hull(), part("features.hull.hull_state")
+    scene = bpy.context.scene
+    assert hull_state.up_to_date(hull, scene) is state_of(hull)
+    hull.scale = (2.0, 1.0, 1.0)
+    with pytest.raises(ValueError, match="Ctrl A"):
+        hull_state.up_to_date(hull, scene)
+    hull.scale = (1.0, 1.0, 1.0)
+    assert hull_state.up_to_date(hull, scene).status == ""
