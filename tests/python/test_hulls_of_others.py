@@ -102,9 +102,9 @@ def test_a_copy_goes_all_the_way(name, kind, tmp_path):
         try:
             hull_native.write_step(surface, path, mirrored=data.half)
         except ValueError as error:
-            if kind.startswith("noise"):
-                pytest.xfail(f"a centre line that is not on the centre plane: {error}")
-            raise
+            # Noise beyond the rounding of files is refused, with the place and the remedy.
+            assert kind == "noise 1e-05" and "set y to 0 there" in str(error)
+            return
         assert hull_native.read_cad_report(path)["valid"]
 
 
