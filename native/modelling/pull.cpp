@@ -33,23 +33,21 @@ void check_targets(const surface::LimitSurface& surface, const std::vector<PullT
     if (!(t.u >= 0.0 && t.u <= 1.0 && t.v >= 0.0 && t.v <= 1.0)) {
       throw std::invalid_argument(name + ": u and v must be within [0, 1].");
     }
-    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > mesh::kMaxCoordinate) {
+    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > kMaxCoordinate) {
       throw std::invalid_argument(name + " is no place within " + std::to_string(1e9) + " m.");
     }
   }
 }
 
-// What each of the control points with a weight may do.
-std::map<int, Freedom> freedoms(const surface::LimitSurface& surface,
-                                const std::vector<std::vector<surface::PointWeight>>& rows,
-                                const MoveLimits& limits) {
-  const int count = surface.mesh().topology().vertex_count();
-  const std::vector<Freedom> of_all = freedoms_within(limits, count);
+// What each of the control points with a weight may do; not those that may do nothing.
+std::map<int, Freedom> with_weight(const std::vector<Freedom>& freedoms,
+                                   const std::vector<std::vector<surface::PointWeight>>& rows) {
   std::map<int, Freedom> result;
   for (const auto& row : rows) {
-    for (const surface::PointWeight& w : row) result.try_emplace(w.point, of_all[w.point]);
+    for (const surface::PointWeight& w : row) {
+      if (freedoms[w.point].count > 0) result.try_emplace(w.point, freedoms[w.point]);
+    }
   }
-  for (int point : limits.locked) result.erase(point);
   return result;
 }
 
@@ -121,11 +119,62 @@ std::string number(double value) {
                               "the plane.");
 }
 
+// Moves by point, and what is left of r.
+struct Solution {
+  std::map<int, Vector3d> moves;
+  Eigen::VectorXd left;
+};
+
+Solution least_moves(const std::map<int, Freedom>& freedoms,
+                     const std::vector<std::vector<surface::PointWeight>>& rows,
+                     const Eigen::VectorXd& r) {
+  const LinearProblem problem(freedoms, rows);
+  const Eigen::VectorXd x = least_norm(problem.A, r);
+  Solution solution{{}, r - problem.A * x};
+  for (const auto& [point, freedom] : problem.freedoms) {
+    solution.moves[point] = problem.move_of(point, x);
+  }
+  return solution;
+}
+
+Solution spread_moves(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
+                      const std::vector<std::vector<surface::PointWeight>>& rows,
+                      const std::vector<Freedom>& freedoms, const PullSpread& spread,
+                      const Eigen::VectorXd& r) {
+  std::vector<Following> followings;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const PullTarget& t = targets[i];
+    followings.push_back(
+        following(surface, rows[i], surface.position(t.cell, t.u, t.v), freedoms, spread));
+  }
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(r.size(), r.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      for (const surface::PointWeight& w : rows[i]) {
+        const auto it = followings[k].find(w.point);
+        if (it == followings[k].end()) continue;
+        A.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(k)) +=
+            w.weight * it->second;
+      }
+    }
+  }
+  const Eigen::VectorXd x = least_norm(A, r);
+  Solution solution{{}, r - A * x};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const auto& [point, follows] : followings[k]) {
+      const auto [it, is_new] = solution.moves.try_emplace(point, Vector3d::Zero());
+      it->second += follows * x.segment<3>(3 * static_cast<Eigen::Index>(k));
+    }
+  }
+  return solution;
+}
+
 }  // namespace
 
 Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
-          const MoveLimits& limits) {
+          const MoveLimits& limits, const PullSpread& spread) {
   check_targets(surface, targets);
+  check_spread(spread);
   surface::PointWeights weights(surface);
   std::vector<std::vector<surface::PointWeight>> rows;
   Eigen::VectorXd r(3 * static_cast<Eigen::Index>(targets.size()));
@@ -137,18 +186,19 @@ Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& t
     r.segment<3>(3 * static_cast<Eigen::Index>(i)) = pulled;
     longest = std::max(longest, pulled.norm());
   }
-  const LinearProblem problem(freedoms(surface, rows, limits), rows);
-  const Eigen::VectorXd x = least_norm(problem.A, r);
-  const Eigen::VectorXd left = r - problem.A * x;
+  const std::vector<Freedom> freedoms =
+      freedoms_within(limits, surface.mesh().topology().vertex_count());
+  const Solution solution = spread.radius > 0.0
+                                ? spread_moves(surface, targets, rows, freedoms, spread, r)
+                                : least_moves(with_weight(freedoms, rows), rows, r);
 
   Pull result{{}, {}, 0.0, 0.0};
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const double miss = left.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
+    const double miss = solution.left.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
     if (miss > kMiss * longest) throw_unreachable(i, miss);
     result.miss = std::max(result.miss, miss);
   }
-  for (const auto& [point, freedom] : problem.freedoms) {
-    const Vector3d move = problem.move_of(point, x);
+  for (const auto& [point, move] : solution.moves) {
     if (move.isZero(0.0)) continue;
     result.points.push_back(point);
     result.moves.push_back(move);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "modelling/freedom.h"
+#include "modelling/pull_spread.h"
 #include "surface/limit_surface.h"
 
 namespace hull::modelling {
@@ -29,14 +30,18 @@ struct Pull {
 // are A⁺ r for the matrix A of the weights times what each point may do, and the targets' distances
 // r. Only control points with a weight in a place move.
 //
+// With a radius the control points around follow, too, as pull_spread.h says: each place has one
+// vector, and these are such that all places are met all the same. There are as many unknowns as
+// equations then.
+//
 // Places land within 1e-13 of the mesh's size, or of the largest pull. `reach` says how far this
 // carries control points: 1 to 4 within faces; hundreds where a place hangs by the small weights of
 // the few points that are not locked.
 //
 // Throws std::invalid_argument, naming the target, where the limits allow no such move (directions
 // in which a place can be moved by less than 1e-6 of its control points' moves count as held) or
-// targets contradict one another; for places, points or normals that are none.
+// targets contradict one another; for places, points, normals or a radius that are none.
 Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
-          const MoveLimits& limits = {});
+          const MoveLimits& limits = {}, const PullSpread& spread = {});
 
 }  // namespace hull::modelling
