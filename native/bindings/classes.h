@@ -32,5 +32,6 @@ void bind_quality_report(pybind11::module_& module);
 void bind_pull(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
 void bind_bilge_arc(pybind11::module_& module);
+void bind_knuckles(pybind11::module_& module);
 
 }  // namespace hull::bindings

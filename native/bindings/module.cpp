@@ -31,5 +31,6 @@ PYBIND11_MODULE(_core, module) {
   bind_pull(module);
   bind_fit(module);
   bind_bilge_arc(module);
+  bind_knuckles(module);
   refuse_unmade_instances(module);
 }

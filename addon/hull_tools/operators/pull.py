@@ -25,8 +25,11 @@ _PICK_HELP = (
 )
 _DRAG_HELP = (
     "V: view   N: normal   S, W, B: station, waterplane, buttock   L: plane of the line   "
-    "X, Y, Z: axis   0-9: exact   Enter: done   Esc: cancel"
+    "X, Y, Z: axis   0-9: exact   Wheel: radius   Enter: done   Esc: cancel"
 )
+# What the wheel, or Page Up and Down, does to the radius, as in Blender's proportional editing.
+_WIDER = 1.1
+_RADIUS_KEYS = {"WHEELDOWNMOUSE": 1, "PAGE_UP": 1, "WHEELUPMOUSE": -1, "PAGE_DOWN": -1}
 
 
 def _place(name, description):
@@ -48,15 +51,28 @@ def _hold_creases():
     )
 
 
+def _radius():
+    return FloatProperty(
+        name="Radius",
+        description="Control points this near to the point follow, the less the farther they are; "
+        "0: only those that the point depends on",
+        min=0.0,
+        unit="LENGTH",
+        subtype="DISTANCE",
+        precision=3,
+    )
+
+
 class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
     """Pull the surface by one of its points, or by a point of a section line: the control points
-    around follow, moved as little as possible. Locked points stay, flats stay flat"""
+    around follow, as far as the radius says. Locked points stay, flats stay flat"""
 
     bl_idname = "hull.pull_surface"
     bl_label = "Pull Surface"
 
     point: _place("Point", "The point of the surface nearest to this place is pulled")
     target: _place("To", "Where this point of the surface comes to lie")
+    radius: _radius()
     hold_creases: _hold_creases()
 
     def run_on(self, hull, context):
@@ -64,7 +80,9 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
             raise ValueError("Say which point of the surface goes where: give point and target")
         pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
         grip = pull.nearest(pull.scale * np.array(self.point))
-        count, longest = pull.pull(grip, pull.scale * np.array(self.target))
+        count, longest = pull.pull(
+            grip, pull.scale * np.array(self.target), pull.scale * self.radius
+        )
         hull_state.refresh(hull, context.scene)
         self._tell(context, count, longest)
 
@@ -136,6 +154,9 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         if event.type == "MOUSEMOVE":
             if not self._typed:
                 self._follow_mouse(context, event)
+        elif event.type in _RADIUS_KEYS:
+            if event.value == "PRESS":
+                self._widen(context, _RADIUS_KEYS[event.type])
         elif event.type == "LEFTMOUSE":
             has_dragged = self._distance(event) > _DRAGGED
             if event.value == "PRESS" or (self._is_pressed and has_dragged):
@@ -154,6 +175,16 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         elif event.unicode and event.unicode in _DIGITS:
             self._type(context, self._typed + event.unicode)
         return {"RUNNING_MODAL"}
+
+    def _widen(self, context, steps):
+        """The next larger or smaller radius; below what the point depends on there is none."""
+        least = self._pull.smallest_radius(self._grip) / self._pull.scale
+        if self.radius < least:
+            self.radius = least if steps > 0 else 0.0
+        else:
+            wider = self.radius * _WIDER**steps
+            self.radius = wider if wider >= 0.999 * least else 0.0
+        self._go(context, self._target)
 
     def _choose(self, context, event, mode):
         self._mode, self._typed = mode, ""
@@ -203,7 +234,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         """Pulls to a place, as the property for it can keep it."""
         target = np.float32(target / self._pull.scale).astype(np.float64) * self._pull.scale
         try:
-            self._pull.pull(self._grip, target)
+            self._pull.pull(self._grip, target, self._pull.scale * self.radius)
             self._target, trouble = target, ""
         except ValueError as error:
             trouble = str(error)
@@ -216,7 +247,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
             pull.restore()
             return {"CANCELLED"}
         self.point, self.target = self._grip.point / pull.scale, self._target / pull.scale
-        count, longest = pull.pull(self._grip, self._target)
+        count, longest = pull.pull(self._grip, self._target, pull.scale * self.radius)
         hull_state.refresh(pull.obj, context.scene)
         self._tell(context, count, longest)
         return {"FINISHED"}
@@ -230,7 +261,8 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         else:
             text = trouble or self._words(context.scene, grip, now)
             place = tuple(now), tuple(grip.point)
-            pull_lines.show(pull_lines.Mark(self._pull.obj.name, place[1], place[0], text))
+            radius = 0.0 if self._grip is None else self._pull.scale * self.radius
+            pull_lines.show(pull_lines.Mark(self._pull.obj.name, place[1], place[0], text, radius))
         self._area.header_text_set(text)
         self._area.tag_redraw()
 
@@ -244,8 +276,10 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         where = mode.get(self._mode) or f"along {self._mode.lower()}"
         if self._mode in _PLANES:
             where = f"in the {_PLANES[self._mode][0]}"
+        radius = units.format_value(scene, self.radius * self._pull.scale, "m")
+        within = f"    Radius {radius}" if self.radius else ""
         typed = f"    [{self._typed}]" if self._typed else ""
-        return f"{places}    {where}{typed}"
+        return f"{places}    {where}{within}{typed}"
 
     def _leave(self, context):
         pull_lines.show(None)
@@ -298,6 +332,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
         precision=5,
         options={"SKIP_SAVE"},
     )
+    radius: _radius()
     hold_creases: _hold_creases()
 
     def invoke(self, context, event):
@@ -317,6 +352,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
             if name != self.axis:
                 column.prop(self, "place", index=index, text=f"At {name.lower()}")
         layout.prop(self, "value", text=f"Surface {self.axis.lower()}")
+        layout.prop(self, "radius")
         layout.prop(self, "hold_creases")
 
     def run_on(self, hull, context):
@@ -326,7 +362,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
         place[axis] = pull.scale * self.value
         grip = pull.across(place, axis)
         before = units.format_value(context.scene, float(grip.point[axis]), "m")
-        pull.pull(grip, place)
+        pull.pull(grip, place, pull.scale * self.radius)
         hull_state.refresh(hull, context.scene)
         after = units.format_value(context.scene, float(place[axis]), "m")
         self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")

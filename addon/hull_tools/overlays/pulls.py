@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is held while the surface is pulled: a ring at the point, a line from where it was."""
+"""What is held while the surface is pulled: a ring at the point, a line from where it was, and a
+circle around what follows."""
 
 import bpy
 import gpu
@@ -17,10 +18,12 @@ _COLOUR, _HALO = (0.95, 0.45, 0.0, 1.0), (1.0, 1.0, 1.0, 0.9)
 _RADIUS, _START, _WIDTH, _HALO_WIDTH = 8.0, 3.0, 2.0, 4.5  # dots, at a scale of 1
 
 
-def strokes(start, now, scale):
+def strokes(start, now, scale, around=0.0):
     """Corners (n, 3) of the segments that show a pull, in the picture: a ring where the point is, a
-    smaller one where it was, and a line between."""
+    smaller one where it was, a line between, and a circle of a radius `around` the latter."""
     parts = [ring(now, _RADIUS * scale)]
+    if around > _RADIUS * scale:
+        parts.append(ring(start, around, 96))
     way = np.subtract(now, start)
     length = np.hypot(*way)
     if length > (_RADIUS + _START) * scale:
@@ -40,7 +43,8 @@ def _draw():
     if None in places:
         return
     scale = context.preferences.system.ui_scale
-    corners = strokes(np.array(places[0]), np.array(places[1]), scale)
+    around = _dots_of(context, hull, mark)
+    corners = strokes(np.array(places[0]), np.array(places[1]), scale, around)
     gpu.state.blend_set("ALPHA")
     shader = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
     shader.bind()
@@ -50,6 +54,14 @@ def _draw():
         shader.uniform_float("color", colour)
         batch_for_shader(shader, "LINES", {"pos": corners}).draw(shader)
     gpu.state.blend_set("NONE")
+
+
+def _dots_of(context, hull, mark):
+    """The radius of a Mark in the picture, as it is where the pull began; 0 where it has none."""
+    beside = context.region_data.view_rotation @ Vector((mark.radius, 0.0, 0.0))
+    points = mark.start, Vector(mark.start) + hull.matrix_world.to_3x3().inverted() @ beside
+    places = [_in_picture(context, hull, point) for point in points]
+    return 0.0 if None in places else (places[1] - places[0]).length
 
 
 def _in_picture(context, hull, point):

@@ -18,12 +18,14 @@ _BEHIND = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Mark:
-    """What the 3D view shows of a pull of the hull of this name; points (3,) in m, of the hull."""
+    """What the 3D view shows of a pull of the hull of this name; points (3,) and radius in m, of
+    the hull."""
 
     hull: str
     start: tuple
     now: tuple
     text: str
+    radius: float = 0.0
 
 
 class _Shown:

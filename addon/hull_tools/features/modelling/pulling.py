@@ -4,7 +4,7 @@
 Least is the sum of squares of the control points' moves. Locked points and points of creases and
 borders stay; those of flat regions stay in their planes, and those on the centre plane of a half
 hull stay there. Only a point that is on a crease, or so near that others would be flung about,
-takes the crease with it.
+takes the crease with it. With a radius the control points around follow by a falloff.
 """
 
 from dataclasses import dataclass
@@ -161,9 +161,16 @@ class SurfacePull:
 
     # Pulling
 
-    def pull(self, grip, target):
+    def smallest_radius(self, grip):
+        """The radius, in m, from which on more than the point's own control points follow."""
+        points = self.surface.mesh.points[grip.controls]
+        point = lines.mirror_image(grip.point) if grip.is_image else grip.point
+        return float(np.linalg.norm(points - point, axis=1).max())
+
+    def pull(self, grip, target, radius=0.0):
         """Moves the control points so that the grip's point comes to a target (3,), in m; returns
-        how many, and the longest move in m. ValueError where they may not: nothing moves then."""
+        how many, and the longest move in m. Those within a radius, in m, follow by a falloff.
+        ValueError where they may not: nothing moves then."""
         target = np.asarray(target, dtype=np.float64)
         if grip.is_image:
             target = lines.mirror_image(target)
@@ -177,6 +184,8 @@ class SurfacePull:
                 locked=np.flatnonzero(stays),
                 held_points=self._held_points,
                 held_normals=self._held_normals,
+                radius=radius,
+                mirrored=self.is_half,
             )
         except ValueError as error:
             raise ValueError(_UNREACHABLE) from error

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "analysis/fairness/knuckle_angles.h"
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+#include "bindings/move_limits.h"
+#include "modelling/knuckle_setting.h"
+
+namespace hull::bindings {
+namespace {
+
+CreaseCurve curve_of(const LimitSurface& surface, int knuckle) {
+  std::vector<CreaseCurve> curves = crease_curves(surface);
+  if (knuckle < 0 || knuckle >= static_cast<int>(curves.size())) {
+    throw std::invalid_argument("There is no knuckle " + std::to_string(knuckle) +
+                                ": the surface has " + std::to_string(curves.size()) +
+                                " creases and borders, as crease_curves() gives them.");
+  }
+  return std::move(curves[knuckle]);
+}
+
+void bind_angles(py::module_& module) {
+  py::class_<KnuckleAngles>(module, "KnuckleAngles",
+                            "The angle along a knuckle, rad: 0 where the surface is smooth, "
+                            "positive where it is bent away from the water, negative in a hollow.")
+      .def_property_readonly(
+          "t", [](const KnuckleAngles& a) { return to_array(a.t); },
+          "(n,) the samples' places on the CreaseCurve.")
+      .def_property_readonly(
+          "arc_lengths", [](const KnuckleAngles& a) { return to_array(a.arc_lengths); },
+          "(n,), m, over the edges measured.")
+      .def_property_readonly(
+          "angles", [](const KnuckleAngles& a) { return to_array(a.angles); },
+          "(n,), rad, from the surface's exact normals on both sides; NaN where there is none.")
+      .def_readonly("length", &KnuckleAngles::length, "Of the edges measured, m.")
+      .def_readonly("least", &KnuckleAngles::least, "rad")
+      .def_readonly("mean", &KnuckleAngles::mean, "By arc length, rad.")
+      .def_readonly("largest", &KnuckleAngles::largest, "rad");
+  module.def(
+      "knuckle_angles",
+      [](const LimitSurface& surface, int knuckle, const py::object& edges, int samples_per_edge) {
+        const std::vector<int> measured = integers_from(edges, "edges");
+        const py::gil_scoped_release release;
+        return knuckle_angles(surface, curve_of(surface, knuckle), measured, samples_per_edge);
+      },
+      py::arg("surface"), py::arg("knuckle"), py::kw_only(), py::arg("edges") = py::tuple(),
+      py::arg("samples_per_edge") = 8,
+      "The KnuckleAngles along a crease, by its number in crease_curves(), or along those of its "
+      "edges (k,), rising, that are named (Greshake 2021, 5.1). ValueError for a border, or edges "
+      "that are none.");
+}
+
+void bind_setting(py::module_& module) {
+  py::class_<KnuckleSetting>(module, "KnuckleSetting",
+                             "Moves of control points that give a knuckle its angle.")
+      .def_property_readonly(
+          "points", [](const KnuckleSetting& s) { return to_array(s.points); },
+          "(m,) control points that move, rising.")
+      .def_property_readonly(
+          "moves", [](const KnuckleSetting& s) { return to_array(s.moves); }, "(m, 3), m.")
+      .def_property_readonly(
+          "edges", [](const KnuckleSetting& s) { return to_array(s.edges); },
+          "Edges that were set: those asked for, but such as end in darts.")
+      .def_readonly("deviation", &KnuckleSetting::deviation,
+                    "The largest, from the angle asked for, of 16 samples an edge, rad.")
+      .def_readonly("met", &KnuckleSetting::met, "Whether that is within the tolerance.")
+      .def_readonly("steps", &KnuckleSetting::steps);
+  module.def(
+      "set_knuckle_angle",
+      [](const LimitSurface& surface, int knuckle, double angle, const py::object& edges,
+         double tolerance, const py::object& locked, const py::object& held_points,
+         const DoubleArray& held_normals) {
+        KnuckleOptions options;
+        options.edges = integers_from(edges, "edges");
+        options.tolerance = tolerance;
+        const MoveLimits limits = limits_from(locked, held_points, held_normals);
+        const py::gil_scoped_release release;
+        return set_knuckle_angle(surface, curve_of(surface, knuckle), angle, limits, options);
+      },
+      py::arg("surface"), py::arg("knuckle"), py::arg("angle"), py::kw_only(),
+      py::arg("edges") = py::tuple(), py::arg("tolerance") = KnuckleOptions{}.tolerance,
+      py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
+      py::arg("held_normals") = py::tuple(),
+      "The KnuckleSetting that brings the angle along a crease, or along those of its edges (k,) "
+      "that are named, to `angle`, rad: the curve stays, and control points beside it move, with "
+      "the least sum of squares. Limits are those of pull_surface(). The surface itself is left as "
+      "it is.\n\nOne angle is as near as the control points allow: `deviation` and `met` tell. "
+      "ValueError for a border, an angle outside of ±170°, edges that all end in darts, or where "
+      "no point beside them may move.");
+}
+
+}  // namespace
+
+void bind_knuckles(py::module_& module) {
+  bind_angles(module);
+  bind_setting(module);
+}
+
+}  // namespace hull::bindings
