@@ -13,8 +13,8 @@
 namespace hull::bindings {
 namespace {
 
-CreaseCurve curve_of(const LimitSurface& surface, int knuckle) {
-  std::vector<CreaseCurve> curves = crease_curves(surface);
+surface::CreaseCurve curve_of(const surface::LimitSurface& surface, int knuckle) {
+  std::vector<surface::CreaseCurve> curves = surface::crease_curves(surface);
   if (knuckle < 0 || knuckle >= static_cast<int>(curves.size())) {
     throw std::invalid_argument("There is no knuckle " + std::to_string(knuckle) +
                                 ": the surface has " + std::to_string(curves.size()) +
@@ -24,28 +24,31 @@ CreaseCurve curve_of(const LimitSurface& surface, int knuckle) {
 }
 
 void bind_angles(py::module_& module) {
-  py::class_<KnuckleAngles>(module, "KnuckleAngles",
-                            "The angle along a knuckle, rad: 0 where the surface is smooth, "
-                            "positive where it is bent away from the water, negative in a hollow.")
+  py::class_<analysis::KnuckleAngles>(
+      module, "KnuckleAngles",
+      "The angle along a knuckle, rad: 0 where the surface is smooth, "
+      "positive where it is bent away from the water, negative in a hollow.")
       .def_property_readonly(
-          "t", [](const KnuckleAngles& a) { return to_array(a.t); },
+          "t", [](const analysis::KnuckleAngles& a) { return to_array(a.t); },
           "(n,) the samples' places on the CreaseCurve.")
       .def_property_readonly(
-          "arc_lengths", [](const KnuckleAngles& a) { return to_array(a.arc_lengths); },
+          "arc_lengths", [](const analysis::KnuckleAngles& a) { return to_array(a.arc_lengths); },
           "(n,), m, over the edges measured.")
       .def_property_readonly(
-          "angles", [](const KnuckleAngles& a) { return to_array(a.angles); },
+          "angles", [](const analysis::KnuckleAngles& a) { return to_array(a.angles); },
           "(n,), rad, from the surface's exact normals on both sides; NaN where there is none.")
-      .def_readonly("length", &KnuckleAngles::length, "Of the edges measured, m.")
-      .def_readonly("least", &KnuckleAngles::least, "rad")
-      .def_readonly("mean", &KnuckleAngles::mean, "By arc length, rad.")
-      .def_readonly("largest", &KnuckleAngles::largest, "rad");
+      .def_readonly("length", &analysis::KnuckleAngles::length, "Of the edges measured, m.")
+      .def_readonly("least", &analysis::KnuckleAngles::least, "rad")
+      .def_readonly("mean", &analysis::KnuckleAngles::mean, "By arc length, rad.")
+      .def_readonly("largest", &analysis::KnuckleAngles::largest, "rad");
   module.def(
       "knuckle_angles",
-      [](const LimitSurface& surface, int knuckle, const py::object& edges, int samples_per_edge) {
+      [](const surface::LimitSurface& surface, int knuckle, const py::object& edges,
+         int samples_per_edge) {
         const std::vector<int> measured = integers_from(edges, "edges");
         const py::gil_scoped_release release;
-        return knuckle_angles(surface, curve_of(surface, knuckle), measured, samples_per_edge);
+        return analysis::knuckle_angles(surface, curve_of(surface, knuckle), measured,
+                                        samples_per_edge);
       },
       py::arg("surface"), py::arg("knuckle"), py::kw_only(), py::arg("edges") = py::tuple(),
       py::arg("samples_per_edge") = 8,
@@ -55,34 +58,36 @@ void bind_angles(py::module_& module) {
 }
 
 void bind_setting(py::module_& module) {
-  py::class_<KnuckleSetting>(module, "KnuckleSetting",
-                             "Moves of control points that give a knuckle its angle.")
+  py::class_<modelling::KnuckleSetting>(module, "KnuckleSetting",
+                                        "Moves of control points that give a knuckle its angle.")
       .def_property_readonly(
-          "points", [](const KnuckleSetting& s) { return to_array(s.points); },
+          "points", [](const modelling::KnuckleSetting& s) { return to_array(s.points); },
           "(m,) control points that move, rising.")
       .def_property_readonly(
-          "moves", [](const KnuckleSetting& s) { return to_array(s.moves); }, "(m, 3), m.")
+          "moves", [](const modelling::KnuckleSetting& s) { return to_array(s.moves); },
+          "(m, 3), m.")
       .def_property_readonly(
-          "edges", [](const KnuckleSetting& s) { return to_array(s.edges); },
+          "edges", [](const modelling::KnuckleSetting& s) { return to_array(s.edges); },
           "Edges that were set: those asked for, but such as end in darts.")
-      .def_readonly("deviation", &KnuckleSetting::deviation,
+      .def_readonly("deviation", &modelling::KnuckleSetting::deviation,
                     "The largest, from the angle asked for, of 16 samples an edge, rad.")
-      .def_readonly("met", &KnuckleSetting::met, "Whether that is within the tolerance.")
-      .def_readonly("steps", &KnuckleSetting::steps);
+      .def_readonly("met", &modelling::KnuckleSetting::met, "Whether that is within the tolerance.")
+      .def_readonly("steps", &modelling::KnuckleSetting::steps);
   module.def(
       "set_knuckle_angle",
-      [](const LimitSurface& surface, int knuckle, double angle, const py::object& edges,
+      [](const surface::LimitSurface& surface, int knuckle, double angle, const py::object& edges,
          double tolerance, const py::object& locked, const py::object& held_points,
          const DoubleArray& held_normals) {
-        KnuckleOptions options;
+        modelling::KnuckleOptions options;
         options.edges = integers_from(edges, "edges");
         options.tolerance = tolerance;
-        const MoveLimits limits = limits_from(locked, held_points, held_normals);
+        const modelling::MoveLimits limits = limits_from(locked, held_points, held_normals);
         const py::gil_scoped_release release;
-        return set_knuckle_angle(surface, curve_of(surface, knuckle), angle, limits, options);
+        return modelling::set_knuckle_angle(surface, curve_of(surface, knuckle), angle, limits,
+                                            options);
       },
       py::arg("surface"), py::arg("knuckle"), py::arg("angle"), py::kw_only(),
-      py::arg("edges") = py::tuple(), py::arg("tolerance") = KnuckleOptions{}.tolerance,
+      py::arg("edges") = py::tuple(), py::arg("tolerance") = modelling::KnuckleOptions{}.tolerance,
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
       py::arg("held_normals") = py::tuple(),
       "The KnuckleSetting that brings the angle along a crease, or along those of its edges (k,) "

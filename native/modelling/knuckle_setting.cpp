@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "surface/knuckle_angle.h"
-#include "surface/piece_weights.h"
+#include "surface/creases/knuckle_angle.h"
+#include "surface/pieces/piece_weights.h"
 
-namespace hull {
+namespace hull::modelling {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -24,15 +24,15 @@ constexpr double kDamping = 1e-6;
 constexpr double kStill = 1e-10;  // rad: angles change by no more from step to step at the end
 
 // Edges that do not end in a dart.
-std::vector<int> edges_to_set(const LimitSurface& surface, const CreaseCurve& curve,
-                              const std::vector<int>& asked) {
-  const Topology& topology = surface.mesh().topology();
+std::vector<int> edges_to_set(const surface::LimitSurface& surface,
+                              const surface::CreaseCurve& curve, const std::vector<int>& asked) {
+  const mesh::Topology& topology = surface.mesh().topology();
   const int count = static_cast<int>(curve.vertices().size());
   const auto is_dart = [&](int i) {
-    return topology.kind(curve.vertices()[i % count]) == VertexKind::kDart;
+    return topology.kind(curve.vertices()[i % count]) == mesh::VertexKind::kDart;
   };
   std::vector<int> edges;
-  for (int edge : knuckle_edges(curve, asked)) {
+  for (int edge : surface::knuckle_edges(curve, asked)) {
     if (!is_dart(edge) && !is_dart(edge + 1)) edges.push_back(edge);
   }
   if (edges.empty()) {
@@ -46,7 +46,7 @@ std::vector<int> edges_to_set(const LimitSurface& surface, const CreaseCurve& cu
 // Of places on both sides of the knuckle, weights of the control points in the surface's
 // derivatives along the sides of a piece. They stay while points move.
 struct Side {
-  CellPlace place;
+  surface::CellPlace place;
   const std::vector<int>* points;
   Eigen::VectorXd ds, dt;
 };
@@ -59,8 +59,8 @@ struct Sample {
 
 class KnuckleProblem {
  public:
-  KnuckleProblem(const LimitSurface& surface, const CreaseCurve& curve, const MoveLimits& limits,
-                 const std::vector<int>& edges)
+  KnuckleProblem(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
+                 const MoveLimits& limits, const std::vector<int>& edges)
       : surface_(surface), start_(surface.mesh().points()), pieces_(surface) {
     MoveLimits all = limits;
     all.locked.insert(all.locked.end(), curve.vertices().begin(), curve.vertices().end());
@@ -106,7 +106,7 @@ class KnuckleProblem {
     Eigen::VectorXd e(static_cast<Eigen::Index>(samples_.size()));
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Sample& s = samples_[i];
-      const double now = angle_between(normal(s.left), normal(s.right), s.along);
+      const double now = surface::angle_between(normal(s.left), normal(s.right), s.along);
       if (std::isnan(now)) {
         throw std::invalid_argument("The surface has no tangent plane beside the knuckle at edge " +
                                     std::to_string(static_cast<int>(s.t)) +
@@ -128,12 +128,12 @@ class KnuckleProblem {
     return J;
   }
 
-  const LimitSurface& surface() const { return surface_; }
+  const surface::LimitSurface& surface() const { return surface_; }
 
  private:
-  Side side(const CellPlace& place) const {
+  Side side(const surface::CellPlace& place) const {
     const auto found = pieces_.find(place.cell, place.u, place.v);
-    PieceWeights::Jet jet = pieces_.jet(*found);
+    surface::PieceWeights::Jet jet = pieces_.jet(*found);
     return {place, &pieces_.piece(found->piece).points, std::move(jet.ds), std::move(jet.dt)};
   }
 
@@ -172,9 +172,9 @@ class KnuckleProblem {
     }
   }
 
-  LimitSurface surface_;
+  surface::LimitSurface surface_;
   std::vector<Vector3d> start_;
-  PieceWeights pieces_;
+  surface::PieceWeights pieces_;
   std::vector<Freedom> freedoms_;
   std::vector<Sample> samples_;
   std::vector<Eigen::Index> first_column_;
@@ -195,13 +195,13 @@ Eigen::VectorXd least_moves(const Sparse& J, const Eigen::VectorXd& r) {
   return J.transpose() * solver.solve(r);
 }
 
-double deviation_of(const LimitSurface& surface, const CreaseCurve& curve,
+double deviation_of(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
                     const std::vector<int>& edges, double angle) {
   double most = 0.0;
   for (int edge : edges) {
     for (int i = 0; i <= kMeasuredSamples; ++i) {
       const double t = edge + static_cast<double>(i) / kMeasuredSamples;
-      const double now = knuckle_angle(surface, curve, t);
+      const double now = surface::knuckle_angle(surface, curve, t);
       if (!std::isnan(now)) most = std::max(most, std::abs(now - angle));
     }
   }
@@ -210,9 +210,9 @@ double deviation_of(const LimitSurface& surface, const CreaseCurve& curve,
 
 }  // namespace
 
-KnuckleSetting set_knuckle_angle(const LimitSurface& surface, const CreaseCurve& curve,
-                                 double angle, const MoveLimits& limits,
-                                 const KnuckleOptions& options) {
+KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
+                                 const surface::CreaseCurve& curve, double angle,
+                                 const MoveLimits& limits, const KnuckleOptions& options) {
   if (!(std::abs(angle) <= kMostAngle)) {
     throw std::invalid_argument("The angle of a knuckle is within -170° and 170°.");
   }
@@ -243,4 +243,4 @@ KnuckleSetting set_knuckle_angle(const LimitSurface& surface, const CreaseCurve&
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::modelling

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "modelling/freedom.h"
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::modelling {
 
 struct KnuckleOptions {
   std::vector<int> edges;                    // of the curve, rising; all where empty
@@ -24,7 +24,7 @@ struct KnuckleSetting {
   int steps;
 };
 
-// Moves the control points beside a knuckle so that its angle (surface/knuckle_angle.h) is
+// Moves the control points beside a knuckle so that its angle (surface/creases/knuckle_angle.h) is
 // `angle`, in radians, along its edges. The curve itself stays: its own control points do not move,
 // so that each side turns about it.
 //
@@ -37,8 +37,8 @@ struct KnuckleSetting {
 // At a dart the angle is zero, so that an edge that ends in one is left out. Throws
 // std::invalid_argument for what knuckle_edges() refuses, an angle outside of ±170°, where all
 // edges are left out, no point beside them may move, or the surface has no tangent plane there.
-KnuckleSetting set_knuckle_angle(const LimitSurface& surface, const CreaseCurve& curve,
-                                 double angle, const MoveLimits& limits = {},
-                                 const KnuckleOptions& options = {});
+KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
+                                 const surface::CreaseCurve& curve, double angle,
+                                 const MoveLimits& limits = {}, const KnuckleOptions& options = {});
 
-}  // namespace hull
+}  // namespace hull::modelling

@@ -33,7 +33,7 @@ void check_targets(const surface::LimitSurface& surface, const std::vector<PullT
     if (!(t.u >= 0.0 && t.u <= 1.0 && t.v >= 0.0 && t.v <= 1.0)) {
       throw std::invalid_argument(name + ": u and v must be within [0, 1].");
     }
-    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > kMaxCoordinate) {
+    if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > mesh::kMaxCoordinate) {
       throw std::invalid_argument(name + " is no place within " + std::to_string(1e9) + " m.");
     }
   }

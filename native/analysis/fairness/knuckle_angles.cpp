@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "surface/knuckle_angle.h"
+#include "surface/creases/knuckle_angle.h"
 
-namespace hull {
+namespace hull::analysis {
 namespace {
 
 constexpr int kMostSamples = 1000;  // of one edge
 
 // Simpson's rule: the curve's speed is smooth between knots, and steps are parts of these.
-double length_between(const CreaseCurve& curve, double from, double to) {
+double length_between(const surface::CreaseCurve& curve, double from, double to) {
   const auto speed = [&curve](double t) { return curve.evaluate(t, 1).d1.norm(); };
   constexpr int kParts = 4;
   const double step = (to - from) / kParts;
@@ -48,15 +48,16 @@ void add_range(KnuckleAngles& result) {
 
 }  // namespace
 
-KnuckleAngles knuckle_angles(const LimitSurface& surface, const CreaseCurve& curve,
-                             const std::vector<int>& edges, int samples_per_edge) {
+KnuckleAngles knuckle_angles(const surface::LimitSurface& surface,
+                             const surface::CreaseCurve& curve, const std::vector<int>& edges,
+                             int samples_per_edge) {
   if (samples_per_edge < 1 || samples_per_edge > kMostSamples) {
     throw std::invalid_argument("An edge takes 1 to 1000 samples, not " +
                                 std::to_string(samples_per_edge) + ".");
   }
   KnuckleAngles result{};
   int before = -2;
-  for (int edge : knuckle_edges(curve, edges)) {
+  for (int edge : surface::knuckle_edges(curve, edges)) {
     for (int i = edge == before + 1 ? 1 : 0; i <= samples_per_edge; ++i) {
       const double t = edge + static_cast<double>(i) / samples_per_edge;
       if (i > 0) {
@@ -64,7 +65,7 @@ KnuckleAngles knuckle_angles(const LimitSurface& surface, const CreaseCurve& cur
       }
       result.t.push_back(t);
       result.arc_lengths.push_back(result.length);
-      result.angles.push_back(knuckle_angle(surface, curve, t));
+      result.angles.push_back(surface::knuckle_angle(surface, curve, t));
     }
     before = edge;
   }
@@ -72,4 +73,4 @@ KnuckleAngles knuckle_angles(const LimitSurface& surface, const CreaseCurve& cur
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::analysis

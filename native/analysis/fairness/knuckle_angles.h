@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::analysis {
 
 // The angle along a knuckle (Greshake 2021, 5.1: the angle between the normals of an angle curve),
-// in radians, by surface/knuckle_angle.h.
+// in radians, by surface/creases/knuckle_angle.h.
 struct KnuckleAngles {
   std::vector<double> t;            // of the curve
   std::vector<double> arc_lengths;  // over the edges measured, from the first of them, m
@@ -23,7 +23,8 @@ struct KnuckleAngles {
 //
 // Throws std::invalid_argument for a border, which has a surface on one side only, for edges that
 // the curve does not have or that do not rise, or fewer than 1 or more than 1000 samples.
-KnuckleAngles knuckle_angles(const LimitSurface& surface, const CreaseCurve& curve,
-                             const std::vector<int>& edges = {}, int samples_per_edge = 8);
+KnuckleAngles knuckle_angles(const surface::LimitSurface& surface,
+                             const surface::CreaseCurve& curve, const std::vector<int>& edges = {},
+                             int samples_per_edge = 8);
 
-}  // namespace hull
+}  // namespace hull::analysis

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "surface/crease_curves.h"
+#include "surface/creases/crease_curves.h"
 
-namespace hull {
+namespace hull::surface {
 
 // The angle of a knuckle, in radians within [-π, π]: between the surface's normals on both sides of
 // the curve's point t. Zero where the surface is smooth, positive where it is bent away from the
@@ -21,4 +21,4 @@ double angle_between(const Vector3d& left, const Vector3d& right, const Vector3d
 // curve does not have or that do not rise.
 std::vector<int> knuckle_edges(const CreaseCurve& curve, const std::vector<int>& edges);
 
-}  // namespace hull
+}  // namespace hull::surface

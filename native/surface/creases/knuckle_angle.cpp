@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/knuckle_angle.h"
+#include "surface/creases/knuckle_angle.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hull {
+namespace hull::surface {
 
 double angle_between(const Vector3d& left, const Vector3d& right, const Vector3d& along) {
   const double length = along.norm();
@@ -45,4 +45,4 @@ std::vector<int> knuckle_edges(const CreaseCurve& curve, const std::vector<int>&
   return result;
 }
 
-}  // namespace hull
+}  // namespace hull::surface
