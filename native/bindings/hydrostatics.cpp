@@ -14,7 +14,7 @@ namespace {
 void bind_coefficients(py::module_& module) {
   using C = analysis::FormCoefficients;
   py::class_<C>(module, "FormCoefficients",
-                "Coefficients of form on a length L, beam B, draught T and section area A; 0 where "
+                "Coefficients of form on a length L, beam B, draft T and section area A; 0 where "
                 "undefined.")
       .def_readonly("block", &C::block, "Cb, displaced volume / (L B T).")
       .def_readonly("prismatic", &C::prismatic, "Cp, displaced volume / (A L).")
@@ -97,16 +97,15 @@ void add_form(ParticularsClass& c) {
                     "m: extent of the immersed shell, level along the ship.")
       .def_readonly("immersed_beam", &P::immersed_beam,
                     "m: extent of the immersed shell, level across the ship.")
-      .def_readonly("immersed_draught", &P::immersed_draught,
+      .def_readonly("immersed_draft", &P::immersed_draft,
                     "m: depth of the shell's lowest point below the water.")
       .def_readonly("midship_section", &P::midship_section,
                     "SectionArea at length_pp / 2; all 0 if that is not given.")
       .def_readonly("largest_section", &P::largest_section, "SectionArea of the largest area.")
       .def_readonly("project", &P::project,
                     "FormCoefficients on length_pp, beam, design_draft and the midship section.")
-      .def_readonly(
-          "immersed", &P::immersed,
-          "FormCoefficients on immersed length, beam and draught and the largest section.")
+      .def_readonly("immersed", &P::immersed,
+                    "FormCoefficients on immersed length, beam and draft and the largest section.")
       .def_readonly("half_angle_of_entrance", &P::half_angle_of_entrance,
                     "rad, between the centre plane and the waterline's tangent at its forward end; "
                     "pi / 2 where it is round or flat there.")

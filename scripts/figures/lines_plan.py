@@ -33,7 +33,7 @@ def particulars(vessel):
     pairs = [
         ("Length between perpendiculars", f"{given.length_pp:.2f} m"),
         ("Beam", f"{given.beam:.2f} m"),
-        ("Draught", f"{given.draft:.2f} m"),
+        ("Draft", f"{given.draft:.2f} m"),
         ("Depth", f"{given.depth:.2f} m"),
         ("Displaced volume", f"{volume:,.1f} m³".replace(",", " ")),
         ("Block coefficient", f"{block:.3f}"),

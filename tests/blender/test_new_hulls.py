@@ -74,7 +74,7 @@ def test_every_hull_is_whole_and_to_its_dimensions(kind):
         found = measured(surface, length, beam, draft)
         assert found.waterline_aft == pytest.approx(0.0, abs=1e-9 * length), case
         assert found.waterline_forward == pytest.approx(length, rel=1e-9), case
-        assert found.immersed_draught == pytest.approx(draft, rel=1e-9), case
+        assert found.immersed_draft == pytest.approx(draft, rel=1e-9), case
         assert found.volume_from_breadths == pytest.approx(found.displaced_volume, rel=1e-6)
         low, high = BLOCK[kind]
         assert low < found.project.block < high, (case, found.project.block)

@@ -5,8 +5,6 @@ import hull_native as hn
 import numpy as np
 import pytest
 
-
-
 SEED = 20261123
 SIDE = 8
 

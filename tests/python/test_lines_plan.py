@@ -53,7 +53,7 @@ def draw(hull, path, **others):
         "frame_spacing": 0.6,
         "title": data.name,
         "title_block": [("Drawn", "N. N."), ("Date", "1 May")],
-        "particulars": [("Draught", f"{given.draft:.2f} m")],
+        "particulars": [("Draft", f"{given.draft:.2f} m")],
         "paper": "A2",
     }
     hn.write_lines_drawing(surface, path, **{**options, **others})

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 from expect import edited_points
 from mathutils import Vector
+
 from window import FROM_PORT
 
 

@@ -7,7 +7,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty
 from ...hull_io import new_hulls
 from ..bridge.blender import units
 from ..features.hull import hull_creation
-from .shared import BaseOperator, in_object_mode, make_active, native_is_there
+from .shared import BaseOperator, in_object_mode, make_active, native_is_there, show_all
 
 _DIMENSIONS = ("length", "beam", "draft", "depth")
 _COUNTS = ("sections", "points")
@@ -76,11 +76,10 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
     needs = (native_is_there, in_object_mode)
 
     def invoke(self, context, event):
-        """From a menu; shows all of the hull, which is seldom as large as what was in view."""
+        """From a menu; shows all of the hull."""
         result = self.execute(context)
-        if result == {"FINISHED"} and bpy.ops.view3d.view_selected.poll():
-            context.view_layer.update()
-            bpy.ops.view3d.view_selected()
+        if result == {"FINISHED"}:
+            show_all(context)
         return result
 
     def run(self, context):

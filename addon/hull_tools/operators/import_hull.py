@@ -7,7 +7,7 @@ from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
 from ..features.hull import hull_creation, hull_state, samples
-from .shared import BaseOperator, in_object_mode, make_active, native_is_there
+from .shared import BaseOperator, in_object_mode, make_active, native_is_there, show_all
 
 
 def _import(operator, context, path):
@@ -15,6 +15,7 @@ def _import(operator, context, path):
     hull = hull_io.read_hull(path)
     obj = hull_creation.hull_object(hull, context.scene, context.collection)
     make_active(context, obj)
+    show_all(context)
     state = hull_state.state_of(obj)
     for note in (*hull.notes, *([state.status] if state.status else _doubts(state))):
         operator.report({"WARNING"}, note)

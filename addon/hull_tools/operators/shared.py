@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the operators have in common: what they work on, and how they say no."""
 
+import bpy
+
 from ..bridge import native
+from ..bridge.blender import view_depth
 from ..bridge.objects import hull_objects
 
 
@@ -60,6 +63,21 @@ def make_active(context, obj):
         selected.select_set(False)
     obj.select_set(True)
     context.view_layer.objects.active = obj
+
+
+def show_all(context):
+    """Has all 3D views of the window show what is selected, seldom as large as what was in view."""
+    if context.window is None:
+        return
+    context.view_layer.update()
+    for area in context.window.screen.areas:
+        if area.type != "VIEW_3D":
+            continue
+        region = next(each for each in area.regions if each.type == "WINDOW")
+        with context.temp_override(area=area, region=region):
+            if bpy.ops.view3d.view_selected.poll():
+                view_depth.suit(area.spaces.active, context.object)
+                bpy.ops.view3d.view_selected()
 
 
 class BaseOperator:

@@ -5,7 +5,7 @@ from what is behind them."""
 import bpy
 from mathutils import Matrix, Vector
 
-from ..bridge.blender import units
+from ..bridge.blender import units, view_depth
 from ..bridge.objects import shown_objects
 from ..features.hull import hull_state
 from ..features.lines import lines
@@ -45,6 +45,8 @@ class HullInView:
         if not self.context.region_data.is_perspective:
             return Matrix.Translation((0.0, 0.0, shift))
         distance = max((to_view @ Vector((0.5 * self.size, 0.0, 0.0))).length, shift)
+        clip_start = self.context.space_data.clip_start
+        shift = layer * view_depth.nearer_by(shift / layer, distance, clip_start)
         factor = 1.0 - min(shift / distance, _LARGEST_PART)
         return Matrix.Diagonal((factor, factor, factor, 1.0))
 

@@ -22,16 +22,18 @@ from . import (
     tags,
 )
 
+# Panels stand in the sidebar in this order, which is that of the work: hull, surface, lines, shape,
+# fairness, hydrostatics, stability, output.
 _CLASSES = (
     *add_menu.CLASSES,
     *hull.CLASSES,
+    *shown.CLASSES,
+    *sections.CLASSES,
     *tags.CLASSES,
     *tag_menus.CLASSES,
     *shape.CLASSES,
     *pull.CLASSES,
     *fit.CLASSES,
-    *shown.CLASSES,
-    *sections.CLASSES,
     *fairness.CLASSES,
     *results.CLASSES,
     *stability.CLASSES,

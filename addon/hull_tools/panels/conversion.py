@@ -5,12 +5,12 @@ dialog."""
 from ..bridge.blender import units
 from ..features.conversion import conversions, patches, worst_spots
 from ..features.hull import hull_state
-from .shared import label_value, label_wrapped
+from .shared import field_or, label_value, label_wrapped, text_field
 
 
 def draw_choice(layout, settings):
     """By what the surface is converted."""
-    layout.prop(settings, "conversion", text="")
+    text_field(layout, settings, "conversion")
     if settings.conversion == patches.PER_CELL:
         layout.prop(settings, "control_points")
     column = layout.column(align=True)
@@ -25,7 +25,7 @@ def draw_choice(layout, settings):
         column = layout.column(align=True)
         column.prop(settings, "matched_knots")
         column.prop(settings, "bezier")
-        column.prop(settings, "most_control_points")
+        field_or(column, settings, "most_control_points", "as many as there are")
 
 
 def draw_task(layout, hull):

@@ -6,7 +6,7 @@ import bpy
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions
 from .conversion import draw_choice, draw_report, draw_spots, draw_task
-from .shared import HullPanel
+from .shared import HullPanel, text_field
 
 
 class HULL_PT_export(HullPanel, bpy.types.Panel):
@@ -56,7 +56,7 @@ class HULL_PT_cad_file(HullPanel, bpy.types.Panel):
 def _draw_file(layout, hull, is_step):
     settings = hull.hull.export
     column = layout.column(align=True)
-    column.prop(settings, "extent", text="")
+    text_field(column, settings, "extent")
     column.prop(settings, "unit")
     if is_step:
         column.prop(settings, "schema")

@@ -7,7 +7,7 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.fairness import combs
 from ..features.hull import hull_state
-from .shared import HullPanel, label_value, label_wrapped
+from .shared import HullPanel, field_or, label_value, label_wrapped, text_field
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
 
@@ -35,12 +35,12 @@ class HULL_PT_fairness(HullPanel, bpy.types.Panel):
         layout = self.layout
         if state is not None and state.fairness_status:
             label_wrapped(layout, context, state.fairness_status, icon="ERROR")
-        layout.prop(fairness, "colours", text="")
+        text_field(layout, fairness, "colours")
         if fairness.colours != "NONE":
             column = layout.column(align=True)
             if fairness.colours != "SLOPE":
                 column.prop(fairness, "logarithmic")
-            column.prop(fairness, "colour_limit")
+            field_or(column, fairness, "colour_limit", "by the hull")
         layout.operator("hull.check_flat", icon="MESH_PLANE")
 
 
@@ -59,7 +59,7 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
             flow.prop(fairness, switch)
         column = layout.column(align=True)
         column.prop(fairness, "comb_factor")
-        column.prop(fairness, "comb_step")
+        field_or(column, fairness, "comb_step", "a 200th of the hull")
         row = layout.row(align=True)
         row.prop(fairness, "show_inflections")
         row.prop(fairness, "show_extrema")

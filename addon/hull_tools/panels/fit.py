@@ -6,7 +6,7 @@ import bpy
 from ..bridge.objects import hull_objects
 from ..features.fitting import fitting
 from .conversion import draw_task
-from .shared import HullPanel, label_value, label_wrapped
+from .shared import HullPanel, field_or, label_value, label_wrapped, text_field
 
 
 class HULL_PT_fit(HullPanel, bpy.types.Panel):
@@ -20,17 +20,19 @@ class HULL_PT_fit(HullPanel, bpy.types.Panel):
         hull = hull_objects.hull_of(context.object)
         settings = hull.hull.fit
         row = layout.row(align=True)
-        row.prop(settings, "target", text="")
+        text_field(row, settings, "target")
         row.operator("hull.load_stl", text="", icon="FILE_FOLDER")
-        layout.prop(settings, "lines")
+        text_field(layout, settings, "lines")
         column = layout.column(align=True)
         column.prop(settings, "use_edges")
         if settings.use_edges:
             column.prop(settings, "edge_angle")
         column.prop(settings, "draw_border")
         column = layout.column(align=True)
-        for name in ("fairness", "stiffness", "reach", "samples"):
-            column.prop(settings, name)
+        column.prop(settings, "fairness")
+        column.prop(settings, "stiffness")
+        field_or(column, settings, "reach", "a twentieth of the length")
+        column.prop(settings, "samples")
         if not draw_task(layout, hull):
             layout.operator("hull.fit", icon="MOD_SHRINKWRAP")
         self._draw_report(context, hull)

@@ -23,12 +23,20 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         else:
             self._draw_status(context, hull)
             self._draw_particulars(layout, hull.hull)
+            self._draw_others(layout)
 
     def _draw_beginnings(self, layout):
         layout.menu("HULL_MT_add", text="New Hull", icon="MOD_OCEAN")
         layout.operator("hull.make_hull", icon="MESH_DATA")
         layout.operator("hull.import_hull", icon="IMPORT")
         layout.operator_menu_enum("hull.load_sample", "name", icon="FILE_3D")
+
+    def _draw_others(self, layout):
+        """The ways to another hull, beside the one at hand."""
+        row = layout.row(align=True)
+        row.menu("HULL_MT_add", text="New")
+        row.operator("hull.import_hull", text="Import")
+        row.operator_menu_enum("hull.load_sample", "name", text="Sample")
 
     def _draw_status(self, context, hull):
         layout = self.layout

@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects
-from .shared import HullPanel, text_field
+from .shared import HullPanel, field_or, text_field
 
 
 class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
@@ -20,7 +20,7 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         if plan.paper == "OWN":
             column.prop(plan, "width")
             column.prop(plan, "height")
-        column.prop(plan, "scale")
+        field_or(column, plan, "scale", "the largest that fits")
         layout.prop(plan, "offsets")
         column = layout.column(align=True)
         for name in ("drawn", "date", "number"):

@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features import studio
-from .shared import HullPanel, label_wrapped, text_field
+from .shared import HullPanel, field_or, label_wrapped, text_field
 
 
 class HULL_PT_presentation(HullPanel, bpy.types.Panel):
@@ -17,14 +17,14 @@ class HULL_PT_presentation(HullPanel, bpy.types.Panel):
         settings = hull_objects.hull_of(context.object).hull.studio
         column = layout.column(align=True)
         for name in ("ground", "light", "lines", "engine"):
-            column.prop(settings, name, text="")
+            text_field(column, settings, name)
         layout.prop(settings, "deck")
         layout.prop(settings, "paint")
         if settings.paint:
             column = layout.column(align=True)
             for name in ("topside", "antifouling", "boot_top"):
                 text_field(column, settings, name)
-            column.prop(settings, "boot_top_height")
+            field_or(column, settings, "boot_top_height", "by the freeboard")
         row = layout.row(align=True)
         row.operator("hull.make_studio", icon="OUTLINER_OB_LIGHT")
         row.operator("hull.remove_studio", text="", icon="TRASH")

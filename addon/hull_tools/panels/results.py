@@ -7,7 +7,7 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
-from .shared import HullPanel, export_buttons, label_value, label_wrapped, text_field
+from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
 
 # Open from the start; the others unfold.
 _OPEN_GROUPS = {"Displacement", "Centres", "Stability"}
@@ -43,6 +43,9 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         scene = context.scene
         label_value(column, "Draft aft", format_value(scene, found.draft_aft, "m"))
         label_value(column, "Draft forward", format_value(scene, found.draft_forward, "m"))
+        units = {quantity.name: quantity.unit for quantity in hydrostatics.QUANTITIES}
+        for name, label in hydrostatics.KEY_FIGURES:
+            label_value(column, label, format_value(scene, getattr(found, name), units[name]))
 
 
 class _GroupPanel(HullPanel):
@@ -88,8 +91,9 @@ class HULL_PT_hydrostatic_table(HullPanel, bpy.types.Panel):
         layout = self.layout
         table = hull_objects.hull_of(context.object).hull.table
         column = layout.column(align=True)
-        for name in ("draft_from", "draft_to", "draft_step"):
-            column.prop(table, name)
+        field_or(column, table, "draft_from", "the first step")
+        field_or(column, table, "draft_to", "the draft")
+        field_or(column, table, "draft_step", "a tenth of the range")
         text_field(layout, table, "trims")
         export_buttons(layout, "hydrostatic_table")
 

@@ -6,7 +6,7 @@ import bpy
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.lines import lines
-from .shared import HullPanel, label_wrapped
+from .shared import HullPanel, field_or, label_wrapped, text_field
 
 
 class HULL_PT_sections(HullPanel, bpy.types.Panel):
@@ -29,10 +29,10 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
             for name in fields:
                 column.prop(settings, name)
             if kind == "station" and settings.stations:
-                column.prop(settings, "stations_in", text="")
+                text_field(column, settings, "stations_in")
         for kind in ("draft", "flat", "feature"):
             self._draw_switch(layout, settings, found, kind)
-        layout.prop(settings, "frame_spacing")
+        field_or(layout, settings, "frame_spacing", "no frames")
         layout.prop(settings, "in_front")
         layout.prop(settings, "width")
         layout.operator("hull.lines_as_curves", icon="OUTLINER_OB_CURVE")

@@ -48,10 +48,21 @@ def label_value(layout, name, value):
 
 
 def text_field(layout, settings, name):
-    """A text after its name, which gets more room than Blender gives it."""
+    """A text or a choice after its name, which gets more room than Blender gives it."""
     split = layout.split(factor=0.4)
     split.label(text=settings.bl_rna.properties[name].name)
     split.prop(settings, name, text="")
+
+
+def field_or(layout, settings, name, meaning):
+    """A number, and below it what counts where it is zero."""
+    column = layout.column(align=True)
+    column.prop(settings, name)
+    if not getattr(settings, name):
+        row = column.row()
+        row.active = False
+        row.alignment = "RIGHT"
+        row.label(text=f"0: {meaning}")
 
 
 def export_buttons(layout, analysis):

@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects, shown_objects
-from .shared import HullPanel
+from .shared import HullPanel, text_field
 
 
 def _draw_shown(layout, shown):
@@ -26,13 +26,15 @@ class HULL_PT_surface(HullPanel, bpy.types.Panel):
         hull = hull_objects.hull_of(context.object)
         _draw_shown(layout, shown_objects.surface_of(hull))
         layout.prop(hull.hull, "samples")
-        layout.prop(hull.hull, "scheme", text="")
+        text_field(layout, hull.hull, "scheme")
         if hull.hull.layers:
             layout.label(text="Layers in the shell")
         column = layout.column(align=True)
         for layer in hull.hull.layers:
             if layer.material is not None:
-                column.prop(layer, "in_hydrostatics", text=layer.material.name)
+                row = column.row(align=True)
+                row.prop(layer, "in_hydrostatics", text="")
+                row.prop(layer.material, "name", text="")
 
 
 CLASSES = (HULL_PT_surface,)

@@ -9,7 +9,7 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
-from .shared import HullPanel, export_buttons, label_value, label_wrapped
+from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
 
 _OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
 
@@ -228,8 +228,9 @@ class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
     def draw(self, context):
         loading = hull_objects.hull_of(context.object).hull.loading
         column = self.layout.column(align=True)
-        for name in ("least_t", "greatest_t", "displacement_count"):
-            column.prop(loading, name)
+        field_or(column, loading, "least_t", "a quarter of the load")
+        field_or(column, loading, "greatest_t", "5/4 of the load")
+        column.prop(loading, "displacement_count")
         export_buttons(self.layout, "cross_curves")
 
 
@@ -250,7 +251,8 @@ class HULL_PT_plots(HullPanel, bpy.types.Panel):
             row.operator("hull.export_plot", text="", icon="EXPORT").analysis = name
             if getattr(plots, name):
                 self._draw_reason(layout, context, hull, name)
-        layout.prop(plots, "corner", text="")
+        text_field(layout, plots, "corner")
+        layout.prop(plots, "size")
 
     def _draw_reason(self, layout, context, hull, name):
         outcome, is_current = live_analyses.latest(hull, context.scene, name)

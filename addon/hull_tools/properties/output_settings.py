@@ -43,6 +43,16 @@ class HullPlots(bpy.types.PropertyGroup):
         ),
         update=changed,
     )
+    size: FloatProperty(
+        name="Size",
+        description="Of each plot in the 3D view; 1 is 125 × 88 mm. Texts keep theirs",
+        default=0.75,
+        min=0.6,
+        max=2.0,
+        precision=2,
+        step=5,
+        update=changed,
+    )
 
 
 def _text(name, description):

@@ -63,14 +63,14 @@ class BothSides {
 
 double ratio(double above, double below) { return below > 0.0 ? above / below : 0.0; }
 
-FormCoefficients coefficients(const Particulars& p, double length, double beam, double draught,
+FormCoefficients coefficients(const Particulars& p, double length, double beam, double draft,
                               double section_area) {
   FormCoefficients c;
-  c.block = ratio(p.displaced_volume, length * beam * draught);
+  c.block = ratio(p.displaced_volume, length * beam * draft);
   c.prismatic = ratio(p.displaced_volume, section_area * length);
-  c.midship = ratio(section_area, beam * draught);
+  c.midship = ratio(section_area, beam * draft);
   c.waterplane = ratio(p.waterplane_area, length * beam);
-  c.vertical_prismatic = ratio(p.displaced_volume, p.waterplane_area * draught);
+  c.vertical_prismatic = ratio(p.displaced_volume, p.waterplane_area * draft);
   return c;
 }
 
@@ -150,7 +150,7 @@ void take_extents(const StationCutter& cutter, const Plane& water, Particulars& 
   const Vector3d starboard = starboard_direction(p.position.trim, p.position.heel);
   const FarthestPoint lowest = sides.farthest(-water.normal, Part::kImmersed);
   if (!lowest.found) return;
-  p.immersed_draught = lowest.value + water.offset;
+  p.immersed_draft = lowest.value + water.offset;
   p.immersed_length = sides.extent(ahead, Part::kImmersed);
   p.immersed_beam = sides.extent(starboard, Part::kImmersed);
 
@@ -194,8 +194,8 @@ Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
   }
   const double draft = project.draft > 0.0 ? project.draft : position.draft;
   p.project = coefficients(p, length, project.beam, draft, p.midship_section.area);
-  p.immersed = coefficients(p, p.immersed_length, p.immersed_beam, p.immersed_draught,
-                            p.largest_section.area);
+  p.immersed =
+      coefficients(p, p.immersed_length, p.immersed_beam, p.immersed_draft, p.largest_section.area);
   const ProfileArea profile = profile_area(cutter, water);
   p.lateral_area = profile.area;
   p.lateral_x = profile.centre.x();

@@ -19,7 +19,7 @@ struct ProjectDimensions {
 
 inline constexpr double kSeaWater = 1.025;  // t/m³, at 15 °C
 
-// Coefficients of form on some length L, beam B, draught T and section area A; ∇ the displaced
+// Coefficients of form on some length L, beam B, draft T and section area A; ∇ the displaced
 // volume, Awp the waterplane area. Zero where a dimension is not given or nothing is immersed.
 struct FormCoefficients {
   double block = 0.0;               // Cb = ∇ / (L B T)
@@ -31,7 +31,7 @@ struct FormCoefficients {
 
 // Particulars of a body in water, of both sides where half a hull was mirrored. Positions are x, y
 // and z in the ship's axes: from the after perpendicular, the centre plane and the base line.
-// Lengths, beams and draughts of what is under water are measured level along the ship, level
+// Lengths, beams and drafts of what is under water are measured level along the ship, level
 // across it, and straight down. What is undefined because nothing is immersed, because there is no
 // waterplane or because a dimension is not given, is zero.
 struct Particulars {
@@ -59,13 +59,13 @@ struct Particulars {
          waterline_beam = 0.0;  // Lwl, Bwl: extents of the shell's waterline
   double waterline_aft = 0.0, waterline_forward = 0.0;  // x of the waterline's ends
   double immersed_length = 0.0, immersed_beam = 0.0;    // extents of the immersed shell
-  double immersed_draught = 0.0;                        // depth of its lowest point
+  double immersed_draft = 0.0;                          // depth of its lowest point
 
   SectionArea midship_section;  // at length_pp / 2
   SectionArea largest_section;
 
   FormCoefficients project;   // on the project's dimensions and the midship section
-  FormCoefficients immersed;  // on immersed length, beam and draught and the largest section
+  FormCoefficients immersed;  // on immersed length, beam and draft and the largest section
 
   // Between the centre plane and the waterline's tangent at its forward end, rad: 90° where the
   // waterline is round or flat there. Both angles are zero when heeled: the sides differ.

@@ -34,7 +34,7 @@ TEST(Particulars, OfABox) {
   EXPECT_NEAR(p.waterline_forward, kL, 1e-12);
   EXPECT_NEAR(p.immersed_length, kL, 1e-12);
   EXPECT_NEAR(p.immersed_beam, kB, 1e-12);
-  EXPECT_NEAR(p.immersed_draught, kT, 1e-12);
+  EXPECT_NEAR(p.immersed_draft, kT, 1e-12);
   EXPECT_NEAR(p.midship_section.area, kB * kT, 1e-12);
   EXPECT_NEAR(p.midship_section.position, 25.0, 0.0);
   EXPECT_NEAR(p.largest_section.area, kB * kT, 1e-12);
@@ -71,7 +71,7 @@ TEST(Particulars, AreZeroInTheAir) {
   const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
   const Particulars p = hydrostatics(HullBody(box, false), {-1.0}, {40.0, 8.0, 2.0});
   for (double value : {p.displaced_volume, p.kb, p.waterplane_area, p.km_transverse,
-                       p.waterline_length, p.immersed_length, p.immersed_draught, p.lcb_percent,
+                       p.waterline_length, p.immersed_length, p.immersed_draft, p.lcb_percent,
                        p.project.block, p.lateral_area, p.half_angle_of_entrance}) {
     EXPECT_EQ(value, 0.0);
   }
@@ -161,7 +161,7 @@ TEST(Particulars, OfTheSmoothCube) {
   const Particulars p = hydrostatics(body, {0.2}, {});
   EXPECT_NEAR(p.immersed_length, 2.0 * r, 1e-9);
   EXPECT_NEAR(p.immersed_beam, 2.0 * r, 1e-9);
-  EXPECT_NEAR(p.immersed_draught, r + 0.2, 1e-9);
+  EXPECT_NEAR(p.immersed_draft, r + 0.2, 1e-9);
   EXPECT_LT(p.waterline_length, 2.0 * r - 1e-3);
   EXPECT_NEAR(p.waterline_length, p.waterline_beam, 1e-9);
   EXPECT_NEAR(p.half_angle_of_entrance, 0.5 * kPi, 1e-3);
@@ -203,7 +203,7 @@ void expect_same(const Particulars& a, const Particulars& b, double relative) {
   near(a.waterline_beam, b.waterline_beam, "Bwl");
   near(a.immersed_length, b.immersed_length, "Los");
   near(a.immersed_beam, b.immersed_beam, "immersed beam");
-  near(a.immersed_draught, b.immersed_draught, "draught");
+  near(a.immersed_draft, b.immersed_draft, "draft");
   near(a.midship_section.area, b.midship_section.area, "midship");
   near(a.largest_section.area, b.largest_section.area, "largest");
   near(a.half_angle_of_entrance, b.half_angle_of_entrance, "entrance");

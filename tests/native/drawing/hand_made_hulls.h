@@ -115,7 +115,7 @@ struct Wigley {
     drawing.draft = draft;
     drawing.particulars = {{"Length between perpendiculars", metres(length)},
                            {"Beam", metres(beam)},
-                           {"Draught", metres(draft)},
+                           {"Draft", metres(draft)},
                            {"Depth", metres(depth)}};
     for (int i = 0; i <= 20; ++i) {
       drawing.stations.push_back(station(length * i / 20.0, std::to_string(i)));

@@ -43,7 +43,7 @@ def _particulars(settings, body, scale):
         "Length between perpendiculars": settings.length_pp,
         "Beam": settings.beam,
         "Depth": settings.depth,
-        "Draught": settings.draft,
+        "Draft": settings.draft,
     }
     pairs = [
         (name, f"{units.as_typed(value) * scale:.2f} m") for name, value in given.items() if value

@@ -51,7 +51,7 @@ def _coefficients(of, what):
 _GROUPS = {
     "Displacement": (
         ("displaced_volume", "Volume ∇", "displaced volume", "m3", ""),
-        ("displacement_t", "Mass Δ", "displacement", "t", ""),
+        ("displacement_t", "Displacement Δ", "displacement", "t", ""),
         ("wetted_surface", "Wetted area", "wetted surface", "m2", ""),
         ("tpc", "TPC", "TPC", "t/cm", ""),
         ("mtc", "MTC", "MTC (with BMl)", "t m/cm", ""),
@@ -62,8 +62,8 @@ _GROUPS = {
         ("tcb", "TCB", "TCB to port", "m", ""),
         ("kb", "KB", "KB", "m", ""),
         ("lateral_area", "Lateral area", "lateral area", "m2", ""),
-        ("lateral_x", "Its x", "lateral area's centre from AP", "m", ""),
-        ("lateral_z", "Its z", "lateral area's centre above base", "m", ""),
+        ("lateral_x", "Centre x", "lateral area's centre from AP", "m", ""),
+        ("lateral_z", "Centre z", "lateral area's centre above base", "m", ""),
     ),
     "Waterplane": (
         ("waterplane_area", "Area", "waterplane area", "m2", ""),
@@ -88,10 +88,10 @@ _GROUPS = {
         ("waterline_beam", "Bwl", "Bwl", "m", ""),
         ("immersed_length", "Length", "immersed length", "m", ""),
         ("immersed_beam", "Beam", "immersed beam", "m", ""),
-        ("immersed_draught", "Draught", "immersed draught", "m", ""),
+        ("immersed_draft", "Draft", "immersed draft", "m", ""),
         ("midship_area", "Midship area", "midship section area", "m2", "midship_section.area"),
         ("largest_area", "Largest area", "largest section area", "m2", "largest_section.area"),
-        ("largest_x", "Its x", "largest section from AP", "m",
+        ("largest_x", "Largest at x", "largest section from AP", "m",
          "largest_section.position"),
     ),
     "Coefficients, project": _coefficients("project", "on project dimensions"),
@@ -102,10 +102,18 @@ GROUP_NOTES = {
     "Centres": "x from AP, y to port, z from base; % forward of midship",
     "Actual dimensions": "Of the waterline (wl) and of all that is immersed",
     "Coefficients, project": "On Lpp, beam, draft and the section at Lpp/2",
-    "Coefficients, actual": "On immersed length, beam, draught and the largest section",
+    "Coefficients, actual": "On immersed length, beam, draft and the largest section",
 }
 
 QUANTITIES = tuple(_quantities())
+# What a hull is told by at a glance: names of quantities, and labels.
+KEY_FIGURES = (
+    ("project_block", "Cb"),
+    ("project_prismatic", "Cp"),
+    ("project_midship", "Cm"),
+    ("project_waterplane", "Cwp"),
+    ("lcf", "LCF"),
+)
 GROUPS = tuple(_GROUPS)
 
 
