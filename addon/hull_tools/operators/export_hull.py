@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A hull's files, drawings and tables for others; and what all its exports have in common."""
 
+import os
+
 import bpy
 from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
@@ -48,15 +50,62 @@ class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
         return "Hull file written"
 
 
-class HULL_OT_export_lines(bpy.types.Operator, ExportHull):
+def _format(*endings):
+    """The choice of a file's form in its dialog; what the name ends in counts."""
+    return EnumProperty(
+        name="Format",
+        description="What the file is; the name's ending says the same",
+        items=[(f".{ending}", ending.upper(), _FORMATS[ending]) for ending in endings],
+        options={"SKIP_SAVE"},
+    )
+
+
+_FORMATS = {
+    "pdf": "Paper to scale, as one opens and prints it",
+    "svg": "Paper to scale, for drawing programs and web pages",
+    "png": "A picture in dots",
+    "dxf": "Splines at the ship's true size, for CAD systems",
+}
+
+
+class ExportDrawing(ExportHull):
+    """The exports that have a choice of `format`, an ending."""
+
+    filename_ext = ".pdf"
+    check_extension = None
+
+    def draw(self, context):
+        self.layout.prop(self, "format", expand=True)
+
+    def check(self, context):
+        """The name's ending follows the choice, and the choice a name that is typed."""
+        base, ending = os.path.splitext(self.filepath)
+        if self.format == self._chosen and ending.lower() in self._endings():
+            self.format = ending.lower()
+        elif ending.lower() in self._endings():
+            self.filepath = base + self.format
+        else:
+            self.filepath += self.format
+        has_changed = self._chosen != self.format or not self.filepath.endswith(ending)
+        self._chosen = self.format
+        return has_changed
+
+    def invoke(self, context, event):
+        self._chosen = self.format
+        return super().invoke(context, event)
+
+    def _endings(self):
+        return {item.identifier for item in self.bl_rna.properties["format"].enum_items}
+
+
+class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing):
     """Draw body plan, profile and half-breadth plan as PDF, SVG, PNG or DXF"""
 
     bl_idname = "hull.export_lines"
     bl_label = "Export Lines Plan"
 
-    filename_ext = ".pdf"
-    check_extension = None
     filter_glob: StringProperty(default="*.pdf;*.svg;*.png;*.dxf", options={"HIDDEN"})
+    format: _format("pdf", "svg", "png", "dxf")
 
     def write(self, hull, scene):
         exports.export_lines_drawing(hull, scene, self.filepath)
@@ -70,8 +119,8 @@ def _analysis_items(modules):
     )
 
 
-class ExportAnalysis(ExportHull):
-    """The exports of tables and plots: `analysis` says which; files are named after both."""
+class ExportAnalysis:
+    """Of the exports of tables and plots: `analysis` says which; files are named after both."""
 
     def name_part(self):
         return f"-{self.analysis}"
@@ -80,7 +129,7 @@ class ExportAnalysis(ExportHull):
         return analyses.ANALYSES[self.analysis].LABEL
 
 
-class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
+class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis, ExportHull):
     """Write a table as CSV, which a spreadsheet opens"""
 
     bl_idname = "hull.export_table"
@@ -97,15 +146,14 @@ class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis):
         return f"{self.label()}: table written"
 
 
-class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis):
+class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis, ExportDrawing):
     """Draw a plot on paper as PDF, SVG or PNG"""
 
     bl_idname = "hull.export_plot"
     bl_label = "Export Plot"
 
-    filename_ext = ".pdf"
-    check_extension = None
     filter_glob: StringProperty(default="*.pdf;*.svg;*.png", options={"HIDDEN"})
+    format: _format("pdf", "svg", "png")
     analysis: EnumProperty(
         name="Plot", description="What the plot is of", items=_analysis_items(analyses.PLOTTED)
     )

@@ -8,9 +8,12 @@ from . import legend, lines, marks, plots, pulls, spots, status, tags
 _PARTS = (lines, marks, tags, legend, spots, pulls)
 
 
-def _view(shown, corner):
+def _view(shown, settings):
+    placement = None
+    if settings is not None:
+        placement = plots.Placement.sized(settings.corner, settings.size)
     outdated = {index for index, one in enumerate(shown) if not one.is_current}
-    plots.show([one.plot for one in shown], plots.Placement(corner=corner), outdated)
+    plots.show([one.plot for one in shown], placement, outdated)
 
 
 def register():

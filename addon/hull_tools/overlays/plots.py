@@ -38,6 +38,11 @@ class Placement:
     width_mm: float = 125.0
     height_mm: float = 88.0
 
+    @classmethod
+    def sized(cls, corner, size):
+        """Cards `size` times as large as the usual ones; their texts stay as large."""
+        return cls(corner, size * cls.width_mm, size * cls.height_mm)
+
     def __post_init__(self):
         if self.corner not in CORNERS:
             raise ValueError(f"a corner is one of {', '.join(CORNERS)}, not {self.corner!r}")

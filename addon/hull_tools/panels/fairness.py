@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""By what fairness is judged: combs and their marks, colours, reflection lines, flat regions."""
+"""By what fairness is judged: combs and their marks, colours, knuckles, reflection lines, flat
+regions."""
+
+from math import degrees
 
 import bpy
 
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
+from ..features.analyses import live_analyses
 from ..features.fairness import combs
 from ..features.hull import hull_state
-from .shared import HullPanel, field_or, label_value, label_wrapped, text_field
+from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
 
@@ -79,6 +83,39 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
             label_value(column, name, str(count))
 
 
+class HULL_PT_knuckles(HullPanel, bpy.types.Panel):
+    """The angle along knuckles, between the surface's normals on both sides"""
+
+    bl_label = "Knuckles"
+    bl_parent_id = "HULL_PT_fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        outcome, is_current = live_analyses.latest(hull, context.scene, "knuckle_angles")
+        if outcome is not None and outcome.result is None:
+            label_wrapped(layout, context, outcome.message, icon="INFO")
+        elif outcome is not None:
+            column = layout.column(align=True)
+            column.active = is_current
+            column.scale_y = 0.8
+            label_value(column, "Knuckle, x from – to", "least, mean, largest")
+            for place, one in enumerate(outcome.result):
+                reach = " – ".join(format_value(context.scene, x, "m") for x in one.reach)
+                label_value(column, f"{place + 1}: {reach}", _angles(one))
+        layout.prop(hull.hull.plots, "knuckle_angles", text="Plot over the view")
+        if context.mode == "EDIT_MESH":
+            layout.operator("hull.set_knuckle_angle", text="Set Angle …", icon="MOD_SIMPLEDEFORM")
+        export_buttons(layout, "knuckle_angles")
+
+
+def _angles(knuckle):
+    return "  ".join(
+        f"{degrees(angle):.1f}°" for angle in (knuckle.least, knuckle.mean, knuckle.largest)
+    )
+
+
 class HULL_PT_reflections(HullPanel, bpy.types.Panel):
     """Reflection lines, isophotes and silhouette"""
 
@@ -106,4 +143,4 @@ class HULL_PT_reflections(HullPanel, bpy.types.Panel):
         layout.prop(fairness, "divisions")
 
 
-CLASSES = (HULL_PT_fairness, HULL_PT_combs, HULL_PT_reflections)
+CLASSES = (HULL_PT_fairness, HULL_PT_combs, HULL_PT_knuckles, HULL_PT_reflections)

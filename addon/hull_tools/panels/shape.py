@@ -56,6 +56,7 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
         for plane in ("STATION", "WATERLINE", "BUTTOCK"):
             row.operator("hull.put_in_plane", text=plane.capitalize()).plane = plane
         layout.operator("hull.set_coordinates", text="Coordinates …", icon="SPREADSHEET")
+        layout.operator("hull.insert_row", icon="MOD_EDGESPLIT")
         layout.operator("hull.reduce_valence", icon="STICKY_UVS_DISABLE")
 
 

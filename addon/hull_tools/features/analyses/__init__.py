@@ -14,6 +14,7 @@ What a user can get wrong raises ValueError in `inputs` and `compute`.
 from dataclasses import dataclass
 
 from ...bridge.blender import units
+from ..fairness import knuckle_angles
 from ..hull import hull_state
 from ..hydrostatics import bonjean_curves, hydrostatic_table, sectional_areas
 from ..lines import offset_table
@@ -28,6 +29,7 @@ _MODULES = (
     criteria,
     load_cases,
     offset_table,
+    knuckle_angles,
 )
 
 ANALYSES = {module.__name__.rpartition(".")[2]: module for module in _MODULES}

@@ -23,7 +23,8 @@ _wanted = set()  # (object's name, analysis)
 _asked = {}  # (identity of a HullState, analysis): the key_of that the thread was given last
 _plot_cache = {}  # analysis: (result, hull's name, plot)
 
-# What shows plots: functions that take a list of Shown and the name of a corner.
+# What shows plots: functions that take a list of Shown and, unless nothing is shown,
+# Object.hull.plots, which says where.
 plot_viewers = []
 
 
@@ -51,13 +52,13 @@ def show_plots(obj, scene):
 
     Quick analyses are brought up to date, the others are asked for.
     """
-    shown, corner = [], "BOTTOM_LEFT"
+    shown, settings = [], None
     if obj is not None and hull_state.state_of(obj) is not None:
-        corner = obj.hull.plots.corner
-        names = [name for name in analyses.PLOTTED if getattr(obj.hull.plots, name)]
+        settings = obj.hull.plots
+        names = [name for name in analyses.PLOTTED if getattr(settings, name)]
         shown = [plot for name in names for plot in _plots_of(obj, scene, name)]
     for view in plot_viewers:
-        view(shown, corner)
+        view(shown, settings)
 
 
 def _plots_of(obj, scene, name):
@@ -157,4 +158,4 @@ def stop():
     _asked.clear()
     _plot_cache.clear()
     for view in plot_viewers:
-        view([], "BOTTOM_LEFT")
+        view([], None)

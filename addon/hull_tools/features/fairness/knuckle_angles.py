@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The angle along the knuckles: between the surface's normals on both sides of them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...bridge import native
+
+LABEL = "Angles of knuckles"
+IS_LIVE = True
+
+_SAMPLES = 8  # of a control edge
+
+
+@dataclass(frozen=True)
+class Knuckle:
+    """One crease, from end to end: vertices (k,) its control points, positions (n, 3) in m and
+    arc_lengths (n,) in m of samples, their angles (n,) in rad; length in m; least, mean, largest
+    angle in rad. Positive angles bend away from the water, negative ones are hollows."""
+
+    number: int
+    vertices: np.ndarray
+    positions: np.ndarray
+    arc_lengths: np.ndarray
+    angles: np.ndarray
+    length: float
+    least: float
+    mean: float
+    largest: float
+
+    @property
+    def reach(self):
+        """(least, greatest) x of it, m."""
+        return self.positions[:, 0].min(), self.positions[:, 0].max()
+
+
+def of_surface(surface):
+    """The Knuckles of a hull_native.LimitSurface, the longest first."""
+    found = []
+    for index, curve in enumerate(native.require().crease_curves(surface)):
+        if curve.kind == "crease":
+            found.append(_measured(surface, index, curve))
+    return sorted(found, key=lambda one: -one.length)
+
+
+def _measured(surface, index, curve):
+    angles = native.require().knuckle_angles(surface, index, samples_per_edge=_SAMPLES)
+    return Knuckle(
+        index,
+        curve.vertices,
+        curve.evaluate(angles.t)[0],
+        angles.arc_lengths,
+        angles.angles,
+        angles.length,
+        angles.least,
+        angles.mean,
+        angles.largest,
+    )
+
+
+def inputs(settings, metres_per_unit):
+    return ()
+
+
+def compute(ship, where):
+    found = of_surface(ship.body.surface)
+    if not found:
+        raise ValueError("The hull has no knuckle: select edges and make them creases")
+    return found
+
+
+def header(result):
+    return [
+        "knuckle",
+        "along it [m]",
+        "x from AP [m]",
+        "y to port [m]",
+        "z above base [m]",
+        "angle [deg]",
+    ]
+
+
+def rows(result):
+    return [
+        [place + 1, *row]
+        for place, one in enumerate(result)
+        for row in np.column_stack(
+            [one.arc_lengths, one.positions, np.degrees(one.angles)]
+        ).tolist()
+    ]
+
+
+def plot(result, name):
+    plot = native.require().Plot(LABEL, [name])
+    plot.add_x_axis("x from the after perpendicular", "m")
+    plot.set_y_axis("Angle of the knuckle", "°", from_zero=False)
+    for place, one in enumerate(result):
+        is_known = np.isfinite(one.angles)
+        if np.count_nonzero(is_known) > 1:
+            x, angles = one.positions[is_known, 0], np.degrees(one.angles[is_known])
+            plot.add_curve(f"{place + 1}", x, angles)
+    return plot
