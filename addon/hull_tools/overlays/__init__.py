@@ -3,9 +3,9 @@
 that draws them with the graphics card."""
 
 from ..features.analyses import live_analyses
-from . import legend, lines, marks, plots, pulls, spots, status, tags
+from . import legend, lines, marks, net, plots, pulls, spots, status, tags
 
-_PARTS = (lines, marks, tags, legend, spots, pulls)
+_PARTS = (net, lines, marks, tags, legend, spots, pulls)
 
 
 def _view(shown, settings):

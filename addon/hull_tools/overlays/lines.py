@@ -86,9 +86,13 @@ class _Pen:
 
 def _batch_of(group, shader):
     if group not in _batches:
-        strokes = strokes_of(group.polylines)
-        _batches[group] = _batch(_buffer(strokes.points, shader), strokes)
+        _batches[group] = batch_of_strokes(strokes_of(group.polylines), shader)
     return _batches[group]
+
+
+def batch_of_strokes(strokes, shader):
+    """Strokes on the graphics card; None where there are none."""
+    return _batch(_buffer(strokes.points, shader), strokes)
 
 
 def _comb_batches_of(group, scale, shader):

@@ -25,6 +25,7 @@ class HULL_PT_surface(HullPanel, bpy.types.Panel):
         layout = self.layout
         hull = hull_objects.hull_of(context.object)
         _draw_shown(layout, shown_objects.surface_of(hull))
+        layout.prop(hull.hull, "show_net")
         layout.prop(hull.hull, "samples")
         text_field(layout, hull.hull, "scheme")
         if hull.hull.layers:

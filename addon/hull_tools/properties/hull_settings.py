@@ -32,6 +32,11 @@ from . import (
 from .shared import angle, changed, length
 
 
+def _net_changed(settings, context):
+    """Without its net a hull has a box in object mode, to be selected by."""
+    settings.id_data.display_type = "WIRE" if settings.show_net else "BOUNDS"
+
+
 class HullLayer(bpy.types.PropertyGroup):
     """How the faces of one material slot count; slots without an entry count fully."""
 
@@ -115,6 +120,13 @@ class HullSettings(bpy.types.PropertyGroup):
         max=32,
         soft_max=12,
         update=changed,
+    )
+    show_net: BoolProperty(
+        name="Control net",
+        description="Show the control net in object mode; else a box takes its place. In edit mode "
+        "it is always there",
+        default=True,
+        update=_net_changed,
     )
     surface_object: PointerProperty(
         name="Surface", description="The object that shows the surface", type=bpy.types.Object

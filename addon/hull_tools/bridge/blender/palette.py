@@ -32,6 +32,8 @@ _LINES = {
     "reflection": Ink("Reflection lines", (0.08, 0.08, 0.30), (0.92, 0.95, 1.00)),
     "silhouette": Ink("Silhouette", (0.00, 0.00, 0.00), (1.00, 1.00, 0.80)),
 }
+# In object mode, where it is not selected: it recedes behind what is of the surface.
+_NET = {"net": Ink("Control net", (0.50, 0.44, 0.56), (0.66, 0.62, 0.72))}
 # Combs stand out from the hull: these can be told from light and dark alike.
 _COMBS = {
     "station": Ink("Stations", (0.85, 0.20, 0.58)),
@@ -63,6 +65,7 @@ _TAGS = {
 # By name: (title in the preferences, {kind: Ink}).
 GROUPS = {
     "lines": ("Lines", _LINES),
+    "net": ("Control net", _NET),
     "combs": ("Combs", _COMBS),
     "marks": ("Marks of combs", _MARKS),
     "tags": ("Tags in edit mode", _TAGS),
