@@ -2,6 +2,7 @@
 """Files for others: written whole or not at all, and read back."""
 
 import csv
+from types import MethodType, SimpleNamespace
 
 import bpy
 import pytest
@@ -43,3 +44,23 @@ def test_table_of_hydrostatics(tmp_path):
         assert float(row["displaced volume [m3]"]) == pytest.approx(volume, rel=1e-9)
         assert float(row["displacement [t]"]) == pytest.approx(1.025 * volume, rel=1e-9)
     assert [path.name for path in tmp_path.iterdir()] == ["box.csv"]
+
+
+def test_the_format_is_chosen_in_the_dialog():
+    cls = bpy.types.HULL_OT_export_lines
+    dialog = SimpleNamespace(
+        format=".pdf", _chosen=".pdf", filepath="/tmp/plan.pdf", bl_rna=cls.bl_rna
+    )
+    dialog._endings = MethodType(cls._endings, dialog)
+
+    def check(**changes):
+        vars(dialog).update(changes)
+        cls.check(dialog, None)
+        return dialog.filepath, dialog.format
+
+    assert check(format=".dxf") == ("/tmp/plan.dxf", ".dxf")
+    assert check(filepath="/tmp/other.svg") == ("/tmp/other.svg", ".svg")
+    assert check(filepath="/tmp/no ending") == ("/tmp/no ending.svg", ".svg")
+    assert check() == ("/tmp/no ending.svg", ".svg")
+    items = cls.bl_rna.properties["format"].enum_items.keys()
+    assert items == [".pdf", ".svg", ".png", ".dxf"]

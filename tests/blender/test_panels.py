@@ -180,3 +180,60 @@ def test_file_dialogs_say_how_far_the_patches_are(hull):
         assert "property extent" in said["HULL_PT_dialog_file"]
     assert "property schema" in step["HULL_PT_dialog_file"]
     assert "property schema" not in iges["HULL_PT_dialog_file"]
+
+
+def test_panels_stand_in_the_order_of_the_work():
+    tops = [
+        cls.bl_label
+        for cls in part("panels")._CLASSES
+        if issubclass(cls, bpy.types.Panel)
+        and not hasattr(cls, "bl_parent_id")
+        and getattr(cls, "bl_category", "") == "Hull"
+    ]
+    wanted = ["Hull", "Surface", "Sections", "Shape", "Fairness", "Hydrostatics", "Stability",
+              "Lines Plan", "Export", "Presentation"]  # fmt: skip
+    assert [label for label in tops if label in wanted] == wanted
+
+
+def test_coefficients_are_at_the_top_of_the_numbers(hull):
+    said = texts()["HULL_PT_hydrostatics"]
+    assert [name for name in said if name in ("Cb", "Cp", "Cm", "Cwp", "LCF")] == [
+        "Cb", "Cp", "Cm", "Cwp", "LCF",
+    ]  # fmt: skip
+    assert value_after(said, "Cb") == "1.0000" and value_after(said, "LCF") == "5.000 m"
+
+
+def test_one_word_of_draft_and_no_it(hull):
+    said = [text for noted in texts().values() for text in noted]
+    assert not [text for text in said if "draught" in text.lower() or text.startswith("Its ")]
+
+
+def test_other_hulls_are_at_hand_beside_a_hull(hull):
+    said = texts()["HULL_PT_hull"]
+    assert {"menu HULL_MT_add", "operator hull.import_hull", "operator hull.load_sample"} <= {*said}
+
+
+def test_fields_have_labels_and_zeros_say_what_they_mean(hull):
+    hull.hull.plan.scale = 0.0
+    said = texts()
+    assert "0: the largest that fits" in said["HULL_PT_lines_plan"]
+    hull.hull.plan.scale = 100.0
+    assert "0: the largest that fits" not in texts()["HULL_PT_lines_plan"]
+    assert said["HULL_PT_fit"].index("Target") < said["HULL_PT_fit"].index("property target")
+    for name, label in (("ground", "Ground"), ("light", "Light"), ("engine", "Renderer")):
+        place = said["HULL_PT_presentation"].index(f"property {name}")
+        assert said["HULL_PT_presentation"][place - 1] == label
+    assert value_after(said["HULL_PT_plots"], "Corner") == "property corner"
+
+
+def test_layers_are_named_in_the_tab():
+    bpy.ops.hull.load_sample(name="coaster")
+    hull = bpy.context.object
+    said = texts()["HULL_PT_surface"]
+    assert said.count("property name") == len(hull.hull.layers)
+
+
+def test_angles_of_knuckles(hull):
+    compute_all(hull)
+    said = texts()["HULL_PT_knuckles"]
+    assert any("90.0°" in text for text in said)

@@ -75,6 +75,38 @@ def test_the_operator_pulls_and_the_ship_follows(mode):
     ].any()
 
 
+def test_with_a_radius_more_points_follow_and_the_target_is_met():
+    hull = sample("naval_vessel")
+    pull = pull_of(hull)
+    grip = pull.nearest((0.5 * max(hull.dimensions), 50.0, 0.6 * hull.hull.draft))
+    target = grip.point + 0.2 * grip.normal
+    before = edited_points(hull)
+    counts, steepest = [], []
+    for radius in (0.0, 3.0, 9.0):
+        counts.append(pull.pull(grip, target, radius)[0])
+        assert np.linalg.norm(place_now(hull, grip) - target) < 1e-6
+        moves = np.linalg.norm(edited_points(hull) - before, axis=1)
+        near = np.linalg.norm(before - grip.point, axis=1) < radius
+        assert radius == 0.0 or not moves[~near & (moves > 1e-5)].any()
+        edges = np.array([edge.vertices[:] for edge in hull.data.edges])
+        steepest.append(np.abs(np.diff(moves[edges], axis=1)).max())
+    pull.restore()
+    assert np.array_equal(edited_points(hull), before)
+    assert counts[0] <= 16 < counts[1] < counts[2]
+    assert steepest[2] < 0.5 * steepest[0]
+
+
+def test_the_operator_takes_a_radius():
+    hull = sample("naval_vessel")
+    grip = pull_of(hull).nearest((0.5 * max(hull.dimensions), 50.0, 0.6 * hull.hull.draft))
+    before = edited_points(hull)
+    target = np.float32(grip.point + 0.2 * grip.normal)
+    place = {"point": grip.point.tolist(), "target": target.tolist()}
+    assert bpy.ops.hull.pull_surface(**place, radius=9.0) == {"FINISHED"}
+    assert np.linalg.norm(place_now(hull, grip) - target) < 1e-6
+    assert np.count_nonzero(np.abs(edited_points(hull) - before).max(axis=1) > 1e-5) > 16
+
+
 def test_moves_are_those_of_the_core():
     hull = grid_hull()
     pull = pull_of(hull)

@@ -105,7 +105,7 @@ class HULL_PT_knuckles(HullPanel, bpy.types.Panel):
                 reach = " – ".join(format_value(context.scene, x, "m") for x in one.reach)
                 label_value(column, f"{place + 1}: {reach}", _angles(one))
         layout.prop(hull.hull.plots, "knuckle_angles", text="Plot over the view")
-        if context.mode == "EDIT_MESH":
+        if context.object.mode == "EDIT":
             layout.operator("hull.set_knuckle_angle", text="Set Angle …", icon="MOD_SIMPLEDEFORM")
         export_buttons(layout, "knuckle_angles")
 
