@@ -94,7 +94,9 @@ PANELS = {
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
-    "panels/fairness": PanelShot(hull_panels("fairness", "combs", "reflections"), _with_combs),
+    "panels/fairness": PanelShot(
+        hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs
+    ),
     "panels/hydrostatics": PanelShot(
         hull_panels(
             "hydrostatics",

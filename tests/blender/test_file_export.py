@@ -47,9 +47,12 @@ def test_table_of_hydrostatics(tmp_path):
 
 
 def test_the_format_is_chosen_in_the_dialog():
-    cls = bpy.types.HULL_OT_export_lines
+    cls, rna = bpy.types.HULL_OT_export_lines, bpy.ops.hull.export_lines.get_rna_type()
     dialog = SimpleNamespace(
-        format=".pdf", _chosen=".pdf", filepath="/tmp/plan.pdf", bl_rna=cls.bl_rna
+        format=".pdf",
+        _chosen=".pdf",
+        filepath="/tmp/plan.pdf",
+        properties=SimpleNamespace(bl_rna=rna),
     )
     dialog._endings = MethodType(cls._endings, dialog)
 
@@ -62,5 +65,4 @@ def test_the_format_is_chosen_in_the_dialog():
     assert check(filepath="/tmp/other.svg") == ("/tmp/other.svg", ".svg")
     assert check(filepath="/tmp/no ending") == ("/tmp/no ending.svg", ".svg")
     assert check() == ("/tmp/no ending.svg", ".svg")
-    items = cls.bl_rna.properties["format"].enum_items.keys()
-    assert items == [".pdf", ".svg", ".png", ".dxf"]
+    assert rna.properties["format"].enum_items.keys() == [".pdf", ".svg", ".png", ".dxf"]

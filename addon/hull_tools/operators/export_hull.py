@@ -95,7 +95,7 @@ class ExportDrawing(ExportHull):
         return super().invoke(context, event)
 
     def _endings(self):
-        return {item.identifier for item in self.bl_rna.properties["format"].enum_items}
+        return self.properties.bl_rna.properties["format"].enum_items.keys()
 
 
 class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing):
