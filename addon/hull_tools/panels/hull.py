@@ -33,10 +33,11 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
 
     def _draw_others(self, layout):
         """The ways to another hull, beside the one at hand."""
-        row = layout.row(align=True)
+        column = layout.column(align=True)
+        row = column.row(align=True)
         row.menu("HULL_MT_add", text="New")
         row.operator("hull.import_hull", text="Import")
-        row.operator_menu_enum("hull.load_sample", "name", text="Sample")
+        column.operator_menu_enum("hull.load_sample", "name", text="Sample")
 
     def _draw_status(self, context, hull):
         layout = self.layout
