@@ -172,7 +172,7 @@ def test_what_it_cannot_do_it_tells():
     surface = folded(wavy)
     knuckle = inner_crease(surface)
     rows = np.flatnonzero(np.abs(surface.mesh.points[:, 0]) == 1)
-    with pytest.raises(ValueError, match="No control point beside the knuckle may move"):
+    with pytest.raises(ValueError, match="beside the knuckle may"):
         hn.set_knuckle_angle(surface, knuckle, 0.9, locked=rows)
     with pytest.raises(ValueError, match="170°"):
         hn.set_knuckle_angle(surface, knuckle, 3.1)
