@@ -87,7 +87,8 @@ def test_with_a_radius_more_points_follow_and_the_target_is_met():
         assert np.linalg.norm(place_now(hull, grip) - target) < 1e-6
         moves = np.linalg.norm(edited_points(hull) - before, axis=1)
         near = np.linalg.norm(before - grip.point, axis=1) < radius
-        assert radius == 0.0 or not moves[~near & (moves > 1e-5)].any()
+        near[pull._ids[grip.controls]] = True
+        assert not moves[~near & (moves > 1e-5)].any()
         edges = np.array([edge.vertices[:] for edge in hull.data.edges])
         steepest.append(np.abs(np.diff(moves[edges], axis=1)).max())
     pull.restore()
@@ -103,7 +104,8 @@ def test_the_operator_takes_a_radius():
     target = np.float32(grip.point + 0.2 * grip.normal)
     place = {"point": grip.point.tolist(), "target": target.tolist()}
     assert bpy.ops.hull.pull_surface(**place, radius=9.0) == {"FINISHED"}
-    assert np.linalg.norm(place_now(hull, grip) - target) < 1e-6
+    # The point itself is single precision.
+    assert np.linalg.norm(place_now(hull, grip) - target) < 1e-5
     assert np.count_nonzero(np.abs(edited_points(hull) - before).max(axis=1) > 1e-5) > 16
 
 

@@ -11,22 +11,19 @@ from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.fairness import combs
 from ..features.hull import hull_state
-from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
-
-_MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
-
-_NAMES = {
-    "station": "Stations",
-    "waterline": "Waterlines",
-    "buttock": "Buttocks",
-    "diagonal": "Diagonals",
-    "plane": "Planes",
-    "feature": "Knuckles, borders",
-}
-
-
-def _at_hand(context):
-    hull = hull_objects.hull_of(context.object)
+from .shared import (
+    HullPanel,
+    :,
+    =,
+    choice_below,
+    context.object,
+    export_buttons,
+    field_or,
+    hull,
+    hull_objects.hull_of,
+    label_value,
+    label_wrapped,
+)
     return hull.hull.fairness, hull_state.state_of(hull)
 
 
@@ -39,7 +36,7 @@ class HULL_PT_fairness(HullPanel, bpy.types.Panel):
         layout = self.layout
         if state is not None and state.fairness_status:
             label_wrapped(layout, context, state.fairness_status, icon="ERROR")
-        text_field(layout, fairness, "colours")
+        choice_below(layout, fairness, "colours")
         if fairness.colours != "NONE":
             column = layout.column(align=True)
             if fairness.colours != "SLOPE":
@@ -100,10 +97,11 @@ class HULL_PT_knuckles(HullPanel, bpy.types.Panel):
             column = layout.column(align=True)
             column.active = is_current
             column.scale_y = 0.8
-            label_value(column, "Knuckle, x from – to", "least, mean, largest")
+            column.label(text="Least, mean, largest angle")
             for place, one in enumerate(outcome.result):
                 reach = " – ".join(format_value(context.scene, x, "m") for x in one.reach)
-                label_value(column, f"{place + 1}: {reach}", _angles(one))
+                column.label(text=f"{place + 1}: {reach}")
+                column.label(text=_angles(one), icon="BLANK1")
         layout.prop(hull.hull.plots, "knuckle_angles", text="Plot over the view")
         if context.object.mode == "EDIT":
             layout.operator("hull.set_knuckle_angle", text="Set Angle …", icon="MOD_SIMPLEDEFORM")

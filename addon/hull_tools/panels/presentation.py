@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features import studio
-from .shared import HullPanel, field_or, label_wrapped, text_field
+from .shared import HullPanel, choice_below, field_or, label_wrapped, text_field
 
 
 class HULL_PT_presentation(HullPanel, bpy.types.Panel):
@@ -17,7 +17,7 @@ class HULL_PT_presentation(HullPanel, bpy.types.Panel):
         settings = hull_objects.hull_of(context.object).hull.studio
         column = layout.column(align=True)
         for name in ("ground", "light", "lines", "engine"):
-            text_field(column, settings, name)
+            choice_below(column, settings, name)
         layout.prop(settings, "deck")
         layout.prop(settings, "paint")
         if settings.paint:

@@ -54,6 +54,13 @@ def text_field(layout, settings, name):
     split.prop(settings, name, text="")
 
 
+def choice_below(layout, settings, name):
+    """A choice below its name, where it has long words."""
+    column = layout.column(align=True)
+    column.label(text=settings.bl_rna.properties[name].name)
+    column.prop(settings, name, text="")
+
+
 def field_or(layout, settings, name, meaning):
     """A number, and below it what counts where it is zero."""
     column = layout.column(align=True)
