@@ -13,7 +13,72 @@ from ..features.fairness import combs
 from ..features.hull import hull_state
 from .shared import HullPanel, choice_below, export_buttons, field_or, label_value, label_wrapped
 
-_MARK_NAMES.items():
+_MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
+
+_NAMES = {
+    "station": "Stations",
+    "waterline": "Waterlines",
+    "buttock": "Buttocks",
+    "diagonal": "Diagonals",
+    "plane": "Planes",
+    "feature": "Knuckles, borders",
+}
+
+
+def _at_hand(context):
+    hull = hull_objects.hull_of(context.object)
+    return hull.hull.fairness, hull_state.state_of(hull)
+
+
+class HULL_PT_fairness(HullPanel, bpy.types.Panel):
+    bl_label = "Fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        fairness, state = _at_hand(context)
+        layout = self.layout
+        if state is not None and state.fairness_status:
+            label_wrapped(layout, context, state.fairness_status, icon="ERROR")
+        choice_below(layout, fairness, "colours")
+        if fairness.colours != "NONE":
+            column = layout.column(align=True)
+            if fairness.colours != "SLOPE":
+                column.prop(fairness, "logarithmic")
+            field_or(column, fairness, "colour_limit", "by the hull")
+        layout.operator("hull.check_flat", icon="MESH_PLANE")
+
+
+class HULL_PT_combs(HullPanel, bpy.types.Panel):
+    """Curvature combs, inflections and extrema"""
+
+    bl_label = "Combs"
+    bl_parent_id = "HULL_PT_fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        fairness, state = _at_hand(context)
+        layout = self.layout
+        flow = layout.grid_flow(columns=1, align=True)
+        for switch in combs.SWITCHES.values():
+            flow.prop(fairness, switch)
+        column = layout.column(align=True)
+        column.prop(fairness, "comb_factor")
+        field_or(column, fairness, "comb_step", "a 200th of the hull")
+        row = layout.row(align=True)
+        row.prop(fairness, "show_inflections")
+        row.prop(fairness, "show_extrema")
+        if state is None or not state.combs:
+            return
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+        column.label(text="Tooth for 1/m")
+        for kind, group in state.combs.items():
+            label_value(
+                column,
+                _NAMES[kind],
+                format_value(context.scene, group.scale * fairness.comb_factor, "m"),
+            )
+        for mark, name in _MARK_NAMES.items():
             count = sum(group.mark_counts[mark] for group in state.combs.values())
             label_value(column, name, str(count))
 
