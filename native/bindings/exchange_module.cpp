@@ -15,6 +15,7 @@
 #include "bindings/unmade_instances.h"
 #include "conversion/exact/exact_conversion.h"
 #include "conversion/per_cell/per_cell.h"
+#include "conversion/place_error.h"
 #include "exchange/iges_file.h"
 #include "exchange/step_file.h"
 
@@ -220,6 +221,30 @@ void bind_writing(py::module_& module, const char* function, WriteFile write_fil
       "tolerance, \"per_cell\" as by fit_per_cell().");
 }
 
+// PlaceError, with the attributes point, kind and elements.
+void bind_place_error(py::module_& module) {
+  PyObject* const type = PyErr_NewExceptionWithDoc(
+      "hull_native.PlaceError",
+      "What is wrong with patches at one place: a ValueError whose message says where and what to "
+      "do about it. point: (3,), m; kind: \"face\", or \"mesh\" where no element is known; "
+      "elements: the faces of the control mesh.",
+      PyExc_ValueError, nullptr);
+  if (type == nullptr) throw py::error_already_set();
+  module.add_object("PlaceError", type);
+  static PyObject* const place_error = type;
+  py::register_local_exception_translator([](std::exception_ptr error) {
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const conversion::PlaceError& found) {
+      const py::object raised = py::reinterpret_borrow<py::object>(place_error)(found.what());
+      raised.attr("point") = to_array(std::vector{found.point()}).reshape({py::ssize_t{3}});
+      raised.attr("kind") = found.face() < 0 ? "mesh" : "face";
+      raised.attr("elements") = found.face() < 0 ? py::make_tuple() : py::make_tuple(found.face());
+      PyErr_SetObject(place_error, raised.ptr());
+    }
+  });
+}
+
 }  // namespace
 }  // namespace hull::bindings
 
@@ -227,6 +252,7 @@ PYBIND11_MODULE(_exchange, module) {
   using namespace hull::bindings;
   module.doc() = "Files of CAD systems, by way of Open CASCADE.";
   join_core(module);
+  bind_place_error(module);
   bind_writing(module, "write_step", &hull::exchange::write_step,
                "Write patches as a STEP file: one shell whose faces share their edges, a solid "
                "where it is closed. schema: \"AP214\" or \"AP242\".",

@@ -4,6 +4,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
@@ -76,7 +77,9 @@ class ShapeMaker {
       result.faces.push_back(cap.patch ? make_ruled_face(cap) : make_plane_face(cap));
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!edges_[e].edge.IsNull() && faces_of_[e] == 1) ++result.free_edges;
+      if (edges_[e].edge.IsNull() || faces_of_[e] != 1) continue;
+      ++result.free_edges;
+      result.at_free_edge = middle_of(edges_[e].edge);
     }
     std::map<int, TopoDS_Shell> shells;  // by part
     // Caps come first: readers find out by a line from the first face which side of a shell is
@@ -92,7 +95,11 @@ class ShapeMaker {
     builder_.MakeCompound(compound);
     for (auto& [part, shell] : shells) {
       result.shape = finished(shell);
-      if (result.shape.ShapeType() == TopAbs_SOLID) ++result.solids;
+      if (result.shape.ShapeType() == TopAbs_SOLID) {
+        ++result.solids;
+      } else {
+        result.at_no_solid = middle_of(TopoDS::Face(TopExp_Explorer(shell, TopAbs_FACE).Current()));
+      }
       builder_.Add(compound, result.shape);
     }
     if (shells.size() > 1) result.shape = compound;

@@ -3,6 +3,7 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <optional>
 #include <vector>
 
 #include "conversion/caps/caps.h"
@@ -19,6 +20,9 @@ struct BRepShape {
   int free_edges = 0;              // edges with one face, those of no length not counted
   int parts = 0;                   // that share no edge
   int solids = 0;                  // those that are solids
+  // m: in the middle of a free edge, and of a face of a part that is no solid; where there are
+  // such.
+  std::optional<Vector3d> at_free_edge, at_no_solid;
 };
 
 // Faces carry the patches as they are. Joined faces share one edge object, whose curve is the

@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "conversion/patches/control_faces.h"
+#include "conversion/place_error.h"
+#include "exchange/face_integrals.h"
+#include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
 #include "exchange/regions.h"
+#include "exchange/solid_sides.h"
 #include "exchange/step_text.h"
 #include "files/atomic_file.h"
 
@@ -65,6 +71,13 @@ std::string layer_difference(const CadModel& model, const CadOptions& options,
   return "";
 }
 
+// Whether some of the solids that were read back are turned inside out.
+bool has_turned_solid(const CadModel& model, const CadReport& found) {
+  return model.brep.solids > 0 && found.solids == model.brep.solids && found.closed &&
+         !(std::abs(*found.volume - model.integrals.volume) <=
+           kIntegralTolerance * model.integrals.area * model.size);
+}
+
 // What was read back and not meant; empty if all is well.
 std::string difference(const CadModel& model, const CadOptions& options, const CadReport& found) {
   const int faces = static_cast<int>(model.brep.faces.size());
@@ -94,37 +107,104 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
   return layer_difference(model, options, found);
 }
 
+class FileWriter {
+ public:
+  // Makes the file first of all, so that nobody waits for one that can't be written.
+  FileWriter(const std::string& path, const CadOptions& options, const CadText& text_of)
+      : path_(path), options_(options), text_of_(text_of), file_(make_file()) {}
+
+  CadReport write(const conversion::PatchSet& patches) {
+    surface::tell(options_.progress, 0.0, 1.0);
+    try {
+      in_session([&] { model_ = make_cad_model(patches, options_); });
+      surface::tell(options_.progress, kModelDone, 1.0);
+      CadReport report = written_and_read();
+      if (has_turned_solid(model_, report)) {
+        in_session([&] { model_.brep.shape = with_telling_first_faces(model_.brep.shape); });
+        file_ = make_file();
+        report = written_and_read();
+      }
+      if (const std::string wrong = difference(model_, options_, report); !wrong.empty()) {
+        refuse(wrong, report);
+      }
+      report.cells_left_out = std::move(model_.cells_left_out);
+      // Only now, after it was found to say what was meant, does it take its name.
+      file_->replace();
+      return report;
+    } catch (const conversion::PlaceError& error) {
+      refuse_with_face(patches, error);
+    }
+  }
+
+ private:
+  std::unique_ptr<files::ReplacingFile> make_file() const {
+    return std::make_unique<files::ReplacingFile>(path_);
+  }
+
+  template <class Do>
+  void in_session(const Do& action) const {
+    try {
+      const OcctSession session(options_);
+      action();
+    } catch (const Standard_Failure& failure) {
+      throw files::FileError("Open CASCADE could not make \"" + path_ + "\": " + describe(failure));
+    }
+  }
+
+  CadReport written_and_read() {
+    std::string text;
+    in_session([&] {
+      text = text_of_(model_, options_, surface::part_of(options_.progress, kModelDone, kTextDone));
+    });
+    file_->write(text);
+    surface::tell(options_.progress, kTextDone, 1.0);
+    return read_cad_report(file_->name(), path_,
+                           surface::part_of(options_.progress, kTextDone, 1.0));
+  }
+
+  [[noreturn]] void refuse(const std::string& wrong, const CadReport& report) const {
+    const Vector3d place = !report.valid && report.at_fault ? *report.at_fault
+                           : report.at_free_edge && report.free_edges > model_.brep.free_edges
+                               ? *report.at_free_edge
+                               : middle_of(smallest_face());
+    throw conversion::PlaceError("\"" + path_ +
+                                     "\" was not written, because reading it back gave " + wrong +
+                                     "; look at " + conversion::place_text(place) +
+                                     " for faces that are tiny or folded over, and for points "
+                                     "that almost coincide",
+                                 place);
+  }
+
+  const TopoDS_Face& smallest_face() const {
+    return *std::ranges::min_element(model_.brep.faces, {}, [](const TopoDS_Face& face) {
+      return std::abs(integrals_of_face(face).area);
+    });
+  }
+
+  // Names the face of the control mesh where it is known.
+  [[noreturn]] void refuse_with_face(const conversion::PatchSet& patches,
+                                     const conversion::PlaceError& error) const {
+    Vector3d point = error.point();
+    if (options_.mirrored && point.y() < 0.0) point.y() = -point.y();
+    const int face = conversion::nearest_control_face(patches, point);
+    if (face < 0) throw error;
+    throw conversion::PlaceError(
+        std::string(error.what()) + " (face " + std::to_string(face) + " of the control mesh)",
+        error.point(), face);
+  }
+
+  const std::string& path_;
+  const CadOptions& options_;
+  const CadText& text_of_;
+  std::unique_ptr<files::ReplacingFile> file_;
+  CadModel model_;
+};
+
 }  // namespace
 
 CadReport write_cad_file(const conversion::PatchSet& patches, const std::string& path,
                          const CadOptions& options, const CadText& text_of) {
-  // First of all, so that nobody waits for a file that can't be written.
-  files::ReplacingFile file(path);
-  surface::tell(options.progress, 0.0, 1.0);
-  CadModel model;
-  std::string text;
-  try {
-    const OcctSession session(options);
-    model = make_cad_model(patches, options);
-    surface::tell(options.progress, kModelDone, 1.0);
-    text = text_of(model, options, surface::part_of(options.progress, kModelDone, kTextDone));
-  } catch (const Standard_Failure& failure) {
-    throw files::FileError("Open CASCADE could not make \"" + path + "\": " + describe(failure));
-  }
-  file.write(text);
-  surface::tell(options.progress, kTextDone, 1.0);
-  CadReport report =
-      read_cad_report(file.name(), path, surface::part_of(options.progress, kTextDone, 1.0));
-  if (const std::string wrong = difference(model, options, report); !wrong.empty()) {
-    throw std::invalid_argument("\"" + path + "\" was not written, because reading it back gave " +
-                                wrong +
-                                "; look for faces that are tiny or folded over, and for "
-                                "points that almost coincide");
-  }
-  report.cells_left_out = std::move(model.cells_left_out);
-  // Only now, after it was found to say what was meant, does it take its name.
-  file.replace();
-  return report;
+  return FileWriter(path, options, text_of).write(patches);
 }
 
 }  // namespace hull::exchange

@@ -9,6 +9,7 @@
 #include "conversion/centre_line.h"
 #include "conversion/patches/flat_patches.h"
 #include "conversion/patches/mirror.h"
+#include "conversion/place_error.h"
 #include "exchange/cad_report.h"
 #include "exchange/face_integrals.h"
 #include "exchange/regions.h"
@@ -106,14 +107,19 @@ bool is_on_one_side(const conversion::PatchSet& set) {
 
 void check_solid(const BRepShape& brep) {
   if (brep.free_edges > 0) {
-    throw std::invalid_argument("no solid: " + std::to_string(brep.free_edges) +
-                                " edges of the hull and its caps have one face only; export "
-                                "without closing to see where");
+    throw conversion::PlaceError(
+        "no solid: " + std::to_string(brep.free_edges) +
+            " edges of the hull and its caps have one face only, one of them at " +
+            conversion::place_text(*brep.at_free_edge) +
+            "; close the hull there with faces, or export without closing",
+        *brep.at_free_edge);
   }
   if (brep.solids < brep.parts) {
-    throw std::invalid_argument(
-        "no solid: the closed hull, or a part of it, has no volume or normals that point inwards; "
-        "turn its faces");
+    throw conversion::PlaceError(
+        "no solid: the closed hull, or the part of it at " +
+            conversion::place_text(*brep.at_no_solid) +
+            ", has no volume or normals that point inwards; turn its faces",
+        *brep.at_no_solid);
   }
 }
 

@@ -55,9 +55,21 @@ void count_edges(const TopoDS_Shape& shape, CadReport& report) {
     ++report.edges;
     if (faces(i).Extent() != 1) continue;
     ++report.free_edges;
+    report.at_free_edge = middle_of(edge);
     GProp_GProps properties;
     BRepGProp::LinearProperties(edge, properties);
     report.free_edge_length += properties.Mass() / kMillimetresPerMetre;
+  }
+}
+
+void check(const TopoDS_Shape& shape, CadReport& report) {
+  const BRepCheck_Analyzer analyzer(shape);
+  report.valid = analyzer.IsValid();
+  if (report.valid) return;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    if (analyzer.IsValid(face.Current())) continue;
+    report.at_fault = middle_of(TopoDS::Face(face.Current()));
+    return;
   }
 }
 
@@ -152,7 +164,7 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     report.unit = content.unit;
     report.product = content.product;
     report.bytes = std::filesystem::file_size(path);
-    report.valid = BRepCheck_Analyzer(content.shape).IsValid();
+    check(content.shape, report);
     surface::tell(progress, 0.95, 1.0);
     report.solids = count(content.shape, TopAbs_SOLID);
     report.shells = count(content.shape, TopAbs_SHELL);

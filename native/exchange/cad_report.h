@@ -36,6 +36,8 @@ struct CadReport {
   int edges = 0;       // of faces; those of no length (at a collapsed side) are not counted
   int free_edges = 0;  // edges with one face only: none where the shell is closed
   double free_edge_length = 0.0;
+  // m: in the middle of one of these, and of a face that is not valid; where there are such.
+  std::optional<Vector3d> at_free_edge, at_fault;
   double area = 0.0;
   // The volume enclosed; positive where the normals point outwards. Only where it is closed.
   std::optional<double> volume;

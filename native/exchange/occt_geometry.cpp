@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/occt_geometry.h"
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 namespace hull::exchange {
 namespace {
@@ -94,6 +98,20 @@ conversion::BSplinePatch patch_of(const Geom_BSplineSurface& surface) {
     }
   }
   return patch;
+}
+
+Vector3d middle_of(const TopoDS_Edge& edge) {
+  const BRepAdaptor_Curve curve(edge);
+  return in_metres(curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())));
+}
+
+Vector3d middle_of(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face, Standard_False);
+  if (surface.GetType() == GeomAbs_BSplineSurface) {
+    return in_metres(surface.Value(0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
+                                   0.5 * (surface.FirstVParameter() + surface.LastVParameter())));
+  }
+  return middle_of(TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current()));
 }
 
 }  // namespace hull::exchange

@@ -4,6 +4,8 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 #include <vector>
@@ -36,5 +38,10 @@ Handle(Geom2d_BSplineCurve) make_curve(const ParameterCurve& curve);
 
 // The surface as a patch over [0, 1] x [0, 1]. REQUIRES: it is neither rational nor periodic.
 conversion::BSplinePatch patch_of(const Geom_BSplineSurface& surface);
+
+// A point in the middle of an edge that has a curve, m; and one of a face, on its border unless the
+// whole of it is a B-spline surface.
+Vector3d middle_of(const TopoDS_Edge& edge);
+Vector3d middle_of(const TopoDS_Face& face);
 
 }  // namespace hull::exchange

@@ -11,6 +11,7 @@ from ._core import *  # noqa: F401,F403
 
 # These need large libraries, which modelling should not have to load.
 _LATER = {
+    "PlaceError": "._exchange",
     "write_step": "._exchange",
     "write_iges": "._exchange",
     "read_cad_report": "._exchange",

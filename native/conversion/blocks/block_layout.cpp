@@ -171,6 +171,62 @@ Block block_from(const mesh::Topology& cells, const Cutter& cutter, int side) {
   return block;
 }
 
+// The direction, along u or along v, in which a block must be cut because it is beside itself, as a
+// ring is: such a patch would be closed, and readers of CAD files make of that what they like.
+enum class CutAcross { kNone, kU, kV };
+
+CutAcross cut_of_ring(const mesh::Topology& cells, const Block& block) {
+  if (block.sides.size() == 1) return CutAcross::kNone;
+  std::vector<int> own;
+  for (int side : block.sides) own.push_back(side / 4);
+  std::ranges::sort(own);
+  CutAcross needed = CutAcross::kNone;
+  for (int k = 0; k < 4; ++k) {
+    for (int h : block.half_edges(cells, k)) {
+      if (cells.twin(h) < 0 || !std::ranges::binary_search(own, cells.twin(h) / 4)) continue;
+      // Sides 1 and 3 are at the ends of u.
+      const bool along_u = k % 2 == 1 ? block.count_u > 1 : block.count_v == 1;
+      needed = along_u ? CutAcross::kU : CutAcross::kV;
+      if (k % 2 == 1) return needed;
+    }
+  }
+  return needed;
+}
+
+// A block's cells from i on along u, `count` of them, and likewise along v.
+Block part_of(const Block& block, int i, int count_u, int j, int count_v) {
+  Block part;
+  part.count_u = count_u;
+  part.count_v = count_v;
+  for (int a = i; a < i + count_u; ++a) {
+    for (int b = j; b < j + count_v; ++b) part.sides.push_back(block.side(a, b));
+  }
+  return part;
+}
+
+// Blocks beside themselves are halved until none is; `cuts` takes the new lines.
+void halve_rings(const mesh::Topology& cells, std::vector<Block>& blocks, std::vector<char>& cuts) {
+  for (std::size_t b = 0; b < blocks.size();) {
+    const Block block = blocks[b];
+    const CutAcross across = cut_of_ring(cells, block);
+    if (across == CutAcross::kNone) {
+      ++b;
+      continue;
+    }
+    const int nu = block.count_u, nv = block.count_v;
+    if (across == CutAcross::kU) {
+      blocks[b] = part_of(block, 0, nu / 2, 0, nv);
+      blocks.push_back(part_of(block, nu / 2, nu - nu / 2, 0, nv));
+    } else {
+      blocks[b] = part_of(block, 0, nu, 0, nv / 2);
+      blocks.push_back(part_of(block, 0, nu, nv / 2, nv - nv / 2));
+    }
+    for (int h : blocks[b].half_edges(cells, across == CutAcross::kU ? 1 : 2)) {
+      cuts[cells.edge(h)] = 1;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<int> Block::half_edges(const mesh::Topology& cells, int k) const {
@@ -215,6 +271,7 @@ BlockLayout::BlockLayout(const surface::LimitSurface& surface) {
     }
   }
   cuts = cutter.cuts();
+  halve_rings(cells, blocks, cuts);
 }
 
 int least_block_count(const surface::LimitSurface& surface) {

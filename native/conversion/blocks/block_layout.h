@@ -30,6 +30,7 @@ struct Block {
 // within its neighbour's side. Every line adds one block, wherever it ends, but for a line that
 // ends at another irregular point, where it makes another one unnecessary; such lines are cut
 // first. What has neither irregular points nor borders, as tubes, is cut along a line of it.
+// What would be beside itself then, as rings are, is halved.
 struct BlockLayout {
   explicit BlockLayout(const surface::LimitSurface& surface);
 

@@ -77,12 +77,6 @@ Cap::Kind kind_of(const Vector3d& normal) {
 
 }  // namespace
 
-std::string place_text(const Vector3d& point) {
-  char text[100];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) m", point.x(), point.y(), point.z());
-  return text;
-}
-
 CapMaker::CapMaker(const PatchSet& set, const EdgeUses& uses)
     : set_(set), uses_(uses), size_(set.size()) {}
 
@@ -114,9 +108,9 @@ void CapMaker::add_plane(Cap::Kind kind, std::vector<EdgePath> loops) {
   cap.kind = kind;
   const Vector3d area = area_vector(outer);
   if (!(area.norm() > kNoLength * size_ * size_)) {
-    throw std::invalid_argument("the border at " + place_text(outer[0].points[0]) +
-                                " encloses no area to close; move its sides apart, or merge their "
-                                "points");
+    throw PlaceError("the border at " + place_text(outer[0].points[0]) +
+                         " encloses no area to close; move its sides apart, or merge their points",
+                     outer[0].points[0]);
   }
   cap.normal = area.normalized();
   // The middle of what the plane has to come close to.
@@ -289,8 +283,9 @@ void CapMaker::close(const BorderChain& chain, FarSide& far, const EdgePath& sta
   if (!end.empty()) straight_[chain.back().to] = end;
   std::vector<Run> runs = runs_of(chain);
   if (runs.empty()) {
-    throw std::invalid_argument("the border at " + place_text(chain[0].curve.points[0]) +
-                                " runs athwartships and back along itself; merge its points");
+    throw PlaceError("the border at " + place_text(chain[0].curve.points[0]) +
+                         " runs athwartships and back along itself; merge its points",
+                     chain[0].curve.points[0]);
   }
   find_ends(chain, runs, far);
   for (const Run& run : runs) close_run(chain, run, far);

@@ -8,6 +8,7 @@
 #include "conversion/caps/caps.h"
 #include "conversion/patches/edge_uses.h"
 #include "conversion/patches/mirror.h"
+#include "conversion/place_error.h"
 #include "mesh/tolerances.h"
 
 namespace hull::conversion {
@@ -81,8 +82,5 @@ class CapMaker {
   std::map<int, EdgePath> straight_;  // by vertex
   EdgePath in_plane_;
 };
-
-// "(x, y, z) m" for messages.
-std::string place_text(const Vector3d& point);
 
 }  // namespace hull::conversion

@@ -192,11 +192,12 @@ class Closer {
       for (const Vector3d& point : step.curve.points) box.extend(point);
     }
     const int cell = set_.patches[uses_.of(loop.front().edge)[0].patch].cell;
-    throw std::invalid_argument(
+    throw PlaceError(
         "no solid: the opening around " + place_text(box.center()) + ", with a border at cell " +
-        std::to_string(cell) +
-        ", is neither flat nor symmetric; close it with faces, make its border flat, or export "
-        "without closing");
+            std::to_string(cell) +
+            ", is neither flat nor symmetric; close it with faces, make its border flat, or export "
+            "without closing",
+        loop.front().curve.position(0.5));
   }
 
   const PatchSet& set_;

@@ -74,10 +74,10 @@ class Loops {
   DirectedEdge take_next(const DirectedEdge& last, int vertex) {
     auto& leaving = from_[vertex];
     if (leaving.empty()) {
-      throw std::invalid_argument(
-          "the border in the centre plane is not closed at " +
-          place_text(maker_.curve(last).points.back()) +
-          "; set y to 0 for all points that are meant to be on the centre line");
+      const Vector3d end = maker_.curve(last).points.back();
+      throw PlaceError("the border in the centre plane is not closed at " + place_text(end) +
+                           "; set y to 0 for all points that are meant to be on the centre line",
+                       end);
     }
     const Vector2d back = -direction(-last);
     const auto turn = [&](const DirectedEdge& edge) {
@@ -137,10 +137,11 @@ void close_centre_plane(CapMaker& maker, const EdgePath& edges, bool is_port_hal
       least = loops[i].area;
     }
     if (around == loops.size()) {
-      throw std::invalid_argument("the border in the centre plane at " +
-                                  place_text(maker.curve(hole.path[0]).points[0]) +
-                                  " crosses itself or runs the wrong way; make all normals point "
-                                  "outwards and check the points there");
+      const Vector3d begin = maker.curve(hole.path[0]).points[0];
+      throw PlaceError("the border in the centre plane at " + place_text(begin) +
+                           " crosses itself or runs the wrong way; make all normals point "
+                           "outwards and check the points there",
+                       begin);
     }
     faces[around].push_back(hole.path);
   }

@@ -12,6 +12,7 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/centre_line.h"
 #include "conversion/exact/grading.h"
+#include "conversion/patches/control_faces.h"
 #include "conversion/patches/divide.h"
 #include "conversion/patches/matched_knots.h"
 #include "mesh/tolerances.h"
@@ -39,6 +40,7 @@ class SetBuilder {
     PatchSet set;
     set.vertex_count = cells_.vertex_count();
     set.edge_count = cells_.edge_count();
+    set.cell_faces = faces_of_cells(surface_);
     for (std::size_t p = 0; p < patches.size(); ++p) {
       const Block& block = layout_.blocks[p];
       BSplinePatch& patch = patches[p];

@@ -55,6 +55,7 @@ class Divider {
   Divider(const PatchSet& set, const std::vector<PatchCuts>& cuts)
       : set_(set), cuts_(cuts), uses_(set), edges_(set.edge_count) {
     result_.vertex_count = set.vertex_count;
+    result_.cell_faces = set.cell_faces;
   }
 
   PatchSet divide() {

@@ -184,6 +184,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   kept.vertex_count = all.vertex_count;
   kept.edge_count = all.edge_count;
   kept.source = std::move(all.source);
+  kept.cell_faces = all.cell_faces;
   for (int p = 0; p < count; ++p) {
     result.is_kept.push_back(!is_left_out[p]);
     if (is_left_out[p]) {

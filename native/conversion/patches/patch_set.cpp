@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "conversion/place_error.h"
+
 namespace hull::conversion {
 namespace {
 
@@ -14,6 +16,20 @@ struct Use {
   const SideEdge* part = nullptr;
 };
 
+// What can only come from a mesh whose points are closer together than the rounding of its size, or
+// almost in the centre plane.
+constexpr char kRemedy[] =
+    "; merge points that almost coincide there, and put those meant to be on the centre line at y "
+    "= 0";
+
+[[noreturn]] void refuse_at(const BSplinePatch& patch, const Vector3d& point,
+                            const std::string& what) {
+  throw PlaceError("patch of cell " + std::to_string(patch.cell) + ", at " + place_text(point) +
+                       ": " + what + kRemedy,
+                   point);
+}
+
+// Of numbers that do not fit one another: no mesh is to blame.
 [[noreturn]] void refuse(const BSplinePatch& patch, const std::string& what) {
   throw std::invalid_argument("patch of cell " + std::to_string(patch.cell) + ": " + what);
 }
@@ -63,9 +79,9 @@ void check_inner_vertices(const PatchSet& set, const std::vector<Use>& vertices,
         const Vector3d& corner = other.control_points[other.side_index(use.side, 0)];
         const Vector3d here = set.patches[p].side_curve(k).position(side[i].end);
         if (!((here - corner).norm() <= tolerance)) {
-          refuse(set.patches[p], "vertex " + std::to_string(side[i].to) +
-                                     " is not on the side where cell " +
-                                     std::to_string(other.cell) + " has it");
+          refuse_at(set.patches[p], corner,
+                    "vertex " + std::to_string(side[i].to) + " is not on the side where cell " +
+                        std::to_string(other.cell) + " has it");
         }
       }
     }
@@ -97,7 +113,8 @@ void check_joint(const PatchSet& set, const Use& first, const Use& second, doubl
     refuse(two, edge + " does not run between the same vertices, the other way," + other);
   }
   if (!(gap_of(set, first, second) <= tolerance)) {
-    refuse(two, edge + " has not the same curve" + other);
+    refuse_at(two, set.curve(first.patch, first.side, *first.part).position(0.5),
+              edge + " has not the same curve" + other);
   }
 }
 
@@ -150,8 +167,9 @@ void PatchSet::check() const {
       };
       // Bitwise, not within a tolerance: corners are copies of one computed point.
       if (corner(p, k) != corner(vertex.patch, vertex.side)) {
-        refuse(patches[p], "vertex " + std::to_string(corners[p][k]) + " is not where cell " +
-                               std::to_string(patches[vertex.patch].cell) + " has it");
+        refuse_at(patches[p], corner(p, k),
+                  "vertex " + std::to_string(corners[p][k]) + " is not where cell " +
+                      std::to_string(patches[vertex.patch].cell) + " has it");
       }
     }
   }

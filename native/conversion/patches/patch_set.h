@@ -44,6 +44,9 @@ struct PatchSet {
   // Per patch the cells that it stands for, whose (u, v) are the patch's; one without sides where
   // it stands for none, as caps and mirror images do. Empty where nothing is known of any.
   std::vector<Block> blocks;
+  // Of each cell of the surface the face of the control mesh that it is of, so that messages can
+  // name it. Empty where nothing is known of any.
+  std::vector<int> cell_faces;
   int vertex_count = 0;
   int edge_count = 0;
   PatchSource source;

@@ -8,6 +8,7 @@
 
 #include "conversion/blocks/block_places.h"
 #include "conversion/centre_line.h"
+#include "conversion/patches/control_faces.h"
 #include "conversion/per_cell/uniform_fit.h"
 
 namespace hull::conversion {
@@ -62,6 +63,7 @@ PatchSet fit_per_cell(const surface::LimitSurface& given, int control_points) {
   set.vertex_count = cells.vertex_count();
   set.edge_count = cells.edge_count();
   set.source = source_of(given);
+  set.cell_faces = faces_of_cells(surface);
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     BSplinePatch patch{3, 3, open_uniform_knots(3, n), open_uniform_knots(3, n), n, n, {}, cell};
     patch.control_points.assign(n * n, Vector3d::Zero());
