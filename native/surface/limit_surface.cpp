@@ -11,17 +11,6 @@
 namespace hull::surface {
 namespace {
 
-// Derivatives with respect to the square's own parameters from those seen from corner `turn`.
-void turn_back(int turn, SurfaceJet& jet) {
-  if (turn == 1 || turn == 3) {
-    std::swap(jet.du, jet.dv);
-    std::swap(jet.duu, jet.dvv);
-    jet.duv = -jet.duv;
-  }
-  if (turn == 1 || turn == 2) jet.du = -jet.du;
-  if (turn == 2 || turn == 3) jet.dv = -jet.dv;
-}
-
 bool is_knot(const PlaceInCell& place) {
   return place.node.kind == SurfaceNode::Kind::kCorner &&
          turned(place.node.turn, place.u, place.v).isZero(0.0);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 
+#include "surface/pieces/bicubic.h"
 #include "surface/surface_layout.h"
 
 namespace hull::surface {
@@ -37,6 +39,17 @@ inline Eigen::Vector2d turned(int turn, double u, double v) {
     default:
       return {1.0 - v, u};
   }
+}
+
+// Derivatives with respect to the square's own parameters from those seen from corner `turn`.
+inline void turn_back(int turn, SurfaceJet& jet) {
+  if (turn == 1 || turn == 3) {
+    std::swap(jet.du, jet.dv);
+    std::swap(jet.duu, jet.dvv);
+    jet.duv = -jet.duv;
+  }
+  if (turn == 1 || turn == 2) jet.du = -jet.du;
+  if (turn == 2 || turn == 3) jet.dv = -jet.dv;
 }
 
 }  // namespace hull::surface

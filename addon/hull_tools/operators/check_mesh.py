@@ -7,7 +7,7 @@ from bpy.props import IntProperty
 from ..bridge.mesh import selection
 from ..features.hull import hull_state
 from ..features.modelling import face_turning
-from .shared import HullOperator, HullReader
+from .shared import HullOperator, HullReader, enter_edit_mode
 
 
 class HULL_OT_check_mesh(bpy.types.Operator, HullReader):
@@ -38,7 +38,7 @@ class HULL_OT_select_problem(bpy.types.Operator, HullOperator):
         if self.index >= len(problems):
             raise ValueError("This problem is no longer there")
         problem = problems[self.index]
-        _enter_edit_mode(context, hull)
+        enter_edit_mode(context, hull)
         if problem.elements:
             selection.select(context, hull, problem.kind, problem.elements, reveal=True)
         self.report({"INFO"}, problem.message)
@@ -54,15 +54,6 @@ class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
         count = face_turning.turn_outwards(hull)
         hull_state.refresh(hull, context.scene)
         self.report({"INFO"}, f"{count} faces turned")
-
-
-def _enter_edit_mode(context, hull):
-    if hull.mode == "EDIT":
-        return
-    if context.mode != "OBJECT":
-        bpy.ops.object.mode_set(mode="OBJECT")
-    context.view_layer.objects.active = hull
-    bpy.ops.object.mode_set(mode="EDIT")
 
 
 CLASSES = (HULL_OT_check_mesh, HULL_OT_select_problem, HULL_OT_turn_outwards)

@@ -5,10 +5,12 @@ far the patches are from the surface before anything is written."""
 import bpy
 from bpy.props import StringProperty
 
+from ..bridge.mesh import selection
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions
 from ..features.exchange import cad_files
 from .export_hull import ExportHull
+from .shared import HullOperator, enter_edit_mode
 from .tasks import PatchOperator
 
 
@@ -66,4 +68,20 @@ class HULL_OT_export_iges(bpy.types.Operator, ExportCad):
     filter_glob: StringProperty(default="*.igs;*.iges", options={"HIDDEN"})
 
 
-CLASSES = (HULL_OT_export_step, HULL_OT_export_iges)
+class HULL_OT_select_cad_problem(bpy.types.Operator, HullOperator):
+    """Select the face of the control mesh because of which no file was written"""
+
+    bl_idname = "hull.select_cad_problem"
+    bl_label = "Select"
+
+    def run_on(self, hull, context):
+        problem = cad_files.problem_of(hull)
+        if problem is None:
+            raise ValueError("This problem is no longer there: the hull was changed, or written")
+        enter_edit_mode(context, hull)
+        if problem.elements:
+            selection.select(context, hull, problem.kind, problem.elements, reveal=True)
+        self.report({"INFO"}, problem.message)
+
+
+CLASSES = (HULL_OT_export_step, HULL_OT_export_iges, HULL_OT_select_cad_problem)

@@ -80,6 +80,15 @@ def show_all(context):
                 bpy.ops.view3d.view_selected()
 
 
+def enter_edit_mode(context, hull):
+    if hull.mode == "EDIT":
+        return
+    if context.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    context.view_layer.objects.active = hull
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
 class BaseOperator:
     """Refused with the reason where one of `needs` is not met; cancelled with a report where there
     is something that a user can get wrong, else finished.

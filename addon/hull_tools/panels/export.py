@@ -5,8 +5,9 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions
+from ..features.exchange import cad_files
 from .conversion import draw_choice, draw_report, draw_spots, draw_task
-from .shared import HullPanel, text_field
+from .shared import HullPanel, label_wrapped, text_field
 
 
 class HULL_PT_export(HullPanel, bpy.types.Panel):
@@ -18,6 +19,11 @@ class HULL_PT_export(HullPanel, bpy.types.Panel):
         column.operator("hull.export_iges", icon="EXPORT")
         column.operator("hull.export_lines", icon="EXPORT")
         column.operator("hull.export_hull", icon="EXPORT")
+        problem = cad_files.problem_of(hull_objects.hull_of(context.object))
+        if problem is not None:
+            box = self.layout.box()
+            label_wrapped(box, context, problem.message, icon="ERROR")
+            box.operator("hull.select_cad_problem")
 
 
 class HULL_PT_patches(HullPanel, bpy.types.Panel):

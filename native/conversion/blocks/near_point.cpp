@@ -16,8 +16,8 @@ constexpr double kWorthwhile = 0.99;  // a step that gains less than 1 % is the 
 
 // Gauss-Newton with shortened steps, kept within the cell. Every point of the surface gives an
 // upper bound, so it does not matter how far the search comes.
-NearPoint near_point(const surface::LimitSurface& surface, const Vector3d& point,
-                     const CellPoint& start, double enough) {
+NearPoint near_point(const RingedSurface& surface, const Vector3d& point, const CellPoint& start,
+                     double enough) {
   NearPoint found{start, (point - surface.position(start.cell, start.u, start.v)).norm()};
   auto& [cell, u, v] = found.place;
   for (int step = 0; step < kMaxSteps && found.distance > enough; ++step) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "surface/limit_surface.h"
+#include "conversion/blocks/ringed_surface.h"
 
 namespace hull::conversion {
 
@@ -18,7 +18,7 @@ struct NearPoint {
 // A point of a cell near to `point`, found from a place close by: no farther than that one, and in
 // general the closest of the cell, so that its distance is an upper bound of that to the surface.
 // The search ends where the distance is below `enough`.
-NearPoint near_point(const surface::LimitSurface& surface, const Vector3d& point,
-                     const CellPoint& start, double enough);
+NearPoint near_point(const RingedSurface& surface, const Vector3d& point, const CellPoint& start,
+                     double enough);
 
 }  // namespace hull::conversion

@@ -32,8 +32,8 @@ double to_corner(const CellPoint& place) {
 
 }  // namespace
 
-NearPoint near_surface(const surface::LimitSurface& surface, const Vector3d& point,
-                       const CellPoint& start, double enough) {
+NearPoint near_surface(const RingedSurface& surface, const Vector3d& point, const CellPoint& start,
+                       double enough) {
   const mesh::Topology& cells = surface.cells();
   // No search can begin at an irregular corner, which has no derivatives: as far from it as here.
   const double inset = 0.5 * to_corner(start);

@@ -8,7 +8,7 @@ namespace hull::conversion {
 // A point of the surface near to `point`, found by near_point() from a place close by, and by the
 // same in neighbouring cells while the nearest lies on the border of a cell. Its distance is an
 // upper bound of that to the surface.
-NearPoint near_surface(const surface::LimitSurface& surface, const Vector3d& point,
-                       const CellPoint& start, double enough);
+NearPoint near_surface(const RingedSurface& surface, const Vector3d& point, const CellPoint& start,
+                       double enough);
 
 }  // namespace hull::conversion

@@ -45,12 +45,13 @@ int jump_from(double before, double now) {
 // is not looked for closer.
 double fan_distance(const surface::LimitSurface& surface, const GradedFan& graded, double enough) {
   const SquareFan& fan = graded.fan;
+  const RingedSurface ringed(surface);
   const double size = std::exp2(-graded.grading.halvings);
   double largest = 0.0;
   const auto take = [&](int i, double a, double b) {
     const CellPoint start = place_beside_half_edge(fan.half_edges[i], a * size, b * size);
     const Vector3d point = fan.nets[i].evaluate(a, b).point;
-    largest = std::max(largest, near_surface(surface, point, start, enough).distance);
+    largest = std::max(largest, near_surface(ringed, point, start, enough).distance);
   };
   for (int i = 0; i < fan.count(); ++i) {
     if (!fan.graded[i]) continue;

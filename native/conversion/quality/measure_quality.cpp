@@ -84,7 +84,9 @@ QualityReport measure_quality(const surface::LimitSurface& surface, const PatchS
   report.normal_reach = options.normal_reach.value_or(kNormalReach * report.length);
   report.theoretical_patch_count = least_block_count(surface);
   const surface::SurfaceTree tree(surface);
+  const RingedSurface ringed(surface);
   const QualityGauge gauge{surface,
+                           ringed,
                            tree,
                            set,
                            analysis::gauss_rule(options.samples),

@@ -116,9 +116,9 @@ class PatchMeasure {
     }
     NearPoint near{place_in_block(block_, u_.at[i], v_.at[j]), 0.0};
     const auto [cell, cell_u, cell_v] = near.place;
-    near.distance = (point - gauge_.surface.position(cell, cell_u, cell_v)).norm();
+    near.distance = (point - gauge_.ringed.position(cell, cell_u, cell_v)).norm();
     if (near.distance > gauge_.negligible()) {
-      near = near_surface(gauge_.surface, point, near.place, gauge_.negligible());
+      near = near_surface(gauge_.ringed, point, near.place, gauge_.negligible());
     }
     const double area = u_.weights[i] * v_.weights[j] * du.cross(dv).norm();
     const int interval = u_.intervals[i] * v_.interval_count + v_.intervals[j];

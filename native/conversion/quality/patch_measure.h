@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/arithmetic/gauss.h"
+#include "conversion/blocks/ringed_surface.h"
 #include "conversion/patches/patch_set.h"
 #include "conversion/quality/quality_report.h"
 #include "surface/progress.h"
@@ -14,6 +15,7 @@ namespace hull::conversion {
 // What patches and seams are measured with.
 struct QualityGauge {
   const surface::LimitSurface& surface;
+  const RingedSurface& ringed;       // the same
   const surface::SurfaceTree& tree;  // of the surface
   const PatchSet& set;
   analysis::GaussRule rule;

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from ...bridge import native
 from ...bridge.background import jobs
+from ...bridge.mesh import mesh_check
 from ..conversion import conversions
 from ..hull import hull_state
 from . import cad_curves
@@ -41,6 +42,7 @@ class Export(jobs.JobTask):
         self._conversion = None if known else conversions.begin(obj, scene)
         self.state = hull_state.state_of(obj)
         source = self.state.source
+        self._geometry, self._face_ids = self.state.keys["geometry"], source.control.face_ids
         wanted = cad_curves.wanted(obj, scene, self.state.surface)
         options = _options(obj, file_format)
 
@@ -84,7 +86,30 @@ class Export(jobs.JobTask):
         was written, jobs.Cancelled when it was cancelled."""
         if self._conversion is not None:
             self._conversion.result()
-        return self._job.result()
+        self.state.cad_problem = None
+        try:
+            return self._job.result()
+        except ValueError as error:
+            self.state.cad_problem = self._problem(error)
+            raise
+
+    def _problem(self, error):
+        """What a hull_native.PlaceError says of a place, None of another error."""
+        if not getattr(error, "elements", ()):
+            return None
+        faces = self._face_ids[list(error.elements)].tolist()
+        found = mesh_check.Problem("error", error.kind, tuple(faces), str(error))
+        return self._geometry, found
+
+
+def problem_of(obj):
+    """The mesh_check.Problem because of which the last STEP or IGES file of a hull, as it still is,
+    was not written; None when there is none, or nothing to select."""
+    state = hull_state.state_of(obj)
+    if state is None or state.cad_problem is None:
+        return None
+    geometry, problem = state.cad_problem
+    return problem if state.keys.get("geometry") == geometry else None
 
 
 def _options(obj, file_format):

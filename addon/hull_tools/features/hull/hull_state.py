@@ -44,7 +44,8 @@ class HullState:
     moves.Moves of the surface. memory: see ship.Ship. shown_points: the hull_native.ShownPoints of
     the surface, None before they are shown.
     analyses: see features.analyses. task, conversion: what is converted or written, and what came
-    of the last conversion: see features.conversion.conversions. fit: the fitting.Report of the last
+    of the last conversion: see features.conversion.conversions. cad_problem: see
+    features.exchange.cad_files. fit: the fitting.Report of the last
     fit, or None. worst_spot: the one of patches.SPOTS that is marked in the 3D view, or "".
     keys: what each result was computed from. flat_memory: see features.constraints.flat_keeping.
     held: what points were kept from in the last edit that moved any, for the user, or "".
@@ -75,6 +76,7 @@ class HullState:
     analyses: dict = field(default_factory=dict)
     task: object = None
     conversion: object = None
+    cad_problem: object = None
     fit: object = None
     worst_spot: str = ""
     keys: dict = field(default_factory=dict)
