@@ -108,7 +108,7 @@ void BM_RightingLevers(benchmark::State& state) {
   std::vector<double> heels;
   for (int i = 0; i < 19; ++i) heels.push_back(std::numbers::pi / 180.0 * 5.0 * i);
   const hull::analysis::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
-  const hull::analysis::LoadCase load{upright.volume * 1.025,
+  const hull::analysis::LoadCase load{upright.volume * hull::analysis::kSeaWaterDensity,
                                       {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
   for (auto _ : state) {
     benchmark::DoNotOptimize(hull::analysis::righting_levers(body(), load, heels));

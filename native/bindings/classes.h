@@ -21,6 +21,7 @@ void bind_hydrostatics(pybind11::module_& module);
 void bind_section_areas(pybind11::module_& module);
 void bind_equilibrium(pybind11::module_& module);
 void bind_stability(pybind11::module_& module);
+void bind_stability_criteria(pybind11::module_& module);
 void bind_offset_table(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_curve_fairness(pybind11::module_& module);

@@ -12,8 +12,6 @@
 namespace hull::bindings {
 namespace {
 
-constexpr double kSeaWater = 1.025;
-
 const char* name_of(analysis::EquilibriumStatus status) {
   switch (status) {
     case analysis::EquilibriumStatus::kStable:
@@ -61,21 +59,21 @@ std::vector<analysis::LoadCase> loads_from(const DoubleArray& masses, const Doub
 }
 
 void bind_results(py::module_& module) {
-  py::class_<analysis::UnstableRest>(module, "UnstableRest",
-                                     "A rest that a ship leaves when disturbed.")
+  py::class_<analysis::UnstableEquilibrium>(module, "UnstableEquilibrium",
+                                            "An equilibrium that a ship leaves when disturbed.")
       .def_property_readonly(
-          "draft", [](const analysis::UnstableRest& r) { return r.position.draft; },
+          "draft", [](const analysis::UnstableEquilibrium& r) { return r.position.draft; },
           "m, at draft_at.")
       .def_property_readonly(
-          "trim", [](const analysis::UnstableRest& r) { return r.position.trim; },
+          "trim", [](const analysis::UnstableEquilibrium& r) { return r.position.trim; },
           "rad, by the stern.")
       .def_property_readonly(
-          "heel", [](const analysis::UnstableRest& r) { return r.position.heel; },
+          "heel", [](const analysis::UnstableEquilibrium& r) { return r.position.heel; },
           "rad, to starboard.")
-      .def_readonly("gm_transverse", &analysis::UnstableRest::gm_transverse, "m.")
-      .def_readonly("gm_longitudinal", &analysis::UnstableRest::gm_longitudinal, "m.");
+      .def_readonly("gm_transverse", &analysis::UnstableEquilibrium::gm_transverse, "m.")
+      .def_readonly("gm_longitudinal", &analysis::UnstableEquilibrium::gm_longitudinal, "m.");
   using E = analysis::Equilibrium;
-  py::class_<E>(module, "Equilibrium", "A ship at rest under a load, or why there is none.")
+  py::class_<E>(module, "Equilibrium", "A ship in equilibrium under a load, or why there is none.")
       .def_property_readonly(
           "status", [](const E& e) { return name_of(e.status); },
           "\"stable\", \"neutral\", \"unstable\", \"floods\", \"sinks\" or \"not converged\".")
@@ -96,7 +94,7 @@ void bind_results(py::module_& module) {
       .def_readonly("gm_longitudinal", &E::gm_longitudinal,
                     "m, for turns about the horizontal axis across.")
       .def_readonly("left", &E::left,
-                    "The UnstableRest that was left for this one, None if there was none.")
+                    "The UnstableEquilibrium that was left for this one, None if there was none.")
       .def_readonly("whole_volume", &E::whole_volume,
                     "m³, what the body displaces when wholly under water.")
       .def_readonly("volume_residual", &E::volume_residual, "Relative, of the displaced volume.")
@@ -121,13 +119,14 @@ void bind_equilibrium(py::module_& module) {
             body, load, options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
       },
       py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
-      py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,
+      py::arg("water_density") = analysis::kSeaWaterDensity, py::arg("free_trim") = true,
       py::arg("free_heel") = true, py::arg("trim") = 0.0, py::arg("heel") = 0.0,
       py::arg("draft_at") = 0.0, py::arg("leave_unstable") = true,
-      "How a HullBody of mass_t (t) with its centre_of_gravity (x, y, z in m) rests in water of "
-      "water_density (t/m³).\n\nFound by descent of the energy from trim (by the stern) and heel "
-      "(to starboard), in rad, at which what is not free is held. Where the ship comes to rest "
-      "unstable she is pushed to starboard and followed to a stable rest, the angle of loll; "
+      "The Equilibrium of a HullBody of mass_t (t) with its centre_of_gravity (x, y, z in m) in "
+      "water of water_density (t/m³).\n\nFound by descent of the energy from trim (by the stern) "
+      "and heel "
+      "(to starboard), in rad, at which what is not free is held. Where the equilibrium is "
+      "unstable the ship is pushed to starboard and followed to a stable one, the angle of loll; "
       "leave_unstable=False leaves her there. draft_at (m): x where the mean draft is measured. "
       "Raises ValueError unless mass and density are positive.");
   module.def(
@@ -141,7 +140,7 @@ void bind_equilibrium(py::module_& module) {
             body, loads, options_from(free_trim, free_heel, trim, heel, draft_at, leave_unstable));
       },
       py::arg("body"), py::kw_only(), py::arg("masses_t"), py::arg("centres_of_gravity"),
-      py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,
+      py::arg("water_density") = analysis::kSeaWaterDensity, py::arg("free_trim") = true,
       py::arg("free_heel") = true, py::arg("trim") = 0.0, py::arg("heel") = 0.0,
       py::arg("draft_at") = 0.0, py::arg("leave_unstable") = true,
       "A list with equilibrium() of each load case: masses_t (n,) in t, centres_of_gravity (n, 3) "

@@ -131,6 +131,7 @@ constexpr const char* kDimensionsDoc =
 }  // namespace
 
 void bind_hydrostatics(py::module_& module) {
+  module.attr("SEA_WATER_DENSITY") = analysis::kSeaWaterDensity;
   bind_coefficients(module);
   bind_section_area(module);
   ParticularsClass particulars(
@@ -151,7 +152,8 @@ void bind_hydrostatics(py::module_& module) {
       py::arg("body"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = py::none(), py::arg("length_pp") = py::none(),
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
-      py::arg("water_density") = analysis::kSeaWater, py::call_guard<py::gil_scoped_release>(),
+      py::arg("water_density") = analysis::kSeaWaterDensity,
+      py::call_guard<py::gil_scoped_release>(),
       (std::string("Particulars of a HullBody in water, integrated over the exact surface.\n\n"
                    "draft in m where the ship's vertical through (draft_at, 0) meets the water; "
                    "draft_at is midship, or 0 without length_pp. trim (by the stern) and heel (to "
@@ -169,7 +171,8 @@ void bind_hydrostatics(py::module_& module) {
       py::arg("body"), py::kw_only(), py::arg("drafts"),
       py::arg("trims") = std::vector<double>{0.0}, py::arg("length_pp") = py::none(),
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
-      py::arg("water_density") = analysis::kSeaWater, py::call_guard<py::gil_scoped_release>(),
+      py::arg("water_density") = analysis::kSeaWaterDensity,
+      py::call_guard<py::gil_scoped_release>(),
       (std::string("A list of Particulars, one for each draft (m, at midship) and trim (rad, by "
                    "the stern): all drafts for the first trim, then for the next. ") +
        kDimensionsDoc)

@@ -20,6 +20,7 @@ PYBIND11_MODULE(_core, module) {
   bind_section_areas(module);
   bind_equilibrium(module);
   bind_stability(module);
+  bind_stability_criteria(module);
   bind_offset_table(module);
   bind_sections(module);
   bind_curve_fairness(module);

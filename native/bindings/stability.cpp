@@ -6,26 +6,12 @@
 #include "analysis/immersion/floating_position.h"
 #include "analysis/stability/cross_curves.h"
 #include "analysis/stability/righting_levers.h"
-#include "analysis/stability/stability_criteria.h"
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
+#include "bindings/loads.h"
 
 namespace hull::bindings {
 namespace {
-
-constexpr double kSeaWater = 1.025;
-
-analysis::TrimMode mode_of(bool free_trim) {
-  return free_trim ? analysis::TrimMode::kFree : analysis::TrimMode::kFixed;
-}
-
-analysis::StabilityEdges edges_from(const std::optional<DoubleArray>& points,
-                                    const py::object& deck_edge) {
-  analysis::StabilityEdges edges;
-  if (points) edges.downflooding_points = points_from(*points, "downflooding_points");
-  if (!deck_edge.is_none()) edges.deck_edge_vertices = integers_from(deck_edge, "deck_edge");
-  return edges;
-}
 
 // One number of each state.
 template <typename Number>
@@ -93,8 +79,10 @@ void bind_righting_levers_class(py::module_& module) {
                     "rad: where the deck edge comes under water.")
       .def_readonly("has_deck_edge", &L::has_deck_edge,
                     "Whether there is an edge to look for: a border along the ship, or one given.")
-      .def_readonly("flooding_heel", &L::flooding_heel, "rad: where an opening comes under water.")
-      .def_readonly("has_openings", &L::has_openings, "Whether there are any to look for.")
+      .def_readonly(
+          "downflooding_heel", &L::downflooding_heel,
+          "rad: where a downflooding point, or an opening of the shell, comes under water.")
+      .def_readonly("can_flood", &L::can_flood, "Whether there are any to look for.")
       .def_property_readonly(
           "areas", [](const L& l) { return to_array(l.areas); },
           "(k,) m·rad, one for each of the intervals asked for.")
@@ -158,56 +146,12 @@ void bind_cross_curves(py::module_& module) {
         return result;
       },
       py::arg("body"), py::kw_only(), py::arg("displacements_t"), py::arg("heels"),
-      py::arg("water_density") = kSeaWater, py::arg("free_trim") = true, py::arg("trim") = 0.0,
-      py::arg("assumed_kg") = 0.0,
+      py::arg("water_density") = analysis::kSeaWaterDensity, py::arg("free_trim") = true,
+      py::arg("trim") = 0.0, py::arg("assumed_kg") = 0.0,
       "CrossCurves of a HullBody for displacements_t (n,) in t and heels (k,) in rad.\n\nWith free "
       "trim the ship is balanced on a centre of gravity at the x of the buoyancy upright at zero "
       "trim, at the height assumed_kg (m); levers are about the base line whatever that is. With "
       "free_trim=False trim (rad) is held.");
-}
-
-void bind_criteria(py::module_& module) {
-  using C = analysis::Criterion;
-  py::class_<C>(module, "Criterion", "One requirement of a stability code.")
-      .def_readonly("paragraph", &C::paragraph)
-      .def_readonly("name", &C::name)
-      .def_readonly("value", &C::value, "In `unit`; None where it is not computed.")
-      .def_readonly("limit", &C::limit, "In `unit`; the value must not be less.")
-      .def_readonly("unit", &C::unit)
-      .def_property_readonly(
-          "outcome",
-          [](const C& c) {
-            return c.outcome == analysis::CriterionOutcome::kPass   ? "pass"
-                   : c.outcome == analysis::CriterionOutcome::kFail ? "fail"
-                                                                    : "not computed";
-          },
-          "\"pass\", \"fail\" or \"not computed\".")
-      .def_readonly("note", &C::note, "What else is to be said, or empty.");
-  using R = analysis::StabilityReport;
-  py::class_<R>(module, "StabilityReport", "All requirements, and whether the ship meets them.")
-      .def_readonly("criteria", &R::criteria, "A list of Criterion.")
-      .def_readonly("passes", &R::passes)
-      .def_readonly("flooding_heel", &R::flooding_heel, "rad; None if none below 90°.")
-      .def_readonly("evaluations", &R::evaluations, "Immersions computed.");
-  module.def(
-      "stability_criteria",
-      [](const analysis::HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,
-         double water_density, bool free_trim, double trim,
-         const std::optional<DoubleArray>& downflooding_points) {
-        const analysis::LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
-                                      water_density};
-        const analysis::StabilityOptions options{mode_of(free_trim), trim,
-                                                 edges_from(downflooding_points, py::none())};
-        const py::gil_scoped_release release;
-        return analysis::stability_criteria(body, load, options);
-      },
-      py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
-      py::arg("water_density") = kSeaWater, py::arg("free_trim") = true, py::arg("trim") = 0.0,
-      py::arg("downflooding_points") = py::none(),
-      "The intact criteria of the 2008 IS Code (MSC.267(85)), Part A, 2.2, for heels to starboard, "
-      "as a StabilityReport.\n\nmass_t in t, centre_of_gravity (x, y, z) in m, water_density in "
-      "t/m³; downflooding_points (n, 3), m, of both sides. A ship that is not symmetric, or not so "
-      "loaded, is to be asked for both sides, the second time mirrored.");
 }
 
 }  // namespace
@@ -220,8 +164,7 @@ void bind_stability(py::module_& module) {
          const DoubleArray& heels, double water_density, bool free_trim, double trim,
          const std::optional<DoubleArray>& downflooding_points, const py::object& deck_edge,
          const std::vector<std::array<double, 2>>& area_intervals, double area_tolerance) {
-        const analysis::LoadCase load{mass_t, point_from(centre_of_gravity, "centre_of_gravity"),
-                                      water_density};
+        const analysis::LoadCase load = load_from(mass_t, centre_of_gravity, water_density);
         const analysis::RightingLeverOptions options{mode_of(free_trim), trim,
                                                      edges_from(downflooding_points, deck_edge),
                                                      area_intervals, area_tolerance};
@@ -230,9 +173,9 @@ void bind_stability(py::module_& module) {
         return analysis::righting_levers(body, load, all_heels, options);
       },
       py::arg("body"), py::kw_only(), py::arg("mass_t"), py::arg("centre_of_gravity"),
-      py::arg("heels"), py::arg("water_density") = kSeaWater, py::arg("free_trim") = true,
-      py::arg("trim") = 0.0, py::arg("downflooding_points") = py::none(),
-      py::arg("deck_edge") = py::none(),
+      py::arg("heels"), py::arg("water_density") = analysis::kSeaWaterDensity,
+      py::arg("free_trim") = true, py::arg("trim") = 0.0,
+      py::arg("downflooding_points") = py::none(), py::arg("deck_edge") = py::none(),
       py::arg("area_intervals") = std::vector<std::array<double, 2>>{},
       py::arg("area_tolerance") = 1e-9,
       "Righting levers of a HullBody at heels (n,), rad to starboard, as RightingLevers.\n\nmass_t "
@@ -242,7 +185,6 @@ void bind_stability(py::module_& module) {
       "ship. area_intervals: pairs of heels (rad) between which GZ is integrated, to "
       "area_tolerance (m·rad). Raises ValueError where the ship sinks or stands on end.");
   bind_cross_curves(module);
-  bind_criteria(module);
 }
 
 }  // namespace hull::bindings

@@ -216,10 +216,10 @@ def test_the_load_afloat_with_trim_keeps_that_trim():
 
 def test_openings_flood_on_both_sides():
     hull = afloat_box()
-    assert result_of(hull, "righting_levers").levers.flooding_heel is None
+    assert result_of(hull, "righting_levers").levers.downflooding_heel is None
     assert bpy.ops.hull.add_flooding_point() == {"FINISHED"}
     hull.hull.loading.flooding_points[0].position = (5.0, 2.0, 1.5)
-    assert result_of(hull, "righting_levers").levers.flooding_heel == pytest.approx(
+    assert result_of(hull, "righting_levers").levers.downflooding_heel == pytest.approx(
         np.arctan(0.25), rel=1e-9
     )
     report = result_of(hull, "criteria")
@@ -233,10 +233,10 @@ def test_an_open_deck_floods_where_its_edge_comes_under_water():
     hull.hull.deck_closed = False
     levers = result_of(hull, "righting_levers").levers
     assert levers.deck_edge_heel is not None
-    assert levers.flooding_heel == pytest.approx(levers.deck_edge_heel, rel=1e-9)
+    assert levers.downflooding_heel == pytest.approx(levers.deck_edge_heel, rel=1e-9)
     hull.hull.deck_closed = True
     closed = result_of(hull, "righting_levers").levers
-    assert closed.flooding_heel is None
+    assert closed.downflooding_heel is None
     assert closed.deck_edge_heel == pytest.approx(levers.deck_edge_heel, rel=1e-9)
 
 

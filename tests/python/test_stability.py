@@ -90,13 +90,13 @@ def test_righting_levers_of_a_box(box):
     np.testing.assert_allclose(levers.levers[1:5], wall_sided, atol=1e-10)
     assert levers.drafts(10.0)[0] == pytest.approx(DRAFT)
     assert levers.areas.shape == (2,) and levers.areas[1] > levers.areas[0] > 0
-    assert 0 < levers.deck_edge_heel < levers.flooding_heel < np.pi / 2
+    assert 0 < levers.deck_edge_heel < levers.downflooding_heel < np.pi / 2
     assert not levers.greatest_lever_at_end
     assert levers.greatest_lever >= levers.levers.max()
     assert len(levers.immersions) == len(HEELS)
     plain = hn.righting_levers(box, **load(), heels=[0.1])
     assert not plain.has_deck_edge and plain.deck_edge_heel is None
-    assert not plain.has_openings and plain.vanishing_heel is None
+    assert not plain.can_flood and plain.vanishing_heel is None
     assert plain.greatest_lever_at_end
 
 
@@ -118,4 +118,43 @@ def test_criteria_of_a_box(box):
     assert [c.limit for c in report.criteria][:4] == [0.055, 0.09, 0.03, 0.2]
     assert all((c.value >= c.limit) == (c.outcome == "pass") for c in report.criteria)
     assert report.passes == all(c.outcome == "pass" for c in report.criteria)
-    assert report.flooding_heel > np.radians(40)
+    assert report.downflooding_heel > np.radians(40)
+
+
+def test_weather_criterion_of_a_box(box):
+    given = load(mass_t=LENGTH * BEAM * DRAFT, centre_of_gravity=(10, 0, 2.2))
+    found = hn.weather_criterion(
+        box,
+        **given,
+        deck_edge=[1, 3, 5, 7],
+        wind_areas=[(20, 7.0)],
+        midship=10,
+        roll_period=8.0,
+    )
+    area = LENGTH * (DEPTH - DRAFT) + 20
+    lever = (LENGTH * 3 * 3.5 + 20 * 7) / area - 1
+    assert found.wind_area == pytest.approx(area)
+    assert found.wind_lever == pytest.approx(lever)
+    assert found.steady_lever == pytest.approx(504 * area * lever / (9810 * 320))
+    assert found.gust_lever == 1.5 * found.steady_lever
+    assert (found.draught, found.beam) == (pytest.approx(DRAFT), pytest.approx(BEAM))
+    roll = found.roll
+    expected = 109 * roll.k * roll.x1 * roll.x2 * np.sqrt(roll.r * roll.s)
+    assert np.degrees(roll.angle) == pytest.approx(expected)
+    assert "B/d is 4" in roll.out_of_range
+    heel, areas = found.criteria
+    assert (heel.paragraph, heel.bound) == ("2.3.1.2", "at most")
+    assert (areas.paragraph, areas.bound) == ("2.3.1.4", "at least")
+    assert areas.value == found.area_b and areas.limit == found.area_a
+    # The same areas from the levers of the same curve, by the trapezoidal rule.
+    heels = np.linspace(found.windward_heel, found.gust_heel, 401)
+    levers = hn.righting_levers(box, **given, heels=heels).levers
+    assert found.area_a == pytest.approx(np.trapz(found.gust_lever - levers, heels), abs=1e-5)
+    with pytest.raises(ValueError, match="wind area"):
+        hn.weather_criterion(box, **given, hull_profile=False)
+
+
+def test_density_of_sea_water_is_the_default(box):
+    assert hn.SEA_WATER_DENSITY == 1.025
+    default = hn.hydrostatics(box, draft=DRAFT).displacement_t
+    assert default == hn.hydrostatics(box, draft=DRAFT, water_density=1.025).displacement_t

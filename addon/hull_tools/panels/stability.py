@@ -77,7 +77,7 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         line(f"– at heel{at_end}", found.greatest_lever_heel, "deg")
         line("Vanishing at", found.vanishing_heel, "deg")
         line("Deck edge at", found.deck_edge_heel, "deg")
-        line("Flooding at", found.flooding_heel, "deg")
+        line("Flooding at", found.downflooding_heel, "deg")
         for start, end, area in result.areas():
             line(f"Area {degrees(start):.3g}–{_degrees(end)}", area, "m rad")
 

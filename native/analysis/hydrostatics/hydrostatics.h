@@ -5,6 +5,7 @@
 
 #include "analysis/immersion/floating_position.h"
 #include "analysis/immersion/hull_body.h"
+#include "analysis/immersion/sea_water.h"
 #include "analysis/stations/section_areas.h"
 
 namespace hull::analysis {
@@ -16,8 +17,6 @@ struct ProjectDimensions {
   double beam = 0.0;
   double draft = 0.0;  // not given: the draft of the floating position
 };
-
-inline constexpr double kSeaWater = 1.025;  // t/m³, at 15 °C
 
 // Coefficients of form on some length L, beam B, draft T and section area A; ∇ the displaced
 // volume, Awp the waterplane area. Zero where a dimension is not given or nothing is immersed.
@@ -86,14 +85,14 @@ struct Particulars {
 // Throws std::invalid_argument if a number is not finite, trim is 90° or more, a dimension is
 // negative or the density is not positive, and as HullBody::immersion() does.
 Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
-                         const ProjectDimensions& project, double water_density = kSeaWater);
+                         const ProjectDimensions& project, double water_density = kSeaWaterDensity);
 
 // A table: one row per draft for the first trim, then for the next; drafts measured at the midship
 // of the project.
 std::vector<Particulars> hydrostatic_table(const HullBody& body, const std::vector<double>& drafts,
                                            const std::vector<double>& trims,
                                            const ProjectDimensions& project,
-                                           double water_density = kSeaWater);
+                                           double water_density = kSeaWaterDensity);
 
 // For a single upright draft, without project dimensions. `mirrored`: as for HullBody.
 Particulars upright_hydrostatics(const surface::LimitSurface& surface, double draft, bool mirrored);

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/stability/water_at_volume.h"
 #include "analysis/stability/weathertight.h"
 
 namespace hull::analysis {
@@ -41,13 +42,12 @@ std::vector<CrossCurve> cross_curves(const HullBody& body, const std::vector<dou
   check(volumes, heels, options, whole);
   std::vector<CrossCurve> curves;
   for (double volume : volumes) {
-    const HeelingPath upright(closed.body(), volume, whole, Vector3d::Zero(), TrimMode::kFixed,
-                              0.0);
+    HeelingPath upright(closed.body(), volume, whole, Vector3d::Zero(), TrimMode::kFixed, 0.0);
     CrossCurve curve;
     curve.volume = volume;
     curve.lcg = upright.at(0.0).immersion.centre_of_buoyancy.x();
     const Vector3d gravity(curve.lcg, 0.0, options.assumed_kg);
-    const HeelingPath path(closed.body(), volume, whole, gravity, options.trim_mode, options.trim);
+    HeelingPath path(closed.body(), volume, whole, gravity, options.trim_mode, options.trim);
     for (double heel : heels) {
       const HeeledState& state = path.at(heel);
       // Starboard is (0, -cos, sin) whatever the trim.

@@ -8,13 +8,14 @@
 #include <stdexcept>
 
 #include "analysis/stability/floating_descent.h"
+#include "analysis/stability/water_at_volume.h"
 #include "analysis/stability/weathertight.h"
 
 namespace hull::analysis {
 namespace {
 
 constexpr double kStartVolume = 1e-2;  // relative error of the start's displacement
-constexpr double kPush = 0.02;         // rad, away from an unstable rest
+constexpr double kPush = 0.02;         // rad, away from an unstable equilibrium
 constexpr double kNeutral = 1e-9;      // metacentric height over size that counts as none
 
 double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
@@ -30,41 +31,44 @@ void check_start(const FloatingPosition& start) {
   }
 }
 
-// The stiffness of a rest by turns, as metacentric heights.
+// The stiffness of an equilibrium by rotations, as metacentric heights.
 struct Stability {
   double transverse = 0.0, longitudinal = 0.0;  // m
-  double least = 0.0;                           // over all ways that are free
+  double least = 0.0;                           // over all rotations that are free
   Eigen::VectorXd weakest;                      // the step of `least`, of unit length
   bool by_heel = true;                          // that it turns about the ship's length, mostly
 };
 
-Stability stability_of(const Descent& rest, const FloatingTask& task) {
-  const Vector3d w =
-      turning_moment(rest.immersion, turning_point(rest.immersion, task.centre_of_gravity),
-                     task.volume, task.centre_of_gravity);
-  const auto heights = [&](Freedom freedom) -> Eigen::MatrixXd {
-    const Turning ways = turning(rest.trim, rest.heel, freedom);
-    return turning_stiffness(ways, rest.immersion, w) / task.volume;
+Stability stability_of(const Descent& found, const FloatingTask& task) {
+  const Vector3d& gravity = task.centre_of_gravity;
+  const Immersion& immersion = found.immersion;
+  const Vector3d moment =
+      rotation_moment(immersion, rotation_centre(immersion, gravity), task.volume, gravity);
+  const auto heights = [&](FreeRotations free) -> Eigen::MatrixXd {
+    const NormalDirections directions = normal_directions(found.trim, found.heel, free);
+    return rotation_stiffness(directions, immersion, moment) / task.volume;
   };
   const Eigen::MatrixXd both = heights({});
   Stability s{both(1, 1), both(0, 0), 0.0, {}, true};
-  const Freedom& freedom = task.freedom;
-  if (!freedom.trim && !freedom.heel) return s;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(heights(freedom));
+  const FreeRotations& free = task.free;
+  if (!free.trim && !free.heel) return s;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(heights(free));
   s.least = axes.eigenvalues()[0];
   s.weakest = axes.eigenvectors().col(0);
-  if (freedom.trim && freedom.heel) {
+  if (free.trim && free.heel) {
     s.by_heel = std::abs(s.weakest[1]) >= std::abs(s.weakest[0]);
+    // An eigenvector has no sign of its own: which side is pushed down must not be left to the
+    // solver.
     if (s.weakest[s.by_heel ? 1 : 0] < 0.0) s.weakest *= -1.0;
   } else {
-    s.by_heel = freedom.heel;
+    s.by_heel = free.heel;
   }
   return s;
 }
 
 std::string unstable_message(const Stability& s) {
   std::ostringstream words;
-  words << "At rest but unstable: " << (s.by_heel ? "the transverse" : "the longitudinal")
+  words << "Unstable equilibrium: " << (s.by_heel ? "the transverse" : "the longitudinal")
         << " metacentric height is " << s.least << " m.";
   return words.str();
 }
@@ -72,13 +76,13 @@ std::string unstable_message(const Stability& s) {
 std::string why_not(const Descent& end) {
   std::ostringstream words;
   if (end.end == Descent::End::kOnEnd) {
-    words << "The ship stands on end: no rest with less than 90° of trim at a heel of "
+    words << "The ship stands on end: no equilibrium with less than 90° of trim at a heel of "
           << degrees(end.heel) << "°.";
     return words.str();
   }
   words << (end.end == Descent::End::kStuck
-                ? "No step lowers the ship's energy any more, yet she is not at rest: "
-                : "Not at rest after all steps allowed: ")
+                ? "No step lowers the ship's energy any more, yet she is not in equilibrium: "
+                : "No equilibrium after all steps allowed: ")
         << "displacement off by " << end.volume_residual << " of it, lever " << end.lever_residual
         << " m.";
   if (end.immersion.waterplane_area <= 0.0) words << " There is no waterplane.";
@@ -92,7 +96,7 @@ class Balance {
       : body_(body), whole_volume_(whole_volume), options_(options) {
     task_.volume = load.displaced_volume();
     task_.centre_of_gravity = load.centre_of_gravity;
-    task_.freedom = {options.free_trim, options.free_heel};
+    task_.free = {options.free_trim, options.free_heel};
     density_ = load.water_density;
     result_.whole_volume = whole_volume;
   }
@@ -102,9 +106,9 @@ class Balance {
     const double trim = options_.start.trim, heel = options_.start.heel;
     const double offset = offset_of_volume(body_, up_direction(trim, heel), task_.volume,
                                            whole_volume_, kStartVolume, result_.evaluations);
-    Descent rest = descend_from(trim, heel, offset);
-    if (rest.end == Descent::End::kRest && options_.leave_unstable) leave_if_unstable(rest);
-    finish(rest);
+    Descent found = descend_from(trim, heel, offset);
+    if (options_.leave_unstable) leave_if_unstable(found);
+    finish(found);
     return std::move(result_);
   }
 
@@ -127,50 +131,52 @@ class Balance {
 
   double neutral() const { return kNeutral * body_.surface().mesh().size(); }
 
-  FloatingPosition position_of(const Descent& rest) const {
+  FloatingPosition position_of(const Descent& found) const {
     const double at = options_.start.draft_at;
-    return {draft_in(rest.immersion.water, at), rest.trim, rest.heel, at};
+    return {draft_in(found.immersion.water, at), found.trim, found.heel, at};
   }
 
-  void leave_if_unstable(Descent& rest) {
-    // A rest left by the push lies lower each time; more than a few saddles in a row there are not.
-    for (int i = 0; i < 4 && rest.end == Descent::End::kRest; ++i) {
-      const Stability s = stability_of(rest, task_);
+  void leave_if_unstable(Descent& found) {
+    // What the push leads to lies lower each time; more than a few saddles in a row there are not.
+    for (int i = 0; i < 4 && found.end == Descent::End::kEquilibrium; ++i) {
+      const Stability s = stability_of(found, task_);
       if (s.weakest.size() == 0 || s.least >= -neutral()) return;
       if (!result_.left) {
-        result_.left = UnstableRest{position_of(rest), s.transverse, s.longitudinal};
+        result_.left = UnstableEquilibrium{position_of(found), s.transverse, s.longitudinal};
       }
-      const Turning ways = turning(rest.trim, rest.heel, task_.freedom);
+      const NormalDirections directions = normal_directions(found.trim, found.heel, task_.free);
       const Vector3d up =
-          (up_direction(rest.trim, rest.heel) + kPush * (ways.ways * s.weakest)).normalized();
-      const Vector3d about = turning_point(rest.immersion, task_.centre_of_gravity);
-      const double heel = task_.freedom.heel ? std::atan2(up.y(), up.z()) : rest.heel;
-      const double trim = task_.freedom.trim ? std::asin(up.x()) : rest.trim;
-      rest = descend_from(trim, heel, up.dot(about));
+          (up_direction(found.trim, found.heel) + kPush * (directions.columns * s.weakest))
+              .normalized();
+      // Turned about the centre of flotation the volume stays to first order.
+      const Vector3d about = rotation_centre(found.immersion, task_.centre_of_gravity);
+      const double heel = task_.free.heel ? std::atan2(up.y(), up.z()) : found.heel;
+      const double trim = task_.free.trim ? std::asin(up.x()) : found.trim;
+      found = descend_from(trim, heel, up.dot(about));
     }
   }
 
-  void finish(Descent& rest) {
-    const Stability s = stability_of(rest, task_);
-    result_.position = position_of(rest);
+  void finish(Descent& found) {
+    const Stability s = stability_of(found, task_);
+    result_.position = position_of(found);
     result_.gm_transverse = s.transverse;
     result_.gm_longitudinal = s.longitudinal;
-    result_.volume_residual = rest.volume_residual;
-    result_.lever_residual = rest.lever_residual;
-    result_.immersion = std::move(rest.immersion);
-    if (rest.end != Descent::End::kRest) {
-      result_.message = why_not(rest);
+    result_.volume_residual = found.volume_residual;
+    result_.lever_residual = found.lever_residual;
+    result_.immersion = std::move(found.immersion);
+    if (found.end != Descent::End::kEquilibrium) {
+      result_.message = why_not(found);
     } else if (s.weakest.size() > 0 && s.least < -neutral()) {
       result_.status = EquilibriumStatus::kUnstable;
       result_.message = unstable_message(s);
     } else if (s.weakest.size() > 0 && s.least <= neutral()) {
       result_.status = EquilibriumStatus::kNeutral;
       result_.message =
-          std::string("At rest; neutral against ") + (s.by_heel ? "heeling." : "trimming.");
+          std::string("Equilibrium, neutral against ") + (s.by_heel ? "heeling." : "trimming.");
     } else {
       result_.status = EquilibriumStatus::kStable;
-      result_.message = result_.left ? "At rest and stable, after leaving an unstable rest."
-                                     : "At rest and stable.";
+      result_.message = result_.left ? "Stable equilibrium, after leaving an unstable one."
+                                     : "Stable equilibrium.";
     }
   }
 
@@ -199,7 +205,7 @@ void refuse_flooding(const HullBody& body, Equilibrium& e) {
   std::ostringstream words;
   words << "Floods at x = " << lowest.point.x() << " m, y = " << lowest.point.y()
         << " m, z = " << lowest.point.z() << " m, which is "
-        << e.immersion.water.offset - lowest.height << " m under water where she would rest.";
+        << e.immersion.water.offset - lowest.height << " m under water where she would float.";
   e.message = words.str();
 }
 

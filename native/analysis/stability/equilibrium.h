@@ -12,10 +12,10 @@
 namespace hull::analysis {
 
 enum class EquilibriumStatus {
-  kStable,        // at rest, and comes back when trimmed or heeled a little
-  kNeutral,       // at rest; some turn costs nothing to first order (below 1e-9 of the size as GM)
-  kUnstable,      // at rest, but turns over when disturbed
-  kFloods,        // at rest if all were closed, but water comes over an opening there
+  kStable,        // comes back when trimmed or heeled a little
+  kNeutral,       // some rotation costs nothing to first order (below 1e-9 of the size as GM)
+  kUnstable,      // turns over when disturbed
+  kFloods,        // in equilibrium if all were closed, but water comes over an opening there
   kSinks,         // weighs as much as the whole body displaces, or more
   kNotConverged,  // the message says why
 };
@@ -26,13 +26,12 @@ struct EquilibriumOptions {
   // Trim and heel of the start; its draft is found from the displacement. The result's draft is
   // measured at its draft_at.
   FloatingPosition start;
-  // Where the ship comes to rest unstable, she is pushed (to starboard, by the stern) and
-  // followed down to a stable rest: the angle of loll.
+  // Where the equilibrium is unstable, the ship is pushed off it (to starboard, by the stern) and
+  // followed down to a stable one: the angle of loll.
   bool leave_unstable = true;
 };
 
-// A rest that the body would leave when disturbed.
-struct UnstableRest {
+struct UnstableEquilibrium {
   FloatingPosition position;
   double gm_transverse = 0.0, gm_longitudinal = 0.0;  // m
 };
@@ -45,11 +44,11 @@ struct Equilibrium {
   // Metacentric heights for turns about the horizontal axes forward and across, m: second moment of
   // the waterplane over displaced volume, less the height of G over B.
   double gm_transverse = 0.0, gm_longitudinal = 0.0;
-  // The unstable rest that was left on the way to this one (`leave_unstable`).
-  std::optional<UnstableRest> left;
+  // The unstable one that was left on the way to this one (`leave_unstable`).
+  std::optional<UnstableEquilibrium> left;
   double whole_volume = 0.0;     // m³: what the body displaces when wholly under water
   double volume_residual = 0.0;  // relative
-  double lever_residual = 0.0;   // m, between weight and buoyancy in the ways that are free
+  double lever_residual = 0.0;   // m, between weight and buoyancy in the rotations that are free
   int iterations = 0;            // Newton steps tried
   int evaluations = 0;           // immersions computed
 
@@ -57,11 +56,11 @@ struct Equilibrium {
   double draft(double x) const { return draft_in(immersion.water, x); }
 };
 
-// The rest of a body under a load, by descent of the potential energy from the start: the minimum
-// at the foot of the slope on which the start lies. Newton's method with exact derivatives
+// The equilibrium of a body under a load, by descent of the potential energy from the start: the
+// minimum at the foot of the slope on which the start lies. Newton's method with exact derivatives
 // (floating_descent.h) on the body with all openings closed; converged to 1e-11 of the displaced
 // volume, and of the mesh's size as the lever between weight and buoyancy. Stability is judged in
-// the ways that are free.
+// the rotations that are free.
 //
 // Throws std::invalid_argument for a load without positive mass, and for a start that is not
 // finite or trimmed by 90° or more.

@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "analysis/immersion/floating_position.h"
@@ -12,21 +11,19 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kFirstReach = 0.2;  // rad: how far derivatives are trusted at the start
-constexpr double kGreatestReach = 0.5;
-constexpr double kLeastReach = 1e-11;
+// Radii of the trust region: rad, and as sinkage over the mesh's size.
+constexpr double kFirstRadius = 0.2;
+constexpr double kGreatestRadius = 0.5;
+constexpr double kLeastRadius = 1e-11;
+// Of the saving that the quadratic model foretells: below the first the step is refused, above the
+// second the region grows.
+constexpr double kLeastShare = 0.01;
+constexpr double kGoodShare = 0.75;
 // Energies are compared to this, over displaced volume times size: rounding is a few 1e-15.
 constexpr double kEnergyRounding = 1e-12;
-// Residuals that are taken for rest where rounding stops the descent.
-constexpr double kRoundedRest = 1e-8;
+// Residuals that are taken for equilibrium where rounding stops the descent.
+constexpr double kRoundedEquilibrium = 1e-8;
 constexpr int kBlindSteps = 6;  // steps below kEnergyRounding before the descent gives up
-
-double energy(const FloatingTask& task, const Immersion& at) {
-  const Vector3d& n = at.water.normal;
-  const double c = at.water.offset;
-  return task.volume * (n.dot(task.centre_of_gravity) - c) -
-         at.volume * (n.dot(at.centre_of_buoyancy) - c);
-}
 
 struct Attitude {
   double trim, heel;
@@ -35,16 +32,18 @@ struct Attitude {
 
 Attitude attitude(double trim, double heel) { return {trim, heel, up_direction(trim, heel)}; }
 
-Attitude turned(const Attitude& from, const Turning& turning, Freedom freedom,
+Attitude turned(const Attitude& from, const NormalDirections& directions, FreeRotations free,
                 const Eigen::VectorXd& step) {
-  if (freedom.trim != freedom.heel) {
-    return freedom.trim ? attitude(from.trim + step[0], from.heel)
-                        : attitude(from.trim, from.heel + step[0]);
+  if (free.trim != free.heel) {
+    return free.trim ? attitude(from.trim + step[0], from.heel)
+                     : attitude(from.trim, from.heel + step[0]);
   }
   const double angle = step.norm();
   if (angle == 0.0) return from;
+  // Along the great circle: the normal stays a unit vector however long the step, and no pair of
+  // angles is singular on the way.
   const Vector3d n =
-      (std::cos(angle) * from.normal + std::sin(angle) / angle * (turning.ways * step))
+      (std::cos(angle) * from.normal + std::sin(angle) / angle * (directions.columns * step))
           .normalized();
   // The heel stays on the turn it is on, -180° … 180° or beyond.
   const double heel = std::atan2(n.y(), n.z());
@@ -59,48 +58,51 @@ struct Step {
   double gain = 0.0;
 };
 
-// A minimum of g s + k s²/2 within the reach; downhill to its end where there is none.
-double best_step(double g, double k, double reach) {
-  if (k * reach <= std::abs(g)) return g > 0.0 ? -reach : reach;
+// The minimum of g s + k s²/2 for |s| <= radius; at the end of lower energy where it is not convex.
+double bounded_minimum(double g, double k, double radius) {
+  if (k * radius <= std::abs(g)) return g > 0.0 ? -radius : radius;
   return -g / k;
 }
 
-class Walker {
+class TrustRegionNewton {
  public:
-  Walker(const HullBody& body, const FloatingTask& task)
+  TrustRegionNewton(const HullBody& body, const FloatingTask& task)
       : body_(body), task_(task), size_(body.surface().mesh().size()) {}
 
-  Descent walk(double trim, double heel, double offset) {
+  Descent descend(double trim, double heel, double offset) {
     at_ = attitude(trim, heel);
     take(body_.immersion({at_.normal, offset}));
     evaluations_ = 1;
     for (iterations_ = 0; iterations_ < task_.most_iterations; ++iterations_) {
-      if (is_rest(task_.tolerance)) return result(Descent::End::kRest);
-      if (reach_ < kLeastReach || blind_steps_ > kBlindSteps) {
-        return result(is_rest(kRoundedRest) ? Descent::End::kRest : Descent::End::kStuck);
+      if (is_equilibrium(task_.tolerance)) return result(Descent::End::kEquilibrium);
+      if (radius_ < kLeastRadius || blind_steps_ > kBlindSteps) {
+        return result(is_equilibrium(kRoundedEquilibrium) ? Descent::End::kEquilibrium
+                                                          : Descent::End::kStuck);
       }
       try_step();
-      if (task_.freedom.trim != task_.freedom.heel && std::cos(at_.trim) <= 0.0) {
+      // With one rotation held the path runs over the pole, where trim and heel lose their meaning.
+      if (task_.free.trim != task_.free.heel && std::cos(at_.trim) <= 0.0) {
         return result(Descent::End::kOnEnd);
       }
     }
-    return result(is_rest(task_.tolerance) ? Descent::End::kRest : Descent::End::kTooManySteps);
+    return result(is_equilibrium(task_.tolerance) ? Descent::End::kEquilibrium
+                                                  : Descent::End::kTooManySteps);
   }
 
  private:
   void take(Immersion immersion) {
     immersion_ = std::move(immersion);
-    energy_ = energy(task_, immersion_);
-    turning_ = turning(at_.trim, at_.heel, task_.freedom);
-    pivot_ = turning_point(immersion_, task_.centre_of_gravity);
-    moment_ = turning_moment(immersion_, pivot_, task_.volume, task_.centre_of_gravity);
-    gradient_ = turning_.ways.transpose() * moment_;
+    energy_ = potential_energy(immersion_, task_.volume, task_.centre_of_gravity);
+    directions_ = normal_directions(at_.trim, at_.heel, task_.free);
+    centre_ = rotation_centre(immersion_, task_.centre_of_gravity);
+    moment_ = rotation_moment(immersion_, centre_, task_.volume, task_.centre_of_gravity);
+    gradient_ = directions_.columns.transpose() * moment_;
   }
 
   double volume_residual() const { return immersion_.volume / task_.volume - 1.0; }
   double lever_residual() const { return gradient_.norm() / task_.volume; }
 
-  bool is_rest(double tolerance) const {
+  bool is_equilibrium(double tolerance) const {
     return std::abs(volume_residual()) <= tolerance && lever_residual() <= tolerance * size_;
   }
 
@@ -108,22 +110,24 @@ class Walker {
     Step step;
     const double surplus = immersion_.volume - task_.volume;
     const double area = immersion_.waterplane_area;
+    // Sinkage and rotation are not mixed by the stiffness: each is minimised by itself. Of a body
+    // wholly under water at its volume any depth is as good.
     if (std::abs(surplus) > task_.tolerance * task_.volume || area > 0.0) {
-      step.sink = best_step(surplus, area, reach_ * size_);
+      step.sink = bounded_minimum(surplus, area, radius_ * size_);
     }
     step.gain = -step.sink * (surplus + 0.5 * area * step.sink);
     const int n = static_cast<int>(gradient_.size());
     step.turn = Eigen::VectorXd::Zero(n);
     if (n == 0) return step;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(
-        turning_stiffness(turning_, immersion_, moment_));
+        rotation_stiffness(directions_, immersion_, moment_));
     const Eigen::VectorXd slopes = axes.eigenvectors().transpose() * gradient_;
     for (int i = 0; i < n; ++i) {
       const double k = axes.eigenvalues()[i];
       // Rounding does not lead away from a saddle.
       const double least = 0.5 * task_.tolerance * size_ * task_.volume;
       if (k <= 0.0 && std::abs(slopes[i]) <= least) continue;
-      const double s = best_step(slopes[i], k, reach_);
+      const double s = bounded_minimum(slopes[i], k, radius_);
       step.turn += s * axes.eigenvectors().col(i);
       step.gain -= s * (slopes[i] + 0.5 * k * s);
     }
@@ -132,19 +136,21 @@ class Walker {
 
   void try_step() {
     const Step step = next_step();
-    const Attitude to = turned(at_, turning_, task_.freedom, step.turn);
-    const double offset = to.normal.dot(pivot_) + step.sink;
+    const Attitude to = turned(at_, directions_, task_.free, step.turn);
+    const double offset = to.normal.dot(centre_) + step.sink;
     Immersion there = body_.immersion({to.normal, offset});
     ++evaluations_;
     const double scale = task_.volume * size_;
+    // So near to the minimum rounding hides what is saved: such steps are kept unseen, and counted.
     const bool blind = step.gain < kEnergyRounding * scale;
-    const double saved = energy_ - energy(task_, there);
-    if (!blind && saved < 0.01 * step.gain) {
-      reach_ = 0.25 * std::min(reach_, std::max(step.turn.norm(), std::abs(step.sink) / size_));
+    const double saved = energy_ - potential_energy(there, task_.volume, task_.centre_of_gravity);
+    if (!blind && saved < kLeastShare * step.gain) {
+      radius_ = 0.25 * std::min(radius_, std::max(step.turn.norm(), std::abs(step.sink) / size_));
       return;
     }
     blind_steps_ += blind;
-    if (!blind && saved > 0.75 * step.gain) reach_ = std::min(2.0 * reach_, kGreatestReach);
+    if (!blind && saved > kGoodShare * step.gain)
+      radius_ = std::min(2.0 * radius_, kGreatestRadius);
     at_ = to;
     take(std::move(there));
   }
@@ -165,93 +171,22 @@ class Walker {
   const HullBody& body_;
   const FloatingTask& task_;
   double size_;
-  double reach_ = kFirstReach;
+  double radius_ = kFirstRadius;
   int iterations_ = 0, evaluations_ = 0, blind_steps_ = 0;
   Attitude at_{};
+  // Of the attitude kept last.
   Immersion immersion_;
   double energy_ = 0.0;
-  Turning turning_;
-  Vector3d pivot_, moment_;
+  NormalDirections directions_;
+  Vector3d centre_, moment_;
   Eigen::VectorXd gradient_;
 };
 
 }  // namespace
 
-Turning turning(double trim, double heel, Freedom freedom) {
-  const Vector3d up = up_direction(trim, heel);
-  Turning t;
-  t.ways.resize(3, freedom.trim + freedom.heel);
-  t.curvature = up;
-  if (freedom.trim) t.ways.col(0) = forward_direction(trim, heel);
-  if (freedom.heel && freedom.trim) t.ways.col(1) = -starboard_direction(trim, heel);
-  if (freedom.heel && !freedom.trim) {
-    t.ways.col(0) = Vector3d(0.0, up.z(), -up.y());
-    t.curvature.x() = 0.0;
-  }
-  return t;
-}
-
-Eigen::MatrixXd turning_stiffness(const Turning& turning, const Immersion& immersion,
-                                  const Vector3d& w) {
-  const auto n = turning.ways.cols();
-  return turning.ways.transpose() * immersion.waterplane_second * turning.ways -
-         turning.curvature.dot(w) * Eigen::MatrixXd::Identity(n, n);
-}
-
-Vector3d turning_point(const Immersion& immersion, const Vector3d& gravity_centre) {
-  // Rounding leaves some area to a body that is wholly under water.
-  constexpr double kNone = 1e-10;
-  const double length = std::cbrt(immersion.volume);
-  if (immersion.waterplane_area > kNone * length * length) return immersion.centre_of_flotation;
-  return gravity_centre - immersion.water.height(gravity_centre) * immersion.water.normal;
-}
-
-Vector3d turning_moment(const Immersion& immersion, const Vector3d& point, double volume,
-                        const Vector3d& gravity_centre) {
-  return volume * (gravity_centre - point) -
-         immersion.volume * (immersion.centre_of_buoyancy - point);
-}
-
 Descent descend(const HullBody& body, const FloatingTask& task, double trim, double heel,
                 double offset) {
-  return Walker(body, task).walk(trim, heel, offset);
-}
-
-Span span_along(const HullBody& body, const Vector3d& direction) {
-  Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Vector3d& p : body.surface().mesh().points()) {
-    for (double side : {1.0, -1.0}) {
-      const double h = direction.dot(Vector3d(p.x(), side * p.y(), p.z()));
-      span.low = std::min(span.low, h);
-      span.high = std::max(span.high, h);
-      if (!body.mirrored()) break;
-    }
-  }
-  return span;
-}
-
-double greatest_volume(const HullBody& body, const Vector3d& up) {
-  const Span span = span_along(body, up);
-  const double above = span.high + 0.01 * (span.high - span.low);
-  return body.immersion({up, above}).volume;
-}
-
-double offset_of_volume(const HullBody& body, const Vector3d& up, double volume,
-                        double whole_volume, double tolerance, int& evaluations) {
-  Span bracket = span_along(body, up);
-  double c = bracket.low + (bracket.high - bracket.low) * volume / whole_volume;
-  constexpr int kMost = 100;
-  for (int i = 0; i < kMost; ++i) {
-    const Immersion at = body.immersion({up, c});
-    ++evaluations;
-    const double surplus = at.volume - volume;
-    if (std::abs(surplus) <= tolerance * std::min(volume, whole_volume - volume)) break;
-    (surplus > 0.0 ? bracket.high : bracket.low) = c;
-    const double newton = c - surplus / at.waterplane_area;
-    const bool inside = newton > bracket.low && newton < bracket.high;
-    c = inside ? newton : 0.5 * (bracket.low + bracket.high);
-  }
-  return c;
+  return TrustRegionNewton(body, task).descend(trim, heel, offset);
 }
 
 }  // namespace hull::analysis

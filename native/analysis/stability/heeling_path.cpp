@@ -9,6 +9,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/floating_position.h"
+#include "analysis/stability/water_at_volume.h"
 
 namespace hull::analysis {
 namespace {
@@ -38,14 +39,14 @@ HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volum
     : body_(body), revision_(body.revision()), whole_volume_(whole_volume), first_trim_(trim) {
   task_.volume = volume;
   task_.centre_of_gravity = centre_of_gravity;
-  task_.freedom = {mode == TrimMode::kFree, false};
+  task_.free = {mode == TrimMode::kFree, false};
   for (int i = 0; i < 3; ++i) {
-    const Span span = span_along(body, Vector3d::Unit(i));
-    middle_[i] = 0.5 * (span.low + span.high);
+    const HeightRange range = height_range(body, Vector3d::Unit(i));
+    middle_[i] = 0.5 * (range.low + range.high);
   }
 }
 
-const HeeledState* HeelingPath::find(double heel) const {
+const HeeledState* HeelingPath::find(double heel) {
   if (body_.revision() != revision_) {
     throw std::invalid_argument("The body was updated: its levers need a new heeling path.");
   }
@@ -55,7 +56,7 @@ const HeeledState* HeelingPath::find(double heel) const {
   return state ? &states_.emplace(heel, *std::move(state)).first->second : nullptr;
 }
 
-const HeeledState& HeelingPath::at(double heel) const {
+const HeeledState& HeelingPath::at(double heel) {
   if (const HeeledState* state = find(heel)) return *state;
   std::ostringstream words;
   words
@@ -64,14 +65,16 @@ const HeeledState& HeelingPath::at(double heel) const {
   throw std::invalid_argument(words.str());
 }
 
-HeelingPath::Guess HeelingPath::first_guess(double heel, double trim) const {
+HeelingPath::Guess HeelingPath::first_guess(double heel, double trim) {
   constexpr double kRoughly = 1e-2;
   return {trim, offset_of_volume(body_, up_direction(trim, heel), task_.volume, whole_volume_,
                                  kRoughly, evaluations_)};
 }
 
-HeelingPath::Guess HeelingPath::guess(double heel) const {
+HeelingPath::Guess HeelingPath::guess(double heel) {
   if (states_.empty()) return first_guess(heel, first_trim_);
+  // The nearest of the states solved, and the next beside it: on its other side, or behind it where
+  // the heel is beyond all of them.
   const auto above = states_.lower_bound(heel);
   const HeeledState* nearest = above == states_.end() ? nullptr : &above->second;
   const HeeledState* next = nullptr;
@@ -100,16 +103,16 @@ HeelingPath::Guess HeelingPath::guess(double heel) const {
   return {trim, up_direction(trim, heel).dot(middle_) + depth};
 }
 
-std::optional<HeeledState> HeelingPath::solve(double heel) const {
+std::optional<HeeledState> HeelingPath::solve(double heel) {
   const int before = evaluations_;
   const Guess start = guess(heel);
-  Descent rest = descend(body_, task_, start.trim, heel, start.offset);
-  evaluations_ += rest.evaluations;
-  if (rest.end != Descent::End::kRest) return std::nullopt;
+  Descent found = descend(body_, task_, start.trim, heel, start.offset);
+  evaluations_ += found.evaluations;
+  if (found.end != Descent::End::kEquilibrium) return std::nullopt;
   HeeledState state;
   state.heel = heel;
-  state.trim = rest.trim;
-  state.immersion = std::move(rest.immersion);
+  state.trim = found.trim;
+  state.immersion = std::move(found.immersion);
   add_slopes(state);
   state.evaluations = evaluations_ - before;
   return state;
@@ -124,16 +127,19 @@ void HeelingPath::add_slopes(HeeledState& state) const {
   const double cos_trim = std::cos(state.trim), sin_trim = std::sin(state.trim);
   const Vector3d starboard = starboard_direction(state.trim, state.heel);
   const Vector3d forward = forward_direction(state.trim, state.heel);
+  // Of the normal; heel about the ship's own axis moves it cos(trim) as far.
   const Vector3d by_heel = -cos_trim * starboard;
   const Vector3d& up = at.water.normal;
-  const Vector3d point = turning_point(at, g);
-  const Vector3d w = turning_moment(at, point, volume, g);
+  const Vector3d point = rotation_centre(at, g);
+  const Vector3d w = rotation_moment(at, point, volume, g);
   const Eigen::Matrix3d& second = at.waterplane_second;
 
   state.righting_lever = (at.centre_of_buoyancy - g).dot(starboard);
-  if (task_.freedom.trim) {
+  if (task_.free.trim) {
     const double trim_trim = forward.dot(second * forward) - up.dot(w);
     const double trim_heel = forward.dot(second * by_heel) + sin_trim * starboard.dot(w);
+    // The trim follows so that the trimming moment stays zero. Where the ship is not stable
+    // lengthwise it would run away: no guess is to be had of that.
     state.trim_slope = trim_trim > 0.0 ? -trim_heel / trim_trim : 0.0;
   }
   const Vector3d up_slope = by_heel + state.trim_slope * forward;
@@ -141,13 +147,14 @@ void HeelingPath::add_slopes(HeeledState& state) const {
                            state.trim_slope * sin_trim * starboard.dot(w);
   state.slope =
       (heel_heel / volume + state.righting_lever * sin_trim * state.trim_slope) / cos_trim;
+  // Depths of the ship's middle, not offsets: these change with the heel for an origin far off.
   state.depth = at.water.offset - up.dot(middle_);
   state.depth_slope = up_slope.dot(point - middle_);
 }
 
 namespace {
 
-double gauss_sum(const HeelingPath& path, double from, double to) {
+double gauss_sum(HeelingPath& path, double from, double to) {
   static const GaussRule rule = gauss_rule(5);
   double sum = 0.0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -157,9 +164,10 @@ double gauss_sum(const HeelingPath& path, double from, double to) {
 }
 
 // The difference of the two sums is the error of the coarse one: the fine one's is far smaller.
-double refined(const HeelingPath& path, double from, double to, double coarse, double tolerance) {
+double refined(HeelingPath& path, double from, double to, double coarse, double tolerance) {
   const double middle = 0.5 * (from + to);
   const double left = gauss_sum(path, from, middle), right = gauss_sum(path, middle, to);
+  // At a jump of the slope, where a deck edge dips, halving alone would not come to an end.
   constexpr double kNarrowest = 1e-5;
   if (std::abs(left + right - coarse) <= tolerance || std::abs(to - from) < kNarrowest) {
     return left + right;
@@ -170,7 +178,7 @@ double refined(const HeelingPath& path, double from, double to, double coarse, d
 
 }  // namespace
 
-double lever_area(const HeelingPath& path, double from, double to, double tolerance) {
+double lever_area(HeelingPath& path, double from, double to, double tolerance) {
   if (from == to) return 0.0;
   return refined(path, from, to, gauss_sum(path, from, to), tolerance);
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "analysis/immersion/hull_body.h"
 #include "analysis/stability/floating_descent.h"
 
 namespace hull::analysis {
@@ -25,7 +26,11 @@ struct HeeledState {
 };
 
 // Righting levers of a body at one displacement as a function of the heel, at any heel. Each state
-// is solved by Newton's method from what its solved neighbours say, and kept.
+// is solved by Newton's method from what its solved neighbours say, and kept: what was asked before
+// saves time and moves a state within the solver's tolerance (1e-11), no more.
+//
+// For one thread: to ask is to solve and to keep, so that nothing that asks is const. Two paths of
+// one body may be in two threads. References to states stay valid as long as the path.
 //
 // Heeling by dφ at the trim θ costs the energy ∇ GZ cos θ dφ (times density and gravity).
 class HeelingPath {
@@ -38,22 +43,20 @@ class HeelingPath {
 
   // None if the ship stands on end at this heel (|trim| reaches 90°), or does not settle for want
   // of a waterplane.
-  const HeeledState* find(double heel) const;
+  const HeeledState* find(double heel);
   // The same, but throws std::invalid_argument if there is none.
-  const HeeledState& at(double heel) const;
+  const HeeledState& at(double heel);
 
-  const std::map<double, HeeledState>& solved() const { return states_; }
   double volume() const { return task_.volume; }
-  const HullBody& body() const { return body_; }
   int evaluations() const { return evaluations_; }
 
  private:
   struct Guess {
     double trim, offset;
   };
-  Guess guess(double heel) const;
-  Guess first_guess(double heel, double trim) const;
-  std::optional<HeeledState> solve(double heel) const;
+  Guess guess(double heel);
+  Guess first_guess(double heel, double trim);
+  std::optional<HeeledState> solve(double heel);
   void add_slopes(HeeledState& state) const;
 
   const HullBody& body_;
@@ -62,12 +65,12 @@ class HeelingPath {
   FloatingTask task_;
   double first_trim_;
   Vector3d middle_;
-  mutable std::map<double, HeeledState> states_;
-  mutable int evaluations_ = 0;
+  std::map<double, HeeledState> states_;
+  int evaluations_ = 0;
 };
 
 // ∫ GZ dheel between two angles, m·rad, to an estimated error below `tolerance`; the integral to a
 // smaller angle is negative.
-double lever_area(const HeelingPath& path, double from, double to, double tolerance);
+double lever_area(HeelingPath& path, double from, double to, double tolerance);
 
 }  // namespace hull::analysis

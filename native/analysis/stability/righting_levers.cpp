@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "analysis/stability/deck_edge.h"
+#include "analysis/stability/water_at_volume.h"
 #include "analysis/stability/weathertight.h"
 
 namespace hull::analysis {
@@ -30,11 +30,6 @@ void check(const std::vector<double>& heels, const RightingLeverOptions& options
   }
 }
 
-DeckEdge deck_edge_of(const HullBody& body, const StabilityEdges& edges) {
-  return edges.deck_edge_vertices.empty() ? DeckEdge(body)
-                                          : DeckEdge(body, edges.deck_edge_vertices);
-}
-
 }  // namespace
 
 HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mode, double trim) {
@@ -52,43 +47,29 @@ HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mo
   return HeelingPath(body, volume, whole, load.centre_of_gravity, mode, trim);
 }
 
-bool can_flood(const HullBody& body, const StabilityEdges& edges) {
-  return !edges.downflooding_points.empty() ||
-         std::isfinite(body.lowest_opening(Vector3d::UnitZ()));
-}
-
-std::optional<double> flooding_heel(const HeelingPath& path, const HullBody& body,
-                                    const StabilityEdges& edges, double to) {
-  const auto lowest = [&](const Vector3d& up) {
-    double least = body.lowest_opening(up);
-    for (const Vector3d& p : edges.downflooding_points) least = std::min(least, up.dot(p));
-    return least;
-  };
-  return immersion_heel(path, lowest, 0.0, to);
-}
-
 RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
                                const std::vector<double>& heels,
                                const RightingLeverOptions& options) {
   check(heels, options);
   const DeckEdge deck_edge = deck_edge_of(body, options.edges);
+  // Levers are those of the closed body beyond flooding too; `body` itself tells where she floods.
   const Weathertight closed(body);
-  const HeelingPath path = heeling_path(closed.body(), load, options.trim_mode, options.trim);
+  HeelingPath path = heeling_path(closed.body(), load, options.trim_mode, options.trim);
   RightingLevers result;
   for (double heel : heels) result.states.push_back(path.at(heel));
   result.curve_evaluations = path.evaluations();
   result.gm = path.at(0.0).slope;
   const double last = *std::max_element(heels.begin(), heels.end());
   result.has_deck_edge = !deck_edge.empty();
-  result.has_openings = can_flood(body, options.edges);
+  result.can_flood = can_flood(body, options.edges);
   if (last > 0.0) {
-    result.greatest = greatest_lever(path, 0.0, last);
-    result.vanishing_heel = vanishing_heel(path, 0.0, last);
-    if (result.has_deck_edge) {
-      result.deck_edge_heel = immersion_heel(
-          path, [&](const Vector3d& up) { return deck_edge.lowest(up); }, 0.0, last);
+    const std::vector<double> looked_at = heels_between(heels, 0.0, last);
+    result.greatest = greatest_lever(path, looked_at);
+    result.vanishing_heel = vanishing_heel(path, looked_at);
+    result.deck_edge_heel = deck_edge_heel(path, deck_edge, looked_at);
+    if (result.can_flood) {
+      result.downflooding_heel = downflooding_heel(path, body, options.edges, looked_at);
     }
-    if (result.has_openings) result.flooding_heel = flooding_heel(path, body, options.edges, last);
   }
   for (const auto& [from, to] : options.area_intervals) {
     result.areas.push_back(lever_area(path, from, to, options.area_tolerance));

@@ -6,19 +6,10 @@
 #include <vector>
 
 #include "analysis/stability/heeling_path.h"
-#include "analysis/stability/lever_features.h"
 #include "analysis/stability/load_case.h"
+#include "analysis/stability/stability_edges.h"
 
 namespace hull::analysis {
-
-// What floods a ship, and where her deck is.
-struct StabilityEdges {
-  // Lower corners of openings that can't be closed weathertight, m; of both sides.
-  std::vector<Vector3d> downflooding_points;
-  // Control points of the creases or borders that are the deck's edge; without any, the surface's
-  // borders along the ship.
-  std::vector<int> deck_edge_vertices;
-};
 
 struct RightingLeverOptions {
   TrimMode trim_mode = TrimMode::kFree;
@@ -36,12 +27,12 @@ struct RightingLevers {
   double gm = 0.0;                  // m: dGZ/dheel upright, with what the trim does to it
   std::optional<GreatestLever> greatest;
   std::optional<double> vanishing_heel;
-  std::optional<double> deck_edge_heel;  // where it comes under water; 0 if it is so upright
-  std::optional<double> flooding_heel;   // where the first point or opening comes under water
-  bool has_deck_edge = false, has_openings = false;  // whether these two could be looked for
-  std::vector<double> areas;                         // m·rad, one for each interval
-  int curve_evaluations = 0;                         // immersions computed for `states`
-  int evaluations = 0;                               // in all
+  std::optional<double> deck_edge_heel;     // where it comes under water; 0 if it is so upright
+  std::optional<double> downflooding_heel;  // where the first point or opening comes under water
+  bool has_deck_edge = false, can_flood = false;  // whether these two could be looked for
+  std::vector<double> areas;                      // m·rad, one for each interval
+  int curve_evaluations = 0;                      // immersions computed for `states`
+  int evaluations = 0;                            // in all
 };
 
 // Levers are those of the body with all openings closed, beyond the heel that floods her too.
@@ -53,12 +44,5 @@ RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
 
 // The path for a load: checks as above.
 HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mode, double trim);
-
-// The first heel, from 0 to `to`, that floods the ship through one of the points, or through an
-// opening of `body` that is not closed.
-std::optional<double> flooding_heel(const HeelingPath& path, const HullBody& body,
-                                    const StabilityEdges& edges, double to);
-// Whether there is anything of that kind.
-bool can_flood(const HullBody& body, const StabilityEdges& edges);
 
 }  // namespace hull::analysis

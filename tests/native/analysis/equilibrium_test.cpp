@@ -9,7 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/stability/floating_descent.h"
+#include "analysis/stability/potential_energy.h"
+#include "analysis/stability/water_at_volume.h"
 #include "barges.h"
 
 namespace hull::analysis {
@@ -182,33 +183,33 @@ TEST(FloatingDescent, DerivativesAreThoseOfTheEnergy) {
   };
   const Vector3d n = up_direction(trim, heel);
   const Immersion at = body.immersion({n, 0.05});
-  const Vector3d point = turning_point(at, gravity);
-  const Vector3d w = turning_moment(at, point, kWanted, gravity);
+  const Vector3d point = rotation_centre(at, gravity);
+  const Vector3d w = rotation_moment(at, point, kWanted, gravity);
   constexpr double kStep = 1e-3;  // the differences' error is its square
-  for (Freedom freedom : {Freedom{true, false}, Freedom{false, true}}) {
-    const Turning ways = turning(trim, heel, freedom);
+  for (FreeRotations free : {FreeRotations{true, false}, FreeRotations{false, true}}) {
+    const NormalDirections directions = normal_directions(trim, heel, free);
     const auto turned = [&](double s) {
-      const Vector3d up =
-          freedom.trim ? up_direction(trim + s, heel) : up_direction(trim, heel + s);
+      const Vector3d up = free.trim ? up_direction(trim + s, heel) : up_direction(trim, heel + s);
       return energy(up, up.dot(point));
     };
     const double here = turned(0.0), ahead = turned(kStep), back = turned(-kStep);
-    EXPECT_NEAR((ahead - back) / (2.0 * kStep), ways.ways.col(0).dot(w), 1e-6);
-    EXPECT_NEAR((ahead - 2.0 * here + back) / (kStep * kStep), turning_stiffness(ways, at, w)(0, 0),
-                1e-5);
+    EXPECT_NEAR((ahead - back) / (2.0 * kStep), directions.columns.col(0).dot(w), 1e-6);
+    EXPECT_NEAR((ahead - 2.0 * here + back) / (kStep * kStep),
+                rotation_stiffness(directions, at, w)(0, 0), 1e-5);
   }
   const double sink = (energy(n, at.water.offset + kStep) - energy(n, at.water.offset - kStep));
   EXPECT_NEAR(sink / (2.0 * kStep), at.volume - kWanted, 1e-6);
   // Both ways at once: the mixed derivative, along the great circle through them.
-  const Turning both = turning(trim, heel, {});
-  EXPECT_NEAR((both.ways.transpose() * both.ways - Eigen::Matrix2d::Identity()).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((both.ways.transpose() * n).norm(), 0.0, 1e-15);
-  const Vector3d way = (both.ways.col(0) + both.ways.col(1)) / std::sqrt(2.0);
+  const NormalDirections both = normal_directions(trim, heel, {});
+  EXPECT_NEAR((both.columns.transpose() * both.columns - Eigen::Matrix2d::Identity()).norm(), 0.0,
+              1e-15);
+  EXPECT_NEAR((both.columns.transpose() * n).norm(), 0.0, 1e-15);
+  const Vector3d way = (both.columns.col(0) + both.columns.col(1)) / std::sqrt(2.0);
   const auto along = [&](double s) {
     const Vector3d up = std::cos(s) * n + std::sin(s) * way;
     return energy(up, up.dot(point));
   };
-  const Eigen::MatrixXd stiffness = turning_stiffness(both, at, w);
+  const Eigen::MatrixXd stiffness = rotation_stiffness(both, at, w);
   EXPECT_NEAR((along(kStep) - 2.0 * along(0.0) + along(-kStep)) / (kStep * kStep),
               0.5 * stiffness.sum(), 1e-5);
 }
@@ -235,10 +236,11 @@ TEST(Equilibrium, OfRandomBodies) {
       return up.dot(load.centre_of_gravity - body.immersion({up, c}).centre_of_buoyancy);
     };
     const Vector3d n = e.immersion.water.normal;
-    const Turning ways = turning(e.position.trim, e.position.heel, {});
+    const NormalDirections directions = normal_directions(e.position.trim, e.position.heel, {});
     for (double s : {-0.01, 0.01}) {
       for (int k : {0, 1}) {
-        EXPECT_GT(energy((n + s * ways.ways.col(k)).normalized()), energy(n)) << "trial " << trial;
+        EXPECT_GT(energy((n + s * directions.columns.col(k)).normalized()), energy(n))
+            << "trial " << trial;
       }
     }
     // Turned about x by an angle, which then is missing in the heel.

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/floating_position.h"
@@ -90,10 +92,8 @@ TEST(RightingLevers, OfPrismsAllTheWayRound) {
 
 TEST(RightingLevers, TurnRoundWithTheSide) {
   const Afloat barge(testing::round_section(10, 4.0, 3.0, 3.0, kPi / 10.0), 12.0);
-  const HeelingPath starboard =
-      heeling_path(barge.body, barge.load(0.2, 2.8, 9.5), TrimMode::kFree, 0.0);
-  const HeelingPath port =
-      heeling_path(barge.body, barge.load(-0.2, 2.8, 9.5), TrimMode::kFree, 0.0);
+  HeelingPath starboard = heeling_path(barge.body, barge.load(0.2, 2.8, 9.5), TrimMode::kFree, 0.0);
+  HeelingPath port = heeling_path(barge.body, barge.load(-0.2, 2.8, 9.5), TrimMode::kFree, 0.0);
   for (double heel : heels_to(170.0, 17.0)) {
     const HeeledState &a = starboard.at(heel), &b = port.at(-heel);
     EXPECT_NEAR(a.righting_lever, -b.righting_lever, 1e-10);
@@ -111,7 +111,7 @@ TEST(RightingLevers, OfABodyOfFourfoldSymmetry) {
   const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const HullBody body(surface, false);
   const LoadCase load{2.7, Vector3d::Zero(), 1.0};
-  const HeelingPath path = heeling_path(body, load, TrimMode::kFree, 0.0);
+  HeelingPath path = heeling_path(body, load, TrimMode::kFree, 0.0);
   for (int k = 0; k <= 8; ++k) EXPECT_NEAR(path.at(k * kPi / 4.0).righting_lever, 0.0, 1e-10);
   const double quarter = path.at(0.2 + kPi / 2.0).righting_lever;
   EXPECT_NEAR(path.at(0.2).righting_lever, quarter, 1e-10);
@@ -140,7 +140,7 @@ TEST(RightingLevers, WorkIsTheEnergysRise) {
   const HullBody body(surface, false);
   const LoadCase load{4.0, {0.4, 0.02, -0.1}, 1.0};
   for (TrimMode mode : {TrimMode::kFree, TrimMode::kFixed}) {
-    const HeelingPath path = heeling_path(body, load, mode, mode == TrimMode::kFixed ? 0.05 : 0.0);
+    HeelingPath path = heeling_path(body, load, mode, mode == TrimMode::kFixed ? 0.05 : 0.0);
     const auto height = [&](double heel) {
       const HeeledState& s = path.at(heel);
       return s.immersion.water.normal.dot(load.centre_of_gravity - s.immersion.centre_of_buoyancy);
@@ -180,8 +180,7 @@ TEST(RightingLevers, AreasToTheirTolerance) {
 // sin φ GM is the lever but for terms of the third order.
 TEST(RightingLevers, StartAsTheMetacentreSays) {
   const Afloat barge(testing::round_section(8, 4.0, 3.0, 3.0, kPi / 8.0), 16.0);
-  const HeelingPath path =
-      heeling_path(barge.body, barge.load(0.0, 2.5, 9.0), TrimMode::kFree, 0.0);
+  HeelingPath path = heeling_path(barge.body, barge.load(0.0, 2.5, 9.0), TrimMode::kFree, 0.0);
   const double gm = path.at(0.0).slope;
   const auto departure = [&](double heel) {
     return std::abs(path.at(heel).righting_lever - gm * std::sin(heel));
@@ -203,7 +202,7 @@ TEST(RightingLevers, FeaturesAreExact) {
   const auto lever = [&](double heel) {
     return testing::section_lever(barge.section, barge.wet_area, {0.0, 3.2}, heel);
   };
-  ASSERT_TRUE(levers.vanishing_heel && levers.greatest && levers.flooding_heel);
+  ASSERT_TRUE(levers.vanishing_heel && levers.greatest && levers.downflooding_heel);
   EXPECT_NEAR(lever(*levers.vanishing_heel), 0.0, 1e-10);
   EXPECT_GT(lever(*levers.vanishing_heel - 0.01), 0.0);
   EXPECT_FALSE(levers.greatest->at_end);
@@ -221,7 +220,42 @@ TEST(RightingLevers, FeaturesAreExact) {
     return testing::wet_section(barge.section, up, up.dot(Eigen::Vector2d(y, kDepth))).area;
   };
   EXPECT_NEAR(area_up_to(-0.5 * kBeam, *both.deck_edge_heel), barge.wet_area, 1e-9);
-  EXPECT_NEAR(area_up_to(-2.0, *both.flooding_heel), barge.wet_area, 1e-9);
+  EXPECT_NEAR(area_up_to(-2.0, *both.downflooding_heel), barge.wet_area, 1e-9);
+}
+
+// What a path was asked before does not decide what is found: only the heels given do.
+TEST(RightingLevers, FeaturesAreLookedForAmongTheHeelsGiven) {
+  static_assert(!std::is_invocable_v<decltype(&HeelingPath::at), const HeelingPath&, double>,
+                "to ask is to solve and to keep: not for two threads");
+  const Afloat barge = box();
+  const LoadCase load = barge.load(0.0, 3.2);
+  HeelingPath fresh = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
+  HeelingPath asked = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
+  for (double heel : heels_to(90.0, 7.0)) asked.at(heel);
+    const std::vector<double> ends{0.0, kPi}, fine = heels_to(180.0, 5.0);
+  // Upright and upside down the lever rises: by these two heels alone no maximum shows.
+  ASSERT_GT(fresh.at(0.0).slope, 0.0);
+  ASSERT_GT(fresh.at(kPi).slope, 0.0);
+  EXPECT_TRUE(greatest_lever(fresh, ends).at_end);
+  EXPECT_TRUE(greatest_lever(asked, ends).at_end);
+  EXPECT_FALSE(greatest_lever(asked, fine).at_end);
+  EXPECT_NEAR(greatest_lever(asked, fine).heel, greatest_lever(fresh, fine).heel, 1e-11);
+  EXPECT_EQ(heels_between({0.5, 0.1, 0.5, 0.9}, 0.2, 0.8), (std::vector<double>{0.2, 0.5, 0.8}));
+}
+
+// Paths are for one thread each; a body is for many.
+TEST(RightingLevers, OfOneBodyInTwoThreads) {
+  const Afloat barge(testing::round_section(10, 4.0, 3.0, 3.0, kPi / 10.0), 12.0);
+  const LoadCase load = barge.load(0.2, 2.8, 9.5);
+  const auto levers = [&] {
+    HeelingPath path = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
+    std::vector<double> found;
+    for (double heel : heels_to(90.0, 3.0)) found.push_back(path.at(heel).righting_lever);
+    return found;
+  };
+  std::future<std::vector<double>> other = std::async(std::launch::async, levers);
+  const std::vector<double> here = levers();
+  EXPECT_EQ(here, other.get());
 }
 
 // Without a deck: her borders are the deck edge, and where they go under she floods. The levers
@@ -239,9 +273,9 @@ TEST(RightingLevers, OfAnOpenBargeUntilSheFloods) {
   const std::vector<double> heels = heels_to(90.0, 10.0);
   const RightingLevers with_deck = righting_levers(decked.body, load, heels, options);
   const RightingLevers without = righting_levers(open, load, heels);
-  EXPECT_FALSE(with_deck.has_openings || with_deck.flooding_heel);
-  ASSERT_TRUE(without.has_openings && without.flooding_heel && without.deck_edge_heel);
-  EXPECT_NEAR(*without.flooding_heel, with_deck.deck_edge_heel.value(), 1e-10);
+  EXPECT_FALSE(with_deck.can_flood || with_deck.downflooding_heel);
+  ASSERT_TRUE(without.can_flood && without.downflooding_heel && without.deck_edge_heel);
+  EXPECT_NEAR(*without.downflooding_heel, with_deck.deck_edge_heel.value(), 1e-10);
   EXPECT_NEAR(*without.deck_edge_heel, with_deck.deck_edge_heel.value(), 1e-10);
   for (std::size_t i = 0; i < heels.size(); ++i) {
     EXPECT_NEAR(without.states[i].righting_lever, with_deck.states[i].righting_lever, 1e-10);

@@ -75,10 +75,10 @@ TEST(StabilityCriteria, ValuesOfABarge) {
                  high.greatest(30.0 * kDegree, 90.0 * kDegree), *heel.value, kGM},
                 1e-6);
   EXPECT_TRUE(report.passes);
-  EXPECT_FALSE(report.flooding_heel);
+  EXPECT_FALSE(report.downflooding_heel);
   EXPECT_EQ(report.criteria[0].paragraph, "2.2.1");
   EXPECT_EQ(report.criteria[5].paragraph, "2.2.4");
-  EXPECT_NE(report.criteria[0].note.find("No opening"), std::string::npos);
+  EXPECT_NE(report.criteria[0].note.find("No downflooding point"), std::string::npos);
 }
 
 // A shallow barge has its greatest lever early: one criterion fails, and with it the ship.
@@ -117,15 +117,15 @@ TEST(StabilityCriteria, FloodingEndsTheCurve) {
   };
   const double at_35 = 70.0 * kDegree / 2.0;
   const StabilityReport late = barge.report(point_at(at_35));
-  ASSERT_TRUE(late.flooding_heel);
-  EXPECT_NEAR(*late.flooding_heel, at_35, 1e-9);
+  ASSERT_TRUE(late.downflooding_heel);
+  EXPECT_NEAR(*late.downflooding_heel, at_35, 1e-9);
   EXPECT_NEAR(late.criteria[1].value.value(), barge.height(at_35) - barge.height(0.0), 1e-7);
   EXPECT_NEAR(late.criteria[2].value.value(), barge.height(at_35) - barge.height(30.0 * kDegree),
               1e-7);
   EXPECT_NE(late.criteria[1].name.find("35.0°"), std::string::npos);
 
   const StabilityReport early = barge.report(point_at(20.0 * kDegree));
-  ASSERT_TRUE(early.flooding_heel);
+  ASSERT_TRUE(early.downflooding_heel);
   EXPECT_FALSE(early.passes);
   for (int i : {0, 2, 3, 4}) {
     EXPECT_EQ(early.criteria[i].outcome, CriterionOutcome::kFail) << early.criteria[i].name;

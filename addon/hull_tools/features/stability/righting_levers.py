@@ -92,6 +92,6 @@ def plot(result, name):
         gm=found.gm,
         vanishing=found.vanishing_heel,
         deck_edge=found.deck_edge_heel,
-        flooding=found.flooding_heel,
+        flooding=found.downflooding_heel,
         areas=[area for area in result.areas() if area[0] > 0.0 or area[1] < radians(35.0)],
     )
