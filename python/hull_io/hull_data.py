@@ -46,12 +46,14 @@ class Afloat:
 class Load:
     """The load whose stability is looked at: mass in t, centre of gravity in m.
 
-    mass_t None: the displacement as afloat. kg 0: not given. lcg None: above that of buoyancy.
-    free_trim: whether the trim adjusts itself as she heels.
+    mass_t None: the displacement as afloat. kg 0: not given. kg_is_guess: nobody gave it, it was
+    made up. lcg None: above that of buoyancy. free_trim: whether the trim adjusts itself as she
+    heels.
     """
 
     mass_t: object = None
     kg: float = 0.0
+    kg_is_guess: bool = False
     lcg: object = None
     free_trim: bool = True
 
@@ -73,6 +75,33 @@ class Opening:
 
     name: str
     position: tuple
+
+
+@dataclass
+class WindArea:
+    """A part of the projected lateral area above the water: m², and its centre's height in m."""
+
+    name: str
+    area: float
+    z: float = 0.0
+
+
+@dataclass
+class Wind:
+    """What the weather criterion needs to know of a ship.
+
+    hull_profile: the profile of the hull above the water counts, beside `areas`. lever: of all
+    areas over the centre of the underwater profile, in m; None: from their centres. pressure in Pa.
+    keel_area: of bilge and bar keels in m². roll_period in s; None: estimated.
+    """
+
+    hull_profile: bool = True
+    areas: list = field(default_factory=list)
+    lever: object = None
+    pressure: float = 504.0
+    keel_area: float = 0.0
+    sharp_bilges: bool = False
+    roll_period: object = None
 
 
 @dataclass
@@ -157,6 +186,7 @@ class HullData:
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)
     openings: list = field(default_factory=list)
+    wind: object = None
     lines: object = None
     units: str = "m"
     source: str = ""

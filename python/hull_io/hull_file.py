@@ -10,7 +10,7 @@
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
      "lines": as hull_lines tells,
-     and what hull_loading tells of: "afloat", "load", "load_cases", "openings"}
+     and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind"}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
 without face_layers all are in the first layer. A particular that is left out is 0: not given.

@@ -2,18 +2,28 @@
 """What a hull file tells of how the hull lies and is loaded: m, t and degrees.
 
     "afloat": {"trim": m by the stern, "heel_deg": degrees to starboard, "deck_closed": true},
-    "load": {"mass_t": t, "kg": m, "lcg": m, "free_trim": true},
+    "load": {"mass_t": t, "kg": m, "kg_is_guess": false, "lcg": m, "free_trim": true},
     "load_cases": [{"name": "...", "mass_t": t, "lcg": m, "tcg": m, "vcg": m}, ...],
-    "openings": [{"name": "...", "position": [x, y, z]}, ...]
+    "openings": [{"name": "...", "position": [x, y, z]}, ...],
+    "wind": {"hull_profile": true, "areas": [{"name": "...", "area": m2, "z": m}, ...], "lever": m,
+             "pressure": Pa, "keel_area": m2, "sharp_bilges": false, "roll_period": s}
 
-All may be left out. A load without mass_t is the displacement afloat, one without lcg has it above
+All may be left out; without "wind" the wind areas are not known. A load without mass_t is the displacement afloat, one without lcg has it above
 the centre of buoyancy. Centres that are left out are 0.
 """
 
-from .hull_data import Afloat, Load, LoadCase, Opening
-from .limits import FURTHEST_POINT, HEAVIEST_LOAD, LONGEST_DIMENSION, MAX_LOADING_ENTRIES
+from .hull_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
+from .limits import (
+    FURTHEST_POINT,
+    HEAVIEST_LOAD,
+    LARGEST_WIND_AREA,
+    LONGEST_DIMENSION,
+    LONGEST_ROLL_PERIOD,
+    MAX_LOADING_ENTRIES,
+    STRONGEST_WIND,
+)
 
-KEYS = ("afloat", "load", "load_cases", "openings")
+KEYS = ("afloat", "load", "load_cases", "openings", "wind")
 
 
 def parsed(check, content):
@@ -23,6 +33,7 @@ def parsed(check, content):
         "load": _load(check, content.get("load", {})),
         "load_cases": _listed(check, content, "load_cases", _load_case),
         "openings": _listed(check, content, "openings", _opening),
+        "wind": _wind(check, content["wind"]) if "wind" in content else None,
     }
 
 
@@ -40,9 +51,10 @@ def _afloat(check, value):
 
 
 def _load(check, value):
-    entries = check.object(value, "load", ("mass_t", "kg", "lcg", "free_trim"))
+    entries = check.object(value, "load", ("mass_t", "kg", "kg_is_guess", "lcg", "free_trim"))
     load = Load(
         kg=check.number(entries.get("kg", 0), "load.kg", 0.0, LONGEST_DIMENSION),
+        kg_is_guess=check.flag(entries.get("kg_is_guess", False), "load.kg_is_guess"),
         free_trim=check.flag(entries.get("free_trim", True), "load.free_trim"),
     )
     if "mass_t" in entries:
@@ -52,13 +64,14 @@ def _load(check, value):
     return load
 
 
-def _listed(check, content, key, parse):
-    entries = check.list(content.get(key, []), key)
+def _listed(check, content, key, parse, parent=""):
+    where = f"{parent}{key}"
+    entries = check.list(content.get(key, []), where)
     if len(entries) > MAX_LOADING_ENTRIES:
         raise check.error(
-            key, f"it has {len(entries)} entries", f"write at most {MAX_LOADING_ENTRIES}"
+            where, f"it has {len(entries)} entries", f"write at most {MAX_LOADING_ENTRIES}"
         )
-    return [parse(check, entry, f"{key}[{index}]") for index, entry in enumerate(entries)]
+    return [parse(check, entry, f"{where}[{index}]") for index, entry in enumerate(entries)]
 
 
 def _load_case(check, value, where):
@@ -89,13 +102,48 @@ def _opening(check, value, where):
     )
 
 
+def _wind(check, value):
+    known = ("hull_profile", "areas", "lever", "pressure", "keel_area", "sharp_bilges",
+             "roll_period")  # fmt: skip
+    entries = check.object(value, "wind", known)
+
+    def number(key, default, greatest):
+        return check.number(entries.get(key, default), f"wind.{key}", 0.0, greatest)
+
+    wind = Wind(
+        hull_profile=check.flag(entries.get("hull_profile", True), "wind.hull_profile"),
+        areas=_listed(check, entries, "areas", _wind_area, "wind."),
+        pressure=number("pressure", Wind.pressure, STRONGEST_WIND),
+        keel_area=number("keel_area", 0, LARGEST_WIND_AREA),
+        sharp_bilges=check.flag(entries.get("sharp_bilges", False), "wind.sharp_bilges"),
+    )
+    if "lever" in entries:
+        wind.lever = number("lever", 0, LONGEST_DIMENSION)
+    if "roll_period" in entries:
+        wind.roll_period = number("roll_period", 0, LONGEST_ROLL_PERIOD)
+    return wind
+
+
+def _wind_area(check, value, where):
+    entries = check.object(value, where, ("name", "area", "z"))
+    if "area" not in entries:
+        raise check.error(f"{where}.area", "it is missing", "add the area in m²")
+    return WindArea(
+        name=check.text(entries.get("name", "Wind area"), f"{where}.name"),
+        area=check.number(entries["area"], f"{where}.area", 0.0, LARGEST_WIND_AREA),
+        z=_length(check, entries.get("z", 0), f"{where}.z"),
+    )
+
+
 def entries(data):
     """What a hull file says of a HullData, by its keys."""
     load = {"kg": float(data.load.kg), "free_trim": bool(data.load.free_trim)}
+    if data.load.kg_is_guess:
+        load["kg_is_guess"] = True
     for key in ("mass_t", "lcg"):
         if getattr(data.load, key) is not None:
             load[key] = float(getattr(data.load, key))
-    return {
+    found = {
         "afloat": {
             "trim": float(data.afloat.trim),
             "heel_deg": float(data.afloat.heel_deg),
@@ -117,3 +165,22 @@ def entries(data):
             for opening in data.openings
         ],
     }
+    if data.wind is not None:
+        found["wind"] = _wind_entries(data.wind)
+    return found
+
+
+def _wind_entries(wind):
+    found = {
+        "hull_profile": bool(wind.hull_profile),
+        "areas": [
+            {"name": part.name, "area": float(part.area), "z": float(part.z)} for part in wind.areas
+        ],
+        "pressure": float(wind.pressure),
+        "keel_area": float(wind.keel_area),
+        "sharp_bilges": bool(wind.sharp_bilges),
+    }
+    for key in ("lever", "roll_period"):
+        if getattr(wind, key) is not None:
+            found[key] = float(getattr(wind, key))
+    return found

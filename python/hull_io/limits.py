@@ -17,7 +17,11 @@ LONGEST_DIMENSION = 1e4
 LONGEST_TEXT = 10_000
 # In tonnes.
 HEAVIEST_LOAD = 1e8
-# Load cases, openings: a stability booklet has dozens.
+# Wind on a ship: m2 of wind and keel areas, pascals (a hurricane has some 3,000), seconds.
+LARGEST_WIND_AREA = 1e6
+STRONGEST_WIND = 1e5
+LONGEST_ROLL_PERIOD = 1e3
+# Load cases, openings, wind areas: a stability booklet has dozens.
 MAX_LOADING_ENTRIES = 1000
 # Planes to cut a hull by, and spaces between stations.
 MAX_CUT_PLANES = 1000

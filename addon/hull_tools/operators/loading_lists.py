@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load cases and openings come and go."""
+"""Load cases, openings and wind areas come and go."""
 
 import bpy
 
@@ -16,15 +16,14 @@ class AddEntry(HullOperator):
 
 
 def _has_entry(cls, context):
-    if not getattr(hull_objects.hull_of(context.object).hull.loading, cls.entries):
+    if not loading.entries_of(hull_objects.hull_of(context.object), cls.entries):
         cls.poll_message_set(cls.none_there)
         return False
     return True
 
 
 class RemoveEntry(HullOperator):
-    """Removes the chosen one of Object.hull.loading's `entries`; none_there says that there is
-    none."""
+    """Removes the chosen one of the list `entries`; none_there says that there is none."""
 
     needs = (*HullOperator.needs, _has_entry)
 
@@ -70,9 +69,30 @@ class HULL_OT_remove_flooding_point(bpy.types.Operator, RemoveEntry):
     entries, none_there = "flooding_points", "There is no opening"
 
 
+class HULL_OT_add_wind_area(bpy.types.Operator, AddEntry):
+    """Add an area that the wind meets beside the hull: a deckhouse, deck cargo"""
+
+    bl_idname = "hull.add_wind_area"
+    bl_label = "Add Wind Area"
+
+    def add(self, hull, scene):
+        loading.add_wind_area(hull)
+
+
+class HULL_OT_remove_wind_area(bpy.types.Operator, RemoveEntry):
+    """Remove the wind area that is chosen in the list"""
+
+    bl_idname = "hull.remove_wind_area"
+    bl_label = "Remove Wind Area"
+
+    entries, none_there = "areas", "There is no wind area"
+
+
 CLASSES = (
     HULL_OT_add_load_case,
     HULL_OT_remove_load_case,
     HULL_OT_add_flooding_point,
     HULL_OT_remove_flooding_point,
+    HULL_OT_add_wind_area,
+    HULL_OT_remove_wind_area,
 )

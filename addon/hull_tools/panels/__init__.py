@@ -5,6 +5,7 @@ import bpy
 
 from . import (
     add_menu,
+    criteria,
     export,
     fairness,
     fit,
@@ -37,6 +38,7 @@ _CLASSES = (
     *fairness.CLASSES,
     *results.CLASSES,
     *stability.CLASSES,
+    *criteria.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,
     *presentation.CLASSES,

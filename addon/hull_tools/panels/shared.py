@@ -5,6 +5,7 @@ import textwrap
 
 from ..bridge.objects import hull_objects
 from ..features import analyses
+from ..features.analyses import live_analyses
 
 # What the tabs, the margins of panel and box and an icon leave of the sidebar's width, in points,
 # and the width of a letter of the interface's font on average.
@@ -78,3 +79,33 @@ def export_buttons(layout, analysis):
     row.operator("hull.export_table", text="Table", icon="EXPORT").analysis = analysis
     if analysis in analyses.PLOTTED:
         row.operator("hull.export_plot", text="Plot", icon="EXPORT").analysis = analysis
+
+
+def latest_result(layout, context, name, heading):
+    """(the result of an analysis, where to show it) below a heading, pale while a newer one is
+    computed; (None, there) and what is to be said instead."""
+    hull = hull_objects.hull_of(context.object)
+    outcome, is_current = live_analyses.latest(hull, context.scene, name)
+    layout.label(text=heading if is_current else f"{heading}: computing …")
+    place = layout.column()
+    place.active = is_current
+    if outcome is None:
+        return None, place
+    if outcome.result is None:
+        label_wrapped(place, context, outcome.message, icon="INFO")
+    return outcome.result, place
+
+
+def draw_entries(layout, settings, entries, active, kind):
+    """A list of a property group with its buttons; returns the chosen entry, None without one.
+
+    kind: as the operators that add and remove entries are named.
+    """
+    row = layout.row()
+    row.template_list(f"HULL_UL_{entries}", "", settings, entries, settings, active, rows=3)
+    column = row.column(align=True)
+    column.operator(f"hull.add_{kind}", text="", icon="ADD")
+    column.operator(f"hull.remove_{kind}", text="", icon="REMOVE")
+    chosen = getattr(settings, entries)
+    index = getattr(settings, active)
+    return chosen[index] if 0 <= index < len(chosen) else None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stability of a load, the criteria, equilibrium of load cases."""
+"""Stability of a load, equilibrium of load cases, plots."""
 
 from math import degrees
 
@@ -9,24 +9,16 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
-from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
-
-_OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
-
-
-def _result(layout, context, name, heading):
-    """(the result of an analysis, where to show it) below a heading, pale while a newer one is
-    computed; (None, there) and what is to be said instead."""
-    hull = hull_objects.hull_of(context.object)
-    outcome, is_current = live_analyses.latest(hull, context.scene, name)
-    layout.label(text=heading if is_current else f"{heading}: computing …")
-    place = layout.column()
-    place.active = is_current
-    if outcome is None:
-        return None, place
-    if outcome.result is None:
-        label_wrapped(place, context, outcome.message, icon="INFO")
-    return outcome.result, place
+from .shared import (
+    HullPanel,
+    draw_entries,
+    export_buttons,
+    field_or,
+    label_value,
+    label_wrapped,
+    latest_result,
+    text_field,
+)
 
 
 def _degrees(angle):
@@ -42,9 +34,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         loading = hull_objects.hull_of(context.object).hull.loading
         self._draw_load(layout, loading)
         layout.separator()
-        result, place = _result(layout, context, "righting_levers", "Righting levers")
+        result, place = latest_result(layout, context, "righting_levers", "Righting levers")
         if result is not None:
-            self._draw_levers(place, context.scene, result)
+            self._draw_levers(place, context, result)
         export_buttons(layout, "righting_levers")
 
     def _draw_load(self, layout, loading):
@@ -61,8 +53,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         column.prop(loading, "heel_greatest", text="Heels to")
         column.prop(loading, "heel_step")
 
-    def _draw_levers(self, layout, scene, result):
+    def _draw_levers(self, layout, context, result):
         found, load = result.levers, result.load
+        scene = context.scene
         column = layout.column(align=True)
         column.scale_y = 0.8
 
@@ -80,53 +73,24 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         line("Flooding at", found.downflooding_heel, "deg")
         for start, end, area in result.areas():
             line(f"Area {degrees(start):.3g}–{_degrees(end)}", area, "m rad")
+        for remark in result.remarks():
+            label_wrapped(layout, context, remark, icon="INFO")
 
 
 class HULL_PT_levers(HullPanel, bpy.types.Panel):
     bl_label = "Table of GZ"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
+    bl_order = 0
 
     def draw(self, context):
-        result, place = _result(self.layout, context, "righting_levers", "GZ over heel")
+        result, place = latest_result(self.layout, context, "righting_levers", "GZ over heel")
         if result is None:
             return
         column = place.column(align=True)
         column.scale_y = 0.8
         for heel, lever in zip(result.levers.heels, result.levers.levers):
             label_value(column, _degrees(heel), format_value(context.scene, lever, "m"))
-
-
-class HULL_PT_criteria(HullPanel, bpy.types.Panel):
-    """2008 IS Code, Part A, 2.2"""
-
-    bl_label = "IS Code Criteria"
-    bl_parent_id = "HULL_PT_stability"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, context):
-        report, layout = _result(self.layout, context, "criteria", "IS Code, Part A")
-        if report is None:
-            return
-        notes = []
-        for one in report.criteria:
-            column = layout.column(align=True)
-            column.scale_y = 0.8
-            text = f"{one.paragraph} {one.outcome}: {one.name}"
-            label_wrapped(column, context, text, icon=_OUTCOME_ICONS[one.outcome])
-            value, limit = self._numbers(context.scene, one)
-            label_value(column, value, f"≥ {limit}")
-            if one.note and one.note not in notes:
-                notes.append(one.note)
-        for note in notes:
-            label_wrapped(layout, context, note, icon="INFO")
-        layout.label(text="All are met" if report.passes else "Not all are met")
-        export_buttons(self.layout, "criteria")
-
-    def _numbers(self, scene, one):
-        """Value and limit as texts."""
-        unit = {"rad": "deg", "m·rad": "m rad"}.get(one.unit, one.unit)
-        return (format_value(scene, number, unit) for number in (one.value, one.limit))
 
 
 class HULL_UL_flooding_points(bpy.types.UIList):
@@ -156,25 +120,15 @@ class HULL_UL_load_cases(bpy.types.UIList):
             layout.label(text=format_value(context.scene, rest.draft_mean, "m"))
 
 
-def _draw_list(layout, loading, entries, active, kind):
-    row = layout.row()
-    row.template_list(f"HULL_UL_{entries}", "", loading, entries, loading, active, rows=3)
-    column = row.column(align=True)
-    column.operator(f"hull.add_{kind}", text="", icon="ADD")
-    column.operator(f"hull.remove_{kind}", text="", icon="REMOVE")
-    chosen = getattr(loading, entries)
-    index = getattr(loading, active)
-    return chosen[index] if 0 <= index < len(chosen) else None
-
-
 class HULL_PT_flooding_points(HullPanel, bpy.types.Panel):
     bl_label = "Openings"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
+    bl_order = 1
 
     def draw(self, context):
         loading = hull_objects.hull_of(context.object).hull.loading
-        point = _draw_list(
+        point = draw_entries(
             self.layout, loading, "flooding_points", "active_flooding_point", "flooding_point"
         )
         if point is not None:
@@ -185,17 +139,18 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
     bl_label = "Load Cases"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
+    bl_order = 4
 
     def draw(self, context):
         layout = self.layout
         loading = hull_objects.hull_of(context.object).hull.loading
-        case = _draw_list(layout, loading, "load_cases", "active_load_case", "load_case")
+        case = draw_entries(layout, loading, "load_cases", "active_load_case", "load_case")
         if case is None:
             return
         column = layout.column(align=True)
         for name in ("mass_t", "lcg", "tcg", "vcg"):
             column.prop(case, name)
-        rests, place = _result(layout, context, "load_cases", "Equilibrium")
+        rests, place = latest_result(layout, context, "load_cases", "Equilibrium")
         if rests is None:
             return
         index = loading.active_load_case
@@ -224,6 +179,7 @@ class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
     bl_label = "Cross Curves KN"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
+    bl_order = 5
 
     def draw(self, context):
         loading = hull_objects.hull_of(context.object).hull.loading
@@ -267,7 +223,6 @@ CLASSES = (
     HULL_UL_load_cases,
     HULL_PT_stability,
     HULL_PT_levers,
-    HULL_PT_criteria,
     HULL_PT_flooding_points,
     HULL_PT_load_cases,
     HULL_PT_cross_curves,

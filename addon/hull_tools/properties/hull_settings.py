@@ -28,6 +28,7 @@ from . import (
     stability_settings,
     studio_settings,
     tag_settings,
+    wind_settings,
 )
 from .shared import angle, changed, length
 
@@ -138,6 +139,7 @@ class HullSettings(bpy.types.PropertyGroup):
     lines: PointerProperty(type=line_settings.HullLines)
     fairness: PointerProperty(type=fairness_settings.HullFairness)
     loading: PointerProperty(type=stability_settings.HullLoading)
+    wind: PointerProperty(type=wind_settings.HullWind)
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
     plan: PointerProperty(type=output_settings.HullPlan)
@@ -153,6 +155,7 @@ CLASSES = (
     *fairness_settings.CLASSES,
     *fit_settings.CLASSES,
     *stability_settings.CLASSES,
+    *wind_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,
     *studio_settings.CLASSES,

@@ -13,7 +13,7 @@ def switch(name, description, default=False):
     return BoolProperty(name=name, description=description, default=default, update=changed)
 
 
-def length(name, description, default=0.0, minimum=0.0):
+def length(name, description, default=0.0, minimum=0.0, update=changed):
     """A length in the scene's units; `minimum` None for one that may be negative."""
     bounds = {} if minimum is None else {"min": minimum}
     return FloatProperty(
@@ -23,7 +23,7 @@ def length(name, description, default=0.0, minimum=0.0):
         unit="LENGTH",
         subtype="DISTANCE",
         precision=5,
-        update=changed,
+        update=update,
         **bounds,
     )
 

@@ -36,6 +36,11 @@ class HullFloodingPoint(bpy.types.PropertyGroup):
     )
 
 
+def _kg_given(settings, context):
+    settings.kg_is_guess = False
+    changed(settings, context)
+
+
 class HullLoading(bpy.types.PropertyGroup):
     """The load whose stability is looked at, and the load cases whose equilibrium is."""
 
@@ -46,7 +51,11 @@ class HullLoading(bpy.types.PropertyGroup):
         update=changed,
     )
     mass_t: mass("Mass t", "Mass of ship and load, in tonnes")
-    kg: length("VCG", "KG: centre of gravity above the base line")
+    kg: length("VCG", "KG: centre of gravity above the base line", update=_kg_given)
+    kg_is_guess: BoolProperty(
+        name="VCG is a guess",
+        description="Nobody gave the VCG: it is six tenths of the depth that the hull had",
+    )
     use_lcb: BoolProperty(
         name="LCG over LCB",
         description="The centre of gravity is above that of buoyancy, at the trim of the "

@@ -23,6 +23,7 @@ _METRIC_SYMBOLS = {
     "t/cm": "t/cm",
     "t m/cm": "t·m/cm",
     "m rad": "m·rad",
+    "s": "s",
 }
 _IMPERIAL = {
     "m": (_FOOT, "ft"),
@@ -33,6 +34,7 @@ _IMPERIAL = {
     "t/cm": (_LONG_TON * 0.01 / _INCH, "LT/in"),
     "t m/cm": (_LONG_TON * _FOOT * 0.01 / _INCH, "LT·ft/in"),
     "m rad": (_FOOT, "ft·rad"),
+    "s": (1.0, "s"),
 }
 
 

@@ -6,10 +6,13 @@ was a stamp have 0. A hull that is not of the present format is brought to it wh
 opened, or when it is appended or pasted from one.
 
 Formats: 0: which lines are drawn is kept with the hull, and more of it with the lines plan; lines
-are an object. 1: all of it is in Object.hull.lines, lines are drawn over the view.
+are an object. 1: all of it is in Object.hull.lines, lines are drawn over the view. 2: it is kept
+whether the VCG is a guess.
 """
 
-FORMAT = 1
+FORMAT = 2
+
+_GUESSED_KG = 0.6  # of the depth: what a hull without VCG was given
 
 _MOVED_FROM_HULL = ("station_count", "waterline_spacing", "buttock_spacing")
 _MOVED_FROM_PLAN = (
@@ -55,6 +58,11 @@ def _gather_lines(settings):
             collection.objects.unlink(shown)
 
 
+def _know_the_guess(settings):
+    guess = _GUESSED_KG * settings.depth
+    settings.loading.kg_is_guess = guess > 0.0 and abs(settings.loading.kg / guess - 1.0) < 1e-6
+
+
 def _taken(group, name):
     """A stored value that no property stands for any longer, which is removed; None for none."""
     value = group.get(name)
@@ -64,4 +72,4 @@ def _taken(group, name):
 
 
 # From each format to the next.
-_STEPS = (_gather_lines,)
+_STEPS = (_gather_lines, _know_the_guess)

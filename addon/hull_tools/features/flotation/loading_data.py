@@ -3,7 +3,7 @@
 
 from math import degrees, radians
 
-from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening
+from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
 from ...bridge.blender.units import as_stored, as_typed
 
 _CENTRE = ("lcg", "tcg", "vcg")
@@ -18,6 +18,7 @@ def give_loading(settings, hull, scale):
     loading.use_displacement = load.mass_t is None
     loading.mass_t = load.mass_t or 0.0
     loading.kg = load.kg / scale
+    loading.kg_is_guess = load.kg_is_guess
     loading.use_lcb = load.lcg is None
     loading.lcg = (load.lcg or 0.0) / scale
     loading.free_trim = load.free_trim
@@ -30,6 +31,20 @@ def give_loading(settings, hull, scale):
         entry = loading.flooding_points.add()
         entry.name = opening.name
         entry.position = [value / scale for value in opening.position]
+    if hull.wind is not None:
+        _give_wind(settings.wind, hull.wind, scale)
+
+
+def _give_wind(settings, wind, scale):
+    settings.source = "HULL" if wind.hull_profile else "GIVEN"
+    for area in wind.areas:
+        entry = settings.areas.add()
+        entry.name, entry.area, entry.z = area.name, area.area, area.z / scale
+    settings.lever = (wind.lever or 0.0) / scale
+    settings.pressure = wind.pressure
+    settings.keel_area = wind.keel_area
+    settings.sharp_bilges = wind.sharp_bilges
+    settings.roll_period = wind.roll_period or 0.0
 
 
 def take_loading(settings, scale):
@@ -46,6 +61,7 @@ def take_loading(settings, scale):
         "load": Load(
             None if loading.use_displacement else as_stored(loading.mass_t),
             metres(loading.kg),
+            loading.kg_is_guess,
             None if loading.use_lcb else metres(loading.lcg),
             loading.free_trim,
         ),
@@ -59,4 +75,22 @@ def take_loading(settings, scale):
             Opening(point.name, tuple(metres(value) for value in point.position))
             for point in loading.flooding_points
         ],
+        "wind": _taken_wind(settings.wind, metres),
     }
+
+
+def _taken_wind(settings, metres):
+    """The Wind of an Object.hull.wind; None while its areas are not known."""
+    if settings.source == "NONE":
+        return None
+    return Wind(
+        hull_profile=settings.source == "HULL",
+        areas=[
+            WindArea(entry.name, as_stored(entry.area), metres(entry.z)) for entry in settings.areas
+        ],
+        lever=metres(settings.lever) or None,
+        pressure=as_stored(settings.pressure),
+        keel_area=as_stored(settings.keel_area),
+        sharp_bilges=settings.sharp_bilges,
+        roll_period=as_stored(settings.roll_period) or None,
+    )

@@ -100,6 +100,7 @@ def _fill_particulars(obj):
             setattr(settings, name, value)
     if settings.loading.kg <= 0.0:
         settings.loading.kg = 0.6 * settings.depth
+        settings.loading.kg_is_guess = True  # as long as nobody sets it
 
 
 def _fill_choices(settings):

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lists of Object.hull.loading: load cases, and openings that flood the ship."""
+"""The lists of Object.hull about loads: load cases, openings that flood the ship, wind areas."""
 
 from ...bridge.blender import units
 from . import hull_state
 
-_ACTIVE = {"load_cases": "active_load_case", "flooding_points": "active_flooding_point"}
+# By list: the group of Object.hull that has it, and which of its entries is chosen there.
+_LISTS = {
+    "load_cases": ("loading", "active_load_case"),
+    "flooding_points": ("loading", "active_flooding_point"),
+    "areas": ("wind", "active_area"),
+}
 
 
 def add_load_case(obj, scene):
@@ -31,10 +36,26 @@ def add_flooding_point(obj):
     return point
 
 
-def remove(obj, entries):
-    """Removes the chosen entry of "load_cases" or "flooding_points"."""
-    loading, active = obj.hull.loading, _ACTIVE[entries]
-    index, listed = getattr(loading, active), getattr(loading, entries)
+def add_wind_area(obj):
+    """An area above the deck, of no size as yet; returns it."""
+    settings, wind = obj.hull, obj.hull.wind
+    area = wind.areas.add()
+    area.name = f"Wind area {len(wind.areas)}"
+    area.z = settings.depth
+    wind.active_area = len(wind.areas) - 1
+    return area
+
+
+def entries_of(obj, name):
+    """The list of that name: "load_cases", "flooding_points" or "areas" of the wind."""
+    return getattr(getattr(obj.hull, _LISTS[name][0]), name)
+
+
+def remove(obj, name):
+    """Removes the chosen entry of the list of that name."""
+    group, active = _LISTS[name]
+    settings, listed = getattr(obj.hull, group), entries_of(obj, name)
+    index = getattr(settings, active)
     listed.remove(min(max(index, 0), len(listed) - 1))
-    setattr(loading, active, max(min(index, len(listed) - 1), 0))
+    setattr(settings, active, max(min(index, len(listed) - 1), 0))
     obj.update_tag(refresh={"DATA"})

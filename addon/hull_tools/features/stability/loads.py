@@ -17,6 +17,7 @@ class LoadInputs:
     where: afloat.Afloat
     mass_t: object
     kg: float
+    kg_is_guess: bool
     lcg: object
     free_trim: bool
     flooding_points: tuple  # of both sides
@@ -51,6 +52,7 @@ def load_inputs(settings, metres_per_unit):
         afloat.afloat(settings, metres_per_unit).upright(),
         mass_t,
         within_a_ship(loading.kg, "VCG", metres_per_unit),
+        loading.kg_is_guess,
         lcg,
         loading.free_trim,
         flooding_points(loading, metres_per_unit),
@@ -77,6 +79,18 @@ def flooding_points(loading, metres_per_unit):
         x, y, z = (within_a_ship(value, entry.name, metres_per_unit) for value in entry.position)
         points += [(x, y, z)] if y == 0.0 else [(x, y, z), (x, -y, z)]
     return tuple(points)
+
+
+NOTHING_FLOODS = "No downflooding point is given: no heel floods the ship."
+DECK_EDGE_UNDER_WATER = (
+    "The deck edge is under water upright (0°): an open transom counts as one, unless you mark the "
+    "deck edge that is meant (Edges and Points)."
+)
+
+
+def guessed_vcg(given):
+    """What to say of LoadInputs whose VCG nobody gave."""
+    return f"VCG {given.kg:.4g} m is a guess, six tenths of the depth: give yours."
 
 
 def load(body, given):

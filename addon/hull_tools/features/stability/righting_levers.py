@@ -32,6 +32,15 @@ class Result:
     load: loads.Load
     inputs: Inputs
 
+    def remarks(self):
+        """Sentences about what the numbers rest on."""
+        if self.inputs.load.kg_is_guess:
+            yield loads.guessed_vcg(self.inputs.load)
+        if self.levers.deck_edge_heel == 0.0:
+            yield loads.DECK_EDGE_UNDER_WATER
+        if not self.levers.can_flood:
+            yield loads.NOTHING_FLOODS
+
     def areas(self):
         """(from, to, area) in rad and m·rad."""
         return [
