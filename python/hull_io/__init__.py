@@ -17,6 +17,8 @@ from .hull_data import (
     Opening,
     Particulars,
     ShellArrays,
+    Wind,
+    WindArea,
     shell_arrays,
     shell_face_indices,
 )
@@ -37,6 +39,8 @@ __all__ = [
     "Opening",
     "Particulars",
     "ShellArrays",
+    "Wind",
+    "WindArea",
     "read_hull",
     "read_hull_file",
     "read_stl",

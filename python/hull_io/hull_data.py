@@ -46,16 +46,15 @@ class Afloat:
 class Load:
     """The load whose stability is looked at: mass in t, centre of gravity in m.
 
-    mass_t None: the displacement as afloat. kg 0: not given. kg_is_guess: nobody gave it, it was
-    made up. lcg None: above that of buoyancy. free_trim: whether the trim adjusts itself as she
-    heels.
+    mass_t None: the displacement as afloat. kg 0: not given. lcg None: above that of buoyancy.
+    free_trim: whether the trim adjusts itself as she heels. kg_is_guess: nobody gave the kg.
     """
 
     mass_t: object = None
     kg: float = 0.0
-    kg_is_guess: bool = False
     lcg: object = None
     free_trim: bool = True
+    kg_is_guess: bool = False
 
 
 @dataclass

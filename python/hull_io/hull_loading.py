@@ -8,8 +8,9 @@
     "wind": {"hull_profile": true, "areas": [{"name": "...", "area": m2, "z": m}, ...], "lever": m,
              "pressure": Pa, "keel_area": m2, "sharp_bilges": false, "roll_period": s}
 
-All may be left out; without "wind" the wind areas are not known. A load without mass_t is the displacement afloat, one without lcg has it above
-the centre of buoyancy. Centres that are left out are 0.
+All may be left out; without "wind" the wind areas are not known. A load without mass_t is the
+displacement afloat, one without lcg has it above the centre of buoyancy. Centres that are left out
+are 0.
 """
 
 from .hull_data import Afloat, Load, LoadCase, Opening, Wind, WindArea

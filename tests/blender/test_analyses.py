@@ -261,6 +261,40 @@ def test_criteria_are_those_of_the_native_function():
     assert values == pytest.approx([one.value for one in wanted.criteria], rel=1e-9)
 
 
+def test_the_weather_criterion_is_that_of_the_native_function(tmp_path):
+    hull = afloat_box()
+    _, rows = export(tmp_path, "criteria")
+    assert [row[6] for row in rows if row[0] == "Part A 2.3"] == ["not computed"]
+    wind = hull.hull.wind
+    wind.source, wind.keel_area, wind.roll_period = "HULL", 0.8, 5.5
+    assert bpy.ops.hull.add_wind_area() == {"FINISHED"}
+    wind.areas[0].area, wind.areas[0].z = 12.0, 4.0
+    found = result_of(hull, "criteria").weather
+    wanted = (
+        part("bridge.native")
+        .require()
+        .weather_criterion(
+            state_of(hull).source.new_ship().body,
+            mass_t=state_of(hull).hydrostatics.displacement_t,
+            centre_of_gravity=(state_of(hull).hydrostatics.lcb, 0.0, 1.2),
+            water_density=DENSITY,
+            wind_areas=[(12.0, 4.0)],
+            midship=LENGTH / 2,
+            beam=BEAM,
+            keel_area=0.8,
+            roll_period=5.5,
+        )
+    )
+    for name in ("wind_area", "wind_lever", "steady_lever", "area_a", "area_b", "steady_heel"):
+        assert getattr(found, name) == pytest.approx(getattr(wanted, name), rel=1e-7), name
+    assert found.roll.angle == pytest.approx(wanted.roll.angle, rel=1e-9)
+    header, rows = export(tmp_path, "criteria")
+    written = {row[1]: row for row in rows}
+    area_b = written["Area b, of GZ above the gust's lever, against area a"]
+    assert float(area_b[header.index("limit [see unit]")]) == pytest.approx(found.area_a, rel=1e-9)
+    assert float(written["Wind area A"][2]) == pytest.approx(32.0)
+
+
 def test_cross_curves_give_the_righting_levers():
     hull = afloat_box()
     loading = hull.hull.loading

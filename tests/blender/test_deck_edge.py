@@ -185,3 +185,17 @@ def test_marks_survive_saving_copying_and_undo(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=path)
     assert marked(bpy.data.objects["bulwarks"]) == {SIDE}
     assert deck_edge_heel(bpy.data.objects["bulwarks"]) == pytest.approx(atan(0.5), rel=1e-9)
+
+
+def test_a_deck_edge_under_water_upright_is_said():
+    hull = add_bulwark_box()
+    analyses = part("features.analyses")
+
+    def remarks():
+        levers = analyses.result_of(hull, bpy.context.scene, "righting_levers")
+        criteria = analyses.result_of(hull, bpy.context.scene, "criteria")
+        return " ".join(levers.remarks()), " ".join(criteria.notes())
+
+    assert not any("deck edge" in text for text in remarks())
+    mark(hull, (3, 9))  # the chine
+    assert all("deck edge is under water upright" in text for text in remarks())

@@ -37,6 +37,11 @@ def loaded_hull():
     assert bpy.ops.hull.add_flooding_point() == {"FINISHED"}
     loading.flooding_points[0].name = "hatch"
     loading.flooding_points[0].position = (3.3, 1.1, 3.1)
+    wind = settings.wind
+    wind.source, wind.pressure, wind.keel_area, wind.sharp_bilges = "GIVEN", 252.0, 1.25, True
+    wind.lever, wind.roll_period = 3.3, 4.4
+    assert bpy.ops.hull.add_wind_area() == {"FINISHED"}
+    wind.areas[0].name, wind.areas[0].area, wind.areas[0].z = "house", 12.3, 4.5
     bpy.context.view_layer.update()
     return hull
 
@@ -46,12 +51,15 @@ def settings_of(hull):
     settings, loading = hull.hull, hull.hull.loading
     names = ("length_pp", "beam", "draft", "depth", "water_density", "trim", "heel", "deck_closed",
              "scheme", "source", "half")  # fmt: skip
-    loads = ("use_displacement", "mass_t", "kg", "use_lcb", "lcg", "free_trim")
+    loads = ("use_displacement", "mass_t", "kg", "kg_is_guess", "use_lcb", "lcg", "free_trim")
+    winds = ("source", "lever", "pressure", "keel_area", "sharp_bilges", "roll_period")
     return (
         [getattr(settings, name) for name in names]
         + [getattr(loading, name) for name in loads]
         + [(c.name, c.mass_t, c.lcg, c.tcg, c.vcg) for c in loading.load_cases]
         + [(p.name, tuple(p.position)) for p in loading.flooding_points]
+        + [getattr(settings.wind, name) for name in winds]
+        + [(one.name, one.area, one.z) for one in settings.wind.areas]
     )
 
 

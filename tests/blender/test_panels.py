@@ -113,10 +113,61 @@ def test_stability_says_nothing_before_it_was_computed(hull):
     compute_all(hull)
     said = texts()
     assert value_after(said["HULL_PT_stability"], "GM") == "0.633 m"
-    assert any(
-        "All are met" == text or "Not all are met" == text for text in said["HULL_PT_criteria"]
-    )
     assert any(text.startswith("2.2.4 pass") for text in said["HULL_PT_criteria"])
+
+
+def test_criteria_say_which_are_met_and_what_they_rest_on(hull):
+    compute_all(hull)
+    said = texts()["HULL_PT_criteria"]
+    assert any(text.startswith("2.2 GZ and GM: ") for text in said)
+    assert "2.3 Severe wind and rolling: not evaluated" in said
+    assert any("wind areas are not known" in text for text in said)
+    assert any("No downflooding point" in text for text in said)
+    assert not any("guess" in text or "deck edge" in text for text in said)
+    # The VCG that a hull begins with is a guess until somebody gives it.
+    hull.hull.loading.kg_is_guess = True
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    for name in ("HULL_PT_criteria", "HULL_PT_stability"):
+        assert any(text.startswith("VCG 1.2 m is a guess") for text in texts()[name])
+
+
+def test_the_vcg_is_a_guess_until_it_is_given():
+    hull = add_hull()
+    loading = hull.hull.loading
+    assert loading.kg == pytest.approx(1.8) and loading.kg_is_guess
+    loading.kg = 1.8
+    assert not loading.kg_is_guess
+
+
+def test_wind_and_rolling(hull):
+    said = texts()["HULL_PT_wind"]
+    assert said == ["property source"]
+    hull.hull.wind.source = "HULL"
+    assert bpy.ops.hull.add_wind_area() == {"FINISHED"}
+    area = hull.hull.wind.areas[0]
+    area.area, area.z = 12.0, 4.0
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    said = texts()
+    assert "list of 1 at 0" in said["HULL_PT_wind"]
+    # 10 m by 2 m of side above the draft, and the house.
+    assert value_after(said["HULL_PT_wind"], "Wind area A") == "32.000 m²"
+    lever = (20.0 * 2.0 + 12.0 * 4.0) / 32.0 - 0.5
+    assert value_after(said["HULL_PT_wind"], "Lever Z") == f"{lever:.3f} m"
+    assert any(
+        text.startswith("2.3 Severe wind and rolling: ") for text in said["HULL_PT_criteria"]
+    )
+    assert any(text.startswith("2.3.1.2 ") for text in said["HULL_PT_criteria"])
+    assert any("B/d is 4" in text for text in said["HULL_PT_criteria"])
+    assert bpy.ops.hull.remove_wind_area() == {"FINISHED"}
+    hull.hull.wind.source = "GIVEN"
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    # Without areas there is no criterion, and the others stay.
+    said = texts()["HULL_PT_criteria"]
+    assert any("no wind area" in text for text in said)
+    assert any(text.startswith("2.2.4 pass") for text in said)
 
 
 def test_load_cases(hull):

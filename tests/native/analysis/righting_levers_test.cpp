@@ -122,7 +122,7 @@ TEST(RightingLevers, OfABodyOfFourfoldSymmetry) {
 TEST(RightingLevers, PathsRefuseOnceTheirBodyWasUpdated) {
   surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   HullBody body(surface, false);
-  const HeelingPath path = heeling_path(body, {0.4, Vector3d::Zero(), 1.0}, TrimMode::kFree, 0.0);
+  HeelingPath path = heeling_path(body, {0.4, Vector3d::Zero(), 1.0}, TrimMode::kFree, 0.0);
   path.at(0.1);
   surface.set_points(surface.mesh().points());
   EXPECT_THROW(path.at(0.2), std::invalid_argument);

@@ -34,6 +34,15 @@ def content(**changes):
         "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False},
         "load_cases": [{"name": "ballast", "mass_t": 8, "lcg": 5, "tcg": -0.1, "vcg": 1}],
         "openings": [{"name": "hatch", "position": [5, 1, 3]}],
+        "wind": {
+            "hull_profile": False,
+            "areas": [{"name": "house", "area": 20, "z": 4.5}, {"area": 5}],
+            "lever": 3.5,
+            "pressure": 252,
+            "keel_area": 1.5,
+            "sharp_bilges": True,
+            "roll_period": 4,
+        },
         "lines": {
             "shown": ["waterlines", "stations"],
             "station_count": 10,
@@ -65,7 +74,7 @@ def assert_same(first, second):
     assert first.layers == second.layers
     assert first.particulars == second.particulars
     assert first.source == second.source
-    for key in ("scheme", "deck_edge", "afloat", "load", "load_cases", "openings", "lines"):
+    for key in ("scheme", "deck_edge", "afloat", "load", "load_cases", "openings", "wind", "lines"):
         assert getattr(first, key) == getattr(second, key), key
 
 
@@ -86,6 +95,8 @@ def test_a_file_is_read(read):
     assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False)
     assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
     assert hull.openings == [hull_io.Opening("hatch", (5.0, 1.0, 3.0))]
+    areas = [hull_io.WindArea("house", 20.0, 4.5), hull_io.WindArea("Wind area", 5.0)]
+    assert hull.wind == hull_io.Wind(False, areas, 3.5, 252.0, 1.5, True, 4.0)
     assert hull.lines == hull_io.LineChoice(
         shown=("stations", "waterlines"),
         station_count=10,
@@ -108,6 +119,8 @@ def test_what_may_be_left_out(read):
     assert hull.scheme == "biermann" and hull.deck_edge == []
     assert hull.afloat == hull_io.Afloat() and hull.load == hull_io.Load()
     assert hull.load_cases == [] and hull.openings == [] and hull.lines is None
+    assert hull.wind is None and read(content(wind={})).wind == hull_io.Wind()
+    assert not hull.load.kg_is_guess and read(content(load={"kg_is_guess": True})).load.kg_is_guess
     assert read(content(lines={})).lines == hull_io.LineChoice()
     hull = read(content(load={}, load_cases=[{"mass_t": 1}], openings=[{"position": [1, 2, 3]}]))
     assert hull.load == hull_io.Load(None, 0.0, None, True)
@@ -249,6 +262,10 @@ MISTAKES = {
         content(openings=[{"position": [1, 2, 3], "name": []}]),
         "openings[0].name: it is no text",
     ),
+    "wind": (content(wind=[]), "wind: list is no object"),
+    "wind area": (content(wind={"areas": [{}]}), "wind.areas[0].area: it is missing"),
+    "wind areas": (content(wind={"areas": 1}), "wind.areas: 1 is no list"),
+    "wind pressure": (content(wind={"pressure": -1}), "wind.pressure: -1 is not a number from 0"),
     "name": (content(name=5), "name: it is no text"),
     "half a letter": (content(name="a\ud800"), "name: character 1 is no letter ('\\ud800')"),
     "null letter": (

@@ -61,9 +61,9 @@ def take_loading(settings, scale):
         "load": Load(
             None if loading.use_displacement else as_stored(loading.mass_t),
             metres(loading.kg),
-            loading.kg_is_guess,
             None if loading.use_lcb else metres(loading.lcg),
             loading.free_trim,
+            loading.kg_is_guess,
         ),
         "load_cases": [
             LoadCase(

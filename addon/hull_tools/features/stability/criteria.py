@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The intact criteria of the 2008 IS Code, Part A, for the load of the stability panel: 2.2, and 2.3
-where the wind areas are known."""
+"""The criteria of the 2008 IS Code, Part A, for the load of the stability panel: 2.2, and 2.3 where
+the wind areas are known."""
 
 from dataclasses import dataclass
 from math import degrees
