@@ -142,7 +142,7 @@ def test_the_vcg_is_a_guess_until_it_is_given():
 
 def test_wind_and_rolling(hull):
     said = texts()["HULL_PT_wind"]
-    assert said == ["property source"]
+    assert said == ["Wind area", "property source"]
     hull.hull.wind.source = "HULL"
     assert bpy.ops.hull.add_wind_area() == {"FINISHED"}
     area = hull.hull.wind.areas[0]

@@ -14,6 +14,7 @@ from .shared import (
     label_value,
     label_wrapped,
     latest_result,
+    text_field,
 )
 
 _OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
@@ -30,7 +31,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     bl_order = 3
 
     def draw(self, context):
-        result, layout = latest_result(self.layout, context, "criteria", "2008 IS Code, Part A")
+        result, layout = latest_result(self.layout, context, "criteria", "IS Code, Part A")
         if result is None:
             return
         for paragraph, outcome, failed in result.outcomes():
@@ -77,7 +78,7 @@ class HULL_PT_wind(HullPanel, bpy.types.Panel):
         layout = self.layout
         hull = hull_objects.hull_of(context.object)
         wind = hull.hull.wind
-        layout.prop(wind, "source")
+        text_field(layout, wind, "source")
         if wind.source == "NONE":
             return
         area = draw_entries(layout, wind, "areas", "active_area", "wind_area")
