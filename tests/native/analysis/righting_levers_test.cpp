@@ -232,7 +232,7 @@ TEST(RightingLevers, FeaturesAreLookedForAmongTheHeelsGiven) {
   HeelingPath fresh = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
   HeelingPath asked = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
   for (double heel : heels_to(90.0, 7.0)) asked.at(heel);
-    const std::vector<double> ends{0.0, kPi}, fine = heels_to(180.0, 5.0);
+  const std::vector<double> ends{0.0, kPi}, fine = heels_to(180.0, 5.0);
   // Upright and upside down the lever rises: by these two heels alone no maximum shows.
   ASSERT_GT(fresh.at(0.0).slope, 0.0);
   ASSERT_GT(fresh.at(kPi).slope, 0.0);
