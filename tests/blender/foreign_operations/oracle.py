@@ -31,11 +31,14 @@ class Fresh:
             self.status = check.errors[0].message
             return
         self.surface = native.LimitSurface(mesh, settings.scheme)
+        samples = part("bridge.limits").samples(
+            settings.samples, self.surface.cell_count, 1 + settings.half
+        )
         self.shown = native.ShownPoints(
-            self.surface, settings.samples, mirrored=settings.half, metres_per_unit=scale
+            self.surface, samples, mirrored=settings.half, metres_per_unit=scale
         )
         self.quads, self.normals = part("features.surface.surface_object").surface_faces(
-            self.surface.tessellate(settings.samples), self.shown.shared
+            self.surface.tessellate(samples), self.shown.shared
         )
         openings = "closed" if settings.deck_closed else "open"
         source = ship.ShipSource(control, settings.scheme, settings.half, openings, ())
