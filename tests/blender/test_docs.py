@@ -62,7 +62,7 @@ def labels():
             found |= names_of(prop)
     for prop in properties_of(hull_rna()):
         found |= names_of(prop)
-    for name in ("panels", "bridge"):
+    for name in ("panels", "features"):
         for path in Path(part(name).__file__).parent.rglob("*.py"):
             for node in ast.walk(ast.parse(path.read_text())):
                 if isinstance(node, ast.Constant) and isinstance(node.value, str):

@@ -6,7 +6,6 @@ import bpy
 import numpy as np
 from expect import edited_points
 from mathutils import Vector
-
 from window import FROM_PORT
 
 

@@ -18,7 +18,6 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "blender")]
 
 from stepping import Stepper  # noqa: E402
-
 from window import Window  # noqa: E402
 
 

@@ -6,7 +6,6 @@ import numpy as np
 from addon_under_test import part, state_of
 from editing import editing_a_hull, hull_at_hand
 from expect import are_equal, assert_follows, edited_points, snapshot
-
 from window import FROM_AHEAD
 
 # From the mouse when the dialogs open to their OK.

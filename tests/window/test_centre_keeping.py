@@ -6,7 +6,6 @@ import numpy as np
 from editing import editing_a_hull, hull_at_hand
 from expect import are_equal, assert_follows, edited_points, snapshot
 from mathutils import Vector
-
 from window import FROM_ABOVE
 
 

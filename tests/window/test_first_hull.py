@@ -9,7 +9,6 @@ from editing import hull_at_hand, selected_indices
 from expect import are_equal, assert_follows, edited_points, snapshot
 from mathutils import Vector
 from test_new_hull import TO_BEAM, TO_LENGTH, type_in_panel
-
 from window import FROM_PORT
 
 

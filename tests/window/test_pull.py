@@ -8,7 +8,6 @@ from addon_under_test import part, state_of
 from editing import editing_a_hull, hull_at_hand
 from expect import are_equal, assert_follows, edited_points, snapshot
 from mathutils import Vector
-
 from window import FROM_AHEAD, FROM_PORT
 
 

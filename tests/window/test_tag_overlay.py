@@ -9,7 +9,6 @@ import bpy
 import numpy as np
 from addon_under_test import part, state_of
 from editing import bilge_point, editing_a_hull, hull_at_hand, select
-
 from window import FROM_PORT
 
 # Parts of 255 by which a pixel may differ from a colour, each of three.

@@ -10,6 +10,8 @@ _MENDING = {
     "CENTRE": ("hull.put_on_centre_plane",),
 }
 
+_COUNTING = {"WHOLE": "Count as Whole", "HALF": "Count as Half"}
+
 
 def draw_doubts(layout, context, state):
     """A box for each doubt of a HullState."""
@@ -19,7 +21,7 @@ def draw_doubts(layout, context, state):
         if doubt.remedy == "TAKE":
             box.operator("hull.take_from_surface").names = set(doubt.takes)
         elif doubt.remedy:
-            button = box.operator("hull.count_sides", text=f"Count as {doubt.remedy.capitalize()}")
+            button = box.operator("hull.count_sides", text=_COUNTING[doubt.remedy])
             button.sides = doubt.remedy
 
 
