@@ -56,8 +56,9 @@ ALL = (
     "criteria",
     "load_cases",
     "offset_table",
+    "knuckle_angles",
 )
-PLOTTED = ALL[:5]
+PLOTTED = (*ALL[:5], "knuckle_angles")
 
 
 def test_these_are_all():
@@ -84,7 +85,7 @@ def test_the_operator_writes_what_the_function_gives(name, tmp_path):
                 assert float(cell) == pytest.approx(value, rel=1e-9)
 
 
-COUNTED = ("station",)
+COUNTED = ("station", "knuckle")
 UNITS = ("m", "mm", "m2", "m3", "m4", "t", "t/cm", "t m/cm", "deg", "m/rad", "% of Lpp", "-",
          "see unit")  # fmt: skip
 

@@ -82,7 +82,7 @@ def test_with_a_radius_more_points_follow_and_the_target_is_met():
     target = grip.point + 0.2 * grip.normal
     before = edited_points(hull)
     counts, steepest = [], []
-    for radius in (0.0, 3.0, 9.0):
+    for radius in (0.0, 9.0, 40.0):
         counts.append(pull.pull(grip, target, radius)[0])
         assert np.linalg.norm(place_now(hull, grip) - target) < 1e-6
         moves = np.linalg.norm(edited_points(hull) - before, axis=1)
@@ -93,7 +93,7 @@ def test_with_a_radius_more_points_follow_and_the_target_is_met():
         steepest.append(np.abs(np.diff(moves[edges], axis=1)).max())
     pull.restore()
     assert np.array_equal(edited_points(hull), before)
-    assert counts[0] <= 16 < counts[1] < counts[2]
+    assert 0 < counts[0] < counts[1] < counts[2]
     assert steepest[2] < 0.5 * steepest[0]
 
 
@@ -103,7 +103,7 @@ def test_the_operator_takes_a_radius():
     before = edited_points(hull)
     target = np.float32(grip.point + 0.2 * grip.normal)
     place = {"point": grip.point.tolist(), "target": target.tolist()}
-    assert bpy.ops.hull.pull_surface(**place, radius=9.0) == {"FINISHED"}
+    assert bpy.ops.hull.pull_surface(**place, radius=20.0) == {"FINISHED"}
     # The point itself is single precision.
     assert np.linalg.norm(place_now(hull, grip) - target) < 1e-5
     assert np.count_nonzero(np.abs(edited_points(hull) - before).max(axis=1) > 1e-5) > 16

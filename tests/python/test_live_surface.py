@@ -83,6 +83,7 @@ OF_A_BODY = {
     "righting_levers": lambda body: hn.righting_levers(body, **LOAD, heels=[0.0, 0.1]),
     "cross_curves": lambda body: hn.cross_curves(body, displacements_t=[3.0], heels=[0.1]),
     "stability_criteria": lambda body: hn.stability_criteria(body, **LOAD),
+    "weather_criterion": lambda body: hn.weather_criterion(body, **LOAD),
     "hydrostatic_table": lambda body: hn.hydrostatic_table(body, drafts=[0.4, 0.5]),
     "equilibrium": lambda body: hn.equilibrium(body, **LOAD),
     "equilibria": lambda body: hn.equilibria(
