@@ -105,8 +105,18 @@ def _tend(obj, seen, view_layer):
     if seen is not None and seen.is_hidden != _is_hidden(obj, view_layer):
         if pointed.name in view_layer.objects:
             pointed.hide_set(not seen.is_hidden, view_layer=view_layer)
+    if seen is None:
+        _be_no_choice(pointed, view_layer)
     shown_objects.put_in_place(obj)
     return False
+
+
+def _be_no_choice(shown, view_layer):
+    """Pasting selects a surface too, and lets it be selected: joined with its hull it would be part
+    of the control mesh."""
+    shown.hide_select = True
+    if shown.name in view_layer.objects:
+        shown.select_set(False, view_layer=view_layer)
 
 
 def _move(shown, collections):
