@@ -78,7 +78,7 @@ void bind_weather_class(py::module_& module) {
       .def_readonly("wind_lever", &W::wind_lever, "Z, m.")
       .def_readonly("steady_lever", &W::steady_lever, "lw1, m.")
       .def_readonly("gust_lever", &W::gust_lever, "lw2, m.")
-      .def_readonly("draught", &W::draught, "d, m.")
+      .def_readonly("draft", &W::draft, "d, m.")
       .def_readonly("beam", &W::beam, "B, m.")
       .def_readonly("waterline_length", &W::waterline_length, "Lwl, m.")
       .def_readonly("block_coefficient", &W::block_coefficient, "∇ / (Lwl B d).")
@@ -138,7 +138,7 @@ void bind_weather_criterion(py::module_& module) {
       "(hull_profile) and wind_areas, pairs of an area (m²) and its centre's height above the base "
       "line (m). Its lever is from its centre to that of the underwater profile, or wind_lever "
       "(m). "
-      "wind_pressure in Pa; midship (m): x of the mean draught; beam (m): moulded, else that of "
+      "wind_pressure in Pa; midship (m): x of the mean draft; beam (m): moulded, else that of "
       "the "
       "waterline; keel_area (m²) of bilge and bar keels; roll_period (s), else estimated. Raises "
       "ValueError where the ship sinks, and for what is not positive.");

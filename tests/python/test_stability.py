@@ -137,7 +137,7 @@ def test_weather_criterion_of_a_box(box):
     assert found.wind_lever == pytest.approx(lever)
     assert found.steady_lever == pytest.approx(504 * area * lever / (9810 * 320))
     assert found.gust_lever == 1.5 * found.steady_lever
-    assert (found.draught, found.beam) == (pytest.approx(DRAFT), pytest.approx(BEAM))
+    assert (found.draft, found.beam) == (pytest.approx(DRAFT), pytest.approx(BEAM))
     roll = found.roll
     expected = 109 * roll.k * roll.x1 * roll.x2 * np.sqrt(roll.r * roll.s)
     assert np.degrees(roll.angle) == pytest.approx(expected)

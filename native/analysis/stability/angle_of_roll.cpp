@@ -69,7 +69,7 @@ void check(const RollingShip& ship) {
   };
   positive(ship.waterline_length, "a positive length of the waterline", " m");
   positive(ship.beam, "a positive beam", " m");
-  positive(ship.draught, "a positive mean draught", " m");
+  positive(ship.draft, "a positive mean draft", " m");
   positive(ship.block_coefficient, "a positive block coefficient", "");
   if (!(ship.keel_area >= 0.0) || !std::isfinite(ship.keel_area)) {
     refuse("an area of bilge and bar keels that is not negative", ship.keel_area, " m²");
@@ -84,7 +84,7 @@ void check(const RollingShip& ship) {
 
 double estimated_period(const RollingShip& ship) {
   const double c =
-      0.373 + 0.023 * (ship.beam / ship.draught) - 0.043 * (ship.waterline_length / 100.0);
+      0.373 + 0.023 * (ship.beam / ship.draft) - 0.043 * (ship.waterline_length / 100.0);
   // Of ships of more than some 900 m the estimate of the radius of gyration has no meaning.
   if (c <= 0.0) {
     refuse("a given period of roll for so long a ship: the code estimates none", c, "");
@@ -100,7 +100,7 @@ std::string beyond_the_tables(const RollingShip& ship, double period) {
     next = "; ";
   };
   words.precision(3);
-  const double breadth = ship.beam / ship.draught, height = ship.kg / ship.draught - 1.0;
+  const double breadth = ship.beam / ship.draft, height = ship.kg / ship.draft - 1.0;
   if (!(breadth < 3.5)) add("B/d", breadth, "below 3.5");
   if (!(height > -0.3 && height < 0.5)) add("KG/d - 1", height, "between -0.3 and 0.5");
   if (!(period < 20.0)) add("T", period, "below 20 s");
@@ -111,7 +111,7 @@ std::string beyond_the_tables(const RollingShip& ship, double period) {
 
 }  // namespace
 
-double roll_factor_x1(double beam_over_draught) { return interpolated(kX1, beam_over_draught); }
+double roll_factor_x1(double beam_over_draft) { return interpolated(kX1, beam_over_draft); }
 double roll_factor_x2(double block_coefficient) { return interpolated(kX2, block_coefficient); }
 double roll_factor_k(double keel_area_percent) { return interpolated(kK, keel_area_percent); }
 double wave_steepness(double period) { return interpolated(kS, period); }
@@ -119,16 +119,16 @@ double wave_steepness(double period) { return interpolated(kS, period); }
 AngleOfRoll angle_of_roll(const RollingShip& ship) {
   check(ship);
   AngleOfRoll roll;
-  roll.x1 = roll_factor_x1(ship.beam / ship.draught);
+  roll.x1 = roll_factor_x1(ship.beam / ship.draft);
   roll.x2 = roll_factor_x2(ship.block_coefficient);
   roll.k = ship.sharp_bilges
                ? kSharpBilges
                : roll_factor_k(100.0 * ship.keel_area / (ship.waterline_length * ship.beam));
   roll.period = ship.period ? *ship.period : estimated_period(ship);
   roll.s = wave_steepness(roll.period);
-  roll.r = 0.73 + 0.6 * (ship.kg - ship.draught) / ship.draught;
+  roll.r = 0.73 + 0.6 * (ship.kg - ship.draft) / ship.draft;
   if (!(roll.r > 0.0)) {
-    refuse("a centre of gravity no lower than 1.2 draughts below the water: r is positive there",
+    refuse("a centre of gravity no lower than 1.2 drafts below the water: r is positive there",
            roll.r, "");
   }
   constexpr double kDegree = std::numbers::pi / 180.0;

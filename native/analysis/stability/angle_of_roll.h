@@ -10,7 +10,7 @@ namespace hull::analysis {
 struct RollingShip {
   double waterline_length = 0.0;   // Lwl, m
   double beam = 0.0;               // B, moulded, m
-  double draught = 0.0;            // d, mean moulded, m
+  double draft = 0.0;              // d, mean moulded, m
   double block_coefficient = 0.0;  // CB
   double kg = 0.0;                 // m, with the correction for free surfaces
   double gm = 0.0;                 // m, likewise
@@ -33,7 +33,7 @@ struct AngleOfRoll {
 
 // The tables 2.3.4-1 to 2.3.4-4, between their entries linear, beyond them constant: of B/d, of the
 // block coefficient, of 100 Ak / (Lwl B), and of the period in s.
-double roll_factor_x1(double beam_over_draught);
+double roll_factor_x1(double beam_over_draft);
 double roll_factor_x2(double block_coefficient);
 double roll_factor_k(double keel_area_percent);
 double wave_steepness(double period);

@@ -35,7 +35,7 @@ void check(const WeatherOptions& options) {
     refuse("The wind's pressure must be a positive number of pascals.");
   }
   if (!(options.beam >= 0.0) || !std::isfinite(options.beam) || !std::isfinite(options.midship)) {
-    refuse("Beam and place of the mean draught must be finite numbers, the beam not negative.");
+    refuse("Beam and place of the mean draft must be finite numbers, the beam not negative.");
   }
 }
 
@@ -94,18 +94,17 @@ class Weather {
 
   void take_roll() {
     const HeeledState& state = upright();
-    const double draught = draft_in(state.immersion.water, options_.midship);
-    const Particulars p = hydrostatics(closed_, {draught, state.trim, 0.0, options_.midship}, {},
-                                       load_.water_density);
-    result_.draught = draught;
+    const double draft = draft_in(state.immersion.water, options_.midship);
+    const Particulars p =
+        hydrostatics(closed_, {draft, state.trim, 0.0, options_.midship}, {}, load_.water_density);
+    result_.draft = draft;
     result_.beam = options_.beam > 0.0 ? options_.beam : p.waterline_beam;
     result_.waterline_length = p.waterline_length;
-    result_.block_coefficient =
-        path_.volume() / (result_.waterline_length * result_.beam * draught);
+    result_.block_coefficient = path_.volume() / (result_.waterline_length * result_.beam * draft);
     RollingShip ship;
     ship.waterline_length = result_.waterline_length;
     ship.beam = result_.beam;
-    ship.draught = draught;
+    ship.draft = draft;
     ship.block_coefficient = result_.block_coefficient;
     ship.kg = load_.centre_of_gravity.z();
     ship.gm = state.slope;

@@ -25,7 +25,7 @@ struct WeatherOptions {
   std::optional<double> wind_lever;
   // Pa; for ships in restricted service the Administration may approve less.
   double wind_pressure = 504.0;
-  double midship = 0.0;    // m: the x at which the mean draught is measured
+  double midship = 0.0;    // m: the x at which the mean draft is measured
   double beam = 0.0;       // B, moulded, m; 0: that of the waterline
   double keel_area = 0.0;  // Ak of RollingShip, and what follows too
   bool sharp_bilges = false;
@@ -39,7 +39,7 @@ struct WeatherCriterion {
   double wind_lever = 0.0;    // Z, m: from the centre of A down to that of the underwater profile
   double steady_lever = 0.0;  // lw1 = P A Z / (1000 g Δ), m
   double gust_lever = 0.0;    // lw2 = 1.5 lw1, m
-  double draught = 0.0, beam = 0.0, waterline_length = 0.0, block_coefficient = 0.0;
+  double draft = 0.0, beam = 0.0, waterline_length = 0.0, block_coefficient = 0.0;
   std::optional<AngleOfRoll> roll;
   std::optional<double> steady_heel;        // φ0, of equilibrium under lw1
   std::optional<double> windward_heel;      // φ0 - φ1

@@ -104,7 +104,7 @@ TEST(AngleOfRoll, SaysWhereItIsNotMeantFor) {
   EXPECT_TRUE(has(words([](RollingShip& s) { s.period = 20.0; }), "T is 20"));
   EXPECT_THROW(words([](RollingShip& s) { s.gm = -0.1; }), std::invalid_argument);
   EXPECT_THROW(words([](RollingShip& s) { s.kg = -2.0; }), std::invalid_argument);
-  EXPECT_THROW(words([](RollingShip& s) { s.draught = 0.0; }), std::invalid_argument);
+  EXPECT_THROW(words([](RollingShip& s) { s.draft = 0.0; }), std::invalid_argument);
   EXPECT_THROW(words([](RollingShip& s) { s.keel_area = NAN; }), std::invalid_argument);
   EXPECT_THROW(words([](RollingShip& s) { s.waterline_length = 1500.0; }), std::invalid_argument);
 }
@@ -183,7 +183,7 @@ TEST(WeatherCriterion, OfABargeByHand) {
   const double lw1 = 504.0 * 360.0 * 5.5625 / (1000.0 * 9.81 * 3240.0);
   EXPECT_NEAR(found.steady_lever, lw1, 1e-13);
   EXPECT_NEAR(found.gust_lever, 1.5 * lw1, 1e-13);
-  EXPECT_NEAR(found.draught, 4.5, 1e-10);
+  EXPECT_NEAR(found.draft, 4.5, 1e-10);
   EXPECT_NEAR(found.block_coefficient, 1.0, 1e-9);
 
   ASSERT_TRUE(found.roll);
