@@ -57,6 +57,8 @@ def after_update(scene, depsgraph):
     }
     if depsgraph.id_type_updated("SCENE"):  # what was hidden may be seen again
         changed.update(obj for obj in depsgraph.view_layer.objects if obj.mode == "EDIT")
+    if depsgraph.id_type_updated("KEY"):  # of shape keys that came, nothing is said of their object
+        changed.update(depsgraph.view_layer.objects)
     hull_state.forget_deleted()
     hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
     _follow(hulls, scene, depsgraph.view_layer)
