@@ -16,6 +16,15 @@ MODES = ("OBJECT", "EDIT", "EDIT", "SCULPT", "VERTEX_PAINT", "WEIGHT_PAINT")
 COLOURS = ("NONE", "NONE", "GAUSSIAN", "SLOPE")
 
 
+def _update():
+    """Updates the active hull; what came of it. A mesh may have been left that is refused."""
+    try:
+        return sorted(bpy.ops.hull.update())
+    except RuntimeError as error:
+        assert "Traceback" not in str(error), error
+        return f"refused: {error}"
+
+
 class Session:
     """step() does one thing and returns what, as text."""
 
@@ -171,11 +180,8 @@ class Session:
         shown = hull.hull.surface_object
         if shown is None:
             make_active(hull)
-            return (
-                f"update {hull.name} {sorted(bpy.ops.hull.update())}"
-                if not part("bridge.objects.hull_objects").refusal(hull)
-                else None
-            )
+            refusal = part("bridge.objects.hull_objects").refusal(hull)
+            return None if refusal else f"update {hull.name} {_update()}"
         if shown.name not in bpy.context.view_layer.objects:
             return None
         shown.hide_select = False
