@@ -113,7 +113,8 @@ class Session:
         return ", ".join(obj.name for obj in chosen)
 
     def select_elements(self):
-        if self.mode() != "EDIT":
+        # What is edited may have become a curve.
+        if self.mode() != "EDIT" or not bpy.ops.mesh.select_all.poll():
             return None
         kinds = [self.random.random() < 0.5 for _ in range(3)]
         kinds[self.random.randrange(3)] = True
