@@ -241,6 +241,71 @@ def test_shape_keys_are_refused():
     assert not bpy.ops.hull.update.poll()
 
 
+def with_shape_keys(obj):
+    obj.shape_key_add(name="Basis")
+    obj.shape_key_add(name="other")
+    bpy.context.view_layer.update()
+    return obj
+
+
+def test_shape_keys_that_come_by_joining_are_refused():
+    """Of which Blender says nothing but that there are some."""
+    other, hull = add_hull("other"), add_hull()
+    other.select_set(True)
+    bpy.context.view_layer.update()
+    assert bpy.ops.object.join_shapes() == {"FINISHED"}
+    bpy.context.view_layer.update()
+    assert "shape keys" in state_of(hull).status
+    hull.shape_key_clear()
+    bpy.context.view_layer.update()
+    assert not state_of(hull).status
+
+
+@pytest.fixture
+def refreshed(monkeypatch):
+    """The names of the hulls that are brought up to date."""
+    hull_state, names = part("features.hull.hull_state"), []
+    original = hull_state.refresh
+    monkeypatch.setattr(
+        hull_state, "refresh", lambda obj, scene: (names.append(obj.name), original(obj, scene))[1]
+    )
+    return names
+
+
+def test_shape_keys_of_others_are_no_matter(refreshed, monkeypatch):
+    hulls = [add_hull(), add_hull("second")]
+    bpy.ops.mesh.primitive_cube_add()
+    cube = with_shape_keys(bpy.context.object)
+    digests, surface_object = [], part("features.surface.surface_object")
+    original = surface_object.faces_digest
+    monkeypatch.setattr(
+        surface_object, "faces_digest", lambda mesh: (digests.append(mesh.name), original(mesh))[1]
+    )
+    refreshed.clear()
+    for value in (0.25, 0.5, 0.75):
+        cube.data.shape_keys.key_blocks["other"].value = value
+        bpy.context.view_layer.update()
+    assert not refreshed and not digests
+    with_shape_keys(hulls[0])
+    refreshed.clear()
+    cube.data.shape_keys.key_blocks["other"].value = 0.5
+    bpy.context.view_layer.update()
+    assert refreshed == ["box"] and "shape keys" in state_of(hulls[0]).status
+
+
+def test_a_hull_that_changes_with_its_surface_is_brought_up_to_date_once(refreshed):
+    hull = add_hull()
+    bpy.context.view_layer.update()
+    refreshed.clear()
+    surface(hull).data.vertices[0].co.x -= 1.0
+    surface(hull).data.update_tag()
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    assert refreshed == ["box"]
+    assert np.array_equal(mesh_points(surface(hull)), state_of(hull).shown_points.coordinates)
+
+
 def test_the_surface_moves_to_other_collections_with_its_hull():
     hull = add_hull()
     bpy.context.view_layer.update()

@@ -57,11 +57,13 @@ def after_update(scene, depsgraph):
     }
     if depsgraph.id_type_updated("SCENE"):  # what was hidden may be seen again
         changed.update(obj for obj in depsgraph.view_layer.objects if obj.mode == "EDIT")
-    if depsgraph.id_type_updated("KEY"):  # of shape keys that came, nothing is said of their object
-        changed.update(depsgraph.view_layer.objects)
+    if depsgraph.id_type_updated("KEY"):
+        # Of shape keys that come by joining, nothing is said of their object; of those that go, it
+        # is.
+        changed.update(filter(hull_objects.has_shape_keys, depsgraph.view_layer.objects))
     hull_state.forget_deleted()
     hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
-    _follow(hulls, scene, depsgraph.view_layer)
+    _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
 
 
 @persistent

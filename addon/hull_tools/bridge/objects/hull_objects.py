@@ -52,6 +52,11 @@ def refusal(obj):
     return _turned(obj)
 
 
+def has_shape_keys(obj):
+    """Whether an object is a hull, or shows one's surface, and its mesh has shape keys."""
+    return obj.type == "MESH" and obj.data.shape_keys is not None and hull_of(obj) is not None
+
+
 def locked(obj):
     """Why this object cannot be changed, as a sentence; "" when it can."""
     for block in (obj, obj.data):
