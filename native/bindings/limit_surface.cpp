@@ -10,6 +10,7 @@
 #include "bindings/classes.h"
 #include "bindings/places.h"
 #include "surface/parallel_for.h"
+#include "surface/refined_mesh.h"
 #include "surface/sampling/grid_samples.h"
 
 namespace hull::bindings {
@@ -134,6 +135,16 @@ void bind_limit_surface(py::module_& module) {
                                                                                : "catmull_clark";
                              })
       .def_property_readonly("cell_count", &surface::LimitSurface::cell_count)
+      .def(
+          "refined_mesh",
+          [](const surface::LimitSurface& surface) {
+            const py::gil_scoped_release release;
+            return surface::refined_mesh(surface);
+          },
+          "The ControlMesh subdivided once by the scheme, with all tags: its surface is the same. "
+          "Its faces are the cells, in their order, of four points each: the corner, the middle of "
+          "the edge to the next corner, the face's, the middle of the edge to the one before. Its "
+          "points are those of the mesh's points, then of its faces, then of its edges.")
       .def(
           "positions",
           [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {

@@ -71,7 +71,10 @@ void check_options(const FitOptions& options) {
   check(options.curve_weight, "curve_weight");
   check(options.least_move, "least_move");
   if (!(options.reach > 0.0)) throw std::invalid_argument("reach must be positive.");
-  if (options.most_steps < 0) throw std::invalid_argument("most_steps must not be negative.");
+  if (options.most_steps < 0 || options.most_steps > kMostFitSteps) {
+    throw std::invalid_argument("most_steps is " + std::to_string(options.most_steps) +
+                                ": it must be from 0 to " + std::to_string(kMostFitSteps) + ".");
+  }
 }
 
 // The surface at some step, and all that its cost is made of.

@@ -29,6 +29,9 @@ struct FitCurve {
   bool whole = false;  // the chain's ends are to come to the line's ends; not for kNearest
 };
 
+// Fits that settle do so within some dozens.
+inline constexpr int kMostFitSteps = 1000;
+
 struct FitOptions {
   MoveLimits limits;
   // What fair costs: this squared, times the mesh's size squared, times the thin-plate energy, is
@@ -42,7 +45,7 @@ struct FitOptions {
   double reach = std::numeric_limits<double>::infinity();
   // Targets beyond the surface's border are left out; or they draw the border.
   bool draw_border = false;
-  int most_steps = 60;
+  int most_steps = 60;        // not more than kMostFitSteps
   double least_move = 1e-10;  // of the mesh's size: the fit ends when no control point moves more
   surface::Progress progress;
 };

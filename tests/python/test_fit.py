@@ -157,6 +157,8 @@ def test_it_can_be_watched_and_cancelled():
         ({"fairness": -1}, "fairness"),
         ({"stiffness": np.inf}, "stiffness"),
         ({"reach": 0}, "reach"),
+        ({"most_steps": -1}, "most_steps is -1: it must be from 0 to 1000"),
+        ({"most_steps": 1_000_000}, "most_steps is 1000000: it must be from 0 to 1000"),
         ({"reach": 1e-9}, "No target counts"),
         ({"locked": [9999]}, "locked point is 9999"),
         ({"held_points": [1]}, "held_normals"),

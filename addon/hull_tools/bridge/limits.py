@@ -17,6 +17,8 @@ GREATEST_HEEL = pi + _ROUNDING
 # normals of its corners, while the window waits.
 MOST_SHOWN_FACES = 200_000
 MOST_SAMPLES = 32
+# Faces of a control mesh that was subdivided, which takes Blender 0.1 ms for each.
+MOST_CONTROL_FACES = 16_000
 
 MOST_STATION_SPACES = of_files.MAX_LINE_SPACES
 # Of one kind; a lines plan of so many takes a second to find that they run together.

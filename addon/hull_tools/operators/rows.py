@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rows of control points that keep the surface."""
+"""More control points that keep the surface: rows, and the whole mesh subdivided."""
 
 import bpy
 
 from ..bridge.blender import units
-from ..features.modelling import row_insertion
-from .shared import EditModeOperator
+from ..features.modelling import exact_subdivision, row_insertion
+from .shared import EditModeOperator, HullOperator
 
 
 class HULL_OT_insert_row(bpy.types.Operator, EditModeOperator):
@@ -24,4 +24,23 @@ class HULL_OT_insert_row(bpy.types.Operator, EditModeOperator):
         )
 
 
-CLASSES = (HULL_OT_insert_row,)
+class HULL_OT_subdivide_exactly(bpy.types.Operator, HullOperator):
+    """Replace the control mesh by the one subdivided once by the surface's own rules: four times
+    the faces, and the surface stays exactly as it is. It is always the whole hull: in one place
+    alone no points can be added that change nothing, where Insert Row comes within millimetres"""
+
+    bl_idname = "hull.subdivide_exactly"
+    bl_label = "Subdivide Exactly"
+
+    def run_on(self, hull, context):
+        made = exact_subdivision.subdivide(hull, context.scene)
+        text = f"{made.points} points, {made.faces} faces: the surface is the same"
+        if made.no_longer_flat:
+            text += (
+                f". {made.no_longer_flat} of them, at the rims of flats, are not kept flat: the "
+                "surface leaves the plane there"
+            )
+        self.report({"INFO"}, text)
+
+
+CLASSES = (HULL_OT_insert_row, HULL_OT_subdivide_exactly)

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
+#include "surface/refined_mesh.h"
 #include "test_meshes.h"
 
 namespace hull::surface {
@@ -55,23 +56,8 @@ TEST(LimitSurface, IsTheSameFromTheSubdividedMesh) {
     const mesh::ControlMesh mesh(testing::random_mesh(random, 9));
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
     const LimitSurface surface(mesh, scheme, cache);
-    const mesh::Topology& cells = surface.cells();
-    mesh::MeshArrays arrays;
-    arrays.points = surface.layout().refine(mesh.topology(), mesh.points());
-    arrays.points.resize(cells.vertex_count());
-    arrays.round_border_corners = true;
-    for (int h = 0; h < cells.half_edge_count(); ++h) {
-      arrays.face_vertices.push_back(cells.origin(h));
-      if (cells.is_crease(h)) {
-        arrays.creases.push_back({cells.origin(h), cells.origin(cells.next(h))});
-      }
-      const mesh::VertexKind kind = cells.kind_at(h);
-      if (kind == mesh::VertexKind::kCorner || kind == mesh::VertexKind::kCone) {
-        arrays.corners.push_back(cells.origin(h));
-      }
-    }
-    arrays.face_sizes.assign(cells.face_count(), 4);
-    const LimitSurface finer(mesh::ControlMesh(arrays), scheme, cache);
+    const LimitSurface finer(refined_mesh(surface), scheme, cache);
+    ASSERT_EQ(finer.mesh().topology().face_count(), surface.cell_count());
     for (int i = 0; i < 40; ++i) {
       const int cell = static_cast<int>(unit(random) * surface.cell_count());
       // Lower left quarter of the cell: corner 0 of the finer mesh's face.

@@ -21,3 +21,14 @@ def editing(mesh):
         bm.to_mesh(mesh)
     finally:
         bm.free()
+
+
+def check_single_user(mesh):
+    """ValueError where several objects have the mesh: what suits one of them may not suit the
+    others."""
+    users = mesh.users - mesh.use_fake_user
+    if users > 1:
+        raise ValueError(
+            f'{users} objects share the mesh "{mesh.name}": make it single-user first (Object ▸ '
+            "Relations)"
+        )

@@ -17,7 +17,7 @@ from mathutils import kdtree
 from ....hull_io.mending import ACROSS
 from ...bridge.blender import blender_versions
 from ...bridge.mesh import mesh_check, mesh_points
-from ...bridge.mesh.mesh_editing import editing
+from ...bridge.mesh.mesh_editing import check_single_user, editing
 from ..constraints import flat_marks, flats, planes
 from ..hull import hull_state
 
@@ -43,7 +43,7 @@ def to_whole(obj, scene):
     whole, or points are on the other side already."""
     if not obj.hull.half:
         raise ValueError("The hull is whole already")
-    _check_users(obj.data)
+    check_single_user(obj.data)
     with editing(obj.data) as bm:
         _put_on_centre_plane(bm)
         astray = sum(vertex.co.y < 0.0 for vertex in bm.verts if vertex.link_faces)
@@ -68,7 +68,7 @@ def to_half(obj, scene, side="PORT", cut=False):
     """
     if obj.hull.half:
         raise ValueError("The hull is a half already")
-    _check_users(obj.data)
+    check_single_user(obj.data)
     with editing(obj.data) as bm:
         _put_on_centre_plane(bm)
         _cut_at_centre_plane(bm, cut)
@@ -83,7 +83,7 @@ def to_half(obj, scene, side="PORT", cut=False):
 
 def to_port(obj, scene):
     """Mirrors a half hull that lies to starboard. ValueError for any other."""
-    _check_users(obj.data)
+    check_single_user(obj.data)
     y = mesh_points.read(obj.data)[:, 1]
     if not (obj.hull.half and len(y) and y.min() < 0.0 and y.max() <= -ACROSS * y.min()):
         raise ValueError("The hull is no half that lies to starboard (y < 0)")
@@ -93,15 +93,6 @@ def to_port(obj, scene):
         bmesh.ops.reverse_faces(bm, faces=bm.faces)
     _mirror_planes(obj)
     hull_state.refresh(obj, scene)
-
-
-def _check_users(mesh):
-    users = mesh.users - mesh.use_fake_user
-    if users > 1:
-        raise ValueError(
-            f'{users} objects share the mesh "{mesh.name}": make it single-user first (Object ▸ '
-            "Relations)"
-        )
 
 
 def put_centre_line_on_plane(obj, scene):
