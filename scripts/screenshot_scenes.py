@@ -65,7 +65,7 @@ def _with_combs(hull):
 def _with_opening(hull):
     hull.hull.loading.kg = 5.0
     with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.add_flooding_point()
+        bpy.ops.hull.add_downflooding_point()
 
 
 def _with_fit(hull):
@@ -106,7 +106,7 @@ PANELS = {
         )
     ),
     "panels/stability": PanelShot(
-        hull_panels("stability", "flooding_points"), _with_opening, analyses=("righting_levers",)
+        hull_panels("stability", "downflooding_points"), _with_opening, analyses=("righting_levers",)
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),

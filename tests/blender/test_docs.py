@@ -169,7 +169,7 @@ def test_what_panels_show_is_on_their_pages():
     hull.hull.lines.stations = "1 2"
     bpy.ops.hull.add_plane()
     bpy.ops.hull.make_studio()
-    for name in ("add_load_case", "add_flooding_point"):
+    for name in ("add_load_case", "add_downflooding_point"):
         getattr(bpy.ops.hull, name)()
     bpy.context.view_layer.update()
     compute([(hull.name, name) for name in part("features.analyses").ANALYSES])

@@ -34,9 +34,9 @@ def loaded_hull():
         assert bpy.ops.hull.add_load_case() == {"FINISHED"}
         case = loading.load_cases[-1]
         case.name, case.mass_t, case.lcg, case.tcg, case.vcg = name, mass_t, 5.1, -0.02, 1.3
-    assert bpy.ops.hull.add_flooding_point() == {"FINISHED"}
-    loading.flooding_points[0].name = "hatch"
-    loading.flooding_points[0].position = (3.3, 1.1, 3.1)
+    assert bpy.ops.hull.add_downflooding_point() == {"FINISHED"}
+    loading.downflooding_points[0].name = "hatch"
+    loading.downflooding_points[0].position = (3.3, 1.1, 3.1)
     wind = settings.wind
     wind.source, wind.pressure, wind.keel_area, wind.sharp_bilges = "GIVEN", 252.0, 1.25, True
     wind.lever, wind.roll_period = 3.3, 4.4
@@ -57,7 +57,7 @@ def settings_of(hull):
         [getattr(settings, name) for name in names]
         + [getattr(loading, name) for name in loads]
         + [(c.name, c.mass_t, c.lcg, c.tcg, c.vcg) for c in loading.load_cases]
-        + [(p.name, tuple(p.position)) for p in loading.flooding_points]
+        + [(p.name, tuple(p.position)) for p in loading.downflooding_points]
         + [getattr(settings.wind, name) for name in winds]
         + [(one.name, one.area, one.z) for one in settings.wind.areas]
     )

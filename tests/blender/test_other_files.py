@@ -77,6 +77,21 @@ def test_a_hull_appended_from_an_old_file_is_brought_up_to_date():
     assert hull.hull.format == part("bridge.objects.migration").FORMAT
 
 
+def test_downflooding_points_of_before_they_were_called_so_stay(tmp_path):
+    loading = add_hull().hull.loading
+    loading.downflooding_points.add().name = "new"
+    loading.id_data.hull.format = 2
+    loading["flooding_points"] = [{"name": "hatch", "position": (3.0, 1.0, 4.0)}]
+    loading["active_flooding_point"] = 1
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "old.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "old.blend"))
+    loading = bpy.context.view_layer.objects.active.hull.loading
+    assert [point.name for point in loading.downflooding_points] == ["new", "hatch"]
+    assert tuple(loading.downflooding_points[1].position) == (3.0, 1.0, 4.0)
+    assert loading.active_downflooding_point == 1
+    assert not {"flooding_points", "active_flooding_point"} & set(loading.keys())
+
+
 def test_new_hulls_have_the_stamp_and_newer_ones_are_told_of():
     hull = add_hull()
     assert hull.hull.format == part("bridge.objects.migration").FORMAT

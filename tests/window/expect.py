@@ -24,7 +24,7 @@ def assert_follows(hull):
     assert np.abs(shown - wanted).max() <= 1e-6 * size
 
     where = part("features.flotation.afloat").afloat(settings, 1.0)
-    fresh = part("features.flotation.hydrostatics").particulars(source.live_body(surface), where)
+    fresh = part("features.flotation.hydrostatics").computed(source.live_body(surface), where)
     volume = state.hydrostatics.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
 

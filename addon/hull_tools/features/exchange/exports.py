@@ -50,7 +50,7 @@ def _particulars(settings, body, scale):
     ]
     try:
         where = replace(afloat.afloat(settings, scale), trim_m=0.0, heel=0.0)
-        found = hydrostatics.described(hydrostatics.particulars(body, where), where)
+        found = hydrostatics.described(hydrostatics.computed(body, where), where)
     except ValueError:
         return pairs  # afloat at no such draft: the drawing is good without
     pairs.append(("Displaced volume", f"{found.displaced_volume:.1f} m³"))

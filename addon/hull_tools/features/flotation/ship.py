@@ -21,13 +21,13 @@ class Ship:
     moved: object = None
     memory: dict = field(default_factory=dict)
 
-    def particulars(self, where):
-        """The hull_native.Particulars at an Afloat; ValueError as hydrostatics.particulars."""
+    def hydrostatics(self, where):
+        """The hull_native.Hydrostatics at an Afloat; ValueError as hydrostatics.computed."""
         key = (self.moved and self.moved.after, where)
-        known_key, known = self.memory.get("particulars", (None, None))
+        known_key, known = self.memory.get("hydrostatics", (None, None))
         if known_key != key:
-            known = hydrostatics.particulars(self.body, where)
-            self.memory["particulars"] = key, known
+            known = hydrostatics.computed(self.body, where)
+            self.memory["hydrostatics"] = key, known
         return known
 
 

@@ -21,7 +21,7 @@ def update(obj, state, scale):
         state.keys["extents"] = geometry
     settings, found = obj.hull, state.hydrostatics
     given = SimpleNamespace(**{name: as_typed(getattr(settings, name)) * scale for name in _GIVEN})
-    is_upright = found is not None and found.trim == 0.0 and found.heel == 0.0
+    is_upright = found is not None and found.trim_m == 0.0 and found.heel == 0.0
     coefficients = (found.project_block, found.project_midship) if is_upright else (None, None)
     state.doubts = plausibility.doubts(given, settings.half, state.extents, *coefficients)
 
