@@ -69,3 +69,8 @@ def test_the_addon_works_without_an_entry_in_the_preferences(monkeypatch):
     assert preferences.colour("lines", "draft", False) == (0.30, 0.84, 1.00)
     assert preferences.colour("combs", "station", False) == (0.85, 0.20, 0.58)
     assert add_hull().hull.samples == 4
+
+
+def test_new_hulls_lie_in_the_sea_of_the_core():
+    default = part("bridge.blender.preferences").DEFAULTS["water_density"]
+    assert default == part("bridge.native").require().SEA_WATER_DENSITY
