@@ -64,10 +64,12 @@ def _know_the_guess(settings):
 
 
 def _name_downflooding_points(settings):
-    for old in _taken(settings.loading, "flooding_points") or ():
+    # What is taken away is freed: it is read before.
+    for old in settings.loading.get("flooding_points", ()):
         point = settings.loading.downflooding_points.add()
         point.name = old.get("name", "")
         point.position = old.get("position", (0.0, 0.0, 0.0))
+    _taken(settings.loading, "flooding_points")
     active = _taken(settings.loading, "active_flooding_point")
     if active is not None:
         settings.loading.active_downflooding_point = active
