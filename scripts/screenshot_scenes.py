@@ -106,7 +106,9 @@ PANELS = {
         )
     ),
     "panels/stability": PanelShot(
-        hull_panels("stability", "downflooding_points"), _with_opening, analyses=("righting_levers",)
+        hull_panels("stability", "downflooding_points"),
+        _with_opening,
+        analyses=("righting_levers",),
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),

@@ -47,7 +47,8 @@ def _coefficients(of, what):
     )
 
 
-# name, label in the panel, title in tables, unit, path in hull_native.Hydrostatics if it is not the name.
+# name, label in the panel, title in tables, unit, path in hull_native.Hydrostatics if it is not
+# the name.
 _GROUPS = {
     "Displacement": (
         ("displaced_volume", "Volume ∇", "displaced volume", "m3", ""),

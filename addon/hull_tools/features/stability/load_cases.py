@@ -115,6 +115,6 @@ def header(result):
 def rows(result):
     for found in result:
         heel_deg = None if found.heel is None else degrees(found.heel)
-        yield [found.case.name, found.case.mass_t, *found.case.centre, found.status, found.draft_mean,
-               found.draft_aft, found.draft_forward, found.trim_m, heel_deg, found.gm,
-               found.message]  # fmt: skip
+        yield [found.case.name, found.case.mass_t, *found.case.centre, found.status,
+               found.draft_mean, found.draft_aft, found.draft_forward, found.trim_m, heel_deg,
+               found.gm, found.message]  # fmt: skip
