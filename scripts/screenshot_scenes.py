@@ -111,7 +111,7 @@ PANELS = {
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
     "panels/export": PanelShot(hull_panels("export", "patches", "cad_file")),
-    "panels/presentation": PanelShot(hull_panels("presentation"), _with_studio),
+    "panels/studio": PanelShot(hull_panels("studio"), _with_studio),
 }
 
 

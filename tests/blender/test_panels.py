@@ -242,7 +242,7 @@ def test_panels_stand_in_the_order_of_the_work():
         and getattr(cls, "bl_category", "") == "Hull"
     ]
     wanted = ["Hull", "Surface", "Sections", "Shape", "Fairness", "Hydrostatics", "Stability",
-              "Lines Plan", "Export", "Presentation"]  # fmt: skip
+              "Lines Plan", "Export", "Studio"]  # fmt: skip
     assert [label for label in tops if label in wanted] == wanted
 
 
@@ -272,8 +272,8 @@ def test_fields_have_labels_and_zeros_say_what_they_mean(hull):
     assert "0: the largest that fits" not in texts()["HULL_PT_lines_plan"]
     assert said["HULL_PT_fit"].index("Target") < said["HULL_PT_fit"].index("property target")
     for name, label in (("ground", "Ground"), ("light", "Light"), ("engine", "Renderer")):
-        place = said["HULL_PT_presentation"].index(f"property {name}")
-        assert said["HULL_PT_presentation"][place - 1] == label
+        place = said["HULL_PT_studio"].index(f"property {name}")
+        assert said["HULL_PT_studio"][place - 1] == label
     assert value_after(said["HULL_PT_plots"], "Corner") == "property corner"
 
 

@@ -44,9 +44,9 @@ def blocks():
 
 
 def scene_settings():
-    kept = part("features.studio.keeping")
+    settings = part("features.studio.scene_settings")
     trial = bpy.data.collections.new("trial")
-    kept.keep(trial, scene())
+    settings.note(trial, scene())
     found = json.loads(trial["settings"])
     bpy.data.collections.remove(trial)
     return found, scene().camera, scene().world

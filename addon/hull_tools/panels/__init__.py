@@ -12,13 +12,13 @@ from . import (
     fit,
     hull,
     lines_plan,
-    presentation,
     pull,
     results,
     sections,
     shape,
     shown,
     stability,
+    studio,
     tag_menus,
     tags,
 )
@@ -41,7 +41,7 @@ _CLASSES = (
     *criteria.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,
-    *presentation.CLASSES,
+    *studio.CLASSES,
 )
 
 _DRAWN_IN = [  # by the names of menus and panels

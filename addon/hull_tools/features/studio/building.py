@@ -5,7 +5,17 @@ import bpy
 
 from ...bridge.objects import shown_objects
 from ..hull import hull_state
-from . import cameras, deck, following, ground, keeping, light, lines_on_hull, paint, rendering
+from . import (
+    cameras,
+    deck,
+    following,
+    ground,
+    light,
+    lines_on_hull,
+    paint,
+    rendering,
+    scene_settings,
+)
 from .place import MARK, find, hull_of, place_of
 
 # Faces along each side of a cell: fine enough that a facet shows nowhere in the picture.
@@ -28,7 +38,7 @@ def make(hull, scene):
         "lines": settings.lines,
     }
     scene.collection.children.link(collection)
-    keeping.keep(collection, scene)
+    scene_settings.note(collection, scene)
     shown_objects.ensure(hull)
     hull.hull.samples = max(hull.hull.samples, _SAMPLES)
     hull_state.refresh(hull, scene)
@@ -41,7 +51,7 @@ def make(hull, scene):
     following.follow(scene)
     cameras.turn(here, settings.turntable_frames)
     look_from(scene, cameras.FIRST)
-    keeping.show_only(collection, scene, _seen(hull, collection))
+    scene_settings.show_only(collection, scene, _seen(hull, collection))
     return collection
 
 
@@ -123,9 +133,9 @@ def remove(scene):
     collection = find(scene)
     if collection is None:
         return False
-    keeping.show_as_before(collection)
+    scene_settings.show_as_before(collection)
     _unpaint(collection)
-    keeping.give_back(collection, scene)
+    scene_settings.give_back(collection, scene)
     hull, samples = collection[MARK].get("hull"), collection[MARK]["samples"]
     if hull is not None and hull.hull.samples != samples:
         hull.hull.samples = samples

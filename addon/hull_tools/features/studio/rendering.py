@@ -2,7 +2,7 @@
 """The renderers, set so that the picture is clean and does not take long."""
 
 from ...bridge.blender import blender_versions
-from . import keeping
+from . import scene_settings
 
 WIDTH, HEIGHT = 1600, 900
 
@@ -49,7 +49,7 @@ def set_renderer(scene, engine):
         **_EEVEE,
     }
     for path, value in settings.items():
-        keeping.write(scene, path, value)
+        scene_settings.write(scene, path, value)
 
 
 def can_denoise():

@@ -8,8 +8,8 @@ from ..features import studio
 from .shared import HullPanel, choice_below, field_or, label_wrapped, text_field
 
 
-class HULL_PT_presentation(HullPanel, bpy.types.Panel):
-    bl_label = "Presentation"
+class HULL_PT_studio(HullPanel, bpy.types.Panel):
+    bl_label = "Studio"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
@@ -46,4 +46,4 @@ class HULL_PT_presentation(HullPanel, bpy.types.Panel):
         column.operator("hull.studio_turntable")
 
 
-CLASSES = (HULL_PT_presentation,)
+CLASSES = (HULL_PT_studio,)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a studio changes of a scene, as it was before: kept with the studio's collection, and so in
+"""What a studio changes of a scene, as it was before: noted with the studio's collection, and so in
 the file and through undo, and put back when the studio goes."""
 
 import json
@@ -38,16 +38,16 @@ _SETTINGS = (
 )
 
 
-def keep(collection, scene):
+def note(collection, scene):
     """Notes in a studio's collection what the scene's settings, camera and world are."""
-    kept = {path: _read(scene, path) for path in _SETTINGS if _owner(scene, path) is not None}
-    collection["settings"] = json.dumps(kept)
+    noted = {path: _read(scene, path) for path in _SETTINGS if _owner(scene, path) is not None}
+    collection["settings"] = json.dumps(noted)
     _point_to(collection, "camera", scene.camera)
     _point_to(collection, "world", scene.world)
 
 
 def give_back(collection, scene):
-    """Puts back what `keep` has noted."""
+    """Puts back what `note` has noted."""
     for path, value in json.loads(collection["settings"]).items():
         write(scene, path, value)
     scene.camera = collection.get("camera")
