@@ -65,12 +65,12 @@ def _with_combs(hull):
 def _with_opening(hull):
     hull.hull.loading.kg = 5.0
     with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.add_flooding_point()
+        bpy.ops.hull.add_downflooding_point()
 
 
 def _with_fit(hull):
     """The hull fitted to faces between points of its own surface, somewhat fuller."""
-    grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(12)
+    grid = part("features.hull.hull_state").state_of(hull).surface.tessellate(12)
     mesh = bpy.data.meshes.new("Hull of a scan")
     mesh.from_pydata((np.array(grid.points) * [1.0, 1.01, 1.0]).tolist(), [], grid.quads.tolist())
     hull.hull.fit.target = bpy.data.objects.new(mesh.name, mesh)
@@ -106,7 +106,9 @@ PANELS = {
         )
     ),
     "panels/stability": PanelShot(
-        hull_panels("stability", "flooding_points"), _with_opening, analyses=("righting_levers",)
+        hull_panels("stability", "downflooding_points"),
+        _with_opening,
+        analyses=("righting_levers",),
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),

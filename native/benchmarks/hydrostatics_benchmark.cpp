@@ -82,7 +82,7 @@ void BM_Immersion(benchmark::State& state, double tolerance) {
   }
 }
 
-void BM_Particulars(benchmark::State& state, double tolerance) {
+void BM_Hydrostatics(benchmark::State& state, double tolerance) {
   const hull::analysis::HullBody& floating = body(tolerance);
   for (auto _ : state) {
     benchmark::DoNotOptimize(hull::analysis::hydrostatics(floating, {next_draft()}, kProject));
@@ -90,7 +90,7 @@ void BM_Particulars(benchmark::State& state, double tolerance) {
 }
 
 // All points moved, or one of them.
-void BM_ParticularsAfterSetPoints(benchmark::State& state, std::size_t moved, double tolerance) {
+void BM_HydrostaticsAfterSetPoints(benchmark::State& state, std::size_t moved, double tolerance) {
   MovingBody moving(moved, tolerance);
   for (auto _ : state) {
     benchmark::DoNotOptimize(hull::analysis::hydrostatics(moving.move(), {kDraft}, kProject));
@@ -189,11 +189,11 @@ void BM_OpenCascadeVolume(benchmark::State& state) {
 
 BENCHMARK_CAPTURE(BM_Immersion, finest, hull::analysis::kFinest)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Immersion, live, hull::analysis::kLive)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Particulars, finest, hull::analysis::kFinest)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Particulars, live, hull::analysis::kLive)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, all, 140, hull::analysis::kLive)
+BENCHMARK_CAPTURE(BM_Hydrostatics, finest, hull::analysis::kFinest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Hydrostatics, live, hull::analysis::kLive)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_HydrostaticsAfterSetPoints, all, 140, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_ParticularsAfterSetPoints, one, 1, hull::analysis::kLive)
+BENCHMARK_CAPTURE(BM_HydrostaticsAfterSetPoints, one, 1, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all, 140, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);
@@ -213,10 +213,11 @@ int main(int argc, char** argv) {
         "BM_TriangulatedVolume", 20.0},
        {"volume of the shell by Open CASCADE", "BM_VolumeAfterSetPoints/all",
         "BM_OpenCascadeVolume"}},
-      {{"all particulars at a new draft, to 1e-8", "BM_Particulars/live", 1.0},
-       {"all particulars at a new draft, to 1e-13", "BM_Particulars/finest"},
-       {"all particulars after all points moved, to 1e-8", "BM_ParticularsAfterSetPoints/all", 1.5},
-       {"all particulars after one point moved, to 1e-8", "BM_ParticularsAfterSetPoints/one"},
+      {{"all hydrostatics at a new draft, to 1e-8", "BM_Hydrostatics/live", 1.0},
+       {"all hydrostatics at a new draft, to 1e-13", "BM_Hydrostatics/finest"},
+       {"all hydrostatics after all points moved, to 1e-8", "BM_HydrostaticsAfterSetPoints/all",
+        1.5},
+       {"all hydrostatics after one point moved, to 1e-8", "BM_HydrostaticsAfterSetPoints/one"},
        {"volume after one point moved, to 1e-8", "BM_VolumeAfterSetPoints/one"},
        {"19 righting levers, free trim", "BM_RightingLevers", 100.0}});
 }

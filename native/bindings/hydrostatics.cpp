@@ -38,10 +38,10 @@ void bind_section_area(py::module_& module) {
       .def_readonly("area_error", &S::area_error, "Estimated error of integration, m².");
 }
 
-using ParticularsClass = py::class_<analysis::Particulars>;
+using HydrostaticsClass = py::class_<analysis::Hydrostatics>;
 
-void add_volume_and_waterplane(ParticularsClass& c) {
-  using P = analysis::Particulars;
+void add_volume_and_waterplane(HydrostaticsClass& c) {
+  using P = analysis::Hydrostatics;
   c.def_readonly("draft", &P::draft, "m: z of the water where the draft is measured.")
       .def_property_readonly(
           "trim", [](const P& p) { return p.position.trim; }, "rad, positive by the stern.")
@@ -84,8 +84,8 @@ void add_volume_and_waterplane(ParticularsClass& c) {
                     "shell is open below the water.");
 }
 
-void add_form(ParticularsClass& c) {
-  using P = analysis::Particulars;
+void add_form(HydrostaticsClass& c) {
+  using P = analysis::Hydrostatics;
   c.def_readonly("waterline_length", &P::waterline_length,
                  "Lwl, m: extent of the shell's waterline, level along the ship.")
       .def_readonly("waterline_beam", &P::waterline_beam,
@@ -134,12 +134,12 @@ void bind_hydrostatics(py::module_& module) {
   module.attr("SEA_WATER_DENSITY") = analysis::kSeaWaterDensity;
   bind_coefficients(module);
   bind_section_area(module);
-  ParticularsClass particulars(
-      module, "Particulars",
-      "Particulars of a body in water, of both sides; positions in m from x = 0, y = 0 and z = 0. "
+  HydrostaticsClass hydrostatics_class(
+      module, "Hydrostatics",
+      "Hydrostatics of a body in water, of both sides; positions in m from x = 0, y = 0 and z = 0. "
       "What is undefined (nothing immersed, no waterplane, a dimension not given) is 0.");
-  add_volume_and_waterplane(particulars);
-  add_form(particulars);
+  add_volume_and_waterplane(hydrostatics_class);
+  add_form(hydrostatics_class);
   module.def(
       "hydrostatics",
       [](const analysis::HullBody& body, double draft, double trim, double heel,
@@ -154,7 +154,7 @@ void bind_hydrostatics(py::module_& module) {
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
       py::arg("water_density") = analysis::kSeaWaterDensity,
       py::call_guard<py::gil_scoped_release>(),
-      (std::string("Particulars of a HullBody in water, integrated over the exact surface.\n\n"
+      (std::string("Hydrostatics of a HullBody in water, integrated over the exact surface.\n\n"
                    "draft in m where the ship's vertical through (draft_at, 0) meets the water; "
                    "draft_at is midship, or 0 without length_pp. trim (by the stern) and heel (to "
                    "starboard) in rad. ") +
@@ -173,14 +173,14 @@ void bind_hydrostatics(py::module_& module) {
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
       py::arg("water_density") = analysis::kSeaWaterDensity,
       py::call_guard<py::gil_scoped_release>(),
-      (std::string("A list of Particulars, one for each draft (m, at midship) and trim (rad, by "
+      (std::string("A list of Hydrostatics, one for each draft (m, at midship) and trim (rad, by "
                    "the stern): all drafts for the first trim, then for the next. ") +
        kDimensionsDoc)
           .c_str());
   module.def("upright_hydrostatics", &analysis::upright_hydrostatics, py::arg("surface"),
              py::kw_only(), py::arg("draft"), py::arg("mirrored"),
              py::call_guard<py::gil_scoped_release>(),
-             "Particulars of a LimitSurface floating upright at a draft (m above z = 0), without "
+             "Hydrostatics of a LimitSurface floating upright at a draft (m above z = 0), without "
              "project dimensions: hydrostatics() for a single draft.\n\nmirrored: the mesh is the "
              "port half (y >= 0) and counts twice. Openings below the water are closed by vertical "
              "planes. Raises ValueError if the faces are turned inwards.");

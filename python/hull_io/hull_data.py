@@ -34,10 +34,10 @@ class Particulars:
 
 @dataclass
 class Afloat:
-    """How the hull lies: trim in m by the stern between perpendiculars, heel in degrees to
+    """How the hull lies: trim_m in m by the stern between perpendiculars, heel in degrees to
     starboard; whether her openings count as closed weathertight."""
 
-    trim: float = 0.0
+    trim_m: float = 0.0
     heel_deg: float = 0.0
     deck_closed: bool = True
 

@@ -45,7 +45,7 @@ def _length(check, value, where):
 def _afloat(check, value):
     entries = check.object(value, "afloat", ("trim", "heel_deg", "deck_closed"))
     return Afloat(
-        trim=_length(check, entries.get("trim", 0), "afloat.trim"),
+        trim_m=_length(check, entries.get("trim", 0), "afloat.trim"),
         heel_deg=check.number(entries.get("heel_deg", 0), "afloat.heel_deg", -180.0, 180.0),
         deck_closed=check.flag(entries.get("deck_closed", True), "afloat.deck_closed"),
     )
@@ -146,7 +146,7 @@ def entries(data):
             load[key] = float(getattr(data.load, key))
     found = {
         "afloat": {
-            "trim": float(data.afloat.trim),
+            "trim": float(data.afloat.trim_m),
             "heel_deg": float(data.afloat.heel_deg),
             "deck_closed": bool(data.afloat.deck_closed),
         },

@@ -218,15 +218,15 @@ def test_the_load_afloat_with_trim_keeps_that_trim():
 def test_openings_flood_on_both_sides():
     hull = afloat_box()
     assert result_of(hull, "righting_levers").levers.downflooding_heel is None
-    assert bpy.ops.hull.add_flooding_point() == {"FINISHED"}
-    hull.hull.loading.flooding_points[0].position = (5.0, 2.0, 1.5)
+    assert bpy.ops.hull.add_downflooding_point() == {"FINISHED"}
+    hull.hull.loading.downflooding_points[0].position = (5.0, 2.0, 1.5)
     assert result_of(hull, "righting_levers").levers.downflooding_heel == pytest.approx(
         np.arctan(0.25), rel=1e-9
     )
     report = result_of(hull, "criteria")
     assert [one[1] for one in report.outcomes()] == ["fail", "not computed"]
-    assert bpy.ops.hull.remove_flooding_point() == {"FINISHED"}
-    assert not bpy.ops.hull.remove_flooding_point.poll()
+    assert bpy.ops.hull.remove_downflooding_point() == {"FINISHED"}
+    assert not bpy.ops.hull.remove_downflooding_point.poll()
 
 
 def test_an_open_deck_floods_where_its_edge_comes_under_water():
@@ -248,9 +248,9 @@ def test_criteria_are_those_of_the_native_function():
         part("bridge.native")
         .require()
         .stability_criteria(
-            state_of(hull).ship.source.new_ship().body,
-            mass_t=state_of(hull).hydrostatics.values.displacement_t,
-            centre_of_gravity=(state_of(hull).hydrostatics.values.lcb, 0.0, 1.2),
+            state_of(hull).source.new_ship().body,
+            mass_t=state_of(hull).hydrostatics.displacement_t,
+            centre_of_gravity=(state_of(hull).hydrostatics.lcb, 0.0, 1.2),
             water_density=DENSITY,
         )
     )
@@ -275,9 +275,9 @@ def test_the_weather_criterion_is_that_of_the_native_function(tmp_path):
         part("bridge.native")
         .require()
         .weather_criterion(
-            state_of(hull).ship.source.new_ship().body,
-            mass_t=state_of(hull).hydrostatics.values.displacement_t,
-            centre_of_gravity=(state_of(hull).hydrostatics.values.lcb, 0.0, 1.2),
+            state_of(hull).source.new_ship().body,
+            mass_t=state_of(hull).hydrostatics.displacement_t,
+            centre_of_gravity=(state_of(hull).hydrostatics.lcb, 0.0, 1.2),
             water_density=DENSITY,
             wind_areas=[(12.0, 4.0)],
             midship=LENGTH / 2,
@@ -323,7 +323,7 @@ def test_load_cases_float_or_say_why_not():
     assert even.draft_mean == pytest.approx(1.5)
     assert even.gm == pytest.approx(0.75 + BEAM**2 / 18.0 - 1.0)
     assert trimmed.draft_aft > 1.5 > trimmed.draft_forward
-    assert trimmed.trim == pytest.approx(trimmed.draft_aft - trimmed.draft_forward)
+    assert trimmed.trim_m == pytest.approx(trimmed.draft_aft - trimmed.draft_forward)
     assert listing.heel > 0.0 and abs(even.heel) < 1e-9
     assert heavy.status == "sinks" and heavy.draft_mean is None and "1000 t" in heavy.message
     assert none.status == "refused" and "mass" in none.message
@@ -408,7 +408,7 @@ def test_without_a_hull_there_is_nothing_to_export():
 def test_settings_survive_saving(tmp_path):
     hull = afloat_box()
     add_case(hull, "ballast", 30.0, lcg=4.0)
-    bpy.ops.hull.add_flooding_point()
+    bpy.ops.hull.add_downflooding_point()
     settings = hull.hull
     settings.trim, settings.heel, settings.deck_closed = -0.25, 0.125, False
     settings.table.trims = "-1 0"
@@ -420,7 +420,7 @@ def test_settings_survive_saving(tmp_path):
     settings = bpy.data.objects["box"].hull
     case = settings.loading.load_cases[0]
     assert (case.name, case.mass_t, case.lcg) == ("ballast", 30.0, 4.0)
-    assert tuple(settings.loading.flooding_points[0].position) == (5.0, 2.0, 3.0)
+    assert tuple(settings.loading.downflooding_points[0].position) == (5.0, 2.0, 3.0)
     assert (settings.trim, settings.heel, settings.deck_closed) == (-0.25, 0.125, False)
     assert settings.table.trims == "-1 0"
     assert (settings.plots.sectional_areas, settings.plots.corner) == (True, "TOP_RIGHT")

@@ -169,7 +169,7 @@ def test_what_panels_show_is_on_their_pages():
     hull.hull.lines.stations = "1 2"
     bpy.ops.hull.add_plane()
     bpy.ops.hull.make_studio()
-    for name in ("add_load_case", "add_flooding_point"):
+    for name in ("add_load_case", "add_downflooding_point"):
         getattr(bpy.ops.hull, name)()
     bpy.context.view_layer.update()
     compute([(hull.name, name) for name in part("features.analyses").ANALYSES])
@@ -215,7 +215,7 @@ def test_the_glossary_tells_each_word_once():
 
 
 def test_the_key_of_the_pie_menu_is_the_one_named():
-    key = part("bridge.blender.pie_key").KEY
+    key = part("panels.keymap").KEY
     named = " ".join([*(["Shift"] if key.get("shift") else []), key["type"]])
     for page in ("first-hull.md", "tags.md", "panels/edges-and-points.md"):
         assert f"**{named}**" in (DOCS / page).read_text()

@@ -57,7 +57,7 @@ def ship():
     for face, plane in enumerate(((1, 0, 0, -2.375), (0.6, 0, 0.8, 2), (0.48, 0.6, 0.64, 30))):
         part("features.constraints.flats").mark(hull, [20 * face], plane)
     bpy.ops.hull.add_load_case()
-    bpy.ops.hull.add_flooding_point()
+    bpy.ops.hull.add_downflooding_point()
     bpy.ops.hull.add_plane()
     for name in part("features.analyses").PLOTTED:
         setattr(settings.plots, name, True)

@@ -49,13 +49,16 @@ def test_files_go_before_preferences(chosen, tmp_path):
     assert settings.water_density == pytest.approx(1.025)
 
 
-def test_colours_are_drawn_as_they_are_chosen(chosen, monkeypatch):
+def test_colours_and_listeners(chosen):
     preferences = part("bridge.blender.preferences")
-    drawn = []
-    monkeypatch.setattr(part("bridge.blender.redraw"), "redraw", lambda *kinds: drawn.append(kinds))
-    chosen.lines_station_on_light = (1.0, 0.5, 0.25)
-    assert drawn == [()]
-    assert preferences.colour("lines", "station", True) == pytest.approx((1.0, 0.5, 0.25))
+    told = []
+    listener = lambda: told.append(preferences.colour("lines", "station", True))  # noqa: E731
+    preferences.listeners.append(listener)
+    try:
+        chosen.lines_station_on_light = (1.0, 0.5, 0.25)
+    finally:
+        preferences.listeners.remove(listener)
+    assert told == [pytest.approx((1.0, 0.5, 0.25))]
     assert preferences.colour("lines", "station", False) == pytest.approx((0.96, 0.96, 0.96))
 
 
@@ -66,3 +69,8 @@ def test_the_addon_works_without_an_entry_in_the_preferences(monkeypatch):
     assert preferences.colour("lines", "draft", False) == (0.30, 0.84, 1.00)
     assert preferences.colour("combs", "station", False) == (0.85, 0.20, 0.58)
     assert add_hull().hull.samples == 4
+
+
+def test_new_hulls_lie_in_the_sea_of_the_core():
+    default = part("bridge.blender.preferences").DEFAULTS["water_density"]
+    assert default == part("bridge.native").require().SEA_WATER_DENSITY

@@ -54,7 +54,7 @@ def full_righting_levers():
         gm=2.0,
         vanishing=math.pi / 2.0,
         deck_edge=math.radians(22.1),
-        flooding=math.radians(48.0),
+        downflooding=math.radians(48.0),
         areas=[(0.0, math.radians(30.0), 0.25)],
         subtitles=["∇ 2345 m³, KG 4.35 m"],
     )

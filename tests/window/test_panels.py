@@ -50,7 +50,7 @@ def test_every_panel_is_drawn_to_its_end(window):
     hull = bpy.context.view_layer.objects.active
     hull.hull.fairness.comb_stations = hull.hull.fairness.show_reflections = True
     hull.hull.fairness.colours = "MEAN"
-    for name in ("add_load_case", "add_flooding_point"):
+    for name in ("add_load_case", "add_downflooding_point"):
         getattr(bpy.ops.hull, name)()
     yield
     with window.in_view():

@@ -23,14 +23,14 @@ def forget_all():
     hull_state.forget_all()
 
 
-def _follow(hulls, scene, view_layer, is_by_hand=True):
+def _follow(hulls, scene, view_layer):
     global _is_following
     if _is_following:
         return
     _is_following = True
     try:
         for hull in hulls:
-            hull_state.follow_edit(hull, scene, is_by_hand)
+            hull_state.refresh(hull, scene)
             if hull.mode == "EDIT":
                 live_normals.ask()
         studio.ask(hulls, scene)
@@ -39,10 +39,9 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
         _is_following = False
 
 
-def _follow_all(is_by_hand=True):
+def _follow_all():
     for scene in bpy.data.scenes:
-        hulls = hull_objects.hulls(scene.objects)
-        _follow(hulls, scene, bpy.context.view_layer, is_by_hand)
+        _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
 
 
 def _updates_of_objects(depsgraph):
@@ -81,7 +80,7 @@ def after_undo(*unused):
     hull_state.forget_deleted()
     hull_state.forget_shown()
     studio.forget()
-    _follow_all(is_by_hand=False)
+    _follow_all()
     colour_views.follow()
 
 

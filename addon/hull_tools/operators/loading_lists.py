@@ -50,23 +50,23 @@ class HULL_OT_remove_load_case(bpy.types.Operator, RemoveEntry):
     entries, none_there = "load_cases", "There is no load case"
 
 
-class HULL_OT_add_flooding_point(bpy.types.Operator, AddEntry):
+class HULL_OT_add_downflooding_point(bpy.types.Operator, AddEntry):
     """Add an opening that floods the ship: at first amidships at the side of the deck"""
 
-    bl_idname = "hull.add_flooding_point"
+    bl_idname = "hull.add_downflooding_point"
     bl_label = "Add Opening"
 
     def add(self, hull, scene):
-        loading.add_flooding_point(hull)
+        loading.add_downflooding_point(hull)
 
 
-class HULL_OT_remove_flooding_point(bpy.types.Operator, RemoveEntry):
+class HULL_OT_remove_downflooding_point(bpy.types.Operator, RemoveEntry):
     """Remove the opening that is chosen in the list"""
 
-    bl_idname = "hull.remove_flooding_point"
+    bl_idname = "hull.remove_downflooding_point"
     bl_label = "Remove Opening"
 
-    entries, none_there = "flooding_points", "There is no opening"
+    entries, none_there = "downflooding_points", "There is no opening"
 
 
 class HULL_OT_add_wind_area(bpy.types.Operator, AddEntry):
@@ -91,8 +91,8 @@ class HULL_OT_remove_wind_area(bpy.types.Operator, RemoveEntry):
 CLASSES = (
     HULL_OT_add_load_case,
     HULL_OT_remove_load_case,
-    HULL_OT_add_flooding_point,
-    HULL_OT_remove_flooding_point,
+    HULL_OT_add_downflooding_point,
+    HULL_OT_remove_downflooding_point,
     HULL_OT_add_wind_area,
     HULL_OT_remove_wind_area,
 )

@@ -83,7 +83,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         count, longest = pull.pull(
             grip, pull.scale * np.array(self.target), pull.scale * self.radius
         )
-        hull_state.follow_edit(hull, context.scene)
+        hull_state.refresh(hull, context.scene)
         self._tell(context, count, longest)
 
     def _tell(self, context, count, longest):
@@ -98,7 +98,6 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
     def _begin(self, context):
         hull = hull_objects.hull_of(context.object)
         self._pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
-        self._held = pull_lines.held(hull, context.scene)
         self._grip, self._target, self._typed = None, None, ""
         self._mode, self._is_pressed, self._pressed_at = "V", False, (0, 0)
         self._area = context.area
@@ -110,7 +109,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
             self._pull.restore()
-            hull_state.follow_edit(self._pull.obj, context.scene)
+            hull_state.refresh(self._pull.obj, context.scene)
             self._leave(context)
             return {"CANCELLED"}
         handle = self._pick if self._grip is None else self._drag
@@ -249,7 +248,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
             return {"CANCELLED"}
         self.point, self.target = self._grip.point / pull.scale, self._target / pull.scale
         count, longest = pull.pull(self._grip, self._target, pull.scale * self.radius)
-        hull_state.follow_edit(pull.obj, context.scene)
+        hull_state.refresh(pull.obj, context.scene)
         self._tell(context, count, longest)
         return {"FINISHED"}
 
@@ -257,13 +256,13 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
 
     def _show(self, context, grip, now, trouble=""):
         if grip is None:
-            self._held.mark = None
+            pull_lines.show(None)
             text = _PICK_HELP
         else:
             text = trouble or self._words(context.scene, grip, now)
             place = tuple(now), tuple(grip.point)
             radius = 0.0 if self._grip is None else self._pull.scale * self.radius
-            self._held.mark = pull_lines.Mark(place[1], place[0], text, radius)
+            pull_lines.show(pull_lines.Mark(self._pull.obj.name, place[1], place[0], text, radius))
         self._area.header_text_set(text)
         self._area.tag_redraw()
 
@@ -283,7 +282,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         return f"{places}    {where}{within}{typed}"
 
     def _leave(self, context):
-        self._held.mark = None
+        pull_lines.show(None)
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         self._area.header_text_set(None)
@@ -364,7 +363,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
         grip = pull.across(place, axis)
         before = units.format_value(context.scene, float(grip.point[axis]), "m")
         pull.pull(grip, place, pull.scale * self.radius)
-        hull_state.follow_edit(hull, context.scene)
+        hull_state.refresh(hull, context.scene)
         after = units.format_value(context.scene, float(place[axis]), "m")
         self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")
 

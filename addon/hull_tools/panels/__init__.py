@@ -3,7 +3,6 @@
 
 import bpy
 
-from ..bridge.blender import pie_key, preferences
 from . import (
     add_menu,
     criteria,
@@ -11,6 +10,7 @@ from . import (
     fairness,
     fit,
     hull,
+    keymap,
     lines_plan,
     pull,
     results,
@@ -57,11 +57,11 @@ def register():
         bpy.utils.register_class(cls)
     for name, draw in _DRAWN_IN:
         getattr(bpy.types, name).append(draw)
-    pie_key.follow(preferences.value("use_pie_key"))
+    keymap.register()
 
 
 def unregister():
-    pie_key.follow(False)
+    keymap.unregister()
     for name, draw in _DRAWN_IN:
         getattr(bpy.types, name).remove(draw)
     for cls in reversed(_CLASSES):

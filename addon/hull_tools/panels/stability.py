@@ -93,16 +93,16 @@ class HULL_PT_levers(HullPanel, bpy.types.Panel):
             label_value(column, _degrees(heel), format_value(context.scene, lever, "m"))
 
 
-class HULL_UL_flooding_points(bpy.types.UIList):
+class HULL_UL_downflooding_points(bpy.types.UIList):
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
         layout.prop(item, "name", text="", emboss=False, icon_value=icon)
 
 
-def _rest_icon(rest):
+def _equilibrium_icon(found):
     """Whether the ship floats, floats but not as she was meant to, or does not."""
-    if rest.draft_mean is None:
+    if found.draft_mean is None:
         return "CANCEL"
-    return "ERROR" if rest.message else "CHECKMARK"
+    return "ERROR" if found.message else "CHECKMARK"
 
 
 class HULL_UL_load_cases(bpy.types.UIList):
@@ -110,17 +110,17 @@ class HULL_UL_load_cases(bpy.types.UIList):
 
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
         outcome, is_current = analyses.last_outcome(data.id_data, context.scene, "load_cases")
-        rests = outcome.result if is_current and outcome is not None else None
-        if rests is None or index >= len(rests):
+        equilibria = outcome.result if is_current and outcome is not None else None
+        if equilibria is None or index >= len(equilibria):
             layout.prop(item, "name", text="", emboss=False)
             return
-        rest = rests[index]
-        layout.prop(item, "name", text="", emboss=False, icon=_rest_icon(rest))
-        if rest.draft_mean is not None:
-            layout.label(text=format_value(context.scene, rest.draft_mean, "m"))
+        found = equilibria[index]
+        layout.prop(item, "name", text="", emboss=False, icon=_equilibrium_icon(found))
+        if found.draft_mean is not None:
+            layout.label(text=format_value(context.scene, found.draft_mean, "m"))
 
 
-class HULL_PT_flooding_points(HullPanel, bpy.types.Panel):
+class HULL_PT_downflooding_points(HullPanel, bpy.types.Panel):
     bl_label = "Openings"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
@@ -129,7 +129,11 @@ class HULL_PT_flooding_points(HullPanel, bpy.types.Panel):
     def draw(self, context):
         loading = hull_objects.hull_of(context.object).hull.loading
         point = draw_entries(
-            self.layout, loading, "flooding_points", "active_flooding_point", "flooding_point"
+            self.layout,
+            loading,
+            "downflooding_points",
+            "active_downflooding_point",
+            "downflooding_point",
         )
         if point is not None:
             self.layout.column(align=True).prop(point, "position")
@@ -150,27 +154,29 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("mass_t", "lcg", "tcg", "vcg"):
             column.prop(case, name)
-        rests, place = latest_result(layout, context, "load_cases", "Equilibrium")
-        if rests is None:
+        equilibria, place = latest_result(layout, context, "load_cases", "Equilibrium")
+        if equilibria is None:
             return
         index = loading.active_load_case
-        if index < len(rests):
-            self._draw_rest(place, context, rests[index])
+        if index < len(equilibria):
+            self._draw_equilibrium(place, context, equilibria[index])
         export_buttons(layout, "load_cases")
 
-    def _draw_rest(self, layout, context, rest):
-        label_wrapped(layout, context, rest.message or "Floats, stable", icon=_rest_icon(rest))
-        if rest.draft_mean is None:
+    def _draw_equilibrium(self, layout, context, found):
+        label_wrapped(
+            layout, context, found.message or "Floats, stable", icon=_equilibrium_icon(found)
+        )
+        if found.draft_mean is None:
             return
         column = layout.column(align=True)
         column.scale_y = 0.8
         for name, value, unit in (
-            ("Mean draft", rest.draft_mean, "m"),
-            ("Draft aft", rest.draft_aft, "m"),
-            ("Draft forward", rest.draft_forward, "m"),
-            ("Trim", rest.trim, "m"),
-            ("Heel", rest.heel, "deg"),
-            ("GM", rest.gm, "m"),
+            ("Mean draft", found.draft_mean, "m"),
+            ("Draft aft", found.draft_aft, "m"),
+            ("Draft forward", found.draft_forward, "m"),
+            ("Trim", found.trim_m, "m"),
+            ("Heel", found.heel, "deg"),
+            ("GM", found.gm, "m"),
         ):
             label_value(column, name, format_value(context.scene, value, unit))
 
@@ -219,11 +225,11 @@ class HULL_PT_plots(HullPanel, bpy.types.Panel):
 
 
 CLASSES = (
-    HULL_UL_flooding_points,
+    HULL_UL_downflooding_points,
     HULL_UL_load_cases,
     HULL_PT_stability,
     HULL_PT_levers,
-    HULL_PT_flooding_points,
+    HULL_PT_downflooding_points,
     HULL_PT_load_cases,
     HULL_PT_cross_curves,
     HULL_PT_plots,

@@ -4,17 +4,13 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge.blender import palette, pie_key, preferences, redraw
+from ..bridge.blender import palette, preferences
 
 _GROUNDS = ("on light grounds", "on dark grounds")
 
 
 def _changed(chosen, context):
-    redraw.redraw()
-
-
-def _pie_key_changed(chosen, context):
-    pie_key.follow(chosen.use_pie_key)
+    preferences.changed()
 
 
 def _whole_number(prop, name, description, minimum, maximum):
@@ -118,7 +114,7 @@ class HullToolsPreferences(bpy.types.AddonPreferences):
         name="Key of the pie menu",
         description="The pie menu of hulls has a key in the 3D view",
         default=preferences.DEFAULTS["use_pie_key"],
-        update=_pie_key_changed,
+        update=_changed,
     )
 
     __annotations__.update(_colours())

@@ -18,6 +18,7 @@ from bpy.props import (
     StringProperty,
 )
 
+from ..bridge.blender import preferences
 from . import (
     export_settings,
     fairness_settings,
@@ -82,7 +83,7 @@ class HullSettings(bpy.types.PropertyGroup):
     water_density: FloatProperty(
         name="Density t/m³",
         description="Density of the water in t/m³: 1.025 in the sea, 1.000 in a river",
-        default=1.025,
+        default=preferences.DEFAULTS["water_density"],
         min=0.5,
         max=2.0,
         precision=4,

@@ -24,7 +24,7 @@ class HullLoadCase(bpy.types.PropertyGroup):
     vcg: length("VCG", "Centre of gravity above the base line", minimum=None)
 
 
-class HullFloodingPoint(bpy.types.PropertyGroup):
+class HullDownfloodingPoint(bpy.types.PropertyGroup):
     name: StringProperty(name="Name", default="Opening", update=changed)
     position: FloatVectorProperty(
         name="Position",
@@ -86,10 +86,10 @@ class HullLoading(bpy.types.PropertyGroup):
         max=50,
         update=changed,
     )
-    flooding_points: CollectionProperty(type=HullFloodingPoint)
-    active_flooding_point: IntProperty(name="Opening", description="The one chosen in the list")
+    downflooding_points: CollectionProperty(type=HullDownfloodingPoint)
+    active_downflooding_point: IntProperty(name="Opening", description="The one chosen in the list")
     load_cases: CollectionProperty(type=HullLoadCase)
     active_load_case: IntProperty(name="Load case", description="The one chosen in the list")
 
 
-CLASSES = (HullLoadCase, HullFloodingPoint, HullLoading)
+CLASSES = (HullLoadCase, HullDownfloodingPoint, HullLoading)

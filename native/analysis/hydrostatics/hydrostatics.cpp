@@ -63,7 +63,7 @@ class BothSides {
 
 double ratio(double above, double below) { return below > 0.0 ? above / below : 0.0; }
 
-FormCoefficients coefficients(const Particulars& p, double length, double beam, double draft,
+FormCoefficients coefficients(const Hydrostatics& p, double length, double beam, double draft,
                               double section_area) {
   FormCoefficients c;
   c.block = ratio(p.displaced_volume, length * beam * draft);
@@ -101,7 +101,7 @@ void check(const FloatingPosition& position, const ProjectDimensions& project,
   }
 }
 
-void take_buoyancy(const Immersion& immersion, double water_density, Particulars& p) {
+void take_buoyancy(const Immersion& immersion, double water_density, Hydrostatics& p) {
   p.displaced_volume = immersion.volume;
   p.displacement_t = immersion.volume * water_density;
   p.volume_error = immersion.volume_error;
@@ -116,7 +116,7 @@ void take_buoyancy(const Immersion& immersion, double water_density, Particulars
 }
 
 void take_waterplane(const Immersion& immersion, const FloatingPosition& position,
-                     double water_density, Particulars& p) {
+                     double water_density, Hydrostatics& p) {
   p.waterplane_area = immersion.waterplane_area;
   p.tpc = immersion.waterplane_area * water_density / 100.0;
   if (!(immersion.waterplane_area > 0.0)) return;
@@ -144,7 +144,7 @@ double entrance_angle(const surface::LimitSurface& surface, const FarthestPoint&
   return std::atan2(std::abs(normal.dot(ahead)), std::abs(normal.dot(across)));
 }
 
-void take_extents(const StationCutter& cutter, const Plane& water, Particulars& p) {
+void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics& p) {
   const BothSides sides(cutter, water);
   const Vector3d ahead = forward_direction(p.position.trim, p.position.heel);
   const Vector3d starboard = starboard_direction(p.position.trim, p.position.heel);
@@ -170,10 +170,10 @@ void take_extents(const StationCutter& cutter, const Plane& water, Particulars& 
 
 }  // namespace
 
-Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
-                         const ProjectDimensions& project, double water_density) {
+Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
+                          const ProjectDimensions& project, double water_density) {
   check(position, project, water_density);
-  Particulars p;
+  Hydrostatics p;
   p.position = position;
   p.draft = position.draft;
   const Plane water = water_plane(position);
@@ -203,10 +203,11 @@ Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
   return p;
 }
 
-std::vector<Particulars> hydrostatic_table(const HullBody& body, const std::vector<double>& drafts,
-                                           const std::vector<double>& trims,
-                                           const ProjectDimensions& project, double water_density) {
-  std::vector<Particulars> rows;
+std::vector<Hydrostatics> hydrostatic_table(const HullBody& body, const std::vector<double>& drafts,
+                                            const std::vector<double>& trims,
+                                            const ProjectDimensions& project,
+                                            double water_density) {
+  std::vector<Hydrostatics> rows;
   for (double trim : trims) {
     for (double draft : drafts) {
       rows.push_back(
@@ -216,8 +217,8 @@ std::vector<Particulars> hydrostatic_table(const HullBody& body, const std::vect
   return rows;
 }
 
-Particulars upright_hydrostatics(const surface::LimitSurface& surface, double draft,
-                                 bool mirrored) {
+Hydrostatics upright_hydrostatics(const surface::LimitSurface& surface, double draft,
+                                  bool mirrored) {
   return hydrostatics(HullBody(surface, mirrored), {draft, 0.0, 0.0, 0.0}, {});
 }
 

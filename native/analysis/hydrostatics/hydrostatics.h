@@ -28,12 +28,12 @@ struct FormCoefficients {
   double vertical_prismatic = 0.0;  // Cvp = ∇ / (Awp T)
 };
 
-// Particulars of a body in water, of both sides where half a hull was mirrored. Positions are x, y
+// Hydrostatics of a body in water, of both sides where half a hull was mirrored. Positions are x, y
 // and z in the ship's axes: from the after perpendicular, the centre plane and the base line.
 // Lengths, beams and drafts of what is under water are measured level along the ship, level
 // across it, and straight down. What is undefined because nothing is immersed, because there is no
 // waterplane or because a dimension is not given, is zero.
-struct Particulars {
+struct Hydrostatics {
   FloatingPosition position;
   double draft = 0.0;  // that of the position, m
 
@@ -84,17 +84,19 @@ struct Particulars {
 
 // Throws std::invalid_argument if a number is not finite, trim is 90° or more, a dimension is
 // negative or the density is not positive, and as HullBody::immersion() does.
-Particulars hydrostatics(const HullBody& body, const FloatingPosition& position,
-                         const ProjectDimensions& project, double water_density = kSeaWaterDensity);
+Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
+                          const ProjectDimensions& project,
+                          double water_density = kSeaWaterDensity);
 
 // A table: one row per draft for the first trim, then for the next; drafts measured at the midship
 // of the project.
-std::vector<Particulars> hydrostatic_table(const HullBody& body, const std::vector<double>& drafts,
-                                           const std::vector<double>& trims,
-                                           const ProjectDimensions& project,
-                                           double water_density = kSeaWaterDensity);
+std::vector<Hydrostatics> hydrostatic_table(const HullBody& body, const std::vector<double>& drafts,
+                                            const std::vector<double>& trims,
+                                            const ProjectDimensions& project,
+                                            double water_density = kSeaWaterDensity);
 
 // For a single upright draft, without project dimensions. `mirrored`: as for HullBody.
-Particulars upright_hydrostatics(const surface::LimitSurface& surface, double draft, bool mirrored);
+Hydrostatics upright_hydrostatics(const surface::LimitSurface& surface, double draft,
+                                  bool mirrored);
 
 }  // namespace hull::analysis

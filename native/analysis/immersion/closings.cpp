@@ -102,10 +102,10 @@ bool is_transverse(const Extent& extent, double size) {
 
 }  // namespace
 
-std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
-                                       const std::vector<BorderEdge>& edges, bool mirrored) {
+std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
+                                          const std::vector<BorderEdge>& edges, bool mirrored) {
   const double size = surface.mesh().size();
-  std::vector<ClosingSpan> result;
+  std::vector<ClosingPatch> result;
   for (const BorderLoop& loop : border_loops(edges)) {
     const Extent extent = extent_of(loop.spans);
     const double diagonal = (extent.high - extent.low).norm();
@@ -129,13 +129,13 @@ std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
 }
 
 // An end, or where the height has no slope.
-FloodingPoint lowest_point(const std::array<Vector3d, 4>& c, const Vector3d& up) {
+DownfloodingPoint lowest_point(const std::array<Vector3d, 4>& c, const Vector3d& up) {
   const double h[] = {up.dot(c[0]), up.dot(c[1]), up.dot(c[2]), up.dot(c[3])};
   // A third of the derivative: a + b t + d t².
   const double a = h[1] - h[0], b = 2.0 * (h[2] - 2.0 * h[1] + h[0]);
   const double d = h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0];
   const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * d));
-  FloodingPoint lowest{h[0], c[0]};
+  DownfloodingPoint lowest{h[0], c[0]};
   for (double t : {1.0, (-b + root) / (2.0 * d), (-b - root) / (2.0 * d), -a / b}) {
     if (!(t > 0.0 && t <= 1.0)) continue;
     const double s = 1.0 - t;

@@ -9,7 +9,7 @@
 namespace hull::analysis {
 
 // The piece of a closing surface at one edge of a border.
-struct ClosingSpan {
+struct ClosingPatch {
   int cell;                        // at whose side it is
   surface::BicubicPoints cap;      // as a bicubic span, normal outwards
   std::array<Vector3d, 4> border;  // Bézier points of the border curve that it closes from
@@ -25,16 +25,16 @@ struct ClosingSpan {
 //
 // Borders in the centre plane of a half hull are no openings. Closings in planes across the ship,
 // open transoms and the ends of cut bodies, are taken for closed; all others are open.
-std::vector<ClosingSpan> closing_spans(const surface::LimitSurface& surface,
-                                       const std::vector<BorderEdge>& border, bool mirrored);
+std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
+                                          const std::vector<BorderEdge>& border, bool mirrored);
 
 // The lowest point at which water can flow in.
-struct FloodingPoint {
+struct DownfloodingPoint {
   double height;  // along the direction asked for, m; infinite if there is none
   Vector3d point;
 };
 
 // The lowest point of a Bézier cubic along `up`.
-FloodingPoint lowest_point(const std::array<Vector3d, 4>& cubic, const Vector3d& up);
+DownfloodingPoint lowest_point(const std::array<Vector3d, 4>& cubic, const Vector3d& up);
 
 }  // namespace hull::analysis

@@ -41,7 +41,7 @@ using Moduli = std::vector<double>;  // falling, each as often as it occurs
 // Of the local matrix's largest eigenvalues but the 1.
 Moduli largest_moduli(const surface::CornerBasis& basis) {
   Moduli moduli;
-  for (const surface::SlowBlock& block : basis.spectrum().blocks) {
+  for (const surface::DominantBlock& block : basis.spectrum().blocks) {
     if (block.begin > 0) moduli.insert(moduli.end(), block.size, std::abs(block.eigenvalue));
   }
   moduli.insert(moduli.end(), 2, basis.spectrum().rest);

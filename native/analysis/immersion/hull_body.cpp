@@ -57,7 +57,7 @@ void HullBody::update() {
 void HullBody::close() {
   const Vector3d& centre = parts_.rules().centre;
   border_ = border_edges(surface());
-  closings_ = closing_spans(surface(), border_, mirrored_);
+  closings_ = closing_patches(surface(), border_, mirrored_);
   caps_.resize(closings_.size());
   for (std::size_t i = 0; i < caps_.size(); ++i) {
     const surface::BicubicPoints& points = closings_[i].cap;
@@ -170,15 +170,15 @@ HullBody HullBody::closed() const {
   return twin;
 }
 
-FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
+DownfloodingPoint HullBody::downflooding_point(const Vector3d& up) const {
   current();
-  FloodingPoint lowest{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
+  DownfloodingPoint lowest{std::numeric_limits<double>::infinity(), Vector3d::Zero()};
   if (openings_ == Openings::kClosed) return lowest;
   for (const Vector3d& mirror : {Vector3d(1.0, 1.0, 1.0), Vector3d(1.0, -1.0, 1.0)}) {
     if (mirror.y() < 0.0 && !mirrored_) break;
-    for (const ClosingSpan& span : closings_) {
-      if (!span.open) continue;
-      const FloodingPoint point = lowest_point(span.border, up.cwiseProduct(mirror));
+    for (const ClosingPatch& patch : closings_) {
+      if (!patch.open) continue;
+      const DownfloodingPoint point = lowest_point(patch.border, up.cwiseProduct(mirror));
       if (point.height < lowest.height) {
         lowest = {point.height, point.point.cwiseProduct(mirror)};
       }
@@ -188,7 +188,7 @@ FloodingPoint HullBody::flooding_point(const Vector3d& up) const {
 }
 
 void HullBody::refuse_flooding(const Plane& water) const {
-  const FloodingPoint lowest = flooding_point(water.normal);
+  const DownfloodingPoint lowest = downflooding_point(water.normal);
   if (lowest.height >= water.offset - kAtEdge * surface().mesh().size()) return;
   std::ostringstream words;
   words

@@ -49,7 +49,7 @@ class HullBody {
   const CellBoxes& boxes() const { return current().boxes_; }
   const std::vector<BorderEdge>& border() const { return current().border_; }
   // What closes the shell, on the modelled side.
-  const std::vector<ClosingSpan>& closings() const { return current().closings_; }
+  const std::vector<ClosingPatch>& closings() const { return current().closings_; }
 
   // Of the whole shell without closings, both sides, about the origin.
   ShellMoments shell_moments() const;
@@ -66,8 +66,8 @@ class HullBody {
   HullBody closed() const;
 
   // Of the openings that are not closed, on both sides.
-  FloodingPoint flooding_point(const Vector3d& up) const;
-  double lowest_opening(const Vector3d& up) const { return flooding_point(up).height; }
+  DownfloodingPoint downflooding_point(const Vector3d& up) const;
+  double lowest_opening(const Vector3d& up) const { return downflooding_point(up).height; }
 
  private:
   const HullBody& current() const {
@@ -94,7 +94,7 @@ class HullBody {
   ShellParts parts_;
   CellBoxes boxes_;
   std::vector<BorderEdge> border_;
-  std::vector<ClosingSpan> closings_;
+  std::vector<ClosingPatch> closings_;
   std::vector<ShellPart> caps_;
   std::string inversion_;  // what is wrong with the direction of faces; empty if nothing is
 };

@@ -199,7 +199,7 @@ namespace {
 
 void refuse_flooding(const HullBody& body, Equilibrium& e) {
   if (e.status == EquilibriumStatus::kSinks || e.status == EquilibriumStatus::kNotConverged) return;
-  const FloodingPoint lowest = body.flooding_point(e.immersion.water.normal);
+  const DownfloodingPoint lowest = body.downflooding_point(e.immersion.water.normal);
   if (lowest.height > e.immersion.water.offset) return;
   e.status = EquilibriumStatus::kFloods;
   std::ostringstream words;

@@ -18,12 +18,12 @@ void refuse_unless_positive(double value, const char* what, const char* unit) {
 }  // namespace
 
 double LoadCase::displaced_volume() const {
-  refuse_unless_positive(mass, "mass", "tonnes");
+  refuse_unless_positive(mass_t, "mass", "tonnes");
   refuse_unless_positive(water_density, "water's density", "t/m³");
   if (!centre_of_gravity.allFinite()) {
     throw std::invalid_argument("The centre of gravity must be given by three finite numbers.");
   }
-  return mass / water_density;
+  return mass_t / water_density;
 }
 
 }  // namespace hull::analysis

@@ -8,7 +8,7 @@ namespace hull::analysis {
 
 // What a body carries, its own weight included.
 struct LoadCase {
-  double mass = 0.0;                              // t
+  double mass_t = 0.0;                            // t
   Vector3d centre_of_gravity = Vector3d::Zero();  // m, in the ship's axes
   double water_density = kSeaWaterDensity;        // t/m³
 

@@ -40,8 +40,8 @@ HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mo
   const double whole = greatest_volume(body, Vector3d::UnitZ());
   if (volume >= whole) {
     std::ostringstream words;
-    words << "The ship sinks: she weighs " << load.mass << " t, but the whole body displaces only "
-          << whole * load.water_density << " t.";
+    words << "The ship sinks: she weighs " << load.mass_t
+          << " t, but the whole body displaces only " << whole * load.water_density << " t.";
     throw std::invalid_argument(words.str());
   }
   return HeelingPath(body, volume, whole, load.centre_of_gravity, mode, trim);

@@ -20,8 +20,8 @@ struct RightingLeverOptions {
 };
 
 // A curve of righting levers; heel positive to starboard, levers positive where they right such a
-// heel. Particulars refer to heels from 0 to the greatest asked for, and are looked for between
-// those asked for (lever_features.h).
+// heel. What is found on it lies between 0 and the greatest heel asked for, mostly between those
+// asked for (lever_features.h).
 struct RightingLevers {
   std::vector<HeeledState> states;  // at the heels asked for, in that order
   double gm = 0.0;                  // m: dGZ/dheel upright, with what the trim does to it

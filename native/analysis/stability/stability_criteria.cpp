@@ -18,20 +18,20 @@ class IntactCriteria {
   IntactCriteria(HeelingPath& path, const HullBody& body, const StabilityEdges& edges)
       : path_(path),
         curve_(criteria_curve(path, body, edges)),
-        flooding_(curve_.downflooding_heel),
+        downflooding_(curve_.downflooding_heel),
         deck_edge_(deck_edge_of(body, edges)) {
     if (!curve_.can_flood) unflooded_ = "No downflooding point is given: no heel floods the ship.";
   }
 
   StabilityReport report() {
-    const double to_40 = std::min(k40, flooding_.value_or(k40));
+    const double to_40 = std::min(k40, downflooding_.value_or(k40));
     area("Area under the GZ curve up to 30°", 0.0, k30, 0.055);
     area("Area under the GZ curve up to " + up_to_40(), 0.0, to_40, 0.09);
     area("Area under the GZ curve from 30° to " + up_to_40(), k30, to_40, 0.03);
     lever_beyond_30();
     heel_of_greatest();
     initial_gm();
-    report_.downflooding_heel = flooding_;
+    report_.downflooding_heel = downflooding_;
     report_.can_flood = curve_.can_flood;
     report_.has_deck_edge = !deck_edge_.empty();
     report_.deck_edge_heel = deck_edge_heel(path_, deck_edge_, curve_.heels);
@@ -42,7 +42,8 @@ class IntactCriteria {
 
  private:
   std::string up_to_40() const {
-    return flooding_ && *flooding_ < k40 ? "flooding at " + in_degrees(*flooding_) : "40°";
+    return downflooding_ && *downflooding_ < k40 ? "flooding at " + in_degrees(*downflooding_)
+                                                 : "40°";
   }
 
   void add(Criterion c) { report_.criteria.push_back(judged(std::move(c))); }
@@ -54,10 +55,10 @@ class IntactCriteria {
   // Says so if the curve does not reach a heel; true if nothing can be computed.
   bool ends_before(double heel, Criterion& c) const {
     if (curve_.end() >= heel) return false;
-    if (flooding_) {
+    if (downflooding_) {
       c.outcome = CriterionOutcome::kFail;
       c.note =
-          "The ship floods at " + in_degrees(*flooding_) + ", before " + in_degrees(heel) + ".";
+          "The ship floods at " + in_degrees(*downflooding_) + ", before " + in_degrees(heel) + ".";
     } else {
       c.note = curve_.why_it_ends;
     }
@@ -81,7 +82,7 @@ class IntactCriteria {
     const double needed = from > 0.0 ? std::max(from, to) : to;
     if (!ends_before(needed, c)) {
       c.value = lever_area(path_, from, to, kCriteriaAreaTolerance);
-    } else if (flooding_ && from == 0.0) {
+    } else if (downflooding_ && from == 0.0) {
       c.value = lever_area(path_, 0.0, curve_.end(), kCriteriaAreaTolerance);
     }
     add(std::move(c));
@@ -115,7 +116,7 @@ class IntactCriteria {
 
   HeelingPath& path_;
   const CriteriaCurve curve_;
-  const std::optional<double>& flooding_;
+  const std::optional<double>& downflooding_;
   const DeckEdge deck_edge_;
   std::string unflooded_;
   StabilityReport report_;

@@ -88,14 +88,14 @@ class Weather {
       throw std::invalid_argument(words.str());
     }
     result_.steady_lever =
-        options_.wind_pressure * area * result_.wind_lever / (1000.0 * kGravity * load_.mass);
+        options_.wind_pressure * area * result_.wind_lever / (1000.0 * kGravity * load_.mass_t);
     result_.gust_lever = kGust * result_.steady_lever;
   }
 
   void take_roll() {
     const HeeledState& state = upright();
     const double draft = draft_in(state.immersion.water, options_.midship);
-    const Particulars p =
+    const Hydrostatics p =
         hydrostatics(closed_, {draft, state.trim, 0.0, options_.midship}, {}, load_.water_density);
     result_.draft = draft;
     result_.beam = options_.beam > 0.0 ? options_.beam : p.waterline_beam;

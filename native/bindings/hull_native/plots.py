@@ -233,15 +233,15 @@ def righting_lever_plot(
     gm=None,
     vanishing=None,
     deck_edge=None,
-    flooding=None,
+    downflooding=None,
     areas=(),
 ):
     """GZ (n,) in m over heel (n,) in rad; between the angles given the curve is interpolated.
 
     slopes (n,): dGZ/dheel in m/rad, which the curve then has; otherwise they are estimated.
     greatest: (heel, lever) in rad and m, by default the top of the curve drawn. gm (m) draws the
-    tangent at 0, up to 1 rad; vanishing, deck_edge and flooding are angles in rad that are marked;
-    areas: (from, to, value), rad and m·rad, are shaded.
+    tangent at 0, up to 1 rad; vanishing, deck_edge and downflooding are angles in rad that are
+    marked; areas: (from, to, value), rad and m·rad, are shaded.
     """
     heel, gz = _same_length(heel, gz, "heel", "gz")
     if slopes is not None:
@@ -273,7 +273,7 @@ def righting_lever_plot(
         plot.add_marker(radian, gm, f"GM {gm:.3f} m", curve=guide)
     if vanishing is not None:
         plot.add_marker(np.degrees(vanishing), 0.0, f"φv {np.degrees(vanishing):.1f}°", curve=curve)
-    for angle, name in ((deck_edge, "deck edge"), (flooding, "flooding")):
+    for angle, name in ((deck_edge, "deck edge"), (downflooding, "downflooding")):
         if angle is not None:
             plot.add_line(x=np.degrees(angle), label=f"{name} {np.degrees(angle):.1f}°")
     return plot

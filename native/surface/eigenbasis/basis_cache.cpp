@@ -12,8 +12,8 @@ std::shared_ptr<const CornerBasis> BasisCache::get(const CornerKey& key) {
   const LocalMatrices local = local_matrices(key);
   CornerKey fan = key;
   fan.cell = 0;
-  std::shared_ptr<const SlowSpectrum>& spectrum = spectra_[fan];
-  if (!spectrum) spectrum = std::make_shared<const SlowSpectrum>(ring_spectrum(key, local));
+  std::shared_ptr<const DominantSpectrum>& spectrum = spectra_[fan];
+  if (!spectrum) spectrum = std::make_shared<const DominantSpectrum>(ring_spectrum(key, local));
   basis = std::make_shared<const CornerBasis>(key, local, spectrum);
   return basis;
 }

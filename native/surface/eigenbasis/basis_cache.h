@@ -19,7 +19,7 @@ class BasisCache {
   std::mutex mutex_;
   std::map<CornerKey, std::shared_ptr<const CornerBasis>> bases_;
   // Of the rings, the same for all cells of a fan: by the key of the fan's first cell.
-  std::map<CornerKey, std::shared_ptr<const SlowSpectrum>> spectra_;
+  std::map<CornerKey, std::shared_ptr<const DominantSpectrum>> spectra_;
 };
 
 }  // namespace hull::surface

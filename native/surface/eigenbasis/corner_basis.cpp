@@ -24,8 +24,8 @@ Weights16 tensor_weights(const Basis& u, const Basis& v) {
 }
 
 // The eigenvalues of the part of A that belongs to the outer points alone are 1/8, 1/16, 1/32 and
-// 1/64 (they subdivide like cubic B-splines); slow ones keep clear of them.
-constexpr double kSlowFloor = 0.14;
+// 1/64 (they subdivide like cubic B-splines); the dominant ones keep clear of them.
+constexpr double kDominantFloor = 0.14;
 
 struct RingPlace {
   int level;
@@ -43,9 +43,9 @@ RingPlace place_in_ring(double u, double v) {
 
 }  // namespace
 
-SlowSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local) {
+DominantSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local) {
   const int ring = local.ring_size;
-  SlowSpectrum spectrum = slow_spectrum(local.A.topLeftCorner(ring, ring), kSlowFloor);
+  DominantSpectrum spectrum = dominant_spectrum(local.A.topLeftCorner(ring, ring), kDominantFloor);
   if (key.kind == mesh::VertexKind::kCorner || key.kind == mesh::VertexKind::kCone) {
     // The limit of an interpolated point is the point itself, without a rounding error.
     spectrum.left.col(0) = Eigen::VectorXd::Unit(ring, 0);
@@ -54,7 +54,7 @@ SlowSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local) {
 }
 
 CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
-                         std::shared_ptr<const SlowSpectrum> spectrum)
+                         std::shared_ptr<const DominantSpectrum> spectrum)
     : A_(local.A), spectrum_(std::move(spectrum)), segments_(local.segments) {
   extend_eigenvectors();
   place_segments();
@@ -78,7 +78,7 @@ void CornerBasis::extend_eigenvectors() {
   right_.topRows(ring) = ring_right;
   const Eigen::MatrixXd C = A_.bottomLeftCorner(outer, ring);
   const Eigen::MatrixXd D = A_.bottomRightCorner(outer, outer);
-  for (const SlowBlock& block : spectrum_->blocks) {
+  for (const DominantBlock& block : spectrum_->blocks) {
     const int size = block.size;
     // (I ⊗ D - L^T ⊗ I) vec X = -vec C R, a small dense system.
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(outer * size, outer * size);
@@ -116,7 +116,7 @@ void CornerBasis::place_segments() {
   for (auto& quarter_row : segment_at_) quarter_row.fill(-1);
   for (int s = 0; s < segment_count(); ++s) {
     RingSegment& segment = segments_[s];
-    segment.slow = segment.rows * right_;
+    segment.dominant = segment.rows * right_;
     std::array<int, 16>& rows = segment_rows_.emplace_back();
     for (int i = 0; i < 16; ++i) rows[i] = refine_.add(segment.rows.row(i));
     const int i0 = static_cast<int>(4 * segment.u), j0 = static_cast<int>(4 * segment.v);
@@ -156,15 +156,15 @@ EigenCoordinates CornerBasis::eigen_coordinates(const CornerPoints& points) cons
   for (int i = 0; i < point_count(); ++i) {
     result.rest.row(i) = (inner[i] - inner.front()).transpose();
   }
-  result.slow =
+  result.dominant =
       spectrum_->left.transpose().lazyProduct(result.rest.topRows(spectrum_->left.rows()));
-  result.rest -= right_.lazyProduct(result.slow);
+  result.rest -= right_.lazyProduct(result.dominant);
   return result;
 }
 
 void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
-  for (const SlowBlock& block : spectrum_->blocks) {
-    auto rows = coordinates.slow.middleRows(block.begin, block.size);
+  for (const DominantBlock& block : spectrum_->blocks) {
+    auto rows = coordinates.dominant.middleRows(block.begin, block.size);
     if (block.coupled) {
       for (int k = 0; k < steps; ++k) rows = (block.action * rows).eval();
     } else {
@@ -214,10 +214,10 @@ void CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u,
   const auto combine = [&](const Basis& bu, const Basis& bv) -> Vector3d {
     const Weights16 weights = tensor_weights(bu, bv);
     // The constant eigenvector is left out: it only moves, and would drown small differences.
-    const Eigen::Index m = at.slow.rows() - 1;
-    const Eigen::RowVectorXd on_slow = weights.transpose() * segment.slow.rightCols(m);
+    const Eigen::Index m = at.dominant.rows() - 1;
+    const Eigen::RowVectorXd on_dominant = weights.transpose() * segment.dominant.rightCols(m);
     const Eigen::RowVectorXd on_rest = weights.transpose() * segment.rows;
-    return (on_slow * at.slow.bottomRows(m) + on_rest * at.rest).transpose();
+    return (on_dominant * at.dominant.bottomRows(m) + on_rest * at.rest).transpose();
   };
   const Basis bu = cubic_basis(x), bv = cubic_basis(y);
   jet.point = points.limit + combine(bu, bv);
@@ -253,7 +253,7 @@ CornerRing::CornerRing(const CornerBasis& basis, const CornerPoints& points)
 const std::vector<Vector3d>& CornerRing::points() const {
   if (step_ <= kPlainRings) return points_.square(step_);
   if (!deep_square_.empty()) return deep_square_;
-  const CornerBasis::Rows values = basis_.right_.lazyProduct(deep_.slow) + deep_.rest;
+  const CornerBasis::Rows values = basis_.right_.lazyProduct(deep_.dominant) + deep_.rest;
   deep_square_.reserve(values.rows());
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
     deep_square_.push_back(points_.limit + values.row(i).transpose());
@@ -265,7 +265,7 @@ BicubicPoints CornerRing::segment_points(int segment) const {
   if (step_ < kPlainRings) return points_.segments[step_ * basis_.segment_count() + segment];
   const RingSegment& s = basis_.segments_[segment];
   const Eigen::Matrix<double, 16, 3> values =
-      s.slow.lazyProduct(deep_.slow) + s.rows.lazyProduct(deep_.rest);
+      s.dominant.lazyProduct(deep_.dominant) + s.rows.lazyProduct(deep_.rest);
   BicubicPoints result;
   for (int i = 0; i < 16; ++i) result[i] = points_.limit + values.row(i).transpose();
   return result;
@@ -277,7 +277,7 @@ void CornerRing::advance() {
   if (step_ == kPlainRings) {
     deep_ = basis_.eigen_coordinates(points_);
     // The constant part is the limit point, which is added at the end.
-    deep_.slow.row(0).setZero();
+    deep_.dominant.row(0).setZero();
   } else if (step_ > kPlainRings) {
     basis_.advance(deep_, 1);
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "surface/eigenbasis/corner_key.h"
-#include "surface/eigenbasis/slow_spectrum.h"
+#include "surface/eigenbasis/dominant_spectrum.h"
 #include "surface/eigenbasis/sparse_rows.h"
 #include "surface/eigenbasis/tangent_rule.h"
 #include "surface/pieces/bicubic.h"
@@ -20,7 +20,8 @@ struct LocalMatrices;
 struct RingSegment {
   double u, v, size;                               // [u, u + size] x [v, v + size] of the cell
   Eigen::Matrix<double, 16, Eigen::Dynamic> rows;  // its bicubic control points from the cell's
-  Eigen::Matrix<double, 16, Eigen::Dynamic> slow;  // rows * right: from the slow coordinates
+  Eigen::Matrix<double, 16, Eigen::Dynamic>
+      dominant;  // rows * right: from the dominant coordinates
 };
 
 // The outermost rings are subdivided, not evaluated in the eigenbasis: it costs less, and no more
@@ -43,8 +44,8 @@ struct CornerPoints {
 
 // Coordinates of the innermost plain square in the eigenbasis.
 struct EigenCoordinates {
-  Eigen::Matrix<double, Eigen::Dynamic, 3> slow;  // left^T (q - q_0): m x 3
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rest;  // q - q_0 - right slow: N x 3
+  Eigen::Matrix<double, Eigen::Dynamic, 3> dominant;  // left^T (q - q_0): m x 3
+  Eigen::Matrix<double, Eigen::Dynamic, 3> rest;      // q - q_0 - right dominant: N x 3
 };
 
 // Evaluation of cells with one irregular corner: Stam's eigenbasis (Stam 1998; Greshake 2021,
@@ -60,12 +61,12 @@ class CornerBasis {
  public:
   // `spectrum`: that of the ring's matrix, ring_spectrum(); it does not depend on key.cell.
   CornerBasis(const CornerKey& key, const LocalMatrices& local,
-              std::shared_ptr<const SlowSpectrum> spectrum);
+              std::shared_ptr<const DominantSpectrum> spectrum);
 
   // Number N of control points: those of ring_points() followed by outer_points().
   int point_count() const { return static_cast<int>(A_.rows()); }
   const Eigen::MatrixXd& matrix() const { return A_; }
-  const SlowSpectrum& spectrum() const { return *spectrum_; }
+  const DominantSpectrum& spectrum() const { return *spectrum_; }
   const std::vector<RingSegment>& segments() const { return segments_; }
   int segment_count() const { return static_cast<int>(segments_.size()); }
   const TangentRule& tangent_rule() const { return tangent_; }
@@ -94,8 +95,9 @@ class CornerBasis {
   void advance(EigenCoordinates& coordinates, int steps) const;
 
   Eigen::MatrixXd A_;
-  Eigen::MatrixXd right_;  // slow eigenvectors of A: those of the ring, extended to outer points
-  std::shared_ptr<const SlowSpectrum> spectrum_;
+  Eigen::MatrixXd
+      right_;  // dominant eigenvectors of A: those of the ring, extended to outer points
+  std::shared_ptr<const DominantSpectrum> spectrum_;
   std::vector<RingSegment> segments_;
   SparseRows refine_;                              // A's rows, then all others that segments need
   std::vector<int> next_square_;                   // rows of refine_: the child's N points …
@@ -107,8 +109,8 @@ class CornerBasis {
   Eigen::Matrix<double, 2, Eigen::Dynamic> tangent_rows_;  // its two vectors from ring points
 };
 
-// The slow spectrum of the ring's own part of a local matrix.
-SlowSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local);
+// The dominant spectrum of the ring's own part of a local matrix.
+DominantSpectrum ring_spectrum(const CornerKey& key, const LocalMatrices& local);
 
 // Walks through the rings of pieces around an irregular corner, from the largest inwards.
 class CornerRing {
@@ -129,7 +131,7 @@ class CornerRing {
   const CornerBasis& basis_;
   const CornerPoints& points_;
   int step_ = 0;
-  EigenCoordinates deep_;  // from step kPlainRings on; slow without its constant part
+  EigenCoordinates deep_;  // from step kPlainRings on; dominant without its constant part
   mutable std::vector<Vector3d> deep_square_;  // points() there, once asked for
 };
 

@@ -13,7 +13,7 @@ namespace hull::surface {
 struct LocalMatrices {
   int ring_size;      // how many of the N points are ring_points()
   Eigen::MatrixXd A;  // N x N: the cell's control points to those of its child at the corner
-  std::vector<RingSegment> segments;  // `slow` still empty
+  std::vector<RingSegment> segments;  // `dominant` still empty
 };
 
 LocalMatrices local_matrices(const CornerKey& key);

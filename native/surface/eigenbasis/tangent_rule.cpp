@@ -8,7 +8,7 @@
 namespace hull::surface {
 namespace {
 
-// A leading mode: how its amplitude follows from the slow coordinates, and its pattern in them.
+// A leading mode: how its amplitude follows from the dominant coordinates, and its pattern in them.
 struct Mode {
   Eigen::VectorXd weights, pattern;
 };
@@ -19,7 +19,7 @@ Mode plain_mode(Eigen::Index m, int column) {
 
 // In a Jordan block the nilpotent part leads after k steps, by a factor k. Of rank one, it maps
 // everything on one eigenvector (docs/surface.md, trap 5: the osculating plane of a crease).
-bool jordan_mode(Eigen::Index m, const SlowBlock& block, Mode& mode) {
+bool jordan_mode(Eigen::Index m, const DominantBlock& block, Mode& mode) {
   const Eigen::MatrixXd nilpotent =
       block.action - block.eigenvalue * Eigen::MatrixXd::Identity(block.size, block.size);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(nilpotent, Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -30,7 +30,7 @@ bool jordan_mode(Eigen::Index m, const SlowBlock& block, Mode& mode) {
   return true;
 }
 
-bool leading_modes(const SlowSpectrum& spectrum, Mode& a, Mode& b) {
+bool leading_modes(const DominantSpectrum& spectrum, Mode& a, Mode& b) {
   const auto& blocks = spectrum.blocks;
   const Eigen::Index m = spectrum.right.cols();
   if (blocks.size() < 2) return false;
@@ -68,7 +68,7 @@ double turning_sense(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
 
 }  // namespace
 
-TangentRule tangent_rule(const SlowSpectrum& spectrum) {
+TangentRule tangent_rule(const DominantSpectrum& spectrum) {
   TangentRule rule;
   Mode a, b;
   if (!leading_modes(spectrum, a, b)) return rule;

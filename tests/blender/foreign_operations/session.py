@@ -25,6 +25,13 @@ def _update():
         return f"refused: {error}"
 
 
+def _joins_its_parent():
+    """Blender takes the active object's parent away then even when it goes on to refuse, and tells
+    nobody."""
+    parent = bpy.context.view_layer.objects.active.parent
+    return parent is not None and parent.select_get()
+
+
 class Session:
     """step() does one thing and returns what, as text."""
 
@@ -82,7 +89,9 @@ class Session:
     def operator(self):
         for name in operators.by_chance(self.mode(), self.random):
             self.tell(f"poll {name}")
-            if operators.can_be_called(name):
+            if operators.can_be_called(name) and not (
+                name == "object.join" and _joins_its_parent()
+            ):
                 break
         if name == "object.voxel_remesh":
             active = bpy.context.view_layer.objects.active
@@ -277,7 +286,8 @@ class Session:
             return f"tidy {self.change_mode()}"
         self.tell("tidy")
         others = [o for o in objects if not o.hull.is_hull and o.parent is None]
-        for obj in large + ((others or self.hulls()[FEWEST_HULLS:]) if many else []):
+        many_of = (others or self.hulls()[FEWEST_HULLS:]) if many else []
+        for obj in dict.fromkeys(large + many_of):
             bpy.data.objects.remove(obj)
         if len(self.hulls()) < FEWEST_HULLS:
             name = f"box {self.random.randrange(1000)}"

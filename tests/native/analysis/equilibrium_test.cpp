@@ -232,7 +232,7 @@ TEST(Equilibrium, OfRandomBodies) {
     ASSERT_EQ(e.status, EquilibriumStatus::kStable) << "trial " << trial << ": " << e.message;
     const auto energy = [&](const Vector3d& up) {
       int count = 0;
-      const double c = offset_of_volume(body, up, load.mass, whole, 1e-12, count);
+      const double c = offset_of_volume(body, up, load.mass_t, whole, 1e-12, count);
       return up.dot(load.centre_of_gravity - body.immersion({up, c}).centre_of_buoyancy);
     };
     const Vector3d n = e.immersion.water.normal;

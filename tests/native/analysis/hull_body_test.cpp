@@ -308,7 +308,7 @@ TEST(HullBody, OutOfDateRefusesToAnswer) {
   for (const HullBody* stale : std::initializer_list<const HullBody*>{&body, &twin}) {
     refuses([&] { stale->immersion(water); });
     refuses([&] { stale->shell_moments(); });
-    refuses([&] { stale->flooding_point(Vector3d::UnitZ()); });
+    refuses([&] { stale->downflooding_point(Vector3d::UnitZ()); });
     refuses([&] { stale->refuse_flooding(water); });
     refuses([&] { stale->closed(); });
     refuses([&] { stale->boxes(); });
@@ -340,7 +340,7 @@ TEST(HullBody, FloodsAtItsLowestOpening) {
             std::string::npos);
   // Heeled to starboard the edge there goes under first.
   const Plane heeled = water_plane({kD - 0.5, 0.0, 0.2, 0.0});
-  const FloodingPoint point = body.flooding_point(heeled.normal);
+  const DownfloodingPoint point = body.downflooding_point(heeled.normal);
   EXPECT_NEAR(point.point.y(), -0.5 * kB, 1e-12);
   EXPECT_NE(words_of(body, heeled).find("floods at"), std::string::npos);
   EXPECT_GT(HullBody(surface, true).immersion(heeled).volume, 0.0);

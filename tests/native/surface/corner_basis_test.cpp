@@ -96,7 +96,7 @@ TEST(CornerBasis, FindsTheDefectiveSectors) {
         BasisCache().get({Scheme::kBiermann, mesh::VertexKind::kCrease, false, n, 0});
     const CornerBasis& basis = *shared;
     bool defective = false;
-    for (const SlowBlock& block : basis.spectrum().blocks) {
+    for (const DominantBlock& block : basis.spectrum().blocks) {
       if (!block.coupled) continue;
       defective = true;
       EXPECT_NEAR(block.eigenvalue, 0.25, 1e-12);

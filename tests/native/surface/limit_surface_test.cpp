@@ -157,7 +157,7 @@ TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
       if (n == 4) continue;  // regular, so without a corner basis
       // The surface is C¹ there: normals nearby approach it as the ratio of the third to the second
       // eigenvalue does to the power of the level, 333 at 1e-100.
-      const SlowSpectrum& spectrum = surface.layout().basis(0).spectrum();
+      const DominantSpectrum& spectrum = surface.layout().basis(0).spectrum();
       const auto& blocks = spectrum.blocks;
       const double third = blocks.size() > 2 ? blocks[2].eigenvalue : spectrum.rest;
       const double ratio = third / blocks[1].eigenvalue;

@@ -7,10 +7,10 @@ opened, or when it is appended or pasted from one.
 
 Formats: 0: which lines are drawn is kept with the hull, and more of it with the lines plan; lines
 are an object. 1: all of it is in Object.hull.lines, lines are drawn over the view. 2: it is kept
-whether the VCG is a guess.
+whether the VCG is a guess. 3: the points of downflooding are called so.
 """
 
-FORMAT = 2
+FORMAT = 3
 
 _GUESSED_KG = 0.6  # of the depth: what a hull without VCG was given
 
@@ -63,6 +63,18 @@ def _know_the_guess(settings):
     settings.loading.kg_is_guess = guess > 0.0 and abs(settings.loading.kg / guess - 1.0) < 1e-6
 
 
+def _name_downflooding_points(settings):
+    # What is taken away is freed: it is read before.
+    for old in settings.loading.get("flooding_points", ()):
+        point = settings.loading.downflooding_points.add()
+        point.name = old.get("name", "")
+        point.position = old.get("position", (0.0, 0.0, 0.0))
+    _taken(settings.loading, "flooding_points")
+    active = _taken(settings.loading, "active_flooding_point")
+    if active is not None:
+        settings.loading.active_downflooding_point = active
+
+
 def _taken(group, name):
     """A stored value that no property stands for any longer, which is removed; None for none."""
     value = group.get(name)
@@ -72,4 +84,4 @@ def _taken(group, name):
 
 
 # From each format to the next.
-_STEPS = (_gather_lines, _know_the_guess)
+_STEPS = (_gather_lines, _know_the_guess, _name_downflooding_points)

@@ -29,11 +29,11 @@ def export_lines_drawing(obj, scene, path):
     state = _up_to_date(obj, scene)
     scale = units.metres_per_unit(scene)
     native.require().write_lines_drawing(
-        state.ship.surface,
+        state.surface,
         path,
         title=obj.name,
-        particulars=_particulars(obj.hull, state.ship.body, scale),
-        **lines_plan.drawing_options(obj.hull, state.ship.surface, scale),
+        particulars=_particulars(obj.hull, state.body, scale),
+        **lines_plan.drawing_options(obj.hull, state.surface, scale),
     )
 
 
@@ -50,7 +50,7 @@ def _particulars(settings, body, scale):
     ]
     try:
         where = replace(afloat.afloat(settings, scale), trim_m=0.0, heel=0.0)
-        found = hydrostatics.described(hydrostatics.particulars(body, where), where)
+        found = hydrostatics.described(hydrostatics.computed(body, where), where)
     except ValueError:
         return pairs  # afloat at no such draft: the drawing is good without
     pairs.append(("Displaced volume", f"{found.displaced_volume:.1f} m³"))

@@ -12,9 +12,9 @@ _CLOSED_TOLERANCE = 1e-6
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number of hydrostatics: where it is in hull_native.Particulars, and how it is named.
+    """A number of hydrostatics: where it is in hull_native.Hydrostatics, and how it is named.
 
-    name: of the value in Hydrostatics. title: in tables. unit: as units.format_value takes it.
+    name: of the value in HydrostaticValues. title: in tables. unit: as units.format_value takes it.
     """
 
     group: str
@@ -47,7 +47,8 @@ def _coefficients(of, what):
     )
 
 
-# name, label in the panel, title in tables, unit, path in Particulars if it is not the name.
+# name, label in the panel, title in tables, unit, path in hull_native.Hydrostatics if it is not
+# the name.
 _GROUPS = {
     "Displacement": (
         ("displaced_volume", "Volume ∇", "displaced volume", "m3", ""),
@@ -117,19 +118,19 @@ KEY_FIGURES = (
 GROUPS = tuple(_GROUPS)
 
 
-class Hydrostatics(SimpleNamespace):
-    """draft, draft_aft and draft_forward, trim (m), heel (rad), and the values of QUANTITIES, in
+class HydrostaticValues(SimpleNamespace):
+    """draft, draft_aft, draft_forward and trim_m (m), heel (rad), and the values of QUANTITIES, in
     metres, radians and tonnes, by their names; both sides. What is undefined is None. remark: a
     sentence, or ""."""
 
 
 def at(ship, where):
-    """Hydrostatics of a ship.Ship that lies as an Afloat says; ValueError as `particulars`."""
-    return described(ship.particulars(where), where)
+    """HydrostaticValues of a ship.Ship that lies as an Afloat says; ValueError as `computed`."""
+    return described(ship.hydrostatics(where), where)
 
 
-def particulars(body, where):
-    """The hull_native.Particulars of a hull_native.HullBody.
+def computed(body, where):
+    """The hull_native.Hydrostatics of a hull_native.HullBody.
 
     ValueError when nothing is under water, when the body floods, or faces are turned.
     """
@@ -140,13 +141,13 @@ def particulars(body, where):
 
 
 def described(found, where):
-    """Hydrostatics of hull_native.Particulars."""
+    """HydrostaticValues of hull_native.Hydrostatics."""
     values = {quantity.name: _value(found, quantity, where) for quantity in QUANTITIES}
-    return Hydrostatics(
+    return HydrostaticValues(
         draft=where.draft,
         draft_aft=where.draft + 0.5 * where.trim_m,
         draft_forward=where.draft - 0.5 * where.trim_m,
-        trim=where.trim_m,
+        trim_m=where.trim_m,
         heel=where.heel,
         remark=_remark(found, where),
         **values,
@@ -154,7 +155,7 @@ def described(found, where):
 
 
 def _value(found, quantity, where):
-    """A number of hull_native.Particulars, None where 0 there stands for undefined."""
+    """A number of hull_native.Hydrostatics, None where 0 there stands for undefined."""
     value = found
     for name in quantity.path.split("."):
         value = getattr(value, name)

@@ -11,7 +11,7 @@ _CENTRE = ("lcg", "tcg", "vcg")
 
 def give_loading(settings, hull, scale):
     """To an Object.hull without load cases and openings; scale: metres of Blender's unit."""
-    settings.trim = hull.afloat.trim / scale
+    settings.trim = hull.afloat.trim_m / scale
     settings.heel = radians(hull.afloat.heel_deg)
     settings.deck_closed = hull.afloat.deck_closed
     loading, load = settings.loading, hull.load
@@ -28,7 +28,7 @@ def give_loading(settings, hull, scale):
         for key in _CENTRE:
             setattr(entry, key, getattr(case, key) / scale)
     for opening in hull.openings:
-        entry = loading.flooding_points.add()
+        entry = loading.downflooding_points.add()
         entry.name = opening.name
         entry.position = [value / scale for value in opening.position]
     if hull.wind is not None:
@@ -73,7 +73,7 @@ def take_loading(settings, scale):
         ],
         "openings": [
             Opening(point.name, tuple(metres(value) for value in point.position))
-            for point in loading.flooding_points
+            for point in loading.downflooding_points
         ],
         "wind": _taken_wind(settings.wind, metres),
     }

@@ -21,13 +21,13 @@ class Ship:
     moved: object = None
     memory: dict = field(default_factory=dict)
 
-    def particulars(self, where):
-        """The hull_native.Particulars at an Afloat; ValueError as hydrostatics.particulars."""
+    def hydrostatics(self, where):
+        """The hull_native.Hydrostatics at an Afloat; ValueError as hydrostatics.computed."""
         key = (self.moved and self.moved.after, where)
-        known_key, known = self.memory.get("particulars", (None, None))
+        known_key, known = self.memory.get("hydrostatics", (None, None))
         if known_key != key:
-            known = hydrostatics.particulars(self.body, where)
-            self.memory["particulars"] = key, known
+            known = hydrostatics.computed(self.body, where)
+            self.memory["hydrostatics"] = key, known
         return known
 
 
@@ -66,9 +66,3 @@ class ShipSource:
     def live_body(self, surface):
         """One for numbers that follow the mouse: to some 1e-8 of the whole."""
         return self.new_body(surface, tolerance=1e-8)
-
-
-def source_of(found, control):
-    """The ShipSource of a hull_mesh.HullMesh; control: ControlArrays of it, or of a part of it."""
-    deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
-    return ShipSource(control, found.scheme, found.half, found.openings, deck_edge)

@@ -7,7 +7,7 @@ from . import hull_state
 # By list: the group of Object.hull that has it, and which of its entries is chosen there.
 _LISTS = {
     "load_cases": ("loading", "active_load_case"),
-    "flooding_points": ("loading", "active_flooding_point"),
+    "downflooding_points": ("loading", "active_downflooding_point"),
     "areas": ("wind", "active_area"),
 }
 
@@ -15,7 +15,7 @@ _LISTS = {
 def add_load_case(obj, scene):
     """A load case of the displacement and LCB at hand, on which one goes on; returns it."""
     loading = obj.hull.loading
-    found = hull_state.refresh(obj, scene).hydrostatics.values
+    found = hull_state.refresh(obj, scene).hydrostatics
     case = loading.load_cases.add()
     case.name = f"Load case {len(loading.load_cases)}"
     case.vcg = loading.kg
@@ -26,13 +26,13 @@ def add_load_case(obj, scene):
     return case
 
 
-def add_flooding_point(obj):
+def add_downflooding_point(obj):
     """An opening at the side of the deck amidships; returns it."""
     settings, loading = obj.hull, obj.hull.loading
-    point = loading.flooding_points.add()
-    point.name = f"Opening {len(loading.flooding_points)}"
+    point = loading.downflooding_points.add()
+    point.name = f"Opening {len(loading.downflooding_points)}"
     point.position = (0.5 * settings.length_pp, 0.5 * settings.beam, settings.depth)
-    loading.active_flooding_point = len(loading.flooding_points) - 1
+    loading.active_downflooding_point = len(loading.downflooding_points) - 1
     return point
 
 
@@ -47,7 +47,7 @@ def add_wind_area(obj):
 
 
 def entries_of(obj, name):
-    """The list of that name: "load_cases", "flooding_points" or "areas" of the wind."""
+    """The list of that name: "load_cases", "downflooding_points" or "areas" of the wind."""
     return getattr(getattr(obj.hull, _LISTS[name][0]), name)
 
 

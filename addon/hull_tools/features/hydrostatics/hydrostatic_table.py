@@ -29,7 +29,7 @@ class Inputs:
 @dataclass(frozen=True)
 class Result:
     """hydrostatics of each row, all drafts of the first trim before the next; curves: hull_native's
-    Particulars of the first trim at close drafts."""
+    Hydrostatics of the first trim at close drafts."""
 
     hydrostatics: list
     curves: list
@@ -73,7 +73,7 @@ def compute(ship, given):
 
 
 def _afloat(body, where, drafts):
-    """hull_native.Particulars at those of the drafts at which something is under water."""
+    """hull_native.Hydrostatics at those of the drafts at which something is under water."""
     rows = native.require().hydrostatic_table(
         body, drafts=drafts, trims=[where.trim], **where.project()
     )
@@ -84,7 +84,7 @@ _POSITION = (
     ("draft [m]", "draft"),
     ("draft aft [m]", "draft_aft"),
     ("draft forward [m]", "draft_forward"),
-    ("trim by the stern [m]", "trim"),
+    ("trim by the stern [m]", "trim_m"),
 )
 _UNIT_NAMES = {"": "-", "%": "% of Lpp"}
 

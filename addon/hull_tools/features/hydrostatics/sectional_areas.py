@@ -36,7 +36,7 @@ class Areas:
 @dataclass(frozen=True)
 class Result:
     areas: Areas
-    particulars: object  # hull_native.Particulars
+    hydrostatics: object  # hull_native.Hydrostatics
     where: afloat.Afloat
 
 
@@ -45,7 +45,7 @@ def inputs(settings, metres_per_unit):
 
 
 def compute(ship, where):
-    found = ship.particulars(where)
+    found = ship.hydrostatics(where)
     low, high = _reach(ship.body, found)
     margin = _END_SHARE * (high - low)
     numbers = np.arange(_FINER * _SPACES + 1)
@@ -126,11 +126,11 @@ def plot(result, name):
         at += f", trim {where.trim_m:.3f} m by the stern"
     if where.heel:
         at += f", heel {np.degrees(where.heel):.1f}°"
-    at += f", ∇ {result.particulars.displaced_volume:.1f} m³"
+    at += f", ∇ {result.hydrostatics.displaced_volume:.1f} m³"
     return native.require().sectional_area_plot(
         found.positions,
         found.areas,
         subtitles=[at],
-        lcb=result.particulars.lcb,
+        lcb=result.hydrostatics.lcb,
         length_pp=where.length_pp or None,
     )

@@ -18,30 +18,27 @@ _BEHIND = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Mark:
-    """What the 3D view shows of a pull of a hull; points (3,) and radius in m, of the hull."""
+    """What the 3D view shows of a pull of the hull of this name; points (3,) and radius in m, of
+    the hull."""
 
+    hull: str
     start: tuple
     now: tuple
     text: str
     radius: float = 0.0
 
 
-@dataclass
-class Held:
-    """The Mark of one hull that the 3D view shows, or None."""
-
-    mark: object = None
+class _Shown:
+    mark = None
 
 
-def held(obj, scene):
-    """The Held of a hull."""
-    return hull_state.refresh(obj, scene).of(Held)
+def show(mark):
+    """Shows a Mark, or none."""
+    _Shown.mark = mark
 
 
-def shown(view_layer):
-    """(hull, Mark) of the one that is pulled in a view layer, or None."""
-    marks = ((hull, state.of(Held).mark) for hull, state in hull_state.known_hulls(view_layer))
-    return next(((hull, mark) for hull, mark in marks if mark is not None), None)
+def shown():
+    return _Shown.mark
 
 
 def grip_at(pull, eye, mouse, interface_scale=1.0, takes_lines=True):
@@ -101,7 +98,7 @@ def _line_at(pull, eye, mouse, reach, hit):
 
 def _shown_curves(state):
     """(plane, hull_native.SectionCurve, whether it is the mirror image that is shown)."""
-    for group in state.lines.groups.values():
+    for group in state.lines.values():
         for section in group.sections:
             for is_image in (False, True) if group.is_mirrored else (section.cut.flip,):
                 for curve in section.curves:

@@ -70,7 +70,7 @@ def compute(ship, given):
     load = loads.load(ship.body, given.load)
     arguments = {
         **load.arguments(given.load),
-        "downflooding_points": given.load.flooding_points or None,
+        "downflooding_points": given.load.downflooding_points or None,
         "deck_edge": deck_edge.points_of(ship.body.surface, ship.deck_edge),
     }
     report = native.require().stability_criteria(ship.body, **arguments)

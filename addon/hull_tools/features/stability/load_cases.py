@@ -29,8 +29,8 @@ class Inputs:
 
 
 @dataclass(frozen=True)
-class Rest:
-    """draft_mean, draft_aft, draft_forward, trim (m), heel (rad), gm (m) are None unless afloat;
+class CaseEquilibrium:
+    """draft_mean, draft_aft, draft_forward, trim_m (m), heel (rad), gm (m) are None unless afloat;
     status as hull_native.Equilibrium's, or "refused"; message: a sentence where there is more to
     say than that it is stable."""
 
@@ -40,7 +40,7 @@ class Rest:
     draft_mean: object = None
     draft_aft: object = None
     draft_forward: object = None
-    trim: object = None
+    trim_m: object = None
     heel: object = None
     gm: object = None
 
@@ -62,11 +62,11 @@ def inputs(settings, metres_per_unit):
 
 
 def compute(ship, given):
-    """A Rest of each case."""
-    return [_rest(ship.body, case, given.where) for case in given.cases]
+    """A CaseEquilibrium of each case."""
+    return [_equilibrium(ship.body, case, given.where) for case in given.cases]
 
 
-def _rest(body, case, where):
+def _equilibrium(body, case, where):
     try:
         found = native.require().equilibrium(
             body,
@@ -76,12 +76,12 @@ def _rest(body, case, where):
             draft_at=where.draft_at,
         )
     except ValueError as error:
-        return Rest(case, "refused", str(error))
+        return CaseEquilibrium(case, "refused", str(error))
     message = "" if found.status == "stable" and found.left is None else found.message
     if found.status not in AFLOAT:
-        return Rest(case, found.status, message)
+        return CaseEquilibrium(case, found.status, message)
     length_pp = where.length_pp
-    return Rest(
+    return CaseEquilibrium(
         case,
         found.status,
         message,
@@ -113,8 +113,8 @@ def header(result):
 
 
 def rows(result):
-    for rest in result:
-        heel_deg = None if rest.heel is None else degrees(rest.heel)
-        yield [rest.case.name, rest.case.mass_t, *rest.case.centre, rest.status, rest.draft_mean,
-               rest.draft_aft, rest.draft_forward, rest.trim, heel_deg, rest.gm,
-               rest.message]  # fmt: skip
+    for found in result:
+        heel_deg = None if found.heel is None else degrees(found.heel)
+        yield [found.case.name, found.case.mass_t, *found.case.centre, found.status,
+               found.draft_mean, found.draft_aft, found.draft_forward, found.trim_m, heel_deg,
+               found.gm, found.message]  # fmt: skip

@@ -20,7 +20,7 @@ class LoadInputs:
     kg_is_guess: bool
     lcg: object
     free_trim: bool
-    flooding_points: tuple  # of both sides
+    downflooding_points: tuple  # of both sides
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def load_inputs(settings, metres_per_unit):
         loading.kg_is_guess,
         lcg,
         loading.free_trim,
-        flooding_points(loading, metres_per_unit),
+        downflooding_points(loading, metres_per_unit),
     )
 
 
@@ -71,11 +71,11 @@ def greatest_heel(loading):
     return limits.within(greatest, "The greatest heel in rad", 0.0, limits.GREATEST_HEEL)
 
 
-def flooding_points(loading, metres_per_unit):
+def downflooding_points(loading, metres_per_unit):
     """Points (x, y, z) in m, those off the centre plane on both sides."""
     points = []
-    limits.at_most(len(loading.flooding_points), "openings", limits.MOST_LOADING_ENTRIES)
-    for entry in loading.flooding_points:
+    limits.at_most(len(loading.downflooding_points), "openings", limits.MOST_LOADING_ENTRIES)
+    for entry in loading.downflooding_points:
         x, y, z = (within_a_ship(value, entry.name, metres_per_unit) for value in entry.position)
         points += [(x, y, z)] if y == 0.0 else [(x, y, z), (x, -y, z)]
     return tuple(points)
@@ -96,7 +96,7 @@ def guessed_vcg(given):
 def load(body, given):
     """The Load of LoadInputs. ValueError when the ship does not float with it."""
     if given.mass_t is None:
-        found = hydrostatics.particulars(body, given.where)
+        found = hydrostatics.computed(body, given.where)
         mass_t, lcb, kb = found.displacement_t, found.lcb, found.kb
     else:
         mass_t = given.mass_t
@@ -109,7 +109,7 @@ def load(body, given):
 
 def _buoyancy(body, given):
     """x and z of the centre of buoyancy of a mass, upright at the trim afloat."""
-    rest = native.require().equilibrium(
+    found = native.require().equilibrium(
         body,
         mass_t=given.mass_t,
         centre_of_gravity=(given.where.draft_at, 0.0, given.kg),
@@ -118,9 +118,9 @@ def _buoyancy(body, given):
         free_heel=False,
         trim=given.where.trim,
     )
-    if rest.status in ("sinks", "not converged"):
-        raise ValueError(rest.message)
-    x, _, z = rest.immersion.centre_of_buoyancy
+    if found.status in ("sinks", "not converged"):
+        raise ValueError(found.message)
+    x, _, z = found.immersion.centre_of_buoyancy
     return x, z
 
 

@@ -67,7 +67,7 @@ def compute(ship, given):
         body,
         **load.arguments(given.load),
         heels=given.heels,
-        downflooding_points=given.load.flooding_points or None,
+        downflooding_points=given.load.downflooding_points or None,
         deck_edge=deck_edge.points_of(body.surface, ship.deck_edge),
         area_intervals=given.intervals,
         area_tolerance=_AREA_TOLERANCE,
@@ -101,6 +101,6 @@ def plot(result, name):
         gm=found.gm,
         vanishing=found.vanishing_heel,
         deck_edge=found.deck_edge_heel,
-        flooding=found.downflooding_heel,
+        downflooding=found.downflooding_heel,
         areas=[area for area in result.areas() if area[0] > 0.0 or area[1] < radians(35.0)],
     )

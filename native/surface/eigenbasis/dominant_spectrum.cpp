@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/eigenbasis/slow_spectrum.h"
+#include "surface/eigenbasis/dominant_spectrum.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -28,8 +28,8 @@ std::vector<std::complex<double>> sorted_eigenvalues(const MatrixXd& S) {
   return values;
 }
 
-// How many of the sorted eigenvalues are slow: the cut is in the widest gap of moduli that ends
-// between floor and 1/4. The first three are always slow: they hold the tangent plane.
+// How many of the sorted eigenvalues are dominant: the cut is in the widest gap of moduli that ends
+// between floor and 1/4. The first three are always dominant: they hold the tangent plane.
 int count_slow(const std::vector<std::complex<double>>& values, double floor) {
   int best = 0;
   double widest = -1.0;
@@ -150,11 +150,11 @@ MatrixXd invariant_subspace(const MatrixXd& S, const Group& group) {
 
 }  // namespace
 
-SlowSpectrum slow_spectrum(const MatrixXd& S, double floor) {
+DominantSpectrum dominant_spectrum(const MatrixXd& S, double floor) {
   const std::vector<std::complex<double>> values = sorted_eigenvalues(S);
   const int m = count_slow(values, floor);
   const Eigen::Index n = S.rows();
-  SlowSpectrum result{MatrixXd(n, m), MatrixXd(n, m), {}, 0.0};
+  DominantSpectrum result{MatrixXd(n, m), MatrixXd(n, m), {}, 0.0};
   result.rest = m < n ? std::abs(values[m]) : 0.0;
   std::vector<char> taken(values.size(), 0);
   int begin = 0;
@@ -164,7 +164,7 @@ SlowSpectrum slow_spectrum(const MatrixXd& S, double floor) {
     const int size = static_cast<int>(group.members.size());
     std::complex<double> sum = 0.0;
     for (const auto& member : group.members) sum += member;
-    assert(begin + size <= m);  // the cut is in a gap, so groups are slow as a whole
+    assert(begin + size <= m);  // the cut is in a gap, so groups are dominant as a whole
     result.right.middleCols(begin, size) = invariant_subspace(S, group);
     result.left.middleCols(begin, size) = invariant_subspace(S.transpose(), group);
     result.blocks.push_back({sum.real() / size, begin, size, false, {}});
@@ -176,7 +176,7 @@ SlowSpectrum slow_spectrum(const MatrixXd& S, double floor) {
   result.right.col(0).setOnes();
   const MatrixXd pairing = result.left.transpose() * result.right;
   result.left = result.left * pairing.inverse().transpose();
-  for (SlowBlock& block : result.blocks) {
+  for (DominantBlock& block : result.blocks) {
     // The bases are orthonormal: the projection gives the action with the least residual, where
     // left vectors, long if eigenvalues are close, would magnify rounding.
     const auto basis = result.right.middleCols(block.begin, block.size);
