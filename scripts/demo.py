@@ -57,7 +57,7 @@ def load(path):
 def describe(hull):
     """The hull's main numbers on the terminal."""
     state = part("features.hull.hull_state").state_of(hull)
-    found, check = state.hydrostatics, state.check
+    found, check = state.hydrostatics.values, state.ship.check
     print(f"      {hull.name}: {check.face_count} faces, {check.irregular_count} irregular points")
     if found is not None:
         print(

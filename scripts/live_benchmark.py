@@ -34,17 +34,21 @@ from enabled_addon import part  # noqa: E402
 
 SEED = 7
 WARM_UP = 10
-# Functions whose time is told apart: (module, name, what for). Those that call one another count
-# without what they call.
+# Functions and methods whose time is told apart: (module, name, what for). Those that call one
+# another count without what they call.
 STEPS = (
     ("bridge.mesh.mesh_arrays", "read_mesh", "control mesh read"),
     ("features.constraints.flat_keeping", "keep", "flats kept"),
-    ("features.hull.hull_state", "_update_ship", "surface and body moved"),
-    ("features.surface.shown_surface", "follow", "surface object computed"),
+    ("features.flotation.live_ship", "LiveShip.follow", "surface and body moved"),
+    ("features.surface.shown_surface", "ShownSurface.follow", "surface object computed"),
     ("features.surface.surface_object", "move_surface", "surface object written"),
-    ("features.hull.hull_state", "_update_hydrostatics", "hydrostatics"),
-    ("features.hull.hull_state", "_update_lines", "lines"),
-    ("features.hull.hull_state", "_update_fairness", "combs"),
+    (
+        "features.flotation.live_hydrostatics",
+        "LiveHydrostatics.follow",
+        "hydrostatics",
+    ),
+    ("features.lines.live_lines", "LiveLines.follow", "lines"),
+    ("features.fairness.live_fairness", "LiveFairness.follow", "combs"),
     ("features.analyses.live_analyses", "show_plots", "sectional areas, plots"),
     ("overlays.lines", "_batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
@@ -144,8 +148,9 @@ class Benchmark:
         self.random = random.Random(SEED)
         self.profile = cProfile.Profile()
         for module, name, label in STEPS:
-            function = getattr(part(module), name)
-            setattr(part(module), name, self.clock.timed(function, label))
+            *owners, function = name.split(".")
+            owner = functools.reduce(getattr, owners, part(module))
+            setattr(owner, function, self.clock.timed(getattr(owner, function), label))
         self._time_handlers()
         self._time_drawing()
 
@@ -210,12 +215,14 @@ class Benchmark:
 
     def report(self, moves):
         state = part("features.hull.hull_state").state_of(self.hull)
-        if state.status or state.hydrostatics is None:
-            raise RuntimeError(f"no results: {state.status} {state.hydrostatics_status}")
+        if state.status or state.hydrostatics.values is None:
+            raise RuntimeError(f"no results: {state.status} {state.hydrostatics.status}")
         shown = self.hull.hull.surface_object.data
-        counts = ", ".join(f"{len(one.sections)} {name}" for name, one in state.lines.items())
+        counts = ", ".join(
+            f"{len(one.sections)} {name}" for name, one in state.lines.groups.items()
+        )
         print(
-            f"\n{len(state.source.control.points)} control points of which "
+            f"\n{len(state.ship.source.control.points)} control points of which "
             f"{'one moves' if self.options.drag == 'one' else 'all move'}, "
             f"{len(shown.vertices)} surface points\nlines: {counts or 'off'}\n\n"
             f"{'milliseconds of processor time':<34}{'median':>9}{'90 %':>9}"

@@ -70,7 +70,7 @@ def _with_opening(hull):
 
 def _with_fit(hull):
     """The hull fitted to faces between points of its own surface, somewhat fuller."""
-    grid = part("features.hull.hull_state").state_of(hull).surface.tessellate(12)
+    grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(12)
     mesh = bpy.data.meshes.new("Hull of a scan")
     mesh.from_pydata((np.array(grid.points) * [1.0, 1.01, 1.0]).tolist(), [], grid.quads.tolist())
     hull.hull.fit.target = bpy.data.objects.new(mesh.name, mesh)

@@ -248,9 +248,9 @@ def test_criteria_are_those_of_the_native_function():
         part("bridge.native")
         .require()
         .stability_criteria(
-            state_of(hull).source.new_ship().body,
-            mass_t=state_of(hull).hydrostatics.displacement_t,
-            centre_of_gravity=(state_of(hull).hydrostatics.lcb, 0.0, 1.2),
+            state_of(hull).ship.source.new_ship().body,
+            mass_t=state_of(hull).hydrostatics.values.displacement_t,
+            centre_of_gravity=(state_of(hull).hydrostatics.values.lcb, 0.0, 1.2),
             water_density=DENSITY,
         )
     )
@@ -275,9 +275,9 @@ def test_the_weather_criterion_is_that_of_the_native_function(tmp_path):
         part("bridge.native")
         .require()
         .weather_criterion(
-            state_of(hull).source.new_ship().body,
-            mass_t=state_of(hull).hydrostatics.displacement_t,
-            centre_of_gravity=(state_of(hull).hydrostatics.lcb, 0.0, 1.2),
+            state_of(hull).ship.source.new_ship().body,
+            mass_t=state_of(hull).hydrostatics.values.displacement_t,
+            centre_of_gravity=(state_of(hull).hydrostatics.values.lcb, 0.0, 1.2),
             water_density=DENSITY,
             wind_areas=[(12.0, 4.0)],
             midship=LENGTH / 2,

@@ -77,7 +77,7 @@ def test_the_thread_gives_what_is_given_at_once(name):
     bpy.ops.hull.add_load_case()
     module, scene = analyses.ANALYSES[name], bpy.context.scene
     at_once = analyses.result_of(hull, scene, name)
-    state_of(hull).analyses.clear()
+    part("features.analyses").known(state_of(hull)).outcomes.clear()
     compute([(hull.name, name)])
     outcome, is_current = analyses.last_outcome(hull, scene, name)
     assert is_current and outcome.result is not at_once
@@ -107,7 +107,7 @@ def test_edits_do_not_reach_what_is_being_computed(gate):
         part("features.analyses")
         .ANALYSES["criteria"]
         .compute(
-            state_of(hull).source.new_ship(),
+            state_of(hull).ship.source.new_ship(),
             part("features.analyses").key_of(hull, bpy.context.scene, "criteria")[1],
         )
     )
@@ -118,7 +118,7 @@ def test_edits_do_not_reach_what_is_being_computed(gate):
         move(hull, 0.05)
     gate.set()
     take_finished()
-    (_, outcome) = state_of(hull).analyses["criteria"]
+    (_, outcome) = part("features.analyses").known(state_of(hull)).outcomes["criteria"]
     assert [one.value for one in outcome.result.criteria] == [one.value for one in wanted.criteria]
     assert not latest(hull)[1]
 

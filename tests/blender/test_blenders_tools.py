@@ -49,7 +49,7 @@ def test_a_duplicate_gets_a_surface_of_its_own(linked):
     assert copy is not hull and surface(copy) is not surface(hull)
     for each in (hull, copy):
         assert_shows(each, BOX)
-        assert state_of(each).hydrostatics == state_of(hull).hydrostatics
+        assert state_of(each).hydrostatics.values == state_of(hull).hydrostatics.values
 
 
 def test_a_duplicate_with_its_surface_gets_no_third():
@@ -140,7 +140,7 @@ def test_joined_hulls_are_one():
     assert_shows(second, (3.0 * LENGTH, 4.0, DEPTH))
     second.hull.draft = 1.0
     bpy.context.view_layer.update()
-    assert state_of(second).hydrostatics.displaced_volume == pytest.approx(80.0)
+    assert state_of(second).hydrostatics.values.displaced_volume == pytest.approx(80.0)
 
 
 def test_joining_keeps_tags():
@@ -171,7 +171,7 @@ def test_a_separated_part_is_a_hull_of_its_own():
     assert part_of_it.hull.is_hull and not state_of(part_of_it).status
     assert_shows(part_of_it, (LENGTH, 4.0, 0.0))
     assert_shows(hull, BOX)
-    assert state_of(hull).check.face_count == 3
+    assert state_of(hull).ship.check.face_count == 3
 
 
 @pytest.mark.parametrize("scale, turn", [((2.0, 2.0, 2.0), 0.0), ((1.0, -1.0, 1.0), 180.0)])
@@ -190,21 +190,23 @@ def test_applied_location_moves_the_ship_s_origin():
     hull = add_hull()
     hull.location = (0.0, 0.0, -1.0)
     bpy.context.view_layer.update()
-    before = state_of(hull).hydrostatics
+    before = state_of(hull).hydrostatics.values
     bpy.ops.object.transform_apply()
     hull.hull.draft -= 1.0
     assert_shows(hull, BOX)
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(before.displaced_volume)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(
+        before.displaced_volume
+    )
 
 
 def test_parents_may_move_a_hull_and_not_turn_it():
     hull = add_hull()
-    before = state_of(hull).hydrostatics
+    before = state_of(hull).hydrostatics.values
     carrier = bpy.data.objects.new("carrier", None)
     bpy.context.collection.objects.link(carrier)
     hull.parent, carrier.location = carrier, (7.0, 0.0, 1.0)
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics == before and not state_of(hull).status
+    assert state_of(hull).hydrostatics.values == before and not state_of(hull).status
     assert_shows(hull, BOX)
     carrier.rotation_euler.z = 0.5
     bpy.context.view_layer.update()
@@ -265,9 +267,11 @@ def test_shape_keys_that_come_by_joining_are_refused():
 def refreshed(monkeypatch):
     """The names of the hulls that are brought up to date."""
     hull_state, names = part("features.hull.hull_state"), []
-    original = hull_state.refresh
+    original = hull_state.follow_edit
     monkeypatch.setattr(
-        hull_state, "refresh", lambda obj, scene: (names.append(obj.name), original(obj, scene))[1]
+        hull_state,
+        "follow_edit",
+        lambda obj, *how: (names.append(obj.name), original(obj, *how))[1],
     )
     return names
 
@@ -303,7 +307,7 @@ def test_a_hull_that_changes_with_its_surface_is_brought_up_to_date_once(refresh
     hull.data.update_tag()
     bpy.context.view_layer.update()
     assert refreshed == ["box"]
-    assert np.array_equal(mesh_points(surface(hull)), state_of(hull).shown_points.coordinates)
+    assert np.array_equal(mesh_points(surface(hull)), state_of(hull).shown.points.coordinates)
 
 
 def test_the_surface_moves_to_other_collections_with_its_hull():
@@ -377,8 +381,8 @@ def test_objects_that_share_a_mesh_are_hulls_of_their_own():
     for hull in (first, second):
         assert_shows(hull, (2.0 * LENGTH, 4.0, DEPTH))
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert state_of(second).hydrostatics.displaced_volume == pytest.approx(40.0)
-    assert state_of(first).hydrostatics.draft != state_of(second).hydrostatics.draft
+    assert state_of(second).hydrostatics.values.displaced_volume == pytest.approx(40.0)
+    assert state_of(first).hydrostatics.values.draft != state_of(second).hydrostatics.values.draft
 
 
 def test_several_hulls_are_edited_at_once():
@@ -398,13 +402,13 @@ def test_a_change_of_the_scene_s_scale_is_followed():
     hull = add_hull()
     hull.hull.draft = 1.0
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(40.0)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(40.0)
     bpy.context.scene.unit_settings.scale_length = 0.5
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(5.0)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(5.0)
     bpy.context.scene.unit_settings.system = "NONE"
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(40.0)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(40.0)
     assert_shows(hull, BOX)
 
 
@@ -493,7 +497,7 @@ def test_what_is_animated_is_followed():
         hull.hull.keyframe_insert("draft", frame=frame)
     for frame in (1, 6, 11):
         bpy.context.scene.frame_set(frame)
-        found = state_of(hull).hydrostatics
+        found = state_of(hull).hydrostatics.values
         assert found.draft == pytest.approx(hull.hull.draft)
         assert found.displaced_volume == pytest.approx(40.0 * hull.hull.draft, rel=1e-6)
     assert hull.hull.draft == 2.0

@@ -60,7 +60,7 @@ def test_both_sides_are_one_valid_shell(tmp_path, file_format, name):
     assert report["area"] == pytest.approx(2 * AREA, rel=1e-6)
     # The open deck is the only border.
     assert report["free_edge_length"] == pytest.approx(2 * (LENGTH + 2 * HALF_BREADTH), rel=1e-6)
-    assert state_of(hull).surface is not None
+    assert state_of(hull).ship.surface is not None
     assert [path.name for path in tmp_path.iterdir()] == [name]
 
 
@@ -115,8 +115,8 @@ def test_curves_are_on_the_surface():
     hull, curves = bpy.context.object, part("features.exchange.cad_curves")
     hull.hull.export.with_sections = hull.hull.export.with_features = True
     state = state_of(hull)
-    surface, shares = state.source.new_surface(), []
-    wanted = curves.wanted(hull, bpy.context.scene, state.surface)
+    surface, shares = state.ship.source.new_surface(), []
+    wanted = curves.wanted(hull, bpy.context.scene, state.ship.surface)
     found = curves.curves(surface, wanted, shares.append)
     assert shares == sorted(shares) and 0.0 <= shares[0] and shares[-1] <= 1.0
     native = part("bridge.native").require()

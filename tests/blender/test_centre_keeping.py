@@ -41,13 +41,13 @@ def test_a_point_slides_in_the_centre_plane(hull):
     after = points(hull)
     assert after[index] == pytest.approx(before[index] + (0.5, 0.0, -0.125))
     assert np.array_equal(np.delete(after, index, 0), np.delete(before, index, 0))
-    assert "centre plane" in state_of(hull).held
+    assert "centre plane" in state_of(hull).keeping.held
     # The surface has the point where it is now.
-    shown = state_of(hull).source.control.points
+    shown = state_of(hull).ship.source.control.points
     assert np.array_equal(shown, after)
     inside = next(v.index for v in bmesh.from_edit_mesh(hull.data).verts if 1.0 < v.co.y < 5.0)
     move(hull, [inside], (0.0, 0.1, 0.1))
-    assert state_of(hull).held == ""
+    assert state_of(hull).keeping.held == ""
 
 
 def test_all_of_the_centre_stays_when_the_hull_is_scaled(hull):
@@ -168,7 +168,7 @@ def shift(hull, index, y):
 def test_points_off_by_rounding_are_on_it_and_stay(hull):
     index = int(on_centre(hull)[5])
     shift(hull, index, 1e-5)
-    assert not state_of(hull).check.problems
+    assert not state_of(hull).ship.check.problems
     move(hull, [index], (0.25, 0.5, 0.0))
     assert points(hull)[index, 1] == 0.0
 
@@ -176,11 +176,11 @@ def test_points_off_by_rounding_are_on_it_and_stay(hull):
 def test_points_near_it_are_told(hull):
     index = int(on_centre(hull)[5])
     shift(hull, index, 0.002)
-    (problem,) = state_of(hull).check.problems
+    (problem,) = state_of(hull).ship.check.problems
     assert problem.elements == (index,)
     assert "1 point of the centre line off the centre plane, by up to 2 mm" in problem.message
     assert bpy.ops.hull.put_on_centre_plane() == {"FINISHED"}
     assert points(hull)[index, 1] == 0.0
-    assert not state_of(hull).check.problems
+    assert not state_of(hull).ship.check.problems
     shift(hull, index, 0.5)
-    assert not state_of(hull).check.problems
+    assert not state_of(hull).ship.check.problems

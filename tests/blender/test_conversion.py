@@ -269,7 +269,7 @@ def test_progress_never_goes_back():
     shares = []
     hull = add_hull()
     patches = part("features.conversion.patches")
-    source = state_of(hull).source
+    source = state_of(hull).ship.source
     for conversion in ("EXACT", "PER_CELL"):
         hull.hull.export.conversion = conversion
         shares.clear()
@@ -285,7 +285,7 @@ def test_converting_and_measuring_end_when_cancelled(freeship_folder, share):
         part("features.conversion.patches"),
         part("bridge.background.jobs"),
     )
-    surface, told = state_of(hull).source.new_surface(), []
+    surface, told = state_of(hull).ship.source.new_surface(), []
 
     def tell(done):
         told.append(done)

@@ -31,7 +31,7 @@ def add_bulwark_box(name="bulwarks"):
     bpy.context.collection.objects.link(box)
     make_active(box)
     assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
-    assert not state_of(box).check.problems
+    assert not state_of(box).ship.check.problems
     box.hull.draft, box.hull.loading.kg = DRAFT, 1.2
     bpy.context.view_layer.update()
     return box
@@ -73,7 +73,7 @@ def test_without_a_mark_it_is_the_border():
     # The water turns about the centre line until the bilge comes out: at 26.6°, when the rail
     # of a box this deep is far above it.
     assert deck_edge_heel(hull) > atan((RAIL - DRAFT) / HALF_BREADTH)
-    assert state_of(hull).source.deck_edge == ()
+    assert state_of(hull).ship.source.deck_edge == ()
 
 
 def test_the_marked_crease_counts():
@@ -114,9 +114,9 @@ def test_a_division_divides_the_mark():
 def test_a_mark_changes_no_surface_but_the_levers():
     hull = add_bulwark_box()
     before = deck_edge_heel(hull)
-    surface, body = state_of(hull).surface, state_of(hull).body
+    surface, body = state_of(hull).ship.surface, state_of(hull).ship.body
     mark(hull, SIDE)
-    assert state_of(hull).surface is surface and state_of(hull).body is body
+    assert state_of(hull).ship.surface is surface and state_of(hull).ship.body is body
     after = deck_edge_heel(hull)
     assert after < before
     select_edges(hull)
@@ -171,10 +171,10 @@ def test_marks_survive_saving_copying_and_undo(tmp_path):
     bpy.ops.ed.undo_push(message="marked")
     bpy.ops.ed.undo()
     hull = bpy.data.objects["bulwarks"]
-    assert not marked(hull) and state_of(hull).source.deck_edge == ()
+    assert not marked(hull) and state_of(hull).ship.source.deck_edge == ()
     bpy.ops.ed.redo()
     hull = bpy.data.objects["bulwarks"]
-    assert marked(hull) == {SIDE} and len(state_of(hull).source.deck_edge) == 1
+    assert marked(hull) == {SIDE} and len(state_of(hull).ship.source.deck_edge) == 1
     make_active(hull)
     bpy.ops.object.duplicate()
     copy = bpy.context.object

@@ -36,16 +36,16 @@ def test_combs_are_those_of_the_native_module():
     hull.hull.fairness.comb_stations = True
     update()
     state, lines = state_of(hull), part("features.lines.lines")
-    (group,) = state.combs.values()
+    (group,) = state.fairness.combs.values()
     native = part("bridge.native").require()
     planes = np.array([section.cut.plane for section in group.sections])
-    wanted = native.section_fairness(state.surface, planes, **group.rules)
+    wanted = native.section_fairness(state.ship.surface, planes, **group.rules)
     wanted = [curve for curves in wanted for curve in curves]
     assert len(wanted) == len(group.curves) > 3
     for ours, theirs in zip(group.curves, wanted):
         assert np.array_equal(ours.points, theirs.points)
         assert np.array_equal(ours.curvatures, theirs.curvatures)
-    scale = native.suggested_comb_scale(wanted, height=0.05 * lines.size_of(state.surface))
+    scale = native.suggested_comb_scale(wanted, height=0.05 * lines.size_of(state.ship.surface))
     assert group.scale == pytest.approx(scale)
     segments, teeth = group.segments(scale)
     assert teeth == sum(len(curve.points) for curve in wanted)
@@ -67,7 +67,7 @@ def test_a_plane_has_the_combs_of_both_sides():
     plane.normal, plane.point = (1.0, 0.5, 0.0), (5.0, 0.0, 0.0)
     hull.hull.fairness.comb_planes = True
     update()
-    (group,) = state_of(hull).combs.values()
+    (group,) = state_of(hull).fairness.combs.values()
     segments, _ = group.segments(1.0)
     assert segments[:, :, 1].min() < -1.0 and segments[:, :, 1].max() > 1.0
     assert 2 * sum(group.mark_counts.values()) >= sum(map(len, group.marks.values()))
@@ -77,15 +77,15 @@ def test_the_scale_of_combs_stays_while_points_move():
     hull = round_hull()
     hull.hull.fairness.comb_stations = True
     update()
-    before = state_of(hull).combs["station"]
+    before = state_of(hull).fairness.combs["station"]
     move_a_point(hull, 1.0)
-    after = state_of(hull).combs["station"]
+    after = state_of(hull).fairness.combs["station"]
     assert after is not before and after.scale == before.scale > 0.0
     hull.hull.fairness.comb_stations = False
     update()
     hull.hull.fairness.comb_stations = True
     update()
-    assert state_of(hull).combs["station"].scale != before.scale
+    assert state_of(hull).fairness.combs["station"].scale != before.scale
 
 
 def test_combs_of_lines_that_are_straight():
@@ -94,8 +94,8 @@ def test_combs_of_lines_that_are_straight():
         setattr(hull.hull.fairness, name, True)
     update()
     state = state_of(hull)
-    assert not state.fairness_status
-    for group in state.combs.values():
+    assert not state.fairness.status
+    for group in state.fairness.combs.values():
         segments, count = group.segments(group.scale)
         assert np.isfinite(segments).all()
         teeth = np.linalg.norm(segments[:count, 1] - segments[:count, 0], axis=1)
@@ -175,11 +175,11 @@ def test_colours_are_those_of_the_native_module(kind):
     hull.hull.fairness.colours, hull.hull.fairness.logarithmic = kind, False
     update()
     state, native = state_of(hull), part("bridge.native").require()
-    tessellation = state.surface.tessellate(hull.hull.samples)
-    values = native.surface_field(state.surface, tessellation, kind=kind.lower())
+    tessellation = state.ship.surface.tessellate(hull.hull.samples)
+    values = native.surface_field(state.ship.surface, tessellation, kind=kind.lower())
     weights = native.field_weights(tessellation)
     scale = native.colour_scale(values, kind=kind.lower(), weights=weights)
-    assert (state.colour_scale.low, state.colour_scale.high) == (scale.low, scale.high)
+    assert (state.shown.colour_scale.low, state.shown.colour_scale.high) == (scale.low, scale.high)
     wanted = scale.colours(values)[tessellation.normal_indices].reshape(-1, 3)
     shown = corner_colours(hull)
     assert len(shown) > len(wanted)
@@ -218,7 +218,7 @@ def test_colours_follow_and_go():
     hull.hull.fairness.colours = "NONE"
     update()
     assert not has_colours(hull) and surface.active_material == own
-    assert state_of(hull).colour_scale is None
+    assert state_of(hull).shown.colour_scale is None
 
 
 def shading():
@@ -268,7 +268,7 @@ def test_undo_brings_colours_back():
     bpy.ops.ed.undo()
     hull = bpy.data.objects["box"]
     assert np.abs(corner_colours(hull) - before).max() < 1e-6
-    assert state_of(hull).colour_scale is not None
+    assert state_of(hull).shown.colour_scale is not None
 
 
 def test_a_limit_and_decades():
@@ -276,14 +276,14 @@ def test_a_limit_and_decades():
     fairness = hull.hull.fairness
     fairness.colours, fairness.colour_limit, fairness.logarithmic = "MEAN", 0.25, False
     update()
-    scale = state_of(hull).colour_scale
+    scale = state_of(hull).shown.colour_scale
     assert (scale.low, scale.high) == pytest.approx((-0.25, 0.25))
     fairness.logarithmic = True
     update()
-    assert state_of(hull).colour_scale.mapping == "logarithmic"
+    assert state_of(hull).shown.colour_scale.mapping == "logarithmic"
     fairness.colours, fairness.colour_limit = "SLOPE", 90.0
     update()
-    scale = state_of(hull).colour_scale
+    scale = state_of(hull).shown.colour_scale
     assert scale.high == pytest.approx(np.pi / 2) and scale.mapping == "linear"
 
 
@@ -300,13 +300,13 @@ def test_the_legend_says_what_the_colours_mean():
     assert legend.legend_of(hull) is arrays
     points, colours = arrays.bar
     assert len(points) == len(colours)
-    scale = state_of(hull).colour_scale
+    scale = state_of(hull).shown.colour_scale
     assert colours[0][:3] == pytest.approx(scale.legend_colours(2)[0])
     assert legend.legend_of(None) is None
 
 
 def level_lines(hull):
-    return state_of(hull).level_lines
+    return state_of(hull).fairness.level_lines
 
 
 def test_isophotes_have_their_angle():
@@ -317,7 +317,7 @@ def test_isophotes_have_their_angle():
     fairness.isophote_spacing = np.radians(30.0)
     update()
     (group,) = level_lines(hull).values()
-    native, surface = part("bridge.native").require(), state_of(hull).surface
+    native, surface = part("bridge.native").require(), state_of(hull).ship.surface
     wanted = native.isophotes(
         surface, direction=np.array([0.0, 1.0, 0.0]), angles=np.radians([30, 60, 90, 120, 150])
     )
@@ -344,7 +344,7 @@ def test_lines_of_light_of_both_sides():
     assert level_lines(hull)["reflection"] is not found["reflection"]
     fairness.eye_direction = (0.0, 0.0, 0.0)
     update()
-    assert "Eye" in state_of(hull).fairness_status and not state_of(hull).status
+    assert "Eye" in state_of(hull).fairness.status and not state_of(hull).status
 
 
 def select_faces(hull, wanted):

@@ -46,7 +46,7 @@ def shape_of(surface, name="shape", n=12, both=True):
 
 def off(hull, surface):
     """The largest distance of a hull's surface from another."""
-    now = state_of(hull).surface
+    now = state_of(hull).ship.surface
     places = now.evaluate_grid(4, 0)[0].reshape(-1, 3)
     return part("bridge.native").require().SurfaceTree(surface).closest_points(places).distances
 
@@ -54,7 +54,7 @@ def off(hull, surface):
 def wanted(hull):
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     native = part("bridge.native").require()
-    surface = state_of(hull).surface
+    surface = state_of(hull).ship.surface
     return native.LimitSurface(surface.mesh.with_points(surface.mesh.points), surface.scheme)
 
 

@@ -23,9 +23,9 @@ def assert_shows_the_box(hull, capfd):
     bpy.context.view_layer.update()
     bpy.context.view_layer.update()
     mesh, state = surface(hull).data, state_of(hull)
-    assert np.array_equal(mesh_points(surface(hull)), state.shown_points.coordinates)
+    assert np.array_equal(mesh_points(surface(hull)), state.shown.points.coordinates)
     quads, _ = part("features.surface.surface_object").surface_faces(
-        state.surface.tessellate(hull.hull.samples), state.shown_points.shared
+        state.ship.surface.tessellate(hull.hull.samples), state.shown.points.shared
     )
     assert [tuple(polygon.vertices) for polygon in mesh.polygons] == list(map(tuple, quads))
     assert mesh.has_custom_normals and all(polygon.use_smooth for polygon in mesh.polygons)

@@ -97,7 +97,7 @@ def test_tags_and_the_deck_edge_come_back(tmp_path):
     again = read(tmp_path / "box.hull.json")
     marks = part("bridge.mesh.edge_marks").stored_marks(again.data)
     assert [set(again.data.edges[i].vertices) for i in np.flatnonzero(marks)] == [{3, 7}]
-    assert len(state_of(again).source.deck_edge) == 1
+    assert len(state_of(again).ship.source.deck_edge) == 1
     creases = part("bridge.blender.blender_versions").edge_creases(again.data)
     assert (creases == 1.0).all()
 
@@ -105,12 +105,12 @@ def test_tags_and_the_deck_edge_come_back(tmp_path):
 def test_imported_hulls_come_back(freeship_folder, tmp_path):
     for path in sorted(freeship_folder.glob("*.f[bt]m"))[:4]:
         hull = read(path)
-        points, numbers = mesh_points(hull), state_of(hull).hydrostatics
+        points, numbers = mesh_points(hull), state_of(hull).hydrostatics.values
         layers = [(layer.name, layer.in_hydrostatics) for layer in hull.hull.layers]
         write(tmp_path / "again.hull.json")
         again = read(tmp_path / "again.hull.json")
         assert np.array_equal(mesh_points(again), points), path.name
-        assert state_of(again).hydrostatics == numbers, path.name
+        assert state_of(again).hydrostatics.values == numbers, path.name
         assert [(one.name, one.in_hydrostatics) for one in again.hull.layers] == layers
 
 

@@ -20,7 +20,7 @@ def settings_of_afloat_box(**settings):
 
 
 def test_trim_is_the_difference_of_drafts_at_the_perpendiculars():
-    found = state_of(settings_of_afloat_box(trim=0.5)).hydrostatics
+    found = state_of(settings_of_afloat_box(trim=0.5)).hydrostatics.values
     assert (found.draft_aft, found.draft_forward) == (1.25, 0.75)
     assert found.displaced_volume == pytest.approx(LENGTH * BEAM * 1.0, rel=1e-12)
     # The centre of a trapezium with the sides 1.25 and 0.75.
@@ -38,7 +38,7 @@ def test_trim_of_a_heeled_hull_is_measured_on_her_own_vertical():
 
 def test_heel_to_starboard_brings_the_buoyancy_there():
     heel = radians(10.0)
-    found = state_of(settings_of_afloat_box(heel=heel)).hydrostatics
+    found = state_of(settings_of_afloat_box(heel=heel)).hydrostatics.values
     # B² tan(heel) / 12 T of a box whose bilge and deck stay where they are.
     assert found.tcb == pytest.approx(-(BEAM**2) * tan(heel) / 12.0, rel=1e-12)
     assert found.heel == pytest.approx(heel, rel=1e-14)
@@ -52,7 +52,7 @@ def test_values_are_those_of_the_native_function():
         part("bridge.native")
         .require()
         .hydrostatics(
-            state_of(hull).body,
+            state_of(hull).ship.body,
             draft=1.0,
             trim=where.trim,
             heel=where.heel,
@@ -62,34 +62,34 @@ def test_values_are_those_of_the_native_function():
             water_density=1.0,
         )
     )
-    assert state_of(hull).hydrostatics == hydrostatics.described(wanted, where)
-    assert state_of(hull).hydrostatics.bmt == wanted.bm_transverse
+    assert state_of(hull).hydrostatics.values == hydrostatics.described(wanted, where)
+    assert state_of(hull).hydrostatics.values.bmt == wanted.bm_transverse
 
 
 def test_coefficients_stand_on_project_or_on_actual_dimensions():
-    found = state_of(settings_of_afloat_box(length_pp=20.0)).hydrostatics
+    found = state_of(settings_of_afloat_box(length_pp=20.0)).hydrostatics.values
     assert found.project_block == pytest.approx(0.5, rel=1e-12)
     assert found.immersed_block == pytest.approx(1.0, rel=1e-12)
 
 
 def test_what_needs_a_length_is_undefined_without_one():
-    found = state_of(settings_of_afloat_box(length_pp=0.0)).hydrostatics
+    found = state_of(settings_of_afloat_box(length_pp=0.0)).hydrostatics.values
     for name in ("lcb_percent", "lcf_percent", "mtc", "midship_area", "project_block"):
         assert getattr(found, name) is None
     assert found.immersed_block == pytest.approx(1.0, rel=1e-12)
     hull = settings_of_afloat_box(length_pp=0.0, trim=0.5)
-    assert state_of(hull).hydrostatics is None
-    assert "Give Lpp first" in state_of(hull).hydrostatics_status
+    assert state_of(hull).hydrostatics.values is None
+    assert "Give Lpp first" in state_of(hull).hydrostatics.status
 
 
 def test_an_open_deck_floods_and_a_closed_one_does_not():
     hull = settings_of_afloat_box(heel=radians(60.0), deck_closed=False)
-    assert state_of(hull).hydrostatics is None
-    assert "floods at" in state_of(hull).hydrostatics_status
+    assert state_of(hull).hydrostatics.values is None
+    assert "floods at" in state_of(hull).hydrostatics.status
     hull.hull.deck_closed = True
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics.displaced_volume > 0.0
-    assert not state_of(hull).hydrostatics_status
+    assert state_of(hull).hydrostatics.values.displaced_volume > 0.0
+    assert not state_of(hull).hydrostatics.status
 
 
 def test_nothing_under_water_is_said():
@@ -98,15 +98,15 @@ def test_nothing_under_water_is_said():
         vertex.co.z += 0.5
     hull.data.update_tag()
     bpy.context.view_layer.update()
-    assert "Nothing is under water" in state_of(hull).hydrostatics_status
+    assert "Nothing is under water" in state_of(hull).hydrostatics.status
 
 
 def test_faces_turned_inwards_are_said():
     hull = add_hull()
     hull.data.flip_normals()
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    assert state_of(hull).hydrostatics is None
-    assert "inwards" in state_of(hull).hydrostatics_status
+    assert state_of(hull).hydrostatics.values is None
+    assert "inwards" in state_of(hull).hydrostatics.status
 
 
 def test_every_value_is_written_with_its_unit():
@@ -114,7 +114,7 @@ def test_every_value_is_written_with_its_unit():
     units, hydrostatics = part("bridge.blender.units"), part("features.flotation.hydrostatics")
     scene = bpy.context.scene
     for quantity in hydrostatics.QUANTITIES:
-        value = getattr(state_of(hull).hydrostatics, quantity.name)
+        value = getattr(state_of(hull).hydrostatics.values, quantity.name)
         assert units.format_value(scene, value, quantity.unit), quantity.name
     scene.unit_settings.system = "METRIC"
     assert units.format_value(scene, 12.3456, "t/cm") == "12.346 t/cm"
@@ -128,4 +128,6 @@ def test_every_value_is_written_with_its_unit():
 
 
 def test_the_hull_is_as_deep_as_it_was_modelled():
-    assert state_of(settings_of_afloat_box(draft=DEPTH)).hydrostatics.kb == pytest.approx(1.5)
+    assert state_of(settings_of_afloat_box(draft=DEPTH)).hydrostatics.values.kb == pytest.approx(
+        1.5
+    )

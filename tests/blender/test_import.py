@@ -37,7 +37,7 @@ def check_imported(hull, wanted):
     assert hull.hull.draft == pytest.approx(wanted.particulars.draft or hull.hull.draft)
     assert hull.hull.length_pp == pytest.approx(wanted.particulars.length_pp)
     state = state_of(hull)
-    assert not state.status and state.surface is not None
+    assert not state.status and state.ship.surface is not None
     assert len(hull.hull.surface_object.data.polygons) > 0
 
 
@@ -51,7 +51,7 @@ def test_layers_outside_hydrostatics_are_no_shell(freeship_folder):
         wanted = hull_io().shell_arrays(hull_io().read_hull(path))
         bpy.ops.wm.read_homefile(use_empty=True)
         bpy.ops.hull.import_hull(filepath=str(path))
-        mesh = state_of(bpy.context.object).surface.mesh
+        mesh = state_of(bpy.context.object).ship.surface.mesh
         assert mesh.face_count == len(wanted.face_sizes), path.name
         size = np.ptp(wanted.points, axis=0).max()
         assert np.abs(mesh.points - wanted.points).max() <= 1e-6 * size
@@ -101,5 +101,5 @@ def test_every_sample_loads():
     for name in names:
         assert bpy.ops.hull.load_sample(name=name) == {"FINISHED"}
         state = state_of(bpy.context.object)
-        assert not state.status and not state.check.problems
-        assert state.hydrostatics.displaced_volume > 0.0
+        assert not state.status and not state.ship.check.problems
+        assert state.hydrostatics.values.displaced_volume > 0.0

@@ -34,18 +34,24 @@ def pull_forward_end(hull):
 
 def test_stations_and_their_combs_stay_where_nothing_moved(hull):
     before = state_of(hull)
-    stations, combs = before.lines["station"].sections, before.combs["station"].sections
+    stations, combs = (
+        before.lines.groups["station"].sections,
+        before.fairness.combs["station"].sections,
+    )
     pull_forward_end(hull)
-    for old, new in ((stations, before.lines["station"]), (combs, before.combs["station"])):
+    for old, new in (
+        (stations, before.lines.groups["station"]),
+        (combs, before.fairness.combs["station"]),
+    ):
         kept = [a is b for a, b in zip(old, new.sections)]
         assert len(kept) == 21 and all(kept[:12]) and not any(kept[17:20])
-    assert len(before.lines["station"].sections) == 21
+    assert len(before.lines.groups["station"].sections) == 21
 
 
 def test_waterlines_that_pass_by_the_point_are_cut_again(hull):
-    before = state_of(hull).lines["waterline"].sections
+    before = state_of(hull).lines.groups["waterline"].sections
     pull_forward_end(hull)
-    after = state_of(hull).lines["waterline"].sections
+    after = state_of(hull).lines.groups["waterline"].sections
     assert [section.cut for section in before] == [section.cut for section in after]
     assert any(a is not b for a, b in zip(before, after))
 

@@ -38,13 +38,13 @@ def assert_is_fresh(hull):
     )
     body = fresh_body(hull)
     ship = part("features.flotation.ship").Ship(body, ())
-    assert state.hydrostatics == part("features.flotation.hydrostatics").at(ship, where)
-    assert np.array_equal(state.surface.mesh.points, body.surface.mesh.points)
-    assert (state.body.openings, state.body.mirrored) == (body.openings, body.mirrored)
-    assert state.body.shell_area == body.shell_area
-    exact = state.source.new_ship().body
+    assert state.hydrostatics.values == part("features.flotation.hydrostatics").at(ship, where)
+    assert np.array_equal(state.ship.surface.mesh.points, body.surface.mesh.points)
+    assert (state.ship.body.openings, state.ship.body.mirrored) == (body.openings, body.mirrored)
+    assert state.ship.body.shell_area == body.shell_area
+    exact = state.ship.source.new_ship().body
     assert exact.shell_area == pytest.approx(body.shell_area, rel=1e-8)
-    for kept in (state.body, exact):
+    for kept in (state.ship.body, exact):
         assert kept.surface.scheme == hull.hull.scheme
 
 
@@ -66,29 +66,29 @@ def move(hull, choice):
 def test_moved_points_reach_the_surface_that_is_there(mode):
     hull, choice = coaster(), random.Random(SEED)
     bpy.ops.object.mode_set(mode=mode)
-    surface, body = state_of(hull).surface, state_of(hull).body
+    surface, body = state_of(hull).ship.surface, state_of(hull).ship.body
     for _ in range(5):
-        before = state_of(hull).hydrostatics
+        before = state_of(hull).hydrostatics.values
         move(hull, choice)
-        assert state_of(hull).surface is surface and state_of(hull).body is body
-        assert state_of(hull).hydrostatics != before
+        assert state_of(hull).ship.surface is surface and state_of(hull).ship.body is body
+        assert state_of(hull).hydrostatics.values != before
         assert_is_fresh(hull)
 
 
 def test_tags_and_faces_make_it_anew():
     hull, choice = coaster(), random.Random(SEED)
     move(hull, choice)
-    surface = state_of(hull).surface
+    surface = state_of(hull).ship.surface
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.hull.tag_smooth()
     bpy.context.view_layer.update()
-    assert state_of(hull).surface is not surface
+    assert state_of(hull).ship.surface is not surface
     assert_is_fresh(hull)
-    surface = state_of(hull).surface
+    surface = state_of(hull).ship.surface
     bpy.ops.mesh.subdivide()
     bpy.context.view_layer.update()
-    assert state_of(hull).surface is not surface
+    assert state_of(hull).ship.surface is not surface
     assert_is_fresh(hull)
     move(hull, choice)
     assert_is_fresh(hull)
@@ -96,10 +96,10 @@ def test_tags_and_faces_make_it_anew():
 
 def test_settings_make_anew_what_depends_on_them():
     hull, choice = coaster(), random.Random(SEED)
-    surface, body = state_of(hull).surface, state_of(hull).body
+    surface, body = state_of(hull).ship.surface, state_of(hull).ship.body
     hull.hull.deck_closed = False
     bpy.context.view_layer.update()
-    assert state_of(hull).surface is surface and state_of(hull).body is not body
+    assert state_of(hull).ship.surface is surface and state_of(hull).ship.body is not body
     assert_is_fresh(hull)
     move(hull, choice)
     hull.hull.scheme = "catmull_clark"
@@ -120,7 +120,7 @@ def test_undo_and_redo_of_moves_and_tags():
 
     def push():
         bpy.ops.ed.undo_push(message="step")
-        volumes.append(state_of(bpy.data.objects[name]).hydrostatics.displaced_volume)
+        volumes.append(state_of(bpy.data.objects[name]).hydrostatics.values.displaced_volume)
 
     push()
     move(hull, choice)
@@ -138,20 +138,20 @@ def test_undo_and_redo_of_moves_and_tags():
         step()
         hull = bpy.data.objects[name]
         assert_is_fresh(hull)
-        assert state_of(hull).hydrostatics.displaced_volume == volumes[volume]
+        assert state_of(hull).hydrostatics.values.displaced_volume == volumes[volume]
 
 
 def test_a_mesh_with_errors_and_back():
     hull, choice = add_hull(), random.Random(SEED)
     bpy.ops.object.mode_set(mode="EDIT")
-    before = state_of(hull).hydrostatics
+    before = state_of(hull).hydrostatics.values
     bm = bmesh.from_edit_mesh(hull.data)
     far = bm.verts.new((5.0, 4.0, 0.0))
     bm.verts.ensure_lookup_table()
     bm.faces.new((bm.verts[2], bm.verts[6], far))
     bmesh.update_edit_mesh(hull.data)
     bpy.context.view_layer.update()
-    assert state_of(hull).status and state_of(hull).hydrostatics == before
+    assert state_of(hull).status and state_of(hull).hydrostatics.values == before
     bm.verts.ensure_lookup_table()
     bm.verts.remove(bm.verts[8])
     move(hull, choice)

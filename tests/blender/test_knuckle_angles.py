@@ -12,7 +12,7 @@ from edited_hulls import edit, select
 
 
 def knuckles_of(hull):
-    return part("features.fairness.knuckle_angles").of_surface(state_of(hull).surface)
+    return part("features.fairness.knuckle_angles").of_surface(state_of(hull).ship.surface)
 
 
 def planing_boat():
@@ -23,7 +23,7 @@ def planing_boat():
 def chine_edges(hull):
     """The edges, pairs of Blender's points, of the longest knuckle."""
     (longest, *_) = knuckles_of(hull)
-    ids = state_of(hull).source.control.vertex_ids
+    ids = state_of(hull).ship.source.control.vertex_ids
     points = ids[longest.vertices]
     return np.stack([points[:-1], points[1:]], axis=1).tolist()
 
@@ -55,11 +55,12 @@ def test_a_chine_gets_one_angle_along_its_length():
     after = part("bridge.mesh.mesh_points").read(hull.data)
     moved = np.abs(after - before).max(axis=1) > 0.0
     assert moved.any() and not moved[np.unique(chine)].any()
-    surface, native = state_of(hull).surface, part("bridge.native").require()
+    surface, native = state_of(hull).ship.surface, part("bridge.native").require()
     (number,) = [
         i
         for i, curve in enumerate(native.crease_curves(surface))
-        if set(state_of(hull).source.control.vertex_ids[curve.vertices]) == set(np.unique(chine))
+        if set(state_of(hull).ship.source.control.vertex_ids[curve.vertices])
+        == set(np.unique(chine))
     ]
     edges = list(range(2, len(chine) - 2))
     angles = native.knuckle_angles(surface, number, edges=edges, samples_per_edge=16).angles

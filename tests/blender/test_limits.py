@@ -61,7 +61,7 @@ def test_samples_are_as_many_as_can_be_shown(hull, wanted, capfd):
 def test_samples_below_one_show_the_surface_too(hull):
     put(hull, "samples", -5)
     refreshed(hull)
-    assert len(hull.hull.surface_object.data.polygons) == 2 * state_of(hull).surface.cell_count
+    assert len(hull.hull.surface_object.data.polygons) == 2 * state_of(hull).ship.surface.cell_count
 
 
 HYDROSTATICS = [
@@ -79,7 +79,7 @@ HYDROSTATICS = [
 def test_dimensions_that_no_ship_has(hull, path, value, name, capfd):
     put(hull, path, value)
     state = refreshed(hull)
-    assert name in state.hydrostatics_status and state.hydrostatics is None
+    assert name in state.hydrostatics.status and state.hydrostatics.values is None
     assert name in refusal_of(hull, "sectional_areas")
     assert "Traceback" not in capfd.readouterr().err
 
@@ -98,7 +98,7 @@ LINES = [
 @pytest.mark.parametrize("path, value, name", LINES)
 def test_more_lines_than_anybody_draws(hull, path, value, name, tmp_path, capfd):
     put(hull, path, value)
-    assert name in refreshed(hull).lines_status
+    assert name in refreshed(hull).lines.status
     start = time.process_time()
     with pytest.raises(RuntimeError, match=name):
         bpy.ops.hull.export_lines(filepath=str(tmp_path / "plan.pdf"))
@@ -119,7 +119,7 @@ FAIRNESS = [
 def test_finer_lines_than_can_be_told_apart(hull, settings, name, capfd):
     for path, value in settings.items():
         put(hull, path, value)
-    assert name in refreshed(hull).fairness_status
+    assert name in refreshed(hull).fairness.status
     assert "Traceback" not in capfd.readouterr().err
 
 

@@ -22,7 +22,7 @@ SWITCHES = (
 
 
 def lines_of(hull):
-    return state_of(hull).lines
+    return state_of(hull).lines.groups
 
 
 def test_each_kind_lies_in_its_planes():
@@ -51,7 +51,7 @@ def test_each_kind_lies_in_its_planes():
 
 def test_lines_are_those_of_the_native_module():
     hull = lined_hull()
-    surface = state_of(hull).surface
+    surface = state_of(hull).ship.surface
     native, lines = part("bridge.native").require(), part("features.lines.lines")
     size = lines.steady_size(surface)
     assert lines.size_of(surface) == LENGTH and 0.8 * LENGTH < size <= LENGTH
@@ -112,7 +112,7 @@ def test_what_is_off_is_not_computed(switch, monkeypatch):
     bpy.context.view_layer.update()
     assert not asked_by_a_move() and not lines_of(hull)
     setattr(hull.hull.lines, switch, True)
-    (group,) = state_after_update(hull).lines.values()
+    (group,) = state_after_update(hull).lines.groups.values()
     assert lines.SWITCHES[group.kind] == switch
     wanted = [section.cut for section in group.sections] or ["features"]
     if switch != "show_stations":  # which go on beyond the end that moves
@@ -181,9 +181,9 @@ def test_a_list_that_is_wrong_is_told_of_and_leaves_the_lines(text):
     hull.hull.lines.stations = text
     bpy.context.view_layer.update()
     state = state_of(hull)
-    assert "Stations" in state.lines_status and not state.status
-    assert state.lines["station"].cut_count == 5
-    assert state.hydrostatics is not None
+    assert "Stations" in state.lines.status and not state.status
+    assert state.lines.groups["station"].cut_count == 5
+    assert state.hydrostatics.values is not None
 
 
 def test_a_scene_in_other_units():
@@ -292,7 +292,7 @@ def test_bezier_curves_are_the_same_as_the_splines():
     bpy.ops.hull.tag_smooth()
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.update()
-    native, surface = part("bridge.native").require(), state_of(hull).surface
+    native, surface = part("bridge.native").require(), state_of(hull).ship.surface
     (branch,) = native.section_splines(surface, np.array([[1.0, 0.0, 0.0, 4.0]]))[0]
     for spline in branch.splines:
         inner = np.unique(spline.knots)
@@ -340,7 +340,7 @@ def test_rims_of_flats():
     hull = bpy.context.object
     for name in SWITCHES:
         setattr(hull.hull.lines, name, name == "show_flats")
-    (group,) = state_after_update(hull).lines.values()
+    (group,) = state_after_update(hull).lines.groups.values()
     # Those of the bottom, the side and the transom.
     assert len(group.features) == 3
     for rim in group.features:

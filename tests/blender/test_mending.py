@@ -16,11 +16,11 @@ def refreshed(hull):
 
 
 def volume(hull):
-    return refreshed(hull).hydrostatics.displaced_volume
+    return refreshed(hull).hydrostatics.values.displaced_volume
 
 
 def problems(hull):
-    return [(problem.severity, problem.remedy) for problem in refreshed(hull).check.problems]
+    return [(problem.severity, problem.remedy) for problem in refreshed(hull).ship.check.problems]
 
 
 def box_with_bulkhead():
@@ -47,7 +47,7 @@ def box_with_bulkhead():
 def test_what_makes_a_surface_is_shown_until_the_mesh_is_split():
     hull = box_with_bulkhead()
     state = state_of(hull)
-    assert "more than two faces" in state.status and state.is_part
+    assert "more than two faces" in state.status and state.ship.is_part
     assert ("error", "SPLIT") in problems(hull)
     surface = mesh_points(hull.hull.surface_object)
     assert surface.max(axis=0) == pytest.approx([10.0, 2.0, 3.0], abs=1e-5)
@@ -58,7 +58,7 @@ def test_what_makes_a_surface_is_shown_until_the_mesh_is_split():
     for vertex in hull.data.vertices:
         vertex.co.z *= 2.0
     hull.data.update()
-    assert refreshed(hull).status and state_of(hull).is_part
+    assert refreshed(hull).status and state_of(hull).ship.is_part
     assert mesh_points(hull.hull.surface_object)[:, 2].max() == pytest.approx(6.0)
 
 
@@ -67,7 +67,7 @@ def test_split_parts_the_mesh_and_keeps_what_is_known_of_it():
     before = mesh_points(hull)
     assert bpy.ops.hull.split() == {"FINISHED"}
     state = refreshed(hull)
-    assert not state.status and not state.check.errors and not state.is_part
+    assert not state.status and not state.ship.check.errors and not state.ship.is_part
     after = mesh_points(hull)
     assert np.array_equal(after[: len(before)], before) and len(after) == len(before) + 3
     kept = sorted(value.value for value in hull.data.attributes[ATTRIBUTE].data)
@@ -102,7 +102,7 @@ def test_selected_faces_are_set_aside():
     assert bpy.ops.hull.set_aside() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     assert [polygon.material_index for polygon in hull.data.polygons] == [0, 0, 1, 0]
-    assert refreshed(hull).surface.mesh.face_count == 3
+    assert refreshed(hull).ship.surface.mesh.face_count == 3
 
 
 def test_split_in_edit_mode_and_undone():
@@ -131,7 +131,7 @@ def starboard_box():
 def test_a_half_hull_to_starboard_is_refused_and_mirrored(tmp_path):
     hull = starboard_box()
     state = refreshed(hull)
-    assert "starboard" in state.status and state.hydrostatics is None
+    assert "starboard" in state.status and state.hydrostatics.values is None
     assert ("error", "PORT") in problems(hull)
     path = tmp_path / "table.csv"
     for call in (
@@ -143,14 +143,14 @@ def test_a_half_hull_to_starboard_is_refused_and_mirrored(tmp_path):
             call()
     assert not list(tmp_path.iterdir())
     assert bpy.ops.hull.mirror_to_port() == {"FINISHED"}
-    assert not refreshed(hull).status and not state_of(hull).check.problems
+    assert not refreshed(hull).status and not state_of(hull).ship.check.problems
     assert volume(hull) == pytest.approx(LENGTH * 4.0 * 1.5, rel=1e-7)
     with pytest.raises(RuntimeError, match="no half that lies to starboard"):
         bpy.ops.hull.mirror_to_port()
 
 
 def doubts(hull):
-    return [(doubt.remedy, doubt.takes) for doubt in refreshed(hull).doubts]
+    return [(doubt.remedy, doubt.takes) for doubt in refreshed(hull).plausible.doubts]
 
 
 def test_particulars_that_are_none_of_the_surface_are_taken_from_it():
@@ -158,13 +158,13 @@ def test_particulars_that_are_none_of_the_surface_are_taken_from_it():
     settings = hull.hull
     settings.length_pp, settings.beam, settings.draft = 1.0, 1.0, 1.0
     assert doubts(hull)[0] == ("TAKE", ("length_pp", "beam"))
-    assert "all 1 m" in state_of(hull).doubts[0].message
+    assert "all 1 m" in state_of(hull).plausible.doubts[0].message
     assert bpy.ops.hull.take_from_surface(names={"length_pp", "beam"}) == {"FINISHED"}
     assert (settings.length_pp, settings.beam) == pytest.approx((10.0, 4.0))
     assert settings.draft == 1.0 and doubts(hull) == []
     settings.beam = 2.0
     assert [remedy for remedy, _ in doubts(hull)] == ["TAKE", "TAKE"]
-    assert any("Cb is 2.000" in doubt.message for doubt in state_of(hull).doubts)
+    assert any("Cb is 2.000" in doubt.message for doubt in state_of(hull).plausible.doubts)
 
 
 def test_both_sides_that_count_as_half_are_counted_as_whole():
@@ -181,4 +181,4 @@ def test_both_sides_that_count_as_half_are_counted_as_whole():
 def test_samples_are_not_doubted():
     for name in part("features.hull.samples").sample_files():
         bpy.ops.hull.load_sample(name=name)
-        assert refreshed(bpy.context.object).doubts == [], name
+        assert refreshed(bpy.context.object).plausible.doubts == [], name

@@ -173,8 +173,8 @@ def test_operator_makes_the_usual_hull(kind):
     assert len(hull.hull.flats) == len(wanted.flats)
     assert hull.hull.half and hull.hull.length_pp == pytest.approx(wanted.particulars.length_pp)
     state = state_of(hull)
-    assert not state.status and not state.check.problems
-    assert state.surface is not None and hull.hull.surface_object is not None
+    assert not state.status and not state.ship.check.problems
+    assert state.ship.surface is not None and hull.hull.surface_object is not None
 
 
 def test_operator_takes_dimensions_in_scene_units():
@@ -185,7 +185,7 @@ def test_operator_takes_dimensions_in_scene_units():
     wanted = hull_io("new_hulls").new_hull("CANOE_BODY", 20.0, 5.0, 0.8, 2.0, 9, 6)
     np.testing.assert_allclose(mesh_points(hull), 100.0 * wanted.points, rtol=1e-6, atol=1e-3)
     assert hull.hull.draft == pytest.approx(80.0)
-    surface = state_of(hull).surface
+    surface = state_of(hull).ship.surface
     found = measured(surface, 20.0, 5.0, 0.8)
     assert found.waterline_length == pytest.approx(20.0, rel=1e-6)
 

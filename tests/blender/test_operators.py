@@ -45,7 +45,7 @@ def test_make_hull_fills_in_the_particulars_and_shows_surface_and_lines():
     assert (settings.length_pp, settings.beam, settings.depth) == (LENGTH, 4.0, DEPTH)
     assert settings.surface_object.parent == hull
     assert len(settings.surface_object.data.polygons) == 2 * 4 * 4 * settings.samples**2
-    lines = state_of(hull).lines
+    lines = state_of(hull).lines.groups
     assert {kind for kind, group in lines.items() if group.polylines} == {
         "station", "waterline", "buttock", "draft", "flat", "feature"
     }  # fmt: skip
@@ -55,7 +55,7 @@ def test_make_hull_gives_the_hydrostatics_of_a_box():
     hull = add_hull()
     hull.hull.draft = 1.0
     bpy.context.view_layer.update()
-    found = state_of(hull).hydrostatics
+    found = state_of(hull).hydrostatics.values
     assert found.displaced_volume == pytest.approx(VOLUME_AT_1, rel=1e-12)
     assert found.displacement_t == pytest.approx(1.025 * VOLUME_AT_1, rel=1e-12)
     assert found.lcb == pytest.approx(LENGTH / 2, rel=1e-12)
@@ -70,7 +70,7 @@ def test_operator_equals_function():
     by_operator = add_hull("by operator")
     by_function = add_box("by function")
     part("features.hull.hull_creation").make_hull(by_function, bpy.context.scene, True)
-    assert state_of(by_operator).hydrostatics == state_of(by_function).hydrostatics
+    assert state_of(by_operator).hydrostatics.values == state_of(by_function).hydrostatics.values
     first, second = (obj.hull.surface_object for obj in (by_operator, by_function))
     assert np.array_equal(mesh_points(first), mesh_points(second))
 
@@ -106,10 +106,10 @@ def test_unapplied_scale_and_rotation_are_refused_with_the_reason(spoil, reason)
 
 def test_a_moved_hull_keeps_its_numbers():
     hull = add_hull()
-    before = state_of(hull).hydrostatics
+    before = state_of(hull).hydrostatics.values
     hull.location = (100.0, 0.0, 5.0)
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics == before and not state_of(hull).status
+    assert state_of(hull).hydrostatics.values == before and not state_of(hull).status
 
 
 def test_modifiers_are_told_of():
@@ -124,7 +124,7 @@ def test_the_scene_scale_makes_metres():
     hull = add_hull()
     hull.hull.draft = 2.0
     bpy.context.view_layer.update()
-    found = state_of(hull).hydrostatics
+    found = state_of(hull).hydrostatics.values
     assert found.draft == 1.0
     assert found.displaced_volume == pytest.approx(5.0 * 2.0 * 1.0, rel=1e-12)
     surface = mesh_points(hull.hull.surface_object)
@@ -163,7 +163,7 @@ def test_tags_and_settings_survive_saving(tmp_path):
     bpy.ops.object.mode_set(mode="OBJECT")
     hull.hull.draft = 1.25
     hull.hull.samples = 3
-    volume = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
+    volume = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics.values
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "hull.blend"))
     bpy.ops.wm.read_homefile(use_empty=True)
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "hull.blend"))
@@ -171,7 +171,7 @@ def test_tags_and_settings_survive_saving(tmp_path):
     assert (edge_creases(hull) == 1.0).all()
     assert np.flatnonzero(vertex_creases(hull)).tolist() == [3]
     assert (hull.hull.draft, hull.hull.samples, hull.hull.half) == (1.25, 3, True)
-    assert state_of(hull).hydrostatics == volume
+    assert state_of(hull).hydrostatics.values == volume
 
 
 def three_faced_edge():
@@ -192,7 +192,7 @@ def three_faced_edge():
 def test_a_problem_names_and_selects_its_elements():
     hull = three_faced_edge()
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    problems = state_of(hull).check.problems
+    problems = state_of(hull).ship.check.problems
     index = next(i for i, problem in enumerate(problems) if problem.kind == "edge")
     assert problems[index].severity == "error"
     assert {frozenset(pair) for pair in problems[index].elements} == {frozenset((2, 6))}
@@ -219,7 +219,7 @@ def test_a_fractional_crease_is_a_warning():
     bm.to_mesh(hull.data)
     bm.free()
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    problems = [p for p in state_of(hull).check.problems if "between 0 and 1" in p.message]
+    problems = [p for p in state_of(hull).ship.check.problems if "between 0 and 1" in p.message]
     assert [(p.severity, p.elements) for p in problems] == [("warning", (pair,))]
 
 
@@ -227,10 +227,10 @@ def test_faces_turned_inwards_are_reported_and_turned_on_request():
     hull = add_hull()
     hull.data.flip_normals()
     assert bpy.ops.hull.check_mesh() == {"FINISHED"}
-    assert any("inwards" in problem.message for problem in state_of(hull).check.problems)
+    assert any("inwards" in problem.message for problem in state_of(hull).ship.check.problems)
     assert bpy.ops.hull.turn_outwards() == {"FINISHED"}
-    assert not state_of(hull).check.problems
-    assert state_of(hull).hydrostatics.displaced_volume > 0.0
+    assert not state_of(hull).ship.check.problems
+    assert state_of(hull).hydrostatics.values.displaced_volume > 0.0
 
 
 def test_a_layer_outside_the_shell_does_not_count():
@@ -247,11 +247,11 @@ def test_a_layer_outside_the_shell_does_not_count():
     bm.to_mesh(hull.data)
     bm.free()
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    assert state_of(hull).check.face_count == 4
-    assert not state_of(hull).check.problems
+    assert state_of(hull).ship.check.face_count == 4
+    assert not state_of(hull).ship.check.problems
     layer.in_hydrostatics = True
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    assert state_of(hull).check.face_count == 5
+    assert state_of(hull).ship.check.face_count == 5
 
 
 def test_a_copy_of_a_hull_gets_objects_of_its_own():

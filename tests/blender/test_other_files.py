@@ -51,9 +51,9 @@ def test_a_hull_of_an_old_file_is_brought_up_to_date():
     assert set(bpy.context.scene.objects.keys()) == {
         "old box", "old box surface", "second", "second surface"
     }  # fmt: skip
-    assert state_of(hull).lines["station"].cut_count == 3
-    assert state_of(hull).lines["waterline"].cut_count == 2
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(50.0)
+    assert state_of(hull).lines.groups["station"].cut_count == 3
+    assert state_of(hull).lines.groups["waterline"].cut_count == 2
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(50.0)
     leftover = {*hull.hull.keys(), *hull.hull.plan.keys()}
     assert not leftover & {"station_count", "waterline_spacing", "lines_object", "diagonals"}
 
@@ -106,8 +106,8 @@ def test_a_linked_hull_is_measured_and_not_changed(library, tmp_path):
     hull = bring(library, link=True)
     assert hull.library is not None
     found = state_of(hull)
-    assert not found.status and found.hydrostatics.displaced_volume == pytest.approx(40.0)
-    assert found.lines["station"].polylines
+    assert not found.status and found.hydrostatics.values.displaced_volume == pytest.approx(40.0)
+    assert found.lines.groups["station"].polylines
     assert "linked from another file" in found.remarks[0]
     # Its surface is shown, as it was saved.
     assert hull.hull.surface_object.name in bpy.context.scene.objects
@@ -124,13 +124,13 @@ def test_a_linked_hull_survives_saving_and_is_changed_once_local(library, tmp_pa
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "user.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "user.blend"))
     hull = bpy.data.objects["kept"]
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(40.0)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(40.0)
     make_active(hull)
     bpy.ops.object.make_local(type="ALL")
     hull = bpy.data.objects["kept"]
     hull.hull.draft = 2.0
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(80.0)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(80.0)
     assert not state_of(hull).remarks
     make_active(hull)
     assert bpy.ops.hull.update() == {"FINISHED"}
@@ -144,7 +144,7 @@ def test_an_override_is_measured_and_not_changed(library):
     bpy.context.view_layer.update()
     hull.location.x = 50.0
     bpy.context.view_layer.update()
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(40.0)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(40.0)
     assert any("override" in remark or "linked" in remark for remark in state_of(hull).remarks)
     assert not bpy.ops.hull.update.poll() and not bpy.ops.hull.turn_outwards.poll()
 
@@ -172,7 +172,7 @@ def test_copy_and_paste_between_files():
     bpy.context.view_layer.update()
     pasted = bpy.data.objects["box.001"]
     assert surface(pasted).parent == pasted and surface(pasted).name in bpy.context.scene.objects
-    assert state_of(pasted).hydrostatics.displaced_volume == pytest.approx(40.0)
+    assert state_of(pasted).hydrostatics.values.displaced_volume == pytest.approx(40.0)
     assert len(bpy.context.scene.objects) == 4
 
 
@@ -184,7 +184,7 @@ def test_saving_in_edit_mode_keeps_what_is_edited(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "edited.blend"))
     hull = bpy.data.objects["box"]
     assert mesh_points(surface(hull))[:, 2].max() == pytest.approx(2.0 * DEPTH)
-    assert state_of(hull).check.face_count == 4
+    assert state_of(hull).ship.check.face_count == 4
 
 
 def test_a_deleted_surface_is_not_saved(tmp_path):

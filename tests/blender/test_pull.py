@@ -66,7 +66,7 @@ def test_the_operator_pulls_and_the_ship_follows(mode):
     point = grip.point.tolist()
     assert bpy.ops.hull.pull_surface(point=point, target=target.tolist()) == {"FINISHED"}
     assert np.linalg.norm(place_now(hull, grip) - target) < 1e-6  # the point is single precision
-    surface = state_of(hull).surface
+    surface = state_of(hull).ship.surface
     assert np.linalg.norm(surface.positions([grip.cell], grip.uv[None])[0] - target) < 1e-6
     moved = np.abs(edited_points(hull) - before).max(axis=1) > 1e-5
     assert 0 < np.count_nonzero(moved) <= 16
@@ -336,7 +336,7 @@ def test_a_section_line_is_held_exactly():
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     eye, drags = eye_from_port(hull), part("features.modelling.drags")
     pull = pull_of(hull)
-    for section in state_of(hull).lines["station"].sections:
+    for section in state_of(hull).lines.groups["station"].sections:
         for curve in section.curves:
             points = 0.5 * (curve.points[1:] + curve.points[:-1])
             for mouse in drags.in_picture(eye.to_clip, eye.size, points)[

@@ -78,7 +78,7 @@ def test_hulls_that_are_open_when_the_addon_is_enabled_are_shown(addon):
     assert state_of(bpy.data.objects[name]) is None
     begin()  # the window's event loop calls it
     hull = bpy.data.objects[name]
-    assert state_of(hull).surface is not None
+    assert state_of(hull).ship.surface is not None
     assert mesh_points(hull.hull.surface_object)[:, 0].min() == -1.0
 
 

@@ -33,18 +33,18 @@ def insert(hull, *edges):
 @pytest.mark.parametrize("place", [(64.0, 5.0, 3.0), (8.0, 6.0, 3.0), (38.0, 6.0, 3.0)])
 def test_the_surface_stays_nearly(place):
     hull = new_hull()
-    old = state_of(hull).source.new_surface()
-    volume, count = state_of(hull).hydrostatics.displaced_volume, len(hull.data.vertices)
+    old = state_of(hull).ship.source.new_surface()
+    volume, count = state_of(hull).hydrostatics.values.displaced_volume, len(hull.data.vertices)
     found = insert(hull, edge_at(hull, place))
     state = state_of(hull)
     assert not state.status and len(hull.data.vertices) == count + found.count > count
-    points = state.surface.tessellate(7).points
+    points = state.ship.surface.tessellate(7).points
     native = part("bridge.native").require()
     distance = native.SurfaceTree(old).closest_points(points).distances.max()
     assert distance == pytest.approx(found.change, rel=0.2)
     assert found.change < min(3e-3, found.cut_change)
     assert found.cut_change < 10e-3 or found.change < 0.05 * found.cut_change
-    assert abs(state.hydrostatics.displaced_volume - volume) < 0.1
+    assert abs(state.hydrostatics.values.displaced_volume - volume) < 0.1
 
 
 def test_rows_may_cross():

@@ -18,7 +18,7 @@ def sample(name):
 
 
 def numbers(hull):
-    found = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics
+    found = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics.values
     return {name: getattr(found, name) for name in NUMBERS}
 
 
@@ -46,7 +46,7 @@ def test_a_whole_hull_is_the_same_ship(name):
     assert bpy.ops.hull.make_whole() == {"FINISHED"}
     assert not hull.hull.half and len(hull.data.polygons) == 2 * faces
     assert numbers(hull) == pytest.approx(before, rel=ALIKE)
-    assert not state_of(hull).check.errors
+    assert not state_of(hull).ship.check.errors
     whole = surface_points(hull)
     assert furthest_apart(whole, surface) < 1e-6 * LENGTH * 10
     assert furthest_apart(surface, whole) < 1e-6 * LENGTH * 10
@@ -84,7 +84,7 @@ def test_starboard_may_be_kept():
     assert bpy.ops.hull.make_half(side="STARBOARD") == {"FINISHED"}
     assert mesh_points(hull)[:, 1].min() == 0.0
     assert numbers(hull) == pytest.approx(before, rel=ALIKE)
-    assert not state_of(hull).check.problems
+    assert not state_of(hull).ship.check.problems
 
 
 @pytest.mark.parametrize("side", ["PORT", "STARBOARD"])

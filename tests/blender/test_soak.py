@@ -149,7 +149,7 @@ class Person:
 def assert_as_if_made_anew(hull):
     bpy.context.view_layer.update()
     kept = state_of(hull)
-    assert not kept.status and not kept.lines_status and not kept.fairness_status
+    assert not kept.status and not kept.lines.status and not kept.fairness.status
     hull_state = part("features.hull.hull_state")
     shown = np.empty((len(hull.hull.surface_object.data.vertices), 3), dtype=np.float32)
     hull.hull.surface_object.data.vertices.foreach_get("co", shown.reshape(-1))
@@ -159,12 +159,12 @@ def assert_as_if_made_anew(hull):
     hull_state.forget(hull)
     fresh = hull_state.refresh(hull, bpy.context.scene)
     assert fresh is not kept
-    assert np.array_equal(kept.surface.mesh.points, fresh.surface.mesh.points)
-    assert np.array_equal(shown, fresh.shown_points.coordinates)
+    assert np.array_equal(kept.ship.surface.mesh.points, fresh.ship.surface.mesh.points)
+    assert np.array_equal(shown, fresh.shown.points.coordinates)
     _assert_same_lines(kept, fresh)
     _assert_same_combs(kept, fresh)
-    for name, value in vars(fresh.hydrostatics).items():
-        before = getattr(kept.hydrostatics, name)
+    for name, value in vars(fresh.hydrostatics.values).items():
+        before = getattr(kept.hydrostatics.values, name)
         if isinstance(value, float):
             # Their integrals are to 1e-8 of the whole.
             assert abs(before - value) <= 1e-7 * max(abs(value), 1.0), name
@@ -177,22 +177,22 @@ def assert_as_if_made_anew(hull):
 
 
 def _assert_same_lines(kept, fresh):
-    assert kept.lines.keys() == fresh.lines.keys()
-    for kind, group in fresh.lines.items():
-        lines = kept.lines[kind].polylines
+    assert kept.lines.groups.keys() == fresh.lines.groups.keys()
+    for kind, group in fresh.lines.groups.items():
+        lines = kept.lines.groups[kind].polylines
         assert len(lines) == len(group.polylines), kind
         for ours, theirs in zip(lines, group.polylines):
             assert np.array_equal(ours, theirs), kind
 
 
 def _assert_same_combs(kept, fresh):
-    assert kept.combs.keys() == fresh.combs.keys()
-    for kind, group in fresh.combs.items():
-        ours, count = kept.combs[kind].segments(1.0)
+    assert kept.fairness.combs.keys() == fresh.fairness.combs.keys()
+    for kind, group in fresh.fairness.combs.items():
+        ours, count = kept.fairness.combs[kind].segments(1.0)
         theirs, their_count = group.segments(1.0)
         assert count == their_count and np.array_equal(ours, theirs), kind
         for name, marks in group.marks.items():
-            assert np.array_equal(kept.combs[kind].marks[name], marks), (kind, name)
+            assert np.array_equal(kept.fairness.combs[kind].marks[name], marks), (kind, name)
 
 
 def _memory_mb():

@@ -18,8 +18,8 @@ def update(hull):
 def test_errors_come_and_go_with_the_mesh():
     hull = add_hull()
     assert line_of(hull) == "" and line_of(None) == ""
-    before, surface = mesh_points(hull.hull.surface_object), state_of(hull).surface
-    lines = {kind: group.polylines for kind, group in state_of(hull).lines.items()}
+    before, surface = mesh_points(hull.hull.surface_object), state_of(hull).ship.surface
+    lines = {kind: group.polylines for kind, group in state_of(hull).lines.groups.items()}
     bpy.ops.object.mode_set(mode="EDIT")
     bm = bmesh.from_edit_mesh(hull.data)
     bm.verts.ensure_lookup_table()
@@ -30,9 +30,9 @@ def test_errors_come_and_go_with_the_mesh():
     update(hull)
     text = line_of(hull)
     assert text.startswith("The surface waits for the mesh: ") and state_of(hull).status in text
-    assert state_of(hull).surface is surface
+    assert state_of(hull).ship.surface is surface
     assert mesh_points(hull.hull.surface_object).tolist() == before.tolist()
-    assert {k: g.polylines for k, g in state_of(hull).lines.items()}.keys() == lines.keys()
+    assert {k: g.polylines for k, g in state_of(hull).lines.groups.items()}.keys() == lines.keys()
     bmesh.ops.delete(bm, geom=fins)
     update(hull)
     assert line_of(hull) == ""

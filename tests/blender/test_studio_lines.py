@@ -40,7 +40,7 @@ def assert_on_the_surface(hull, curve):
     if hull.hull.half:
         assert points[:, 1].min() < 0.0
         points[:, 1] = np.abs(points[:, 1])
-    tree = part("bridge.native").require().SurfaceTree(state_of(hull).surface)
+    tree = part("bridge.native").require().SurfaceTree(state_of(hull).ship.surface)
     off = tree.closest_points(points).distances
     assert off.max() < 0.1 * breadth, (curve.name, points[off.argmax()])
 

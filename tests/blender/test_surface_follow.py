@@ -37,8 +37,8 @@ def test_the_surface_follows_in_object_mode():
 
 def test_surface_lines_and_numbers_follow_in_edit_mode():
     hull = add_hull()
-    before = state_of(hull).hydrostatics.displaced_volume
-    buttocks_before = state_of(hull).lines["buttock"].cut_count
+    before = state_of(hull).hydrostatics.values.displaced_volume
+    buttocks_before = state_of(hull).lines.groups["buttock"].cut_count
     bpy.ops.object.mode_set(mode="EDIT")
     bm = bmesh.from_edit_mesh(hull.data)
     for vertex in bm.verts:
@@ -46,8 +46,8 @@ def test_surface_lines_and_numbers_follow_in_edit_mode():
     bmesh.update_edit_mesh(hull.data)
     bpy.context.view_layer.update()
     assert_surface_is_fresh(hull)
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(1.5 * before)
-    assert state_of(hull).lines["buttock"].cut_count > buttocks_before
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(1.5 * before)
+    assert state_of(hull).lines.groups["buttock"].cut_count > buttocks_before
 
 
 def test_a_tag_changes_the_surface():
@@ -83,9 +83,9 @@ def test_undo_brings_the_surface_back():
     bpy.ops.ed.undo()
     hull = bpy.data.objects["box"]
     assert np.array_equal(mesh_points(hull.hull.surface_object), before)
-    assert state_of(hull).hydrostatics.lcb == pytest.approx(LENGTH / 2)
+    assert state_of(hull).hydrostatics.values.lcb == pytest.approx(LENGTH / 2)
     bpy.ops.ed.redo()
-    assert state_of(bpy.data.objects["box"]).hydrostatics.lcb == pytest.approx(0.75 * LENGTH)
+    assert state_of(bpy.data.objects["box"]).hydrostatics.values.lcb == pytest.approx(0.75 * LENGTH)
 
 
 def test_settings_made_by_a_script_are_followed():
@@ -95,7 +95,7 @@ def test_settings_made_by_a_script_are_followed():
     hull.hull.lines.waterline_spacing = 0.0
     bpy.context.view_layer.update()
     assert len(hull.hull.surface_object.data.polygons) == 2 * 16 * 4
-    lines = state_of(hull).lines
+    lines = state_of(hull).lines.groups
     assert lines["station"].cut_count == 6 and lines["waterline"].cut_count == 0
 
 
@@ -143,9 +143,9 @@ def test_normals_are_the_surface_normals():
     bpy.ops.hull.tag_smooth()
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.update()
-    tessellation = state_of(hull).surface.tessellate(hull.hull.samples)
+    tessellation = state_of(hull).ship.surface.tessellate(hull.hull.samples)
     surface_object = part("features.surface.surface_object")
-    shared = state_of(hull).shown_points.shared
+    shared = state_of(hull).shown.points.shared
     normals = surface_object.surface_faces(tessellation, shared)[1].reshape(-1, 3)
     mesh = hull.hull.surface_object.data
     if hasattr(mesh, "calc_normals_split"):
@@ -207,7 +207,7 @@ def test_a_surface_that_is_hidden_waits_until_it_is_seen():
     before = mesh_points(shown)
     pull_a_point(hull, 0.5)
     assert np.array_equal(mesh_points(shown), before)
-    assert state_of(hull).hydrostatics.displaced_volume > 0.0
+    assert state_of(hull).hydrostatics.values.displaced_volume > 0.0
     shown.hide_set(False)
     bpy.context.view_layer.update()
     assert_surface_is_fresh(hull)
@@ -236,6 +236,77 @@ def test_only_what_moved_is_computed_and_it_is_all_that_moved():
         bmesh.update_edit_mesh(hull.data)
         bpy.context.view_layer.update()
         assert_surface_is_fresh(hull)
+
+
+@pytest.fixture
+def counted(monkeypatch):
+    """How often each step was taken for all hulls, by its name."""
+    counts = {}
+
+    def count(owner, name):
+        original = getattr(owner, name)
+
+        def step(*arguments):
+            counts[name] = counts.get(name, 0) + 1
+            return original(*arguments)
+
+        monkeypatch.setattr(owner, name, step)
+
+    arrays = part("bridge.mesh.mesh_arrays")
+    count(arrays, "read_mesh")
+    count(arrays.MeshData, "topology_digest")
+    count(arrays.MeshData, "points_digest")
+    count(part("bridge.objects.hull_objects"), "refusal")
+    count(part("features.constraints.flat_keeping"), "keep")
+    count(part("features.surface.surface_object"), "move_surface")
+    count(part("features.flotation.hydrostatics"), "particulars")
+    count(part("features.lines.lines"), "groups")
+    count(part("features.fairness.combs"), "combs")
+    return counts
+
+
+def test_each_step_is_taken_once_for_a_point_that_moves(counted):
+    hull = add_hull()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.view_layer.update()
+    pull_a_point(hull, 0.1)
+    counted.clear()
+    pull_a_point(hull, 0.1)
+    assert set(counted.values()) == {1} and len(counted) == 9, counted
+
+
+def test_only_what_follows_an_edit_writes_the_mesh():
+    hull, hull_state, scene = add_hull(), part("features.hull.hull_state"), bpy.context.scene
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.view_layer.update()
+
+    def beside_centre():
+        bm = bmesh.from_edit_mesh(hull.data)
+        bm.verts.ensure_lookup_table()
+        return bm.verts[0].co
+
+    beside_centre().y = 0.5
+    assert not hull_state.follow_edit(hull, scene).status
+    assert beside_centre().y == 0.0 and "centre" in state_of(hull).keeping.held
+    beside_centre().y = 0.5
+    hull_state.refresh(hull, scene)
+    assert beside_centre().y == 0.5
+    hull_state.follow_edit(hull, scene)
+    assert beside_centre().y == 0.5, "known to be there"
+    beside_centre().y = 0.0
+    hull_state.follow_edit(hull, scene)
+    beside_centre().y = 0.5
+    hull_state.follow_edit(hull, scene, False)
+    assert beside_centre().y == 0.5 and not state_of(hull).keeping.held
+
+
+def test_what_later_subjects_keep_is_theirs():
+    class Mine:
+        pass
+
+    first, second = add_hull(), add_hull("second")
+    assert state_of(first).of(Mine) is state_of(first).of(Mine)
+    assert state_of(first).of(Mine) is not state_of(second).of(Mine)
 
 
 def test_a_hull_without_a_surface_is_refused_with_the_reason():

@@ -221,7 +221,7 @@ def test_locks_are_where_their_points_are():
     tags, place = tags_of(hull), (0.0, 2.0, 0.0)
     select(hull, "vertex", [find(hull, *place), find(hull, 10, 0, 3)])
     bpy.ops.hull.lock_points()
-    points = state_of(hull).surface.mesh.points
+    points = state_of(hull).ship.surface.mesh.points
     locked = points[part("features.hull.tags").locked_points(hull, tags)]
     assert {tuple(point) for point in locked} == {place, (10.0, 0.0, 3.0)}
     assert counts(drawing_of(hull))["locked"] == 2 * 4

@@ -65,7 +65,7 @@ def irregularity(bm):
 
 def assert_sound(hull):
     state = part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    assert not state.check.errors and not state.status, state.check.problems
+    assert not state.ship.check.errors and not state.status, state.ship.check.problems
 
 
 @pytest.mark.parametrize("valence, wanted", [(6, [4, 4]), (7, [4, 5]), (8, [5, 5])])
@@ -184,7 +184,7 @@ def limits_of(hull, bm, *vertices):
     """Where control points end in the surface, by the native module's own numbers."""
     arrays = part("bridge.mesh.mesh_arrays")
     control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
-    surface = part("features.hull.hull_state").refresh(hull, bpy.context.scene).surface
+    surface = part("features.hull.hull_state").refresh(hull, bpy.context.scene).ship.surface
     cells = [int(np.flatnonzero(control.face_vertices == vertex.index)[0]) for vertex in vertices]
     return surface.evaluate(np.array(cells), np.zeros((len(cells), 2)))[0]
 
@@ -192,14 +192,14 @@ def limits_of(hull, bm, *vertices):
 @pytest.mark.parametrize("valence", [6, 8, 12])
 def test_the_surface_stays_near(valence):
     hull = dome(valence)
-    before = part("features.hull.hull_state").refresh(hull, bpy.context.scene).surface
+    before = part("features.hull.hull_state").refresh(hull, bpy.context.scene).ship.surface
     tree = part("bridge.native").require().SurfaceTree(before)
     bm = edit(hull, 0)
     found = part("features.modelling.valence").reduce_selected(hull, bpy.context.scene)
     bm.verts.ensure_lookup_table()
     new = [bm.verts[0], *bm.verts[-found.added :]]
     assert tree.closest_points(limits_of(hull, bm, *new)).distances.max() < 1e-4
-    after = part("features.hull.hull_state").refresh(hull, bpy.context.scene).surface
+    after = part("features.hull.hull_state").refresh(hull, bpy.context.scene).ship.surface
     distances = tree.closest_points(after.tessellate(10).points).distances
     assert distances.max() == pytest.approx(found.change, rel=0.1)
     assert found.change < 0.025  # of a bowl 6 wide and 0.9 deep

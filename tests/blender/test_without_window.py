@@ -17,7 +17,7 @@ def test_the_script_of_the_docs(tmp_path):
     exec(script.replace("/tmp", str(tmp_path)), {})
     rows = (tmp_path / "coaster.csv").read_text(encoding="utf-8").splitlines()
     assert len(rows) > 10
-    assert state_of(bpy.context.object).hydrostatics.draft == pytest.approx(5.0)
+    assert state_of(bpy.context.object).hydrostatics.values.draft == pytest.approx(5.0)
 
 
 def test_a_mesh_that_a_script_made_is_a_hull_in_one_call():
@@ -27,7 +27,7 @@ def test_a_mesh_that_a_script_made_is_a_hull_in_one_call():
     bpy.context.collection.objects.link(obj)
     with bpy.context.temp_override(object=obj, active_object=obj):
         assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
-    assert obj.hull.is_hull and state_of(obj).surface is not None
+    assert obj.hull.is_hull and state_of(obj).ship.surface is not None
 
 
 def test_what_is_saved_for_recovery_is_the_edited_hull(tmp_path):

@@ -13,7 +13,7 @@ def edited_points(hull):
 def assert_follows(hull):
     """Surface object, lines and hydrostatics are those of the control mesh as it is now."""
     settings, state = hull.hull, state_of(hull)
-    assert not state.status and not state.lines_status and not state.hydrostatics_status
+    assert not state.status and not state.lines.status and not state.hydrostatics.status
     source, surface = _fresh(hull)
     size = max(hull.dimensions)
 
@@ -25,16 +25,16 @@ def assert_follows(hull):
 
     where = part("features.flotation.afloat").afloat(settings, 1.0)
     fresh = part("features.flotation.hydrostatics").computed(source.live_body(surface), where)
-    volume = state.hydrostatics.displaced_volume
+    volume = state.hydrostatics.values.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
 
     lines = part("features.lines.lines")
     cuts = lines.wanted_cuts(settings, surface.mesh.points, 1.0)
     nothing_known = part("bridge.mesh.moves").Moves(None, None, None)
     groups = lines.groups({}, surface, cuts, settings.half, nothing_known)
-    assert groups.keys() == state.lines.keys()
+    assert groups.keys() == state.lines.groups.keys()
     for kind, group in groups.items():
-        _assert_same_lines(state.lines[kind].polylines, group.polylines, 1e-9 * size)
+        _assert_same_lines(state.lines.groups[kind].polylines, group.polylines, 1e-9 * size)
 
 
 def _fresh(hull):
@@ -62,11 +62,13 @@ def _assert_same_lines(shown, wanted, tolerance):
 def snapshot(hull):
     """What is shown of a hull, as numbers to compare."""
     state = state_of(hull)
-    polylines = [np.asarray(one) for group in state.lines.values() for one in group.polylines]
+    polylines = [
+        np.asarray(one) for group in state.lines.groups.values() for one in group.polylines
+    ]
     return {
         "points": edited_points(hull),
         "surface": mesh_points(hull.hull.surface_object),
-        "volume": np.array([state.hydrostatics.displaced_volume]),
+        "volume": np.array([state.hydrostatics.values.displaced_volume]),
         "lines": np.concatenate([line.reshape(-1, 3) for line in polylines]),
     }
 

@@ -77,6 +77,6 @@ def test_a_coordinate_is_taken_from_the_cursor(window):
 
 def assert_has(hull, x, y):
     """The surface has this y at this x and z = 3."""
-    tree = part("bridge.native").require().SurfaceTree(state_of(hull).surface)
+    tree = part("bridge.native").require().SurfaceTree(state_of(hull).ship.surface)
     hits = tree.all_ray_hits(np.array([x, -50.0, 3.0]), np.array([0.0, 1.0, 0.0]))
     assert np.abs(hits.points[:, 1] - y).min() < 1e-5

@@ -113,7 +113,7 @@ def test_hide_and_reveal(window):
 def test_scale_is_refused_until_it_is_applied(window):
     hull = a_hull(window)
     length = hull.dimensions.x
-    volume = state_of(hull).hydrostatics.displaced_volume
+    volume = state_of(hull).hydrostatics.values.displaced_volume
     yield
     window.press("S")
     window.write("2")
@@ -131,7 +131,9 @@ def test_scale_is_refused_until_it_is_applied(window):
     assert_in_step()
     hull.hull.draft *= 2.0
     yield
-    assert state_of(hull).hydrostatics.displaced_volume == pytest.approx(8.0 * volume, rel=1e-5)
+    assert state_of(hull).hydrostatics.values.displaced_volume == pytest.approx(
+        8.0 * volume, rel=1e-5
+    )
     window.undo()
     window.undo()
     yield

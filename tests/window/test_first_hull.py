@@ -72,15 +72,15 @@ def test_a_first_hull(window):
     settings = hull.hull
     settings.fairness.colours, settings.fairness.comb_stations = "GAUSSIAN", True
     settings.plots.sectional_areas = True
-    volume = state_of(hull).hydrostatics.displaced_volume
+    volume = state_of(hull).hydrostatics.values.displaced_volume
     settings.draft += 0.5
     yield
     yield lambda: part("features.analyses").last_outcome(
         hull, bpy.context.scene, "sectional_areas"
     )[1]
-    assert state_of(hull).combs["station"].segments(1.0)[1] > 0
-    assert state_of(hull).colour_scale is not None
-    assert state_of(hull).hydrostatics.displaced_volume > volume
+    assert state_of(hull).fairness.combs["station"].segments(1.0)[1] > 0
+    assert state_of(hull).shown.colour_scale is not None
+    assert state_of(hull).hydrostatics.values.displaced_volume > volume
     assert_follows(hull)
 
 

@@ -12,7 +12,7 @@ def begin(window):
     """A hull in edit mode beside its own surface, to which it is fitted, moved up by 0.3."""
     hull = editing_a_hull(window)
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    grid = part("features.hull.hull_state").state_of(hull).surface.tessellate(8)
+    grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(8)
     mesh = bpy.data.meshes.new("target")
     mesh.from_pydata(np.array(grid.points).tolist(), [], np.array(grid.quads).tolist())
     target = bpy.data.objects.new("target", mesh)

@@ -25,7 +25,7 @@ def begin(window, *kinds, angles=FROM_PORT):
 
 def surface_point(hull, grip):
     """Where the place is on the surface that the add-on shows, in m."""
-    return state_of(hull).surface.positions([grip.cell], grip.uv[None])[0]
+    return state_of(hull).ship.surface.positions([grip.cell], grip.uv[None])[0]
 
 
 def start_pulling(window):
@@ -115,7 +115,7 @@ def test_a_typed_coordinate_is_exact(window):
 def test_a_section_line_is_pulled_in_its_plane(window):
     hull, _ = begin(window, "station", angles=FROM_AHEAD)
     yield
-    section = state_of(hull).lines["station"].sections[10]
+    section = state_of(hull).lines.groups["station"].sections[10]
     curve = max(section.curves, key=lambda one: len(one.points))
     point = curve.points[len(curve.points) // 2]
     hull.show_in_front = False
@@ -128,7 +128,7 @@ def test_a_section_line_is_pulled_in_its_plane(window):
     yield
     now = np.array(held(hull).now)
     assert np.linalg.norm(now - start) > 0.05
-    planes = [one.cut.plane for one in state_of(hull).lines["station"].sections]
+    planes = [one.cut.plane for one in state_of(hull).lines.groups["station"].sections]
     assert min(abs(now[0] - plane[3]) for plane in planes) < 1e-5
     window.press("L")
     window.let_go("LEFTMOUSE")

@@ -64,7 +64,7 @@ def _numbers_follow(window):
     yield
     assert hull.hull.draft == 4.5
     assert snapshot(hull)["volume"] < before["volume"]
-    (waterline,) = state_of(hull).lines["draft"].sections
+    (waterline,) = state_of(hull).lines.groups["draft"].sections
     assert np.allclose(np.concatenate(waterline.polylines)[:, 2], 4.5)
     assert_follows(hull)
 
@@ -74,7 +74,7 @@ def _numbers_follow(window):
     window.move_by(40, 0)
     yield
     heel = hull.hull.heel
-    assert heel > 0.0 and state_of(hull).hydrostatics.tcb < -0.01
+    assert heel > 0.0 and state_of(hull).hydrostatics.values.tcb < -0.01
     window.move_by(20, 0)
     window.let_go("LEFTMOUSE")
     yield

@@ -74,12 +74,12 @@ def test_one_move_is_one_undo_step(window):
 def test_numbers_typed_during_a_move_are_exact(window):
     hull, index, place = editing_a_bilge_point(window)
     yield
-    volume = state_of(hull).hydrostatics.displaced_volume
+    volume = state_of(hull).hydrostatics.values.displaced_volume
     window.press("G")
     window.press("Y")
     window.write("0.25")
     yield
-    assert state_of(hull).hydrostatics.displaced_volume > volume
+    assert state_of(hull).hydrostatics.values.displaced_volume > volume
     assert_follows(hull)
     window.press("RET")
     yield

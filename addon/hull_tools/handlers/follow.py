@@ -23,14 +23,14 @@ def forget_all():
     hull_state.forget_all()
 
 
-def _follow(hulls, scene, view_layer):
+def _follow(hulls, scene, view_layer, is_by_hand=True):
     global _is_following
     if _is_following:
         return
     _is_following = True
     try:
         for hull in hulls:
-            hull_state.refresh(hull, scene)
+            hull_state.follow_edit(hull, scene, is_by_hand)
             if hull.mode == "EDIT":
                 live_normals.ask()
         studio.ask(hulls, scene)
@@ -39,9 +39,10 @@ def _follow(hulls, scene, view_layer):
         _is_following = False
 
 
-def _follow_all():
+def _follow_all(is_by_hand=True):
     for scene in bpy.data.scenes:
-        _follow(hull_objects.hulls(scene.objects), scene, bpy.context.view_layer)
+        hulls = hull_objects.hulls(scene.objects)
+        _follow(hulls, scene, bpy.context.view_layer, is_by_hand)
 
 
 def _updates_of_objects(depsgraph):
@@ -80,7 +81,7 @@ def after_undo(*unused):
     hull_state.forget_deleted()
     hull_state.forget_shown()
     studio.forget()
-    _follow_all()
+    _follow_all(is_by_hand=False)
     colour_views.follow()
 
 

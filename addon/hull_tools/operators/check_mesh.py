@@ -18,7 +18,7 @@ class HULL_OT_check_mesh(bpy.types.Operator, HullReader):
     bl_options = {"REGISTER"}
 
     def run_on(self, hull, context):
-        problems = hull_state.refresh(hull, context.scene).check.problems
+        problems = hull_state.refresh(hull, context.scene).ship.check.problems
         if problems:
             self.report({"WARNING"}, f"{len(problems)} found, first: {problems[0].message}")
         else:
@@ -34,7 +34,7 @@ class HULL_OT_select_problem(bpy.types.Operator, HullOperator):
     index: IntProperty(name="Problem", description="Its place in the list", default=0, min=0)
 
     def run_on(self, hull, context):
-        problems = hull_state.refresh(hull, context.scene).check.problems
+        problems = hull_state.refresh(hull, context.scene).ship.check.problems
         if self.index >= len(problems):
             raise ValueError("This problem is no longer there")
         problem = problems[self.index]
@@ -52,7 +52,7 @@ class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = face_turning.turn_outwards(hull)
-        hull_state.refresh(hull, context.scene)
+        hull_state.follow_edit(hull, context.scene)
         self.report({"INFO"}, f"{count} faces turned")
 
 

@@ -24,7 +24,7 @@ def _import(operator, context, path):
 
 
 def _doubts(state):
-    return [doubt.message for doubt in state.doubts]
+    return [doubt.message for doubt in state.plausible.doubts]
 
 
 class HULL_OT_import_hull(bpy.types.Operator, BaseOperator, ImportHelper):

@@ -70,14 +70,14 @@ class HULL_OT_lines_as_curves(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         state = hull_state.refresh(hull, context.scene)
-        reason = state.status or state.lines_status
+        reason = state.status or state.lines.status
         if reason:
             raise ValueError(reason)
         # One of the curves that go may be what is active.
         context.view_layer.objects.active = hull
         scale = units.metres_per_unit(context.scene)
         count = line_curves.make_curves(
-            hull, state.surface, state.lines.values(), scale, self.form == "BEZIER"
+            hull, state.ship.surface, state.lines.groups.values(), scale, self.form == "BEZIER"
         )
         if not count:
             raise ValueError("No lines are shown: switch some on")

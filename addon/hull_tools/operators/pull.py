@@ -83,7 +83,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         count, longest = pull.pull(
             grip, pull.scale * np.array(self.target), pull.scale * self.radius
         )
-        hull_state.refresh(hull, context.scene)
+        hull_state.follow_edit(hull, context.scene)
         self._tell(context, count, longest)
 
     def _tell(self, context, count, longest):
@@ -109,7 +109,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
             self._pull.restore()
-            hull_state.refresh(self._pull.obj, context.scene)
+            hull_state.follow_edit(self._pull.obj, context.scene)
             self._leave(context)
             return {"CANCELLED"}
         handle = self._pick if self._grip is None else self._drag
@@ -248,7 +248,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
             return {"CANCELLED"}
         self.point, self.target = self._grip.point / pull.scale, self._target / pull.scale
         count, longest = pull.pull(self._grip, self._target, pull.scale * self.radius)
-        hull_state.refresh(pull.obj, context.scene)
+        hull_state.follow_edit(pull.obj, context.scene)
         self._tell(context, count, longest)
         return {"FINISHED"}
 
@@ -363,7 +363,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
         grip = pull.across(place, axis)
         before = units.format_value(context.scene, float(grip.point[axis]), "m")
         pull.pull(grip, place, pull.scale * self.radius)
-        hull_state.refresh(hull, context.scene)
+        hull_state.follow_edit(hull, context.scene)
         after = units.format_value(context.scene, float(place[axis]), "m")
         self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")
 

@@ -116,7 +116,7 @@ class HULL_OT_select_problems(bpy.types.Operator, SelectOperator):
     nothing_found = "The mesh check found nothing to select"
 
     def found(self, hull, context):
-        check = hull_state.refresh(hull, context.scene).check
+        check = hull_state.refresh(hull, context.scene).ship.check
         problems = check.errors or check.problems
         return "vertex", selection.vertices_of(
             hull, ((problem.kind, problem.elements) for problem in problems)

@@ -104,7 +104,7 @@ class HULL_OT_release_flat(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         count = flat_making.release_selected(hull)
-        hull_state.refresh(hull, context.scene)
+        hull_state.follow_edit(hull, context.scene)
         self.report({"INFO"}, f"{count} faces are not kept flat any longer")
 
 
@@ -150,7 +150,6 @@ class HULL_OT_put_in_plane(bpy.types.Operator, EditModeOperator):
             hull, scene, self.plane, self.place, self.position
         )
         self.position = position  # where one that is typed afterwards begins
-        hull_state.refresh(hull, scene)
         metres = units.format_value(scene, position * units.metres_per_unit(scene), "m")
         self.report({"INFO"}, f"{count} points at {self.plane.lower()} {metres}")
 

@@ -29,11 +29,11 @@ def legend_of(hull):
     """The LegendArrays of the colours that a hull's surface has, None when it has none."""
     global _made
     state = hull_state.state_of(hull) if hull is not None else None
-    if state is None or state.colour_scale is None:
+    if state is None or state.shown.colour_scale is None:
         return None
     title = colours.TITLES[hull.hull.fairness.colours]
-    if _made[0] is not state.colour_scale or _made[1] != title:
-        _made = state.colour_scale, title, arrays_of(state.colour_scale, title)
+    if _made[0] is not state.shown.colour_scale or _made[1] != title:
+        _made = state.shown.colour_scale, title, arrays_of(state.shown.colour_scale, title)
     return _made[2]
 
 

@@ -27,8 +27,8 @@ _comb_batches = weakref.WeakKeyDictionary()  # by CombGroup: (scale, teeth, outl
 def _draw():
     for shown in hulls_in_view():
         state = shown.state
-        groups = [*state.lines.values(), *state.level_lines.values()]
-        if not groups and not state.combs:
+        groups = [*state.lines.groups.values(), *state.fairness.level_lines.values()]
+        if not groups and not state.fairness.combs:
             continue
         pen, palette = _Pen(shown), preferences.colours("lines", shown.is_on_light)
         in_front = shown.hull.hull.lines.in_front
@@ -45,7 +45,7 @@ def _draw():
 def _draw_combs(shown, pen, alpha):
     factor = shown.hull.hull.fairness.comb_factor
     palette = preferences.colours("combs", shown.is_on_light)
-    for group in shown.state.combs.values():
+    for group in shown.state.fairness.combs.values():
         colour = palette[group.kind]
         teeth, outline = _comb_batches_of(group, group.scale * factor, pen.shader)
         pen.draw(group, teeth, _TEETH_WIDTH, (*colour, alpha * _TEETH_ALPHA))

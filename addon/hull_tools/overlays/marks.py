@@ -23,7 +23,7 @@ def _draw():
     for shown in hulls_in_view():
         fairness = shown.hull.hull.fairness
         names = [name for name in SHAPES if getattr(fairness, _SWITCHES[name])]
-        if not shown.state.combs or not names:
+        if not shown.state.fairness.combs or not names:
             continue
         gpu.state.blend_set("ALPHA")
         gpu.state.depth_test_set("NONE" if shown.hull.hull.lines.in_front else "LESS_EQUAL")
@@ -62,7 +62,7 @@ def _places(shown, name):
     """Where the marks are in the picture, (n, 3), those of the mirror image too."""
     projection = shown.context.region_data.window_matrix
     found = [np.empty((0, 3))]
-    for group in shown.state.combs.values():
+    for group in shown.state.fairness.combs.values():
         for is_image in (False, True) if group.is_mirrored else (False,):
             to_clip = projection @ shown.to_view(is_image, _LAYER)
             found.append(in_picture(group.marks[name], to_clip))

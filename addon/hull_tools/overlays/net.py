@@ -47,10 +47,10 @@ def _draw():
 
 
 def _batch_of(name, state, shader):
-    key = state.keys.get("geometry")
+    key = state.ship.geometry_key
     known = _batches.get(name)
     if known is None or known[0] != key:
-        known = key, batch_of_strokes(net_of(state.surface.mesh), shader)
+        known = key, batch_of_strokes(net_of(state.ship.surface.mesh), shader)
         _batches[name] = known
     return known[1]
 

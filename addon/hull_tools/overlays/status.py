@@ -28,9 +28,9 @@ def status_line(hull):
     state = hull_state.state_of(hull) if hull is not None else None
     if state is None or not state.status:
         return ""
-    if state.surface is None:
+    if state.ship.surface is None:
         return state.status
-    if state.is_part:
+    if state.ship.is_part:
         return f"Only what makes a surface is shown: {state.status}"
     return f"The surface waits for the mesh: {state.status}"
 

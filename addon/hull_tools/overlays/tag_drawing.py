@@ -62,7 +62,7 @@ def drawing_of(hull, state, scene, picture):
     if known is None or known.vertex_ids[-1] >= len(bm.verts):
         points, known = tags.of_broken(hull, scene)
     else:
-        points = state.surface.mesh.points
+        points = state.ship.surface.mesh.points
     pen = _Pen(picture, points, _seen_points(bm, known))
     if settings.show_flats:
         for faces in tags.flat_faces(hull, known):
@@ -86,7 +86,7 @@ def drawing_of(hull, state, scene, picture):
         locked = tags.locked_points(hull, known)
         pen.draw_points(locked, colours["locked"], *_LOCKED)
     if settings.show_problems:
-        for problem in state.check.problems:
+        for problem in state.ship.check.problems:
             pen.draw_problem(bm, problem, colours["problem"])
     return pen.drawing
 

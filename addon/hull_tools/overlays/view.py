@@ -25,10 +25,10 @@ class HullInView:
     def __init__(self, context, hull, state):
         self.context, self.hull, self.state = context, hull, state
         self.metres_per_unit = units.metres_per_unit(context.scene)
-        if state.surface is None:  # of a mesh that never was without errors
+        if state.ship.surface is None:  # of a mesh that never was without errors
             self.size = max(hull.dimensions) * self.metres_per_unit
         else:
-            self.size = lines.size_of(state.surface)
+            self.size = lines.size_of(state.ship.surface)
         self.is_on_light = has_light_ground(context, hull)
 
     def to_view(self, is_image=False, layer=1):

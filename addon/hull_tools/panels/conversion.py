@@ -70,7 +70,7 @@ def draw_spots(layout, hull):
     column = layout.column(align=True)
     column.label(text="Show worst spot")
     for kind, (name, _) in worst_spots.KINDS.items():
-        is_shown = state.worst_spot == kind
+        is_shown = worst_spots.marked(state).kind == kind
         icon = "HIDE_OFF" if is_shown else "HIDE_ON"
         row = column.row(align=True)
         row.enabled = worst_spots.is_known(state, kind)

@@ -15,7 +15,7 @@ _COUNTING = {"WHOLE": "Count as Whole", "HALF": "Count as Half"}
 
 def draw_doubts(layout, context, state):
     """A box for each doubt of a HullState."""
-    for doubt in () if state.status else state.doubts:
+    for doubt in () if state.status else state.plausible.doubts:
         box = layout.box()
         label_wrapped(box, context, doubt.message, icon="ERROR")
         if doubt.remedy == "TAKE":

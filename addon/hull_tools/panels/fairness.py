@@ -37,8 +37,8 @@ class HULL_PT_fairness(HullPanel, bpy.types.Panel):
     def draw(self, context):
         fairness, state = _at_hand(context)
         layout = self.layout
-        if state is not None and state.fairness_status:
-            label_wrapped(layout, context, state.fairness_status, icon="ERROR")
+        if state is not None and state.fairness.status:
+            label_wrapped(layout, context, state.fairness.status, icon="ERROR")
         choice_below(layout, fairness, "colours")
         if fairness.colours != "NONE":
             column = layout.column(align=True)
@@ -67,19 +67,19 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.prop(fairness, "show_inflections")
         row.prop(fairness, "show_extrema")
-        if state is None or not state.combs:
+        if state is None or not state.fairness.combs:
             return
         column = layout.column(align=True)
         column.scale_y = 0.8
         column.label(text="Tooth for 1/m")
-        for kind, group in state.combs.items():
+        for kind, group in state.fairness.combs.items():
             label_value(
                 column,
                 _NAMES[kind],
                 format_value(context.scene, group.scale * fairness.comb_factor, "m"),
             )
         for mark, name in _MARK_NAMES.items():
-            count = sum(group.mark_counts[mark] for group in state.combs.values())
+            count = sum(group.mark_counts[mark] for group in state.fairness.combs.values())
             label_value(column, name, str(count))
 
 

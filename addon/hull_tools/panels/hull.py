@@ -52,7 +52,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
             button = layout.operator("object.transform_apply", text="Apply", icon="CHECKMARK")
             button.location = False
         draw_doubts(layout, context, state)
-        for remark in (*state.remarks, *([state.held] if state.held else [])):
+        for remark in (*state.remarks, *([state.keeping.held] if state.keeping.held else [])):
             label_wrapped(layout, context, remark, icon="INFO")
 
     def _draw_particulars(self, layout, settings):
@@ -75,7 +75,7 @@ class HULL_PT_check(HullPanel, bpy.types.Panel):
         state = hull_state.state_of(hull_objects.hull_of(context.object))
         if state is None:
             return
-        check = state.check
+        check = state.ship.check
         column = layout.column(align=True)
         column.scale_y = 0.8
         label_value(column, "Points", str(check.vertex_count))

@@ -30,10 +30,10 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         layout.prop(hull.hull, "deck_closed")
         if state is None:
             return
-        found = state.hydrostatics
+        found = state.hydrostatics.values
         if found is None:
             label_wrapped(
-                layout, context, state.hydrostatics_status or "No surface yet", icon="INFO"
+                layout, context, state.hydrostatics.status or "No surface yet", icon="INFO"
             )
             return
         if found.remark:
@@ -58,7 +58,7 @@ class _GroupPanel(HullPanel):
         if not super().poll(context):
             return False
         _, state = _state(context)
-        return state is not None and state.hydrostatics is not None
+        return state is not None and state.hydrostatics.values is not None
 
     def draw(self, context):
         hull, state = _state(context)
@@ -69,7 +69,7 @@ class _GroupPanel(HullPanel):
         column.scale_y = 0.8
         for quantity in hydrostatics.QUANTITIES:
             if quantity.group == self.bl_label:
-                value = getattr(state.hydrostatics, quantity.name)
+                value = getattr(state.hydrostatics.values, quantity.name)
                 label_value(
                     column, quantity.label, format_value(context.scene, value, quantity.unit)
                 )

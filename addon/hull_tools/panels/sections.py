@@ -16,9 +16,9 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
         layout = self.layout
         hull = hull_objects.hull_of(context.object)
         settings, state = hull.hull.lines, hull_state.state_of(hull)
-        if state is not None and state.lines_status:
-            label_wrapped(layout, context, state.lines_status, icon="ERROR")
-        found = state.lines if state is not None else {}
+        if state is not None and state.lines.status:
+            label_wrapped(layout, context, state.lines.status, icon="ERROR")
+        found = state.lines.groups if state is not None else {}
         for kind, fields in (
             ("station", ("station_count", "stations")),
             ("waterline", ("waterline_spacing", "waterlines")),

@@ -89,7 +89,7 @@ class HULL_PT_shown_tags(TagSubpanel, bpy.types.Panel):
 def _counts(hull):
     """How many there are of what switches show, by the switch; of the last good mesh."""
     state = hull_state.state_of(hull)
-    if state is None or state.surface is None:
+    if state is None or state.ship.surface is None:
         return {}
     known = tags.of_state(state)
     counts = {
@@ -97,7 +97,7 @@ def _counts(hull):
         for name, (where, kinds) in _SHOWN.items()
     }
     counts["show_odd_faces"] = len(known.odd_faces)
-    counts["show_problems"] = len(state.check.problems)
+    counts["show_problems"] = len(state.ship.check.problems)
     return counts
 
 

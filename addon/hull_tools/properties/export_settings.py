@@ -16,7 +16,11 @@ from .shared import angle
 def _length_mm(settings):
     """The hull's largest extent; 0 while it has no surface."""
     state = hull_state.state_of(settings.id_data)
-    return 0.0 if state is None or state.surface is None else 1e3 * lines.size_of(state.surface)
+    return (
+        0.0
+        if state is None or state.ship.surface is None
+        else 1e3 * lines.size_of(state.ship.surface)
+    )
 
 
 def _tolerance_mm(settings):

@@ -75,7 +75,7 @@ def _of_hull(hull, scene):
         return [f'status "{state.status}", afresh "{fresh.status}"']
     if fresh.surface is None:
         return []
-    if not np.array_equal(state.surface.mesh.points, fresh.surface.mesh.points):
+    if not np.array_equal(state.ship.surface.mesh.points, fresh.surface.mesh.points):
         return ["the surface's points are not those of the mesh"]
     return [
         *_of_shown(hull, fresh),
@@ -130,26 +130,26 @@ def _corner_normals(mesh):
 
 
 def _of_hydrostatics(state, wanted):
-    if isinstance(wanted, str) or state.hydrostatics is None:
-        if state.hydrostatics is None and state.hydrostatics_status == wanted:
+    if isinstance(wanted, str) or state.hydrostatics.values is None:
+        if state.hydrostatics.values is None and state.hydrostatics.status == wanted:
             return []
-        return [f"hydrostatics {state.hydrostatics_status!r}, afresh {wanted!r}"[:300]]
+        return [f"hydrostatics {state.hydrostatics.status!r}, afresh {wanted!r}"[:300]]
     found, size = [], max(wanted.displaced_volume, 1.0)
     for name in ("displaced_volume", "wetted_surface", "kb", "lcb", "waterplane_area"):
-        ours, theirs = getattr(state.hydrostatics, name), getattr(wanted, name)
+        ours, theirs = getattr(state.hydrostatics.values, name), getattr(wanted, name)
         if abs(ours - theirs) > _INTEGRAL_TOLERANCE * max(abs(theirs), size):
             found.append(f"{name} {ours}, afresh {theirs}")
     return found
 
 
 def _of_lines(state, wanted):
-    if isinstance(wanted, str) or state.lines_status:
-        same = state.lines_status == wanted
-        return [] if same else [f"lines {state.lines_status!r}, afresh {wanted!r}"[:300]]
-    if state.lines.keys() != wanted.keys():
-        return [f"lines of {sorted(state.lines)}, afresh of {sorted(wanted)}"]
+    if isinstance(wanted, str) or state.lines.status:
+        same = state.lines.status == wanted
+        return [] if same else [f"lines {state.lines.status!r}, afresh {wanted!r}"[:300]]
+    if state.lines.groups.keys() != wanted.keys():
+        return [f"lines of {sorted(state.lines.groups)}, afresh of {sorted(wanted)}"]
     for kind, group in wanted.items():
-        ours, theirs = state.lines[kind].polylines, group.polylines
+        ours, theirs = state.lines.groups[kind].polylines, group.polylines
         if len(ours) != len(theirs) or not all(map(np.array_equal, ours, theirs)):
             return [f"lines of kind {kind} are not those of the surface"]
     return []

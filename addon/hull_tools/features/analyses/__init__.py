@@ -11,7 +11,7 @@ Each module here is one analysis:
 What a user can get wrong raises ValueError in `inputs` and `compute`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...bridge.blender import units
 from ..fairness import knuckle_angles
@@ -44,19 +44,31 @@ class Outcome:
     message: str = ""
 
 
+@dataclass
+class Known:
+    """The last outcomes of one hull: (key_of, Outcome) by analysis."""
+
+    outcomes: dict = field(default_factory=dict)
+
+
+def known(state):
+    """The Known of a HullState."""
+    return state.of(Known)
+
+
 def key_of(obj, scene, name):
     """What an analysis of a hull that has a body depends on now; ValueError when its inputs are
     wrong."""
     scale = units.metres_per_unit(scene)
-    return (hull_state.state_of(obj).keys["ship"], ANALYSES[name].inputs(obj.hull, scale))
+    return (hull_state.state_of(obj).ship.key, ANALYSES[name].inputs(obj.hull, scale))
 
 
 def last_outcome(obj, scene, name):
     """(Outcome of the last time or None, whether it is of the hull as it is now)."""
     state = hull_state.state_of(obj)
-    if state is None or state.body is None:
+    if state is None or state.ship.body is None:
         return None, True
-    stored_key, outcome = state.analyses.get(name, (None, None))
+    stored_key, outcome = known(state).outcomes.get(name, (None, None))
     if state.status:  # the mesh has errors: what there was stays
         return outcome, True
     try:
@@ -71,13 +83,13 @@ def outcome_of(obj, scene, name):
     Those that follow every change are as close as live numbers are, the others as close as can be.
     """
     state = hull_state.state_of(obj)
-    if state is None or state.body is None:
+    if state is None or state.ship.body is None:
         return Outcome(message=state.status if state else "")
     outcome, is_current = last_outcome(obj, scene, name)
     if is_current:
         return outcome or Outcome(message=state.status)
     key = key_of(obj, scene, name)
-    ship = state.ship if ANALYSES[name].IS_LIVE else state.source.new_ship()
+    ship = state.ship.as_it_is() if ANALYSES[name].IS_LIVE else state.ship.source.new_ship()
     outcome = computed(name, ship, key)
     keep(state, name, key, outcome)
     return outcome
@@ -92,15 +104,15 @@ def computed(name, ship, key):
 
 
 def keep(state, name, key, outcome):
-    state.analyses[name] = (key, outcome)
+    known(state).outcomes[name] = (key, outcome)
 
 
 def result_of(obj, scene, name):
     """The result for the hull as it is now, as close as can be; ValueError with the reason when
     there is none."""
     state = hull_state.up_to_date(obj, scene)
-    if ANALYSES[name].IS_LIVE and state.body is not None:
-        outcome = computed(name, state.source.new_ship(), key_of(obj, scene, name))
+    if ANALYSES[name].IS_LIVE and state.ship.body is not None:
+        outcome = computed(name, state.ship.source.new_ship(), key_of(obj, scene, name))
     else:
         outcome = outcome_of(obj, scene, name)
     if outcome.message:

@@ -115,7 +115,7 @@ def begin(wanted):
 
 
 def _begin(state, name, key):
-    purpose, source = (id(state), name), state.source
+    purpose, source = (id(state), name), state.ship.source
     if _asked.get(purpose) == key:
         return  # on its way already
     _asked[purpose] = key

@@ -2,7 +2,7 @@
 """Conversions of hulls to patches beside Blender's own work, and what came of the last ones.
 
 Nothing is converted unless it is asked for. A hull has one task at a time: an object with `text`,
-`share` (0 to 1), is_done(), cancel() and result(), which is its HullState's `task`.
+`share` (0 to 1), is_done(), cancel() and result(), and `state`, the HullState of the hull.
 """
 
 import contextlib
@@ -39,6 +39,15 @@ class Outcome:
     message: str = ""
 
 
+@dataclass
+class OfHull:
+    """What is converted or written of one hull, a task or None, and the Outcome of its last
+    conversion or None."""
+
+    task: object = None
+    outcome: object = None
+
+
 class Conversion(jobs.JobTask):
     """The task of converting what a HullState has for a surface now."""
 
@@ -46,7 +55,7 @@ class Conversion(jobs.JobTask):
     is_cancelled = False
 
     def __init__(self, state, choice):
-        source = state.source
+        source = state.ship.source
         self.state, self.key = state, _key(state, choice)
         self._job = jobs.Job(
             lambda progress: patches.convert(source.new_surface(), choice, progress)
@@ -73,14 +82,14 @@ class Conversion(jobs.JobTask):
 
 
 def _key(state, choice):
-    return (state.keys["geometry"], choice)
+    return (state.ship.geometry_key, choice)
 
 
 def _keep(state, outcome):
     known = _recent.get(outcome.key)
     if known is not None and known.converted is outcome.converted:
         return
-    state.conversion = outcome
+    state.of(OfHull).outcome = outcome
     _recent[outcome.key] = outcome
     _recent.move_to_end(outcome.key)
     while len(_recent) > _KEPT:
@@ -90,15 +99,16 @@ def _keep(state, outcome):
 def last_outcome(obj):
     """(the last Outcome of a hull or None, whether it is of the hull and settings as they are)."""
     state = hull_state.state_of(obj)
-    if state is None or "geometry" not in state.keys:
+    if state is None or state.ship.geometry_key is None:
         return None, False
+    known = state.of(OfHull)
     if state.status:
-        return state.conversion, False
+        return known.outcome, False
     key = _key(state, patches.choice_of(obj.hull.export))
     outcome = _recent.get(key)
     if outcome is not None:
-        state.conversion = outcome
-    return state.conversion, outcome is not None
+        known.outcome = outcome
+    return known.outcome, outcome is not None
 
 
 def current(obj, scene):
@@ -120,7 +130,7 @@ def report_of(obj):
 def running(obj):
     """The task of a hull that is not done, or None."""
     state = hull_state.state_of(obj)
-    task = None if state is None else state.task
+    task = None if state is None else state.of(OfHull).task
     return None if task is None or task.is_done() else task
 
 
@@ -152,7 +162,7 @@ def clear_way(obj):
 
 def watch(task):
     """Makes a task that of its `state`, and has the panels show how far it is."""
-    task.state.task = task
+    task.state.of(OfHull).task = task
     _tasks.append(task)
     _looks.start()
 
@@ -185,7 +195,7 @@ def _is_due(obj):
     state = hull_state.state_of(obj)
     if state is None or state.status or last_outcome(obj)[1]:
         return False
-    task = state.task
+    task = state.of(OfHull).task
     if not isinstance(task, Conversion):
         return running(obj) is None
     is_same = task.key == _key(state, patches.choice_of(obj.hull.export))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the patches of a conversion are worst, to be looked at in the 3D view."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from mathutils import Vector
 
@@ -21,12 +23,25 @@ KINDS = {
 }
 
 
+@dataclass
+class Marked:
+    """Which of KINDS is marked on a hull in the 3D view, or ""."""
+
+    kind: str = ""
+
+
+def marked(state):
+    """The Marked of a HullState."""
+    return state.of(Marked)
+
+
 def shown_spot(hull, scene):
     """(place (3,) in the world, text) of the spot that is marked on a hull, or None."""
     state = hull_state.state_of(hull)
-    if state is None or not state.worst_spot or not is_known(state, state.worst_spot):
+    kind = "" if state is None else marked(state).kind
+    if not kind or not is_known(state, kind):
         return None
-    text = _label(_quality(state), state.worst_spot)
+    text = _label(_quality(state), kind)
     is_current = conversions.last_outcome(hull)[1]
     return _place(hull, scene, state), text if is_current else f"{text} before the last change"
 
@@ -38,7 +53,7 @@ def show(hull, scene, kind):
         raise ValueError("There is no report of this hull: press Convert first")
     if kind and not is_known(state, kind):
         raise ValueError(f"{KINDS[kind][0]}: all borders of patches are knuckles")
-    state.worst_spot = kind
+    marked(state).kind = kind
     if kind:
         scene.cursor.location = _place(hull, scene, state)
 
@@ -67,12 +82,12 @@ def _point(quality, kind):
 
 
 def _quality(state):
-    outcome = state.conversion
+    outcome = state.of(conversions.OfHull).outcome
     return None if outcome is None or outcome.converted is None else outcome.converted.quality
 
 
 def _place(hull, scene, state):
-    point = Vector(_point(_quality(state), state.worst_spot))
+    point = Vector(_point(_quality(state), marked(state).kind))
     return hull.matrix_world @ (point / units.metres_per_unit(scene))
 
 

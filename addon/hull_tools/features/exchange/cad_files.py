@@ -27,6 +27,14 @@ class Written:
     report: dict
 
 
+@dataclass
+class LastProblem:
+    """(key of the surface, mesh_check.Problem) because of which the last file of a hull was not
+    written, or None."""
+
+    found: tuple = None
+
+
 class Export(jobs.JobTask):
     """The task (see conversions) of writing a hull, as it is when this is made, to a file.
 
@@ -41,9 +49,9 @@ class Export(jobs.JobTask):
             conversions.clear_way(obj)
         self._conversion = None if known else conversions.begin(obj, scene)
         self.state = hull_state.state_of(obj)
-        source = self.state.source
-        self._geometry, self._face_ids = self.state.keys["geometry"], source.control.face_ids
-        wanted = cad_curves.wanted(obj, scene, self.state.surface)
+        source = self.state.ship.source
+        self._geometry, self._face_ids = self.state.ship.geometry_key, source.control.face_ids
+        wanted = cad_curves.wanted(obj, scene, self.state.ship.surface)
         options = _options(obj, file_format)
 
         # Jobs run one after the other: the conversion is over when this begins.
@@ -86,11 +94,12 @@ class Export(jobs.JobTask):
         was written, jobs.Cancelled when it was cancelled."""
         if self._conversion is not None:
             self._conversion.result()
-        self.state.cad_problem = None
+        last = self.state.of(LastProblem)
+        last.found = None
         try:
             return self._job.result()
         except ValueError as error:
-            self.state.cad_problem = self._problem(error)
+            last.found = self._problem(error)
             raise
 
     def _problem(self, error):
@@ -106,10 +115,11 @@ def problem_of(obj):
     """The mesh_check.Problem because of which the last STEP or IGES file of a hull, as it still is,
     was not written; None when there is none, or nothing to select."""
     state = hull_state.state_of(obj)
-    if state is None or state.cad_problem is None:
+    found = None if state is None else state.of(LastProblem).found
+    if found is None:
         return None
-    geometry, problem = state.cad_problem
-    return problem if state.keys.get("geometry") == geometry else None
+    geometry, problem = found
+    return problem if state.ship.geometry_key == geometry else None
 
 
 def _options(obj, file_format):

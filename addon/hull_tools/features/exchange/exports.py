@@ -29,11 +29,11 @@ def export_lines_drawing(obj, scene, path):
     state = _up_to_date(obj, scene)
     scale = units.metres_per_unit(scene)
     native.require().write_lines_drawing(
-        state.surface,
+        state.ship.surface,
         path,
         title=obj.name,
-        particulars=_particulars(obj.hull, state.body, scale),
-        **lines_plan.drawing_options(obj.hull, state.surface, scale),
+        particulars=_particulars(obj.hull, state.ship.body, scale),
+        **lines_plan.drawing_options(obj.hull, state.ship.surface, scale),
     )
 
 

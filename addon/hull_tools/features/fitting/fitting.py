@@ -48,6 +48,13 @@ class Report:
         return self.left_out > _MOST_LEFT_OUT * (self.counted + self.left_out)
 
 
+@dataclass
+class LastFit:
+    """The Report of the last fit of a hull, or None."""
+
+    report: object = None
+
+
 class Fitting(jobs.JobTask):
     """The task of fitting a hull as it is now; see features.conversion.conversions."""
 
@@ -86,11 +93,10 @@ class Fitting(jobs.JobTask):
         if _digests(mesh_arrays.read_mesh(obj.data)) != self._before:
             raise ValueError(_CHANGED)
         mesh_points.write(obj.data, self._ids, fit.points / self.scale)
-        hull_state.let_be_placed(obj)
-        state = hull_state.refresh(obj, scene)
-        apart = coverage.distances(state.surface, self._targets)
-        state.fit = Report(
-            state.keys.get("geometry"),
+        state = hull_state.follow_edit(obj, scene, is_by_hand=False)
+        apart = coverage.distances(state.ship.surface, self._targets)
+        report = state.of(LastFit).report = Report(
+            state.ship.geometry_key,
             fit.counted,
             len(fit.distances) - fit.counted,
             fit.rms,
@@ -102,7 +108,7 @@ class Fitting(jobs.JobTask):
             float(apart.max()),
             self._faces_alone,
         )
-        return state.fit
+        return report
 
 
 def _digests(data):
@@ -155,8 +161,8 @@ def _turned_as(surface, target, reach):
 def last_report(obj):
     """(the Report of a hull's last fit or None, whether the hull is as that made it)."""
     state = hull_state.state_of(obj)
-    report = None if state is None else state.fit
-    return report, report is not None and state.keys.get("geometry") == report.key
+    report = None if state is None else state.of(LastFit).report
+    return report, report is not None and state.ship.geometry_key == report.key
 
 
 def rows(report):

@@ -66,3 +66,9 @@ class ShipSource:
     def live_body(self, surface):
         """One for numbers that follow the mouse: to some 1e-8 of the whole."""
         return self.new_body(surface, tolerance=1e-8)
+
+
+def source_of(found, control):
+    """The ShipSource of a hull_mesh.HullMesh; control: ControlArrays of it, or of a part of it."""
+    deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
+    return ShipSource(control, found.scheme, found.half, found.openings, deck_edge)

@@ -33,7 +33,7 @@ def make_hull(obj, scene, half):
     obj.show_in_front = True
     obj.hide_render = True
     shown_objects.ensure(obj)
-    return hull_state.refresh(obj, scene)
+    return hull_state.follow_edit(obj, scene)
 
 
 def hull_object(hull, scene, collection):

@@ -6,7 +6,6 @@ import bpy
 
 from ...bridge.background import timers
 from ...bridge.blender import units
-from ..surface import shown_surface
 from . import hull_state
 
 _PAUSE_SECONDS = 0.4
@@ -25,7 +24,7 @@ def _write():
     scale = units.metres_per_unit(bpy.context.scene)
     for hull, state in hull_state.known_hulls(bpy.context.view_layer):
         if hull.mode == "EDIT":
-            shown_surface.follow_normals(hull, state, scale)
+            state.shown.follow_normals(hull, scale)
 
 
 _pause = timers.Timer(_PAUSE_SECONDS, _write)

@@ -15,7 +15,7 @@ _LISTS = {
 def add_load_case(obj, scene):
     """A load case of the displacement and LCB at hand, on which one goes on; returns it."""
     loading = obj.hull.loading
-    found = hull_state.refresh(obj, scene).hydrostatics
+    found = hull_state.refresh(obj, scene).hydrostatics.values
     case = loading.load_cases.add()
     case.name = f"Load case {len(loading.load_cases)}"
     case.vcg = loading.kg

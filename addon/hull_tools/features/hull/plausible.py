@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whether a hull's particulars can be those of its surface, and taking them from it."""
 
+from dataclasses import dataclass, field
 from types import SimpleNamespace
 
 from ....hull_io import plausibility
@@ -12,23 +13,34 @@ _POINTS = 4
 _GIVEN = ("length_pp", "beam", "draft")
 
 
-def update(obj, state, scale):
-    """Brings the doubts of a HullState up to date; extents wait while the mesh is edited."""
-    geometry = state.keys.get("geometry")
-    if state.keys.get("extents") != geometry and (obj.mode != "EDIT" or state.extents is None):
-        points = state.surface.tessellate(_POINTS).points
-        state.extents = plausibility.extents(points)
-        state.keys["extents"] = geometry
-    settings, found = obj.hull, state.hydrostatics
-    given = SimpleNamespace(**{name: as_typed(getattr(settings, name)) * scale for name in _GIVEN})
-    is_upright = found is not None and found.trim_m == 0.0 and found.heel == 0.0
-    coefficients = (found.project_block, found.project_midship) if is_upright else (None, None)
-    state.doubts = plausibility.doubts(given, settings.half, state.extents, *coefficients)
+@dataclass
+class Plausible:
+    """extents: hull_io.plausibility's of the surface, which wait while the mesh is edited; doubts:
+    its Doubts."""
+
+    extents: object = None
+    doubts: list = field(default_factory=list)
+    _key: tuple = None
+
+    def follow(self, obj, ship, found, scale):
+        """Brings all up to date with a hull, its live_ship.LiveShip and hydrostatics.Hydrostatics,
+        or None."""
+        geometry = ship.geometry_key
+        if self._key != geometry and (obj.mode != "EDIT" or self.extents is None):
+            self.extents = plausibility.extents(ship.surface.tessellate(_POINTS).points)
+            self._key = geometry
+        settings = obj.hull
+        given = {name: as_typed(getattr(settings, name)) * scale for name in _GIVEN}
+        is_upright = found is not None and found.trim_m == 0.0 and found.heel == 0.0
+        coefficients = (found.project_block, found.project_midship) if is_upright else (None, None)
+        self.doubts = plausibility.doubts(
+            SimpleNamespace(**given), settings.half, self.extents, *coefficients
+        )
 
 
 def take_from_surface(obj, state, scene, names):
     """Gives a hull the particulars of these names that its surface has; returns them, {name: m}."""
-    values = plausibility.taken(names, obj.hull.half, state.extents)
+    values = plausibility.taken(names, obj.hull.half, state.plausible.extents)
     for name, value in values.items():
         setattr(obj.hull, name, value / units.metres_per_unit(scene))
     return values

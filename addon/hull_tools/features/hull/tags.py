@@ -47,11 +47,11 @@ class Tags:
 
 def of_state(state):
     """Tags of the last good mesh of a HullState; its points are those of the state's surface."""
-    marks = state.source.deck_edge
-    known = _known.get(state.surface)
+    marks = state.ship.source.deck_edge
+    known = _known.get(state.ship.surface)
     if known is None or known[0] != marks:
-        known = marks, tags_of(state.surface.mesh, state.source.control)
-        _known[state.surface] = known
+        known = marks, tags_of(state.ship.surface.mesh, state.ship.source.control)
+        _known[state.ship.surface] = known
     return known[1]
 
 
@@ -140,10 +140,10 @@ def chains(surface):
 def chains_through(obj, scene, edges):
     """The edges of all whole chains that some of `edges` belong to; pairs of Blender's vertices."""
     state = hull_state.up_to_date(obj, scene)
-    ids = state.source.control.vertex_ids.tolist()
+    ids = state.ship.source.control.vertex_ids.tolist()
     wanted = {edge_key(*edge) for edge in edges}
     through = set()
-    for chain in chains(state.surface):
+    for chain in chains(state.ship.surface):
         own = {edge_key(ids[a], ids[b]) for a, b in chain}
         if own & wanted:
             through |= own

@@ -69,8 +69,8 @@ def round_selected(obj, scene, radius, move_borders):
     indices = np.array(list(places))
     points = np.array(list(places.values())) / scale
     mesh_points.write(obj.data, control.vertex_ids[indices], points)
-    state = hull_state.up_to_date(obj, scene)
-    return [_outcome(state.surface, control, *one) for one in rounded]
+    state = hull_state.follow_edit(obj, scene).checked()
+    return [_outcome(state.ship.surface, control, *one) for one in rounded]
 
 
 def _control(obj, scene):

@@ -28,7 +28,7 @@ def check_selected(obj, scene, tolerance):
     """The FlatCheck of the faces that are selected in edit mode; tolerance in Blender's units, 0:
     what single precision tells apart. ValueError without faces of the shell."""
     state = hull_state.up_to_date(obj, scene)
-    control = state.source.control
+    control = state.ship.source.control
     bm = bmesh.from_edit_mesh(obj.data)
     bm.faces.index_update()
     selected = [face.index for face in bm.faces if face.select]
@@ -36,8 +36,8 @@ def check_selected(obj, scene, tolerance):
     if not len(faces):
         raise ValueError("Select the faces of the hull that should be flat")
     scale = units.metres_per_unit(scene)
-    allowed = tolerance * scale or lines.flat_tolerance(state.surface)
-    found = native.require().flatness(state.surface, faces=faces, tolerance=allowed)
+    allowed = tolerance * scale or lines.flat_tolerance(state.ship.surface)
+    found = native.require().flatness(state.ship.surface, faces=faces, tolerance=allowed)
     own, around = found.at_fault, found.neighbours_at_fault
     furthest = units.format_value(scene, found.surface_distance, "m")
     if len(own):
@@ -55,5 +55,7 @@ def check_selected(obj, scene, tolerance):
         return FlatCheck(found.surface_distance, (), message)
     message = f"The surface is up to {furthest} from its plane, {reason}"
     return FlatCheck(
-        found.surface_distance, tuple(state.source.control.vertex_ids[at_fault].tolist()), message
+        found.surface_distance,
+        tuple(state.ship.source.control.vertex_ids[at_fault].tolist()),
+        message,
     )

@@ -120,7 +120,7 @@ def _outcome(obj, scene, faces, plane, moved):
     if moved.any():
         furthest = moved.max() * units.metres_per_unit(scene)
         text += f", by up to {units.format_value(scene, furthest, 'm')}"
-    bend = _bend(hull_state.refresh(obj, scene), faces)
+    bend = _bend(hull_state.follow_edit(obj, scene), faces)
     if bend:
         bend_text = units.format_value(scene, bend, "m")
         text += f". Near the rim the surface bends by up to {bend_text}"
@@ -131,12 +131,12 @@ def _bend(state, faces):
     """How far, in m, the surface of faces is from flat; 0 where it is, or nothing to be said."""
     if state.status:
         return 0.0
-    own = np.flatnonzero(np.isin(state.source.control.face_ids, faces))
+    own = np.flatnonzero(np.isin(state.ship.source.control.face_ids, faces))
     if not len(own):
         return 0.0
-    allowed = lines.flat_tolerance(state.surface)
+    allowed = lines.flat_tolerance(state.ship.surface)
     try:
-        found = native.require().flatness(state.surface, faces=own, tolerance=allowed)
+        found = native.require().flatness(state.ship.surface, faces=own, tolerance=allowed)
     except ValueError:  # the faces were pressed into a line
         return 0.0
     return found.surface_distance if found.surface_distance > allowed else 0.0

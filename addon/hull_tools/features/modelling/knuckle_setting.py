@@ -29,10 +29,10 @@ class Outcome:
 
 def present_angle(obj, scene):
     """The mean angle, rad, along the selected knuckles; ValueError as set_selected."""
-    state = _up_to_date(obj, scene)
+    state = hull_state.up_to_date(obj, scene)
     hull_native = native.require()
     found = [
-        hull_native.knuckle_angles(state.surface, number, edges=edges)
+        hull_native.knuckle_angles(state.ship.surface, number, edges=edges)
         for number, edges in _selected_knuckles(obj, state)
     ]
     lengths = [one.length for one in found]
@@ -45,8 +45,8 @@ def set_selected(obj, scene, angle):
     Locked points stay, flats stay flat, and so do points of other creases and borders. ValueError
     where that cannot be: nothing moves then.
     """
-    state = _up_to_date(obj, scene)
-    surface, ids = state.surface, state.source.control.vertex_ids
+    state = hull_state.up_to_date(obj, scene)
+    surface, ids = state.ship.surface, state.ship.source.control.vertex_ids
     chosen = _selected_knuckles(obj, state)
     stays = np.isin(ids, point_locks.locked_points(obj.data)) | (surface.mesh.vertex_kinds > 0)
     held = held_points.held_points(obj, ids, surface.mesh.points, lines.size_of(surface))
@@ -69,25 +69,18 @@ def set_selected(obj, scene, angle):
         found.append(one)
     moved = np.flatnonzero((points != before).any(axis=1))
     mesh_points.write(obj.data, ids[moved], points[moved] / units.metres_per_unit(scene))
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
     longest = np.linalg.norm(points - before, axis=1).max(initial=0.0)
     deviation = max(one.deviation for one in found)
     return Outcome(len(moved), float(longest), deviation, all(one.met for one in found))
 
 
-def _up_to_date(obj, scene):
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
-    return state
-
-
 def _selected_knuckles(obj, state):
     """[(number of a crease curve, its selected edges)]; ValueError without any."""
-    ids = state.source.control.vertex_ids.tolist()
+    ids = state.ship.source.control.vertex_ids.tolist()
     selected = {tags.edge_key(*edge) for edge in selection.selected(obj, "edge")}
     found = []
-    for number, curve in enumerate(native.require().crease_curves(state.surface)):
+    for number, curve in enumerate(native.require().crease_curves(state.ship.surface)):
         if curve.kind != "crease":
             continue
         points = [ids[point] for point in curve.vertices.tolist()]

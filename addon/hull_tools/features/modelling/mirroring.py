@@ -57,7 +57,7 @@ def to_whole(obj, scene):
         if other != number:
             flats.store_plane(obj, other, plane)
     obj.hull.half = False
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
 
 
 def to_half(obj, scene, side="PORT", cut=False):
@@ -77,7 +77,7 @@ def to_half(obj, scene, side="PORT", cut=False):
         _mirror_planes(obj)
     flats.clear_unused(obj)
     obj.hull.half = True
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
     return made
 
 
@@ -92,20 +92,18 @@ def to_port(obj, scene):
             vertex.co.y = -vertex.co.y
         bmesh.ops.reverse_faces(bm, faces=bm.faces)
     _mirror_planes(obj)
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
 
 
 def put_centre_line_on_plane(obj, scene):
     """Puts the points of a half hull's centre line that are beside the centre plane, but were
     probably meant to be on it, there; returns how many. ValueError when it has no surface."""
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
-    indices = state.source.control.vertex_ids[state.surface.mesh.near_centre_line]
+    state = hull_state.up_to_date(obj, scene)
+    indices = state.ship.source.control.vertex_ids[state.ship.surface.mesh.near_centre_line]
     points = mesh_points.read(obj.data)[indices]
     points[:, 1] = 0.0
     mesh_points.write(obj.data, indices, points)
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
     return len(indices)
 
 

@@ -40,7 +40,7 @@ def split(obj, scene):
     standing = sum(map(len, splitting.standing_parts(*shell)))
     with editing(obj.data) as bm:
         _write(bm, made)
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
     return Parted(len(made.points), len(made.edges), standing)
 
 
@@ -60,7 +60,7 @@ def set_aside(obj, scene, faces=None):
         bm.faces.ensure_lookup_table()
         for index in faces:
             bm.faces[index].material_index = slot
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene)
     return len(faces)
 
 

@@ -26,8 +26,8 @@ def put_in_plane(obj, scene, plane, place, position=0.0):
     points[:, axis] = position = float(
         np.float32(_position(obj, scene, points[:, axis], plane, place, position))
     )
-    hull_state.let_be_placed(obj)
     mesh_points.write(obj.data, indices, points)
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
     return position, len(indices)
 
 
@@ -86,8 +86,7 @@ def set_points(obj, scene, places):
     if not np.isfinite(wanted).all():
         index = indices[~np.isfinite(wanted).all(axis=1)][0]
         raise ValueError(f"The place of point {index} is no number: type one for x, y and z")
-    hull_state.let_be_placed(obj)
     mesh_points.write(obj.data, indices, wanted)
-    hull_state.refresh(obj, scene)
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
     after = mesh_points.read(obj.data, indices).astype(np.float32)
     return int((after != wanted).any(axis=1).sum())

@@ -98,7 +98,7 @@ def _line_at(pull, eye, mouse, reach, hit):
 
 def _shown_curves(state):
     """(plane, hull_native.SectionCurve, whether it is the mirror image that is shown)."""
-    for group in state.lines.values():
+    for group in state.lines.groups.values():
         for section in group.sections:
             for is_image in (False, True) if group.is_mirrored else (section.cut.flip,):
                 for curve in section.curves:

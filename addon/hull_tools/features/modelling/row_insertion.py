@@ -49,10 +49,8 @@ def insert_rows(obj, scene):
 
     ValueError when no edge is selected, the mesh has errors, or no ring leads through quads.
     """
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
-    old = native.require().LimitSurface(state.surface.mesh, state.surface.scheme)
+    state = hull_state.up_to_date(obj, scene)
+    old = native.require().LimitSurface(state.ship.surface.mesh, state.ship.surface.scheme)
     bm = bmesh.from_edit_mesh(obj.data)
     new, longest = _cut_rings(bm)
     bm.normal_update()
@@ -70,10 +68,8 @@ def insert_rows(obj, scene):
     )
     points = _fitted(obj, old, surface, control, rows, free, longest * scale)
     mesh_points.write(obj.data, control.vertex_ids[free], points[free] / scale)
-    state = hull_state.refresh(obj, scene)
-    if state.status:
-        raise ValueError(state.status)
-    return Inserted(len(new), before, _change(old, state.surface))
+    state = hull_state.follow_edit(obj, scene).checked()
+    return Inserted(len(new), before, _change(old, state.ship.surface))
 
 
 def _cut_rings(bm):

@@ -45,7 +45,7 @@ def reduce_selected(obj, scene):
     ValueError when none is selected, or none can be reduced.
     """
     state = hull_state.refresh(obj, scene)
-    surface = None if state.status else state.surface
+    surface = None if state.status else state.ship.surface
     bm = bmesh.from_edit_mesh(obj.data)
     bm.verts.index_update()
     chosen = [vertex for vertex in bm.verts if vertex.select and not vertex.hide]
@@ -72,7 +72,7 @@ def reduce_selected(obj, scene):
     if surface is not None:
         indices = [vertex.index for vertex in parted]
         limit_fitting.put_limits_on(surface, obj, scene, indices)
-        change = _change(surface, hull_state.refresh(obj, scene))
+        change = _change(surface, hull_state.follow_edit(obj, scene))
     return Reduced(before, after, added, change)
 
 
@@ -80,7 +80,7 @@ def _change(surface, state):
     """The largest distance of a hull's surface from another one, at points all over it."""
     if state.status:
         return None
-    points = state.surface.tessellate(_SAMPLES).points
+    points = state.ship.surface.tessellate(_SAMPLES).points
     return float(native.require().SurfaceTree(surface).closest_points(points).distances.max())
 
 

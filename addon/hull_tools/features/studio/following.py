@@ -112,7 +112,7 @@ class Plan:
         scale, settings = units.metres_per_unit(scene), hull.hull
         cuts = lines_on_hull.wanted_cuts(hull, state, lines, scale)
         heights = settings.draft, settings.studio.boot_top_height
-        seen = state.keys["geometry"], settings.samples, heights, cuts
+        seen = state.ship.geometry_key, settings.samples, heights, cuts
         return cls(cuts, hashlib.blake2b(repr(seen).encode(), digest_size=16).hexdigest())
 
     def is_shown(self, collection):
@@ -127,7 +127,7 @@ class Plan:
         outlines = lines_on_hull.waterlines(here.hull, state, here.metres_per_unit)
         deck.follow(here)
         ground.follow(here, outlines)
-        lines_on_hull.follow(here, state.surface, groups)
+        lines_on_hull.follow(here, state.ship.surface, groups)
         paint.follow(here, here.hull.hull.studio)
         here.collection[_SHOWN] = self.key
 

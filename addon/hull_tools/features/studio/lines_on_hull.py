@@ -17,7 +17,7 @@ def wanted_cuts(hull, state, choice, metres_per_unit):
     the kinds that are shown in the 3D view, "NONE"."""
     if choice == "NONE":
         return {}
-    points = state.surface.mesh.points
+    points = state.ship.surface.mesh.points
     if choice == "SHOWN":
         return lines.wanted_cuts(hull.hull, points, metres_per_unit)
     kinds = ("station", "waterline", "draft", "feature")
@@ -29,14 +29,16 @@ def wanted_cuts(hull, state, choice, metres_per_unit):
 
 def find(hull, state, wanted):
     """The lines.Groups of wanted_cuts."""
-    return list(lines.groups({}, state.surface, wanted, hull.hull.half, state.moved).values())
+    return list(
+        lines.groups({}, state.ship.surface, wanted, hull.hull.half, state.ship.moved).values()
+    )
 
 
 def waterlines(hull, state, metres_per_unit):
     """Polylines (k, 3) in m of the waterline at the draft, both sides."""
-    surface = state.surface
+    surface = state.ship.surface
     wanted = lines.cuts_of_kinds(hull.hull, surface.mesh.points, metres_per_unit, ("draft",))
-    group = lines.groups({}, surface, wanted, hull.hull.half, state.moved)["draft"]
+    group = lines.groups({}, surface, wanted, hull.hull.half, state.ship.moved)["draft"]
     return line_curves.chains_of(surface, group, False)
 
 

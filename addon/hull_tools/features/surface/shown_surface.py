@@ -7,6 +7,7 @@ it, join it or give it another mesh. Then it is made anew, once it is not edited
 """
 
 import hashlib
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,7 +15,6 @@ from ...bridge import limits, native
 from ...bridge.objects import shown_objects
 from . import colours, surface_object
 
-_KEYS = ("shown surface", "normals", "normals left", "colours")
 # On the surface object's mesh: what its faces were made for, and a digest of them as they were
 # left. They are saved and undone with the mesh.
 _FACES, _FACES_LEFT = "hull_faces", "hull_faces_left"
@@ -23,124 +23,181 @@ _FACES, _FACES_LEFT = "hull_faces", "hull_faces_left"
 _MOST_AT_A_PAUSE = 200_000
 
 
-def forget(state):
-    """Nothing is known of what a surface object shows, after it changed by itself."""
-    for key in _KEYS:
-        state.keys.pop(key, None)
-
-
-def is_as_left(obj, state):
-    """Whether the surface object of a hull is as `follow` has left it: points, faces, shading and
-    colours; while the hull is edited, at every step of the mouse, points alone."""
-    shown = shown_objects.surface_of(obj)
-    if shown is None:
-        return True
-    if "shown surface" not in state.keys or not _has_points_left(shown, state):
-        return False
-    return obj.mode == "EDIT" or _has_looks_left(shown.data, state)
-
-
-def _has_points_left(shown, state):
-    mesh = shown.data
-    if not shown_objects.is_free(shown) or mesh.get(_FACES) != state.keys.get("sharing"):
-        return False
-    if state.shown_points is None:  # the hull has other faces now: all is made anew
-        return True
-    left = state.shown_points.coordinates
-    points = surface_object.points_of(mesh)
-    # By their bits: not even what is no number may differ from itself.
-    return points.shape == left.shape and np.array_equal(points.view("i4"), left.view("i4"))
-
-
-def _has_looks_left(mesh, state):
-    if mesh.get(_FACES_LEFT) != surface_object.faces_digest(mesh):
-        return False
-    left = state.keys.get("normals left")
-    if left is not None and left != surface_object.normals_digest(mesh):
-        return False
-    _, choice = state.keys.get("colours", (None, None))
-    return choice is None or colours.has_colours(mesh)
-
-
-def follow(obj, state, scale, geometry_key):
-    """Brings the surface object of a hull up to date with the surface of its HullState.
-
-    While the mesh is edited the exact normals wait for follow_normals, and a surface that is hidden
-    in views and renders waits until it is seen. One that is worked on itself waits for the end of
-    that.
-    """
-    shown = shown_objects.surface_of(obj)
-    if shown is None:
-        state.colour_scale = None
-        return
-    if shown_objects.is_worked_on(shown):
-        forget(state)
-        return
-    if obj.mode == "EDIT" and shown.hide_render and not shown.visible_get():
-        return
-    if not _has_points_left(shown, state):
-        forget(state)
-        shown_objects.set_free(shown)
-    choice = colours.wanted(obj.hull.fairness)
-    place_key = (geometry_key, samples_of(obj, state), shown.name_full)
-    are_normals_due = state.keys.get("normals") != place_key and obj.mode != "EDIT"
-    colours_key = (None if choice is None else place_key, choice)
-    are_colours_due = state.keys.get("colours") != colours_key
-    is_due = state.keys.get("shown surface") != place_key
-    if not (is_due or are_normals_due or are_colours_due):
-        return
-    writer = _Writer(obj, state, shown, scale, geometry_key[0])
-    if is_due:
-        are_normals_due |= writer.write_points()
-        state.keys["shown surface"] = place_key
-    if are_normals_due:
-        writer.write_normals()
-        state.keys["normals"] = place_key
-    if are_colours_due:
-        state.colour_scale = writer.write_colours(choice)
-        state.keys["colours"] = colours_key
-
-
-def samples_of(obj, state):
+def samples_of(obj, surface):
     """How many faces along each side of a cell the surface object of a hull has."""
-    return limits.samples(obj.hull.samples, state.surface.cell_count, 1 + obj.hull.half)
+    return limits.samples(obj.hull.samples, surface.cell_count, 1 + obj.hull.half)
 
 
-def follow_normals(obj, state, scale):
-    """Gives the surface object its exact normals when the user pauses; large ones wait for the end
-    of edit mode."""
-    shown = shown_objects.surface_of(obj)
-    place_key = state.keys.get("shown surface")
-    if shown is None or place_key is None or state.keys.get("normals") == place_key:
-        return
-    if len(shown.data.loops) > _MOST_AT_A_PAUSE or not _has_points_left(shown, state):
-        return
-    _Writer(obj, state, shown, scale, place_key[0][0]).write_normals()
-    state.keys["normals"] = place_key
+@dataclass
+class _Left:
+    """What the surface object shows, by what it was made from; None what is not known.
+
+    place, normals: (key of the surface, samples, name of the object) that points and normals are
+    of. normals_digest: of the normals as they were written, None where there are none since the
+    faces were. colours: (place or None, choice).
+    """
+
+    place: tuple = None
+    normals: tuple = None
+    normals_digest: str = None
+    colours: tuple = None
+
+
+class ShownSurface:
+    """points: the hull_native.ShownPoints of the surface, None before they are shown. colour_scale:
+    the hull_native.ColourScale of the surface object's colours, None when it has none."""
+
+    def __init__(self):
+        self.points = None
+        self.colour_scale = None
+        self._surface = None
+        self._points_key = None
+        self._stamp = None  # of the faces of `points`, see _Writer.stamp
+        self._left = _Left()
+
+    def forget(self):
+        """Nothing is known of what the surface object shows, after it changed by itself."""
+        self._left = _Left()
+
+    def is_as_left(self, obj):
+        """Whether the surface object of a hull is as `follow` has left it: points, faces, shading
+        and colours; while the hull is edited, at every step of the mouse, points alone."""
+        shown = shown_objects.surface_of(obj)
+        if shown is None:
+            return True
+        if self._left.place is None or not self._has_points_left(shown):
+            return False
+        return obj.mode == "EDIT" or self._has_looks_left(shown.data)
+
+    def _has_points_left(self, shown):
+        mesh = shown.data
+        if not shown_objects.is_free(shown) or mesh.get(_FACES) != self._stamp:
+            return False
+        if self.points is None:  # the hull has other faces now: all is made anew
+            return True
+        left = self.points.coordinates
+        points = surface_object.points_of(mesh)
+        # By their bits: not even what is no number may differ from itself.
+        return points.shape == left.shape and np.array_equal(points.view("i4"), left.view("i4"))
+
+    def _has_looks_left(self, mesh):
+        if mesh.get(_FACES_LEFT) != surface_object.faces_digest(mesh):
+            return False
+        left = self._left.normals_digest
+        if left is not None and left != surface_object.normals_digest(mesh):
+            return False
+        _, choice = self._left.colours or (None, None)
+        return choice is None or colours.has_colours(mesh)
+
+    def follow(self, obj, ship, scale):
+        """Brings the surface object of a hull up to date with its flotation.live_ship.LiveShip.
+
+        While the mesh is edited the exact normals wait for follow_normals, and a surface that is
+        hidden in views and renders waits until it is seen. One that is worked on itself waits for
+        the end of that.
+        """
+        if ship.surface is not self._surface:
+            self._surface, self.points = ship.surface, None
+        shown = shown_objects.surface_of(obj)
+        if shown is None:
+            self.colour_scale = None
+            return
+        if shown_objects.is_worked_on(shown):
+            self.forget()
+            return
+        if obj.mode == "EDIT" and shown.hide_render and not shown.visible_get():
+            return
+        if not self._has_points_left(shown):
+            self.forget()
+            shown_objects.set_free(shown)
+        self._write_what_is_due(obj, shown, ship.geometry_key, scale)
+
+    def _write_what_is_due(self, obj, shown, geometry_key, scale):
+        left, choice = self._left, colours.wanted(obj.hull.fairness)
+        place = (geometry_key, samples_of(obj, self._surface), shown.name_full)
+        are_normals_due = left.normals != place and obj.mode != "EDIT"
+        colours_key = (None if choice is None else place, choice)
+        are_colours_due = left.colours != colours_key
+        is_due = left.place != place
+        if not (is_due or are_normals_due or are_colours_due):
+            return
+        writer = self._writer(obj, shown, scale, geometry_key)
+        if is_due:
+            left.normals_digest = None
+            are_normals_due |= writer.write_points(is_known=left.place is not None)
+            left.place = place
+        if are_normals_due:
+            self._write_normals(writer, place)
+        if are_colours_due:
+            self.colour_scale = writer.write_colours(choice)
+            left.colours = colours_key
+
+    def remarks(self, obj):
+        """What a user may expect to see and does not, as sentences."""
+        shown, wanted = samples_of(obj, self._surface), obj.hull.samples
+        if shown >= wanted:
+            return []
+        return [f"Samples: {shown} are shown for {wanted}: Blender would take long for more faces"]
+
+    def follow_normals(self, obj, scale):
+        """Gives the surface object its exact normals when the user pauses; large ones wait for the
+        end of edit mode."""
+        shown, place = shown_objects.surface_of(obj), self._left.place
+        if shown is None or place is None or self._left.normals == place:
+            return
+        if len(shown.data.loops) > _MOST_AT_A_PAUSE or not self._has_points_left(shown):
+            return
+        self._write_normals(self._writer(obj, shown, scale, place[0]), place)
+
+    def _write_normals(self, writer, place):
+        self._left.normals_digest, self._left.normals = writer.write_normals(), place
+
+    def _writer(self, obj, shown, scale, geometry_key):
+        samples = samples_of(obj, self._surface)
+        self._update_points(samples, obj.hull.half, scale)
+        if self._stamp is None:
+            self._stamp = _stamp(geometry_key[0], samples, self.points.shared)
+        return _Writer(shown, self._surface, samples, self.points, self._stamp)
+
+    def _update_points(self, samples, mirrored, scale):
+        key = (samples, mirrored, scale)
+        if self.points is None or self._points_key != key:
+            self.points = native.require().ShownPoints(
+                self._surface, samples, mirrored=mirrored, metres_per_unit=scale
+            )
+            self._points_key, self._stamp = key, None
+        elif not self.points.update():
+            self._stamp = None
+
+
+def _stamp(topology_key, samples, shared):
+    """Equal for meshes of equal faces; as text, which Blender keeps with the mesh."""
+    digest = hashlib.blake2b(repr(topology_key).encode(), digest_size=16)
+    digest.update(repr(samples).encode())
+    digest.update(shared.tobytes())
+    return digest.hexdigest()
 
 
 class _Writer:
-    """Writes the mesh of the object `shown`."""
+    """Writes the mesh of the object `shown`: hull_native.ShownPoints of a surface, with faces of
+    which the stamp tells, and what goes with them."""
 
-    def __init__(self, obj, state, shown, scale, topology_key):
-        self._settings, self._state, self._shown = obj.hull, state, shown
-        self._scale, self._topology_key = scale, topology_key
-        self._samples = samples_of(obj, state)
+    def __init__(self, shown, surface, samples, points, stamp):
+        self._shown, self._surface, self._samples = shown, surface, samples
+        self._points, self._stamp = points, stamp
         self._known_tessellation = None
 
-    def write_points(self):
-        """Whether the faces were made anew, without normals."""
-        is_known = "shown surface" in self._state.keys
-        self._state.keys.pop("normals left", None)
-        points, mesh = self._points(), self._shown.data
-        stamp = self._stamp(points)
-        coordinates = points.coordinates
-        if mesh.get(_FACES) == stamp and (is_known or self._has_faces_left(mesh, coordinates)):
+    def write_points(self, is_known):
+        """Whether the faces were made anew, without normals. is_known: the object shows what it was
+        left with."""
+        mesh, coordinates = self._shown.data, self._points.coordinates
+        has_faces = mesh.get(_FACES) == self._stamp
+        if has_faces and (is_known or self._has_faces_left(mesh, coordinates)):
             surface_object.move_surface(mesh, coordinates)
             return False
-        quads, _ = surface_object.surface_faces(self._tessellation(), points.shared)
+        quads, _ = surface_object.surface_faces(self._tessellation(), self._points.shared)
         surface_object.write_surface(mesh, coordinates, quads)
-        mesh[_FACES], mesh[_FACES_LEFT] = stamp, surface_object.faces_digest(mesh)
+        mesh[_FACES], mesh[_FACES_LEFT] = self._stamp, surface_object.faces_digest(mesh)
         return True
 
     @staticmethod
@@ -149,9 +206,10 @@ class _Writer:
         return is_of_size and mesh.get(_FACES_LEFT) == surface_object.faces_digest(mesh)
 
     def write_normals(self):
-        _, normals = surface_object.surface_faces(self._tessellation(), self._points().shared)
+        """Returns a digest of the normals as Blender keeps them."""
+        _, normals = surface_object.surface_faces(self._tessellation(), self._points.shared)
         surface_object.write_normals(self._shown.data, normals)
-        self._state.keys["normals left"] = surface_object.normals_digest(self._shown.data)
+        return surface_object.normals_digest(self._shown.data)
 
     def write_colours(self, choice):
         """Gives the surface object its colours; returns their scale, or None."""
@@ -159,42 +217,13 @@ class _Writer:
             colours.remove_colours(self._shown)
             return None
         tessellation = self._tessellation()
-        scale, of_normals = colours.coloured(self._state.surface, tessellation, choice)
+        scale, of_normals = colours.coloured(self._surface, tessellation, choice)
         corners = colours.linear(of_normals)[tessellation.normal_indices]
-        shared = self._points().shared
+        shared = self._points.shared
         colours.write_colours(self._shown, surface_object.both_sides(tessellation, shared, corners))
         return scale
 
-    def _points(self):
-        """The hull_native.ShownPoints of the surface as it is now."""
-        state, settings = self._state, self._settings
-        key = (self._samples, settings.half, self._scale)
-        if state.shown_points is None or state.keys.get("shown points") != key:
-            state.shown_points = native.require().ShownPoints(
-                state.surface,
-                self._samples,
-                mirrored=settings.half,
-                metres_per_unit=self._scale,
-            )
-            state.keys["shown points"] = key
-            state.keys["sharing"] = None
-        elif not state.shown_points.update():
-            state.keys["sharing"] = None
-        return state.shown_points
-
-    def _stamp(self, points):
-        """Equal for meshes of equal faces; as text, which Blender keeps with the mesh."""
-        known = self._state.keys.get("sharing")
-        if known is not None:
-            return known
-        digest = hashlib.blake2b(repr(self._topology_key).encode(), digest_size=16)
-        digest.update(repr(self._samples).encode())
-        digest.update(points.shared.tobytes())
-        self._state.keys["sharing"] = digest.hexdigest()
-        return self._state.keys["sharing"]
-
     def _tessellation(self):
         if self._known_tessellation is None:
-            surface = self._state.surface
-            self._known_tessellation = surface.tessellate(self._samples)
+            self._known_tessellation = self._surface.tessellate(self._samples)
         return self._known_tessellation

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What holds while a hull's points are moved, put into effect in its mesh: flats stay flat, and the
+border of a half hull stays on the centre plane.
+
+This comes first after an edit, and is the one step of what follows it that writes the mesh.
+"""
+
+from dataclasses import dataclass, field
+
+from ...bridge.objects import hull_mesh
+from . import centre_keeping, flat_keeping
+
+_IN_FLATS = "Points stay in their flats: Release under Shape frees them."
+_ON_CENTRE = "Points stay on the centre plane: Keep on centre, switched off, frees them."
+
+
+@dataclass
+class Keeping:
+    """flats: what flat_keeping has seen of the hull. held: what points were kept from in the last
+    edit that moved any, for the user, or ""."""
+
+    flats: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)
+    held: str = ""
+    _held_at: tuple = ()
+
+    def keep(self, obj, before, is_by_hand=True):
+        """Brings points back that may not leave their place; returns the HullMesh with them there.
+
+        before: the flotation.live_ship.LiveShip of the hull as it was. is_by_hand: points were
+        dragged; those that undo or numbers have placed may leave the centre plane.
+        """
+        held = [_IN_FLATS] if flat_keeping.keep(obj, self.flats) else []
+        found = hull_mesh.read(obj)
+        if is_by_hand and _keeps_centre(obj, found, before):
+            border = before.surface.mesh.border_edges
+            kept = centre_keeping.kept(obj, found.data, before.source.control, border)
+            if kept is not found.data:
+                found = found.with_points(kept)
+                held.append(_ON_CENTRE)
+        self._tell(held, (found.topology, found.points_digest))
+        return found
+
+    def _tell(self, held, geometry):
+        if held or geometry != self._held_at:
+            self.held, self._held_at = " ".join(held), geometry
+
+
+def _keeps_centre(obj, found, before):
+    return (
+        found.half
+        and obj.hull.keep_centre
+        and obj.data.is_editmode
+        and before.surface is not None
+        and before.topology_key == found.topology_key
+    )

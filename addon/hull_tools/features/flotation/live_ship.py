@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surface and floating body of a hull, which follow its control mesh.
+
+Points that moved are handed to the surface and the body that are there. Of a mesh with errors the
+last good surface stays; where there is none, it is that of its part that makes one.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...bridge import native
+from ...bridge.mesh import mesh_arrays, mesh_check, moves, valid_part
+from . import ship
+
+
+@dataclass
+class LiveShip:
+    """check: of the mesh as it is. surface: hull_native.LimitSurface; moved: its moves.Moves; body:
+    its hull_native.HullBody. All three change with the next edit, so that only `source`, the
+    ship.ShipSource of them, is for threads. is_part: the mesh has errors, and the surface is of
+    what makes one. memory: see ship.Ship.
+
+    topology_key: equal where surfaces differ by the places of points only; geometry_key: where
+    surfaces are equal, None while there is none; key: where ships are.
+    """
+
+    check: mesh_check.MeshCheck = mesh_check.MeshCheck()
+    is_part: bool = False
+    surface: object = None
+    moved: object = None
+    body: object = None
+    source: object = None
+    memory: dict = field(default_factory=dict)
+    topology_key: tuple = None
+    geometry_key: tuple = None
+    key: tuple = None
+    _control_key: tuple = None
+
+    def as_it_is(self):
+        """The ship.Ship that follows the edits."""
+        return ship.Ship(self.body, self.source.deck_edge, self.moved, self.memory)
+
+    def follow(self, found, scale):
+        """Brings all up to date with a hull_mesh.HullMesh; returns whether the surface is its."""
+        geometry_key = (found.topology_key, found.points_digest, scale)
+        marks = np.packbits(found.data.deck_edges).tobytes()
+        key = (geometry_key, found.openings, marks)
+        if self.key != key:
+            self._renew(found, scale, geometry_key, (found.topology_key, marks))
+            self.key = key
+        return self.surface is not None and self.geometry_key == geometry_key
+
+    def _renew(self, found, scale, geometry_key, control_key):
+        if self._control_key == control_key:
+            control = mesh_arrays.moved_arrays(self.source.control, found.data, scale)
+        else:
+            control = found.control(scale)
+        self.check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
+        is_whole = mesh is not None
+        if not is_whole and (self.surface is None or self.is_part):
+            control, mesh = valid_part.valid_part(control)
+        if mesh is None:
+            return
+        self.is_part = not is_whole
+        source = ship.source_of(found, control)
+        self._make_body(mesh, source, found.topology_key, geometry_key)
+        self._control_key = control_key if is_whole else None
+
+    def _make_body(self, mesh, source, topology_key, geometry_key):
+        """Surface and body of a source: those that are there where only points have moved."""
+        surface, body = self.surface, self.body
+        has_moved = self.geometry_key != geometry_key
+        if surface is None or self.topology_key != topology_key:
+            surface, body = native.require().LimitSurface(mesh, source.scheme), None
+            self.moved = moves.Moves(None, geometry_key, native.require().MoveWatch(surface))
+        elif has_moved:
+            # Until all of them have the points that the surface has, there is no body.
+            before, self.geometry_key, self.body = self.geometry_key, None, None
+            surface.set_points(source.control.points)
+            self.moved = self.moved.further(before, geometry_key)
+        if body is None or body.openings != source.openings:
+            body = source.live_body(surface)
+            self.memory.clear()
+        elif has_moved:
+            body.update()
+        self.surface, self.body, self.source = surface, body, source
+        self.topology_key, self.geometry_key = topology_key, geometry_key
