@@ -215,7 +215,7 @@ def test_the_glossary_tells_each_word_once():
 
 
 def test_the_key_of_the_pie_menu_is_the_one_named():
-    key = part("panels.keymap").KEY
+    key = part("bridge.blender.pie_key").KEY
     named = " ".join([*(["Shift"] if key.get("shift") else []), key["type"]])
     for page in ("first-hull.md", "tags.md", "panels/edges-and-points.md"):
         assert f"**{named}**" in (DOCS / page).read_text()

@@ -49,16 +49,13 @@ def test_files_go_before_preferences(chosen, tmp_path):
     assert settings.water_density == pytest.approx(1.025)
 
 
-def test_colours_and_listeners(chosen):
+def test_colours_are_drawn_as_they_are_chosen(chosen, monkeypatch):
     preferences = part("bridge.blender.preferences")
-    told = []
-    listener = lambda: told.append(preferences.colour("lines", "station", True))  # noqa: E731
-    preferences.listeners.append(listener)
-    try:
-        chosen.lines_station_on_light = (1.0, 0.5, 0.25)
-    finally:
-        preferences.listeners.remove(listener)
-    assert told == [pytest.approx((1.0, 0.5, 0.25))]
+    drawn = []
+    monkeypatch.setattr(part("bridge.blender.redraw"), "redraw", lambda *kinds: drawn.append(kinds))
+    chosen.lines_station_on_light = (1.0, 0.5, 0.25)
+    assert drawn == [()]
+    assert preferences.colour("lines", "station", True) == pytest.approx((1.0, 0.5, 0.25))
     assert preferences.colour("lines", "station", False) == pytest.approx((0.96, 0.96, 0.96))
 
 

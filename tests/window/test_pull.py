@@ -33,7 +33,11 @@ def start_pulling(window):
 
 
 def held(hull):
-    return part("features.modelling.pull_lines").shown()
+    pulled = part("features.modelling.pull_lines").shown(bpy.context.view_layer)
+    if pulled is None:
+        return None
+    assert pulled[0] == hull
+    return pulled[1]
 
 
 def test_a_drag_pulls_the_surface_and_all_follows(window):

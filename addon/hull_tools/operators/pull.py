@@ -98,6 +98,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
     def _begin(self, context):
         hull = hull_objects.hull_of(context.object)
         self._pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
+        self._held = pull_lines.held(hull, context.scene)
         self._grip, self._target, self._typed = None, None, ""
         self._mode, self._is_pressed, self._pressed_at = "V", False, (0, 0)
         self._area = context.area
@@ -256,13 +257,13 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
 
     def _show(self, context, grip, now, trouble=""):
         if grip is None:
-            pull_lines.show(None)
+            self._held.mark = None
             text = _PICK_HELP
         else:
             text = trouble or self._words(context.scene, grip, now)
             place = tuple(now), tuple(grip.point)
             radius = 0.0 if self._grip is None else self._pull.scale * self.radius
-            pull_lines.show(pull_lines.Mark(self._pull.obj.name, place[1], place[0], text, radius))
+            self._held.mark = pull_lines.Mark(place[1], place[0], text, radius)
         self._area.header_text_set(text)
         self._area.tag_redraw()
 
@@ -282,7 +283,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         return f"{places}    {where}{within}{typed}"
 
     def _leave(self, context):
-        pull_lines.show(None)
+        self._held.mark = None
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         self._area.header_text_set(None)

@@ -35,10 +35,11 @@ def strokes(start, now, scale, around=0.0):
 
 
 def _draw():
-    mark, context = pull_lines.shown(), bpy.context
-    hull = None if mark is None else context.scene.objects.get(mark.hull)
-    if hull is None or context.region_data is None:
+    context = bpy.context
+    pulled = pull_lines.shown(context.view_layer)
+    if pulled is None or context.region_data is None:
         return
+    hull, mark = pulled
     places = [_in_picture(context, hull, point) for point in (mark.start, mark.now)]
     if None in places:
         return

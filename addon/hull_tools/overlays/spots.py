@@ -28,7 +28,7 @@ def ring(centre, radius, count=32):
 
 
 def _draw():
-    for shown in hulls_in_view("worst_spot"):
+    for shown in hulls_in_view(lambda state: worst_spots.marked(state).kind):
         spot = worst_spots.shown_spot(shown.hull, shown.context.scene)
         if spot is None:
             continue

@@ -16,7 +16,7 @@ _LAYER = 6  # before lines, and so that the hull's own slope does not cut symbol
 
 
 def _draw():
-    for shown in hulls_in_view("check"):
+    for shown in hulls_in_view(lambda state: True):
         if shown.hull.mode == "EDIT" and shown.hull.hull.tags.show:
             context = shown.context
             picture = Picture(

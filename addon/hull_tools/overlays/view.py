@@ -25,10 +25,10 @@ class HullInView:
     def __init__(self, context, hull, state):
         self.context, self.hull, self.state = context, hull, state
         self.metres_per_unit = units.metres_per_unit(context.scene)
-        if state.ship.surface is None:  # of a mesh that never was without errors
-            self.size = max(hull.dimensions) * self.metres_per_unit
-        else:
+        if has_surface(state):
             self.size = lines.size_of(state.ship.surface)
+        else:  # of a mesh that never was without errors
+            self.size = max(hull.dimensions) * self.metres_per_unit
         self.is_on_light = has_light_ground(context, hull)
 
     def to_view(self, is_image=False, layer=1):
@@ -51,14 +51,18 @@ class HullInView:
         return Matrix.Diagonal((factor, factor, factor, 1.0))
 
 
-def hulls_in_view(what="surface"):
-    """A HullInView of each hull that the view at hand shows, and whose HullState has `what`; none
+def has_surface(state):
+    return state.ship.surface is not None
+
+
+def hulls_in_view(is_wanted=has_surface):
+    """A HullInView of each hull that the view at hand shows, and whose HullState is wanted; none
     where the view shows no overlays."""
     context = bpy.context
     if context.region_data is None or not context.space_data.overlay.show_overlays:
         return
     for hull, state in hull_state.known_hulls(context.view_layer):
-        if getattr(state, what) and is_seen(context, hull):
+        if is_wanted(state) and is_seen(context, hull):
             yield HullInView(context, hull, state)
 
 

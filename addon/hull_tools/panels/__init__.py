@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..bridge.blender import pie_key, preferences
 from . import (
     add_menu,
     criteria,
@@ -10,7 +11,6 @@ from . import (
     fairness,
     fit,
     hull,
-    keymap,
     lines_plan,
     pull,
     results,
@@ -57,11 +57,11 @@ def register():
         bpy.utils.register_class(cls)
     for name, draw in _DRAWN_IN:
         getattr(bpy.types, name).append(draw)
-    keymap.register()
+    pie_key.follow(preferences.value("use_pie_key"))
 
 
 def unregister():
-    keymap.unregister()
+    pie_key.follow(False)
     for name, draw in _DRAWN_IN:
         getattr(bpy.types, name).remove(draw)
     for cls in reversed(_CLASSES):

@@ -4,13 +4,17 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge.blender import palette, preferences
+from ..bridge.blender import palette, pie_key, preferences, redraw
 
 _GROUNDS = ("on light grounds", "on dark grounds")
 
 
 def _changed(chosen, context):
-    preferences.changed()
+    redraw.redraw()
+
+
+def _pie_key_changed(chosen, context):
+    pie_key.follow(chosen.use_pie_key)
 
 
 def _whole_number(prop, name, description, minimum, maximum):
@@ -114,7 +118,7 @@ class HullToolsPreferences(bpy.types.AddonPreferences):
         name="Key of the pie menu",
         description="The pie menu of hulls has a key in the 3D view",
         default=preferences.DEFAULTS["use_pie_key"],
-        update=_changed,
+        update=_pie_key_changed,
     )
 
     __annotations__.update(_colours())

@@ -7,7 +7,7 @@ then on: a file looks the same on every machine.
 
 import bpy
 
-from . import palette, redraw
+from . import palette
 
 # The add-on's name in Blender: a legacy one or an extension.
 ADDON = __package__.rsplit(".", 3)[0]
@@ -25,9 +25,6 @@ DEFAULTS = {
     "plot_size": 1.0,
     "use_pie_key": True,
 }
-
-# Functions without arguments, called after the user has changed a preference.
-listeners = []
 
 
 def of_addon():
@@ -55,10 +52,3 @@ def colour(group, kind, is_on_light=True):
 def colours(group, is_on_light=True):
     """All colours of a group, by kind."""
     return {kind: colour(group, kind, is_on_light) for kind in palette.GROUPS[group][1]}
-
-
-def changed():
-    """Tells the listeners, and has all 3D views drawn anew."""
-    for listener in listeners:
-        listener()
-    redraw.redraw()

@@ -18,27 +18,30 @@ _BEHIND = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Mark:
-    """What the 3D view shows of a pull of the hull of this name; points (3,) and radius in m, of
-    the hull."""
+    """What the 3D view shows of a pull of a hull; points (3,) and radius in m, of the hull."""
 
-    hull: str
     start: tuple
     now: tuple
     text: str
     radius: float = 0.0
 
 
-class _Shown:
-    mark = None
+@dataclass
+class Held:
+    """The Mark of one hull that the 3D view shows, or None."""
+
+    mark: object = None
 
 
-def show(mark):
-    """Shows a Mark, or none."""
-    _Shown.mark = mark
+def held(obj, scene):
+    """The Held of a hull."""
+    return hull_state.refresh(obj, scene).of(Held)
 
 
-def shown():
-    return _Shown.mark
+def shown(view_layer):
+    """(hull, Mark) of the one that is pulled in a view layer, or None."""
+    marks = ((hull, state.of(Held).mark) for hull, state in hull_state.known_hulls(view_layer))
+    return next(((hull, mark) for hull, mark in marks if mark is not None), None)
 
 
 def grip_at(pull, eye, mouse, interface_scale=1.0, takes_lines=True):
