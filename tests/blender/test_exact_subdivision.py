@@ -33,7 +33,8 @@ def subdivide(hull):
 
 def surface_of(hull):
     """One of its own, which edits leave as it is."""
-    return part("features.hull.hull_state").up_to_date(hull, bpy.context.scene).source.new_surface()
+    state = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
+    return state.ship.source.new_surface()
 
 
 def furthest_apart(coarse, fine, count=7):
@@ -58,18 +59,18 @@ def test_the_surface_is_the_same(name, scheme, whole):
     hull.hull.scheme = scheme
     if whole and hull.hull.half:
         assert bpy.ops.hull.make_whole() == {"FINISHED"}
-    before, size = surface_of(hull), state_of(hull).surface.mesh.size
-    faces, sizes = len(hull.data.polygons), state_of(hull).source.control.face_sizes
+    before, size = surface_of(hull), state_of(hull).ship.surface.mesh.size
+    faces, sizes = len(hull.data.polygons), state_of(hull).ship.source.control.face_sizes
     found = subdivide(hull)
     assert found.faces == len(hull.data.polygons) == faces - len(sizes) + sizes.sum()
     assert furthest_apart(before, surface_of(hull)) < ROUNDED * size
     state = state_of(hull)
     assert not state.status and not state.held
-    kinds, finer = before.mesh.vertex_kinds, state.surface.mesh.vertex_kinds
+    kinds, finer = before.mesh.vertex_kinds, state.ship.surface.mesh.vertex_kinds
     assert np.bincount(kinds[kinds != 2], minlength=5)[1:].tolist() == (
         np.bincount(finer[finer != 2], minlength=5)[1:].tolist()
     )
-    assert len(state.surface.mesh.creases) == 2 * len(before.mesh.creases)
+    assert len(state.ship.surface.mesh.creases) == 2 * len(before.mesh.creases)
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -77,11 +78,11 @@ def test_the_border_on_the_centre_plane_stays_there(name):
     hull = sample(name)
     points = mesh_points(hull)
     on_plane = {edge.key for edge in hull.data.edges if not points[list(edge.vertices), 1].any()}
-    mesh = state_of(hull).surface.mesh
+    mesh = state_of(hull).ship.surface.mesh
     count = sum(tuple(sorted(edge)) in on_plane for edge in mesh.border_edges.tolist())
     assert count or name in ("catamaran", "naval_vessel")
     subdivide(hull)
-    mesh = state_of(hull).surface.mesh
+    mesh = state_of(hull).ship.surface.mesh
     finer = (mesh.points[mesh.border_edges, 1] == 0.0).all(axis=1)
     assert np.count_nonzero(finer) >= 2 * count - 2
 
@@ -187,7 +188,7 @@ def test_flats_between_knuckles_stay_whole():
         assert subdivide(hull).no_longer_flat == 0
         (region,) = flats.regions(hull)
         assert (region.number, len(region.faces)) == (number, count)
-        assert not state_of(hull).held
+        assert not state_of(hull).keeping.held
 
 
 @pytest.mark.parametrize("name", ["bulk_carrier", "container_ship", "roro"])

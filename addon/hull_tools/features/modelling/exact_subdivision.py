@@ -42,7 +42,7 @@ def subdivide(obj, scene):
     """
     check_single_user(obj.data)
     state = hull_state.up_to_date(obj, scene)
-    source, surface = state.source, state.surface
+    source, surface = state.ship.source, state.ship.surface
     if surface.cell_count > limits.MOST_CONTROL_FACES:
         raise ValueError(
             f"The mesh would have {surface.cell_count} faces, more than "
@@ -58,8 +58,7 @@ def subdivide(obj, scene):
                 vertex.co = points[number]
         bm.normal_update()
     released = _release_rims(obj)
-    hull_state.let_be_placed(obj)
-    state = hull_state.up_to_date(obj, scene)
+    state = hull_state.follow_edit(obj, scene, is_by_hand=False).checked()
     data = mesh_arrays.read_mesh(obj.data)
     return Subdivided(len(data.points), len(data.face_sizes), released)
 
