@@ -65,7 +65,7 @@ def test_the_surface_is_the_same(name, scheme, whole):
     assert found.faces == len(hull.data.polygons) == faces - len(sizes) + sizes.sum()
     assert furthest_apart(before, surface_of(hull)) < ROUNDED * size
     state = state_of(hull)
-    assert not state.status and not state.held
+    assert not state.status and not state.keeping.held
     kinds, finer = before.mesh.vertex_kinds, state.ship.surface.mesh.vertex_kinds
     assert np.bincount(kinds[kinds != 2], minlength=5)[1:].tolist() == (
         np.bincount(finer[finer != 2], minlength=5)[1:].tolist()

@@ -259,7 +259,7 @@ def counted(monkeypatch):
     count(part("bridge.objects.hull_objects"), "refusal")
     count(part("features.constraints.flat_keeping"), "keep")
     count(part("features.surface.surface_object"), "move_surface")
-    count(part("features.flotation.hydrostatics"), "particulars")
+    count(part("features.flotation.hydrostatics"), "computed")
     count(part("features.lines.lines"), "groups")
     count(part("features.fairness.combs"), "combs")
     return counts

@@ -8,7 +8,7 @@ from . import afloat, hydrostatics
 
 @dataclass
 class LiveHydrostatics:
-    """values: hydrostatics.Hydrostatics or None, and then status says why."""
+    """values: hydrostatics.HydrostaticValues or None, and then status says why."""
 
     values: object = None
     status: str = ""

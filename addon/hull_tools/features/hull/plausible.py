@@ -23,8 +23,8 @@ class Plausible:
     _key: tuple = None
 
     def follow(self, obj, ship, found, scale):
-        """Brings all up to date with a hull, its live_ship.LiveShip and hydrostatics.Hydrostatics,
-        or None."""
+        """Brings all up to date with a hull, its live_ship.LiveShip and
+        hydrostatics.HydrostaticValues, or None."""
         geometry = ship.geometry_key
         if self._key != geometry and (obj.mode != "EDIT" or self.extents is None):
             self.extents = plausibility.extents(ship.surface.tessellate(_POINTS).points)
