@@ -70,6 +70,8 @@ _NO_MESHES = {
     "object.volume_add",
 }
 _BRINGS_BLENDER_DOWN = {"sculpt.set_persistent_base"}
+# These change a mesh that is edited and forget to say so to anybody, Blender's own view included.
+TELL_NOBODY = {"mesh.bridge_edge_loops"}
 _LEFT_OUT = (
     _NEEDS_THE_MOUSE
     | _TAKES_FILES_OR_TIME

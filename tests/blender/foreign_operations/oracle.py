@@ -27,7 +27,7 @@ class Fresh:
         check, mesh = part("bridge.mesh.mesh_check").check_control_mesh(
             data, control, settings.half
         )
-        if mesh is None:
+        if check.errors:
             self.status = check.errors[0].message
             return
         self.surface = native.LimitSurface(mesh, settings.scheme)

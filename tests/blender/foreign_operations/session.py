@@ -98,7 +98,11 @@ class Session:
             active.data.remesh_voxel_size = max(max(active.dimensions) / 12.0, 1e-3)
         arguments = operators.arguments_by_chance(name, self.random)
         self.tell(f"{name} {arguments}")
-        return f"{name} {arguments}: {operators.call(name, arguments)}"
+        came = operators.call(name, arguments)
+        if name in operators.TELL_NOBODY:
+            for edited in bpy.context.objects_in_mode_unique_data:
+                bmesh.update_edit_mesh(edited.data)
+        return f"{name} {arguments}: {came}"
 
     def tell(self, text):
         """What is about to be done, for a log that outlives a crash."""
