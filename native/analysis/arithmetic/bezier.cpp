@@ -27,6 +27,7 @@ void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots
     roots.push_back(begin + size * monotonic_root(c));
     return;
   }
+  // Two changes that no halving parts: a double root, which is none unless the ends differ.
   if (size < 1e-13) {
     if ((c[0] >= 0.0) != (c[3] >= 0.0)) roots.push_back(begin + 0.5 * size);
     return;
@@ -109,6 +110,7 @@ BezierCubic BezierBicubic::along_u(double v) const {
 
 std::array<double, 2> BezierBicubic::slope_bounds_v() const {
   std::array<double, 2> bounds{c_[4] - c_[0], c_[4] - c_[0]};
+  // A third of the slope: differences of neighbours hold those of the surface between them.
   for (int k = 0; k < 12; ++k) {
     const double difference = c_[k + 4] - c_[k];
     bounds = {std::min(bounds[0], difference), std::max(bounds[1], difference)};

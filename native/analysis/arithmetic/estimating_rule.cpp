@@ -32,6 +32,8 @@ double EstimatingRule::error(const Values& values) const {
     b += highest_[i] * values[i];
     mean += rule_.weights[i] * std::abs(values[i]);
   }
+  // The two highest Legendre coefficients that the nodes can tell. Where they are small beside the
+  // mean the series falls fast, and the error is smaller by as much again.
   const double top = std::abs(a) + std::abs(b);
   return mean > 0.0 ? top * std::min(1.0, top / mean) : 0.0;
 }

@@ -53,6 +53,7 @@ ColourScale::ColourScale(FieldKind kind, Mapping mapping, double low, double hig
   }
   if (is_signed()) {
     high_ = std::max(-low, high);
+    // Zero in the middle, or hollow and full would not be told apart by their colours.
     low_ = -high_;
   }
 }

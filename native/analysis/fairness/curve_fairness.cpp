@@ -59,6 +59,7 @@ void add_stretch(const MeasuredCurve& curve, const Rules& rules, CurveFairness& 
   const double before = result.length, length = curve.length();
   int count = rules.count;
   if (count == 0) {
+    // Rounding of the length must not make one interval more.
     const double intervals = std::ceil(length / rules.step * (1.0 - 1e-12));
     count = 1 + static_cast<int>(std::clamp(intervals, 1.0, kMostSamples - 1.0));
   }
@@ -189,6 +190,8 @@ double suggested_comb_scale(const std::vector<CurveFairness>& curves, double hei
   }
   std::sort(bends.begin(), bends.end());
   double sum = 0.0, tallest = 0.0;
+  // By length, not by samples: a tight radius at a stem has many samples, and would make all other
+  // teeth too short to see.
   for (const auto& [bend, length] : bends) {
     sum += length;
     tallest = bend;

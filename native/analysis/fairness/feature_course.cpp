@@ -42,6 +42,7 @@ FeatureCourse::FeatureCourse(const surface::CreaseCurve& curve,
       const double to = std::min(
           end, knots[i] + (knots[i + 1] - knots[i]) * (static_cast<double>(part) / kPartsOfSpan));
       const double length = length_between(curve, parameters_.back(), to);
+      // Spans of no length, between points that coincide, would be divided by later.
       if (!(length > 0.0)) continue;
       breaks_.push_back(breaks_.back() + length);
       parameters_.push_back(to);
@@ -56,6 +57,7 @@ double FeatureCourse::parameter_at(double s) const {
   const double t0 = parameters_[k], t1 = parameters_[k + 1];
   const double wanted = s - breaks_[k];
   double t = std::clamp(t0 + (t1 - t0) * wanted / (breaks_[k + 1] - breaks_[k]), t0, t1);
+  // Newton on the length: along a quarter of a span the speed hardly changes, and few steps do.
   for (int step = 0; step < 3; ++step) {
     const double speed = curve_.evaluate(t, 1).d1.norm();
     if (!(speed > 0.0)) break;

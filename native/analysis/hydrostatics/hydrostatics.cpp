@@ -46,6 +46,7 @@ class BothSides {
 
   // Extent of a part along a direction.
   double extent(const Vector3d& direction, Part part) const {
+    // Upright athwartships both halves reach equally far: one search instead of two.
     if (mirrored_ && upright_ && direction.x() == 0.0 && direction.z() == 0.0) {
       const FarthestPoint port = port_.farthest(Vector3d::UnitY(), part);
       return port.found ? 2.0 * port.value * std::abs(direction.y()) : 0.0;
@@ -105,6 +106,7 @@ void take_buoyancy(const Immersion& immersion, double water_density, Hydrostatic
   p.displaced_volume = immersion.volume;
   p.displacement_t = immersion.volume * water_density;
   p.volume_error = immersion.volume_error;
+  // The same volume by another flux: equal for a closed body only, which makes it a check.
   p.volume_from_breadths = immersion.flux_forms.y();
   p.wetted_surface = immersion.wetted_surface;
   p.wetted_surface_error = immersion.wetted_surface_error;
@@ -131,6 +133,7 @@ void take_waterplane(const Immersion& immersion, const FloatingPosition& positio
   if (!(immersion.volume > 0.0)) return;
   p.bm_transverse = p.waterplane_inertia_transverse / immersion.volume;
   p.bm_longitudinal = p.waterplane_inertia_longitudinal / immersion.volume;
+  // BM is along the water's normal, KB and KM along the ship's own vertical.
   p.km_transverse = p.kb + p.bm_transverse * immersion.water.normal.z();
   p.km_longitudinal = p.kb + p.bm_longitudinal * immersion.water.normal.z();
 }
@@ -190,6 +193,7 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
     p.midship_section = immersed_station(cutter, 0.5 * length, water);
     if (p.displaced_volume > 0.0) p.lcb_percent = 100.0 * (p.lcb / length - 0.5);
     if (p.waterplane_area > 0.0) p.lcf_percent = 100.0 * (p.lcf / length - 0.5);
+    // BMl for GMl, as hydrostatic tables have it: the load is not known here.
     p.mtc = p.displacement_t * p.bm_longitudinal / (100.0 * length);
   }
   const double draft = project.draft > 0.0 ? project.draft : position.draft;

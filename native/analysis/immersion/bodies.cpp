@@ -41,6 +41,7 @@ Bodies bodies_of(const surface::LimitSurface& surface) {
       waiting.pop_back();
       mark_nodes(layout, layout.root(cell), body, bodies);
       for (int h = 4 * cell; h < 4 * cell + 4; ++h) {
+        // Across creases, too: a body is what hangs together, knuckles or not.
         const int twin = cells.twin(h);
         if (twin < 0 || bodies.of_cell[twin / 4] >= 0) continue;
         bodies.of_cell[twin / 4] = body;

@@ -41,6 +41,7 @@ void ShellParts::update() {
   rules_ = rules;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
     const int leaf = static_cast<int>(i);
+    // By the points, not by what was told to move: a drag that ends where it began costs nothing.
     if (all || surface_->leaf(leaf) != leaf_points_[i]) update_leaf(leaf);
   }
   for (std::size_t i = 0; i < corners_.size(); ++i) {

@@ -37,6 +37,8 @@ void CellBoxes::add(const surface::LimitSurface& surface, const surface::Surface
       extend(surface.leaf(node.index));
       break;
     case surface::SurfaceNode::Kind::kCorner:
+      // All spans of the rings around an irregular corner are affine combinations of these with
+      // weights that are not negative: their hull holds the square.
       extend(surface.corner(node.index).outer);
       break;
     case surface::SurfaceNode::Kind::kSplit:

@@ -15,6 +15,7 @@ void MoveWatch::update() {
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     if (surface.moved_at(cell) <= stamp_.revision()) continue;
     cells_.push_back(cell);
+    // For now low and high: where the cell was counts as well as where it is.
     moved_.push_back({boxes_.low(cell), boxes_.high(cell)});
   }
   boxes_.update(surface);

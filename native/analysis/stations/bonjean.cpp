@@ -29,6 +29,7 @@ BonjeanCurves bonjean(const HullBody& body, std::vector<double> stations,
   const StationCutter cutter(body);
   for (double station : curves.stations) {
     StationViews views(cutter, station, {Vector3d::UnitZ(), 0.0}, deepest, cutter.rule());
+    // What is wholly below a draft was integrated once; a draft costs only the arcs it cuts.
     views.prepare();
     for (double draft : curves.drafts) curves.sections.push_back(views.below(draft));
   }

@@ -56,6 +56,7 @@ double level_crossing(const ArcSquare& square, double begin, double end, double 
     if (!(t > begin && t < end)) t = 0.5 * (begin + end);
     const double f = arc_point(square, t).b - level;
     if (f == 0.0) return t;
+    // Halving the value at the end that stays (Illinois) keeps the secant from creeping.
     if ((f < 0.0) == (f_begin < 0.0)) {  // an end at the very level is not below
       if (t - begin < 1e-15) return t;
       begin = t;
@@ -81,6 +82,7 @@ void clip(const ArcSquare& square, double level, const ArcRule& rule, int depth,
         square, [&](double begin, double end) { integrate(square, begin, end, rule, 0, sum); });
     return;
   }
+  // On a monotonic arc each end tells its half: one crossing, or none.
   if (depth == kDeepestClip || is_monotonic(square)) {
     for_each_stretch(square, [&](double begin, double end) {
       const bool begin_wet = arc_point(square, begin).b < level;
@@ -102,6 +104,7 @@ void clip(const ArcSquare& square, double level, const ArcRule& rule, int depth,
     halve_v(side.a, quarters[0].a, quarters[1].a);
     halve_v(side.b, quarters[0].b, quarters[1].b);
     for (ArcSquare& quarter : quarters) {
+      // Zero counts as above everywhere, so that an arc along the side of two quarters is in one.
       if (lowest(quarter.h) >= 0.0 || highest(quarter.h) < 0.0) continue;
       quarter.sign = square.sign;
       clip(quarter, level, rule, depth + 1, sum);
@@ -113,6 +116,7 @@ void clip(const ArcSquare& square, double level, const ArcRule& rule, int depth,
 
 SectionFrame SectionFrame::above_water(const Plane& plane, const Plane& water) {
   const Vector3d& normal = plane.normal;
+  // Areas are in the station's plane, whatever the trim; only the level is the water's.
   const Vector3d up = (water.normal - water.normal.dot(normal) * normal).normalized();
   const Vector3d foot = plane.offset * normal;
   const Vector3d origin =

@@ -22,6 +22,7 @@ std::vector<BorderCrossing> border_crossings(const std::vector<BorderEdge>& bord
   std::vector<BorderCrossing> crossings;
   for (const BorderEdge& edge : border) {
     BezierCubic height = edge.along(plane.normal, plane.offset);
+    // Rounding must not make a border that runs in the plane cross it many times.
     for (double& h : height) h = std::abs(h) < tolerance ? 0.0 : h;
     bool below = height[0] < 0.0;
     for (double t : sign_changes(height)) {
@@ -154,8 +155,10 @@ StationViews::StationViews(const StationCutter& cutter, double position, const P
   };
   const std::optional<double> flats = cutter.distance_of_flats(position);
   const bool noisy = flats && *flats > kZeroHeight * cutter.body().surface().mesh().size();
+  // A flat that lies in the plane but for noise is cut to ribbons: beside it both sides are whole.
   const double aside = noisy ? 2.0 * *flats : 0.0;
   add_view({Vector3d::UnitX(), position - aside});
+  // A section at zero height belongs to the side above: seen from the other side it is the other.
   if (flats) add_view({-Vector3d::UnitX(), -position - aside});
 }
 
@@ -176,6 +179,7 @@ SectionArea StationViews::below(double level) const {
 
 SectionArea StationViews::below(const View& view, double level) const {
   SectionIntegrals sum = view.sides.front().below(level);
+  // `a` runs to the other side there.
   if (doubled_ || view.sides.size() > 1) {
     SectionIntegrals other = doubled_ ? sum : view.sides.back().below(level);
     other.moment_a = -other.moment_a;
