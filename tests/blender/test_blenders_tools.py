@@ -263,6 +263,18 @@ def test_shape_keys_that_come_by_joining_are_refused():
     assert not state_of(hull).status
 
 
+def test_a_shape_key_that_joins_others_is_refused():
+    """Of which Blender says nothing but that the scene has changed."""
+    other, hull = add_hull("other"), add_hull()
+    hull.shape_key_add(name="Basis")
+    other.select_set(True)
+    bpy.context.view_layer.update()
+    assert not state_of(hull).status
+    assert bpy.ops.object.join_shapes() == {"FINISHED"}
+    bpy.context.view_layer.update()
+    assert "shape keys" in state_of(hull).status
+
+
 @pytest.fixture
 def refreshed(monkeypatch):
     """The names of the hulls that are brought up to date."""

@@ -56,6 +56,15 @@ def test_what_was_edited_is_made_anew_when_edit_mode_ends(hull, operator, capfd)
     assert_shows_the_box(hull, capfd)
 
 
+def test_what_was_sculpted_is_made_anew_when_that_ends(hull, capfd):
+    make_active(surface(hull))
+    bpy.ops.object.mode_set(mode="SCULPT")
+    bpy.ops.sculpt.dynamic_topology_toggle()
+    bpy.context.view_layer.update()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert_shows_the_box(hull, capfd)
+
+
 def test_a_hull_that_changes_while_its_surface_is_edited(hull, capfd):
     make_active(surface(hull))
     bpy.ops.object.mode_set(mode="EDIT")

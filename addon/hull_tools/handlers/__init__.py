@@ -4,29 +4,29 @@
 import bpy
 
 from ..bridge.objects import upkeep
-from . import follow, keep
+from . import follow, upkeep_handlers
 
 _HANDLERS = (
     ("depsgraph_update_post", follow.after_update),
-    ("depsgraph_update_post", keep.after_update),
+    ("depsgraph_update_post", upkeep_handlers.after_update),
     ("frame_change_post", follow.after_frame),
-    ("frame_change_post", keep.after_update),
+    ("frame_change_post", upkeep_handlers.after_update),
     ("render_pre", follow.before_picture),
     ("undo_post", follow.after_undo),
-    ("undo_post", keep.after_undo),
+    ("undo_post", upkeep_handlers.after_undo),
     ("redo_post", follow.after_undo),
-    ("redo_post", keep.after_undo),
+    ("redo_post", upkeep_handlers.after_undo),
     ("load_pre", follow.before_load),
-    ("load_pre", keep.before_load),
+    ("load_pre", upkeep_handlers.before_load),
     ("load_post", follow.after_load),
-    ("load_post", keep.after_load),
+    ("load_post", upkeep_handlers.after_load),
 )
 
 
 def _begin():
     """The file that is open when the add-on is enabled was loaded without it."""
     follow.begin()
-    keep.after_load()
+    upkeep_handlers.after_load()
 
 
 def register():

@@ -51,19 +51,25 @@ def _updates_of_objects(depsgraph):
 
 @persistent
 def after_update(scene, depsgraph):
+    updates = list(_updates_of_objects(depsgraph))
     changed = {
         update.id.original
-        for update in _updates_of_objects(depsgraph)
+        for update in updates
         if update.is_updated_geometry or update.is_updated_transform
     }
-    if depsgraph.id_type_updated("SCENE"):  # what was hidden may be seen again
+    if depsgraph.id_type_updated("SCENE"):
+        # What was hidden may be seen again. Of shape keys that come by joining to some that are
+        # there, nothing else is said.
         changed.update(obj for obj in depsgraph.view_layer.objects if obj.mode == "EDIT")
+        changed.update(hull_state.with_other_refusal(depsgraph.view_layer))
     if depsgraph.id_type_updated("KEY"):
         # Of shape keys that come by joining, nothing is said of their object; of those that go, it
         # is.
         changed.update(filter(hull_objects.has_shape_keys, depsgraph.view_layer.objects))
     hull_state.forget_deleted()
     hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
+    # That a surface is not sculpted any longer is no change of its geometry.
+    hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
 
 

@@ -91,7 +91,7 @@ def outcome_of(obj, scene, name):
     key = key_of(obj, scene, name)
     ship = state.ship.as_it_is() if ANALYSES[name].IS_LIVE else state.ship.source.new_ship()
     outcome = computed(name, ship, key)
-    keep(state, name, key, outcome)
+    store(state, name, key, outcome)
     return outcome
 
 
@@ -103,7 +103,7 @@ def computed(name, ship, key):
         return Outcome(message=str(error))
 
 
-def keep(state, name, key, outcome):
+def store(state, name, key, outcome):
     known(state).outcomes[name] = (key, outcome)
 
 

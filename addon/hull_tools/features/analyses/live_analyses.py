@@ -130,7 +130,7 @@ def take_finished():
     """Keeps what the thread has made since the last time, and shows it; whether there was any."""
     finished = list(worker.fetch())
     for state, name, key, outcome in finished:
-        analyses.keep(state, name, key, outcome)
+        analyses.store(state, name, key, outcome)
         if _asked.get((id(state), name)) == key:
             del _asked[id(state), name]
     if finished:

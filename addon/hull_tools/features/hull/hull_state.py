@@ -30,12 +30,14 @@ _states = {}
 class HullState:
     """Results of one hull, for panels to show.
 
-    name: the object's. status: why the surface is not up to date, or "". remarks: what a user may
-    expect and is not so, as sentences.
+    name: the object's. status: why the surface is not up to date, or ""; refusal: why the object
+    cannot be a hull, which is the status then. remarks: what a user may expect and is not so, as
+    sentences.
     """
 
     name: str
     status: str = ""
+    refusal: str = ""
     remarks: list = field(default_factory=list)
     keeping: Keeping = field(default_factory=Keeping)
     ship: LiveShip = field(default_factory=LiveShip)
@@ -100,9 +102,9 @@ def _brought_up_to_date(obj, scene, read):
     state = _states[address]
     state.name = obj.name
     try:
-        reason = hull_objects.refusal(obj)
-        if reason:
-            raise ValueError(reason)
+        state.refusal = hull_objects.refusal(obj)
+        if state.refusal:
+            raise ValueError(state.refusal)
         _follow(obj, scene, state, read(state))
         state.status = ""
     except ValueError as error:
@@ -129,15 +131,38 @@ def with_foreign_surface(objects):
     """The hulls whose surface objects are among these, and are not as they were left: nothing is
     known of what they show any longer."""
     found = []
+    for hull, state in _shown_by(objects):
+        if not state.shown.is_as_left(hull):
+            state.shown.forget()
+            found.append(hull)
+    return found
+
+
+def with_unknown_surface(objects):
+    """The hulls whose surface objects are among these, and of which nothing is known since they
+    were worked on, without looking at their meshes."""
+    return [hull for hull, state in _shown_by(objects) if not state.shown.is_known]
+
+
+def _shown_by(objects):
+    """Pairs (hull, HullState) of those whose surface objects are among these."""
     for shown in objects:
         hull = hull_objects.hull_of(shown)
         if hull in (None, shown) or shown != hull.hull.surface_object:
             continue
         state = state_of(hull)
-        if state is not None and not state.shown.is_as_left(hull):
-            state.shown.forget()
-            found.append(hull)
-    return found
+        if state is not None:
+            yield hull, state
+
+
+def with_other_refusal(view_layer):
+    """The hulls in a view layer that are refused, or are not, other than when they were last
+    brought up to date."""
+    return [
+        hull
+        for hull, state in known_hulls(view_layer)
+        if hull_objects.refusal(hull) != state.refusal
+    ]
 
 
 def forget(obj):

@@ -59,13 +59,18 @@ class ShownSurface:
         """Nothing is known of what the surface object shows, after it changed by itself."""
         self._left = _Left()
 
+    @property
+    def is_known(self):
+        """Whether anything is known of what the surface object shows."""
+        return self._left.place is not None
+
     def is_as_left(self, obj):
         """Whether the surface object of a hull is as `follow` has left it: points, faces, shading
         and colours; while the hull is edited, at every step of the mouse, points alone."""
         shown = shown_objects.surface_of(obj)
         if shown is None:
             return True
-        if self._left.place is None or not self._has_points_left(shown):
+        if not self.is_known or not self._has_points_left(shown):
             return False
         return obj.mode == "EDIT" or self._has_looks_left(shown.data)
 
@@ -124,7 +129,7 @@ class ShownSurface:
         writer = self._writer(obj, shown, scale, geometry_key)
         if is_due:
             left.normals_digest = None
-            are_normals_due |= writer.write_points(is_known=left.place is not None)
+            are_normals_due |= writer.write_points(is_known=self.is_known)
             left.place = place
         if are_normals_due:
             self._write_normals(writer, place)
