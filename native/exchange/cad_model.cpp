@@ -8,6 +8,7 @@
 
 #include "conversion/centre_line.h"
 #include "conversion/patches/flat_patches.h"
+#include "conversion/patches/joined_borders.h"
 #include "conversion/patches/mirror.h"
 #include "conversion/place_error.h"
 #include "exchange/cad_report.h"
@@ -17,6 +18,26 @@
 
 namespace hull::exchange {
 namespace {
+
+// A control point takes about so many bytes in a file, and ten times as many in Open CASCADE's
+// memory while the file is read back.
+constexpr double kBytesOfPoint = 100.0, kMostBytes = 2e9;
+
+// Before anything is made of them.
+void check_size(const conversion::PatchSet& patches, bool mirrored) {
+  double points = 0.0;
+  for (const conversion::BSplinePatch& patch : patches.patches) {
+    points += static_cast<double>(patch.control_points.size());
+  }
+  if (mirrored) points *= 2.0;
+  if (points * kBytesOfPoint <= kMostBytes) return;
+  throw std::invalid_argument(
+      "the file would have about " + std::to_string(std::lround(points * kBytesOfPoint / 1e6)) +
+      " MB (" + std::to_string(std::lround(points / 1e6)) + " million control points of " +
+      std::to_string(patches.patches.size()) +
+      " patches), more than can be read back: convert with a larger "
+      "tolerance, or a mesh of fewer faces, best of quadrilaterals");
+}
 
 void extend_box(Eigen::AlignedBox3d& box, const conversion::BSplinePatch& patch) {
   for (int i = 0; i <= kBoxSteps; ++i) {
@@ -126,6 +147,7 @@ void check_solid(const BRepShape& brep) {
 }  // namespace
 
 CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& options) {
+  check_size(patches, options.mirrored);
   patches.check();
   if (options.mirrored || (options.solid && is_on_one_side(patches))) {
     conversion::refuse_near_centre_line(patches.source.near_centre_line, patches.size());
@@ -145,6 +167,7 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
     model.regions.insert(model.regions.end(), half.begin(), half.end());
   }
   turn_long_sides_to_v(set);
+  conversion::join_borders(set);
   const conversion::Closing closing =
       options.solid ? conversion::closing_of(set) : conversion::Closing{};
   model.brep = make_brep_shape(set, closing);

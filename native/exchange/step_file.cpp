@@ -24,6 +24,7 @@
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_progress.h"
 #include "exchange/regions.h"
+#include "exchange/shared_points.h"
 #include "exchange/short_step.h"
 #include "exchange/step_styles.h"
 #include "exchange/text_holders.h"
@@ -54,7 +55,7 @@ class StepText {
     add_curves();
     set_names();
     surface::tell(progress_, 0.6, 1.0);
-    return short_step(texts_.filled(printed()));
+    return with_shared_points(short_step(texts_.filled(printed())));
   }
 
  private:

@@ -117,6 +117,26 @@ inline mesh::MeshArrays double_pyramid(int n) {
   return mesh;
 }
 
+// A bulging sheet of 2 n² triangles: six meet at every inner point.
+inline mesh::MeshArrays sheet_of_triangles(int n) {
+  mesh::MeshArrays mesh;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      const double x = 10.0 * i / n, y = 10.0 * j / n;
+      mesh.points.emplace_back(x, y,
+                               0.05 * x * x + 0.03 * x * y - 0.08 * y * y + std::sin(0.4 * x));
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j, b = a + n + 1;
+      add_face(mesh, {a, b, b + 1});
+      add_face(mesh, {a, b + 1, a + 1});
+    }
+  }
+  return mesh;
+}
+
 // Draws tags: each edge a crease with probability `crease`, each point a corner with `corner`;
 // moves every coordinate by up to `move`.
 inline void randomise(mesh::MeshArrays& mesh, std::mt19937& random, double crease, double corner,

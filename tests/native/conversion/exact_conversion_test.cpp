@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -66,6 +67,21 @@ TEST(ExactConversion, KeepsToleranceAndSeamAngle) {
       EXPECT_LE(report.worst_seams.angle.value, angle);
     }
   }
+}
+
+// Both ends of a cell are irregular, so that nothing joins.
+TEST(ExactConversion, TrianglesTakeFewControlPoints) {
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::sheet_of_triangles(12))};
+  const PatchSet set = exact_patches(surface);
+  ASSERT_NO_THROW(set.check());
+  constexpr double kTriangles = 2 * 12 * 12;
+  std::size_t points = 0;
+  for (const BSplinePatch& patch : set.patches) points += patch.control_points.size();
+  EXPECT_LE(static_cast<double>(set.patches.size()), 3.0 * kTriangles);
+  EXPECT_LE(static_cast<double>(points), 470.0 * kTriangles);
+  const QualityReport report = measure_quality(surface, set);
+  EXPECT_LE(report.distance.value, 1e-6 * report.length);
+  EXPECT_LE(report.worst_seams.angle.value, 0.02 * std::numbers::pi / 180.0);
 }
 
 TEST(ExactConversion, TellsItsProgressAndCanBeEnded) {

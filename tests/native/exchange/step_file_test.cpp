@@ -11,10 +11,13 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "conversion/exact/exact_conversion.h"
+#include "conversion/patches/edge_uses.h"
 #include "conversion/per_cell/per_cell.h"
 #include "conversion/sheets.h"
 #include "files/atomic_file.h"
@@ -70,6 +73,40 @@ TEST_F(StepFile, OfTheCubesSurfaceIsASolid) {
   // Outward normals make it positive.
   EXPECT_NEAR(*report.volume, 2.62041903269898, 2e-5);
   EXPECT_TRUE(report.cells_left_out.empty());
+}
+
+// Points that an edge has and both its faces are one in the file.
+TEST_F(StepFile, OfTrianglesIsSmall) {
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::sheet_of_triangles(8))};
+  const conversion::PatchSet set = conversion::exact_patches(surface);
+  write_step(set, path_);
+  const CadReport report = read_cad_report(path_);
+  EXPECT_TRUE(report.valid);
+  EXPECT_EQ(report.shells, 1);
+  EXPECT_EQ(report.faces, static_cast<int>(set.patches.size()));
+  const conversion::EdgeUses uses(set);
+  int borders = 0;
+  for (int edge = 0; edge < set.edge_count; ++edge) borders += uses.is_border(edge) ? 1 : 0;
+  EXPECT_EQ(report.free_edges, borders);
+  std::size_t points = 0;
+  for (const conversion::BSplinePatch& patch : set.patches) points += patch.control_points.size();
+  const double bytes = static_cast<double>(fs::file_size(path_));
+  EXPECT_LE(bytes, 95.0 * static_cast<double>(points));
+  EXPECT_LE(bytes, 52e3 * 2 * 8 * 8);
+}
+
+TEST_F(StepFile, RefusesWhatCouldNotBeReadBack) {
+  // Three hundred patches of 300 x 300 points; nothing is made of them.
+  conversion::PatchSet set = testing::rectangle(6.0, 4.0, 1, 1);
+  set.patches.front().control_points.resize(90000);
+  set.patches.resize(300, set.patches.front());
+  try {
+    write_step(set, path_);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("about 2700 MB"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(files(), 0);
 }
 
 TEST_F(StepFile, HasTheTrueSize) {
