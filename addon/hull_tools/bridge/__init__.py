@@ -5,6 +5,7 @@ What a user can get wrong raises ValueError with a message to show.
 
 By subject; each uses itself and those above it, nothing else:
   limits          what settings may ask for at most
+  counts          numbers of things in sentences
   native          the native module, which nothing else imports
   blender         Blender itself: its versions, units of the scene, what the user prefers
   background      work in threads and at pauses, beside Blender's own

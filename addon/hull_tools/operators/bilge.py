@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.modelling import bilge
 from .shared import EditModeOperator
@@ -49,12 +50,13 @@ class HULL_OT_round_bilge(bpy.types.Operator, EditModeOperator):
 
 
 def _words(found, worst, scene):
-    sections = "1 section" if len(found) == 1 else f"{len(found)} sections"
+    sections = counted(len(found), "section")
     if worst.found is None:
         return f"{sections}: the surface has no section there; at best {_part(worst, worst.best)}"
     at = units.format_value(scene, worst.x, "m")
     return (
-        f"{sections}, {worst.count} points: off the circle by {_part(worst, worst.found)} at x = "
+        f"{sections}, {counted(worst.count, 'point')}: off the circle by "
+        f"{_part(worst, worst.found)} at x = "
         f"{at}; between equal sections {_part(worst, worst.best)}"
     )
 

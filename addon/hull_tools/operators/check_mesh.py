@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import IntProperty
 
+from ..bridge.counts import counted
 from ..bridge.mesh import selection
 from ..features.hull import hull_state
 from ..features.modelling import face_turning
@@ -53,7 +54,7 @@ class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         count = face_turning.turn_outwards(hull)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{count} faces turned")
+        self.report({"INFO"}, f"{counted(count, 'face')} turned")
 
 
 CLASSES = (HULL_OT_check_mesh, HULL_OT_select_problem, HULL_OT_turn_outwards)

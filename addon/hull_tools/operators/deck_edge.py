@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..bridge.counts import counted
 from ..features.hull import deck_edge
 from .shared import EditModeOperator
 
@@ -16,7 +17,7 @@ class HULL_OT_mark_deck_edge(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         count = deck_edge.mark(hull, context.scene)
-        self.report({"INFO"}, f"The deck edge has {count} edges")
+        self.report({"INFO"}, f"The deck edge has {counted(count, 'edge')}")
 
 
 class HULL_OT_clear_deck_edge(bpy.types.Operator, EditModeOperator):

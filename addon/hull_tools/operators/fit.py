@@ -9,6 +9,7 @@ from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.fitting import fitting
 from .shared import HullOperator, HullReader, can_change
@@ -66,7 +67,7 @@ class HULL_OT_load_stl(bpy.types.Operator, HullOperator, ImportHelper):
         shape = fitting.shape_object(path.stem, points, triangles, context.collection)
         shape.location = hull.matrix_world.translation
         hull_objects.hull_of(context.object).hull.fit.target = shape
-        self.report({"INFO"}, f"{shape.name}: {len(triangles)} triangles read")
+        self.report({"INFO"}, f"{shape.name}: {counted(len(triangles), 'triangle')} read")
 
 
 CLASSES = (HULL_OT_fit, HULL_OT_show_fit_worst, HULL_OT_load_stl)

@@ -6,6 +6,7 @@ from bpy.props import EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
+from ..bridge.counts import counted
 from ..features.hull import hull_creation, hull_state, samples
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there, show_all
 
@@ -19,7 +20,7 @@ def _import(operator, context, path):
     state = hull_state.state_of(obj)
     for note in (*hull.notes, *([state.status] if state.status else _doubts(state))):
         operator.report({"WARNING"}, note)
-    operator.report({"INFO"}, f"{obj.name}: {len(obj.data.polygons)} faces read")
+    operator.report({"INFO"}, f"{obj.name}: {counted(len(obj.data.polygons), 'face')} read")
     return {"FINISHED"}
 
 

@@ -7,6 +7,7 @@ import bpy
 from bpy.props import FloatProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.modelling import knuckle_setting
 from .shared import EditModeOperator
@@ -45,7 +46,8 @@ class HULL_OT_set_knuckle_angle(bpy.types.Operator, EditModeOperator):
         found = knuckle_setting.set_selected(hull, context.scene, self.angle)
         longest = units.format_value(context.scene, found.longest, "m")
         off = units.format_small_angle(found.deviation)
-        words = f"{found.count} control points moved, {longest} at most; the angle is {off} off"
+        moved = counted(found.count, "control point")
+        words = f"{moved} moved, {longest} at most; the angle is {off} off"
         if found.met:
             self.report({"INFO"}, f"{words} at most")
         else:

@@ -5,6 +5,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.lines import cut_planes, line_curves
@@ -81,7 +82,7 @@ class HULL_OT_lines_as_curves(bpy.types.Operator, HullOperator):
         )
         if not count:
             raise ValueError("No lines are shown: switch some on")
-        self.report({"INFO"}, f"{count} curves")
+        self.report({"INFO"}, counted(count, "curve"))
 
 
 CLASSES = (HULL_OT_add_plane, HULL_OT_remove_plane, HULL_OT_lines_as_curves)

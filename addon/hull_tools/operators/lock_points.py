@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..bridge.counts import counted
 from ..bridge.mesh import selection
 from ..features.constraints import point_locks
 from .shared import EditModeOperator
@@ -13,7 +14,7 @@ class SetLocks(EditModeOperator):
 
     def run_on(self, hull, context):
         count = point_locks.set_selected(hull, self.is_locked)
-        self.report({"INFO"}, f"{count} points {self.done}")
+        self.report({"INFO"}, f"{counted(count, 'point')} {self.done}")
 
 
 class HULL_OT_lock_points(bpy.types.Operator, SetLocks):

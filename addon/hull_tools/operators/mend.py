@@ -6,6 +6,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..features.hull import hull_state, plausible
 from ..features.modelling import mirroring, parting
 from .shared import HullOperator, in_object_mode
@@ -67,7 +68,7 @@ class HULL_OT_put_on_centre_plane(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = mirroring.put_centre_line_on_plane(hull, context.scene)
-        self.report({"INFO"}, f"{count} points put on the centre plane")
+        self.report({"INFO"}, f"{counted(count, 'point')} put on the centre plane")
 
 
 class HULL_OT_count_sides(bpy.types.Operator, HullOperator):

@@ -7,6 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from mathutils import Matrix
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.modelling import drags, pull_lines, pulling
@@ -88,7 +89,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
 
     def _tell(self, context, count, longest):
         length = units.format_value(context.scene, longest, "m")
-        self.report({"INFO"}, f"{count} control points moved, {length} at most")
+        self.report({"INFO"}, f"{counted(count, 'control point')} moved, {length} at most")
 
     def invoke(self, context, event):
         if context.area is None or context.area.type != "VIEW_3D":

@@ -4,6 +4,7 @@
 import bpy
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..features.modelling import exact_subdivision, row_insertion
 from .shared import EditModeOperator, HullOperator
 
@@ -19,7 +20,8 @@ class HULL_OT_insert_row(bpy.types.Operator, EditModeOperator):
         found = row_insertion.insert_rows(hull, context.scene)
         self.report(
             {"INFO"},
-            f"{found.count} points: the surface changed by {units.format_mm(found.change)} at "
+            f"{counted(found.count, 'point')}: the surface changed by "
+            f"{units.format_mm(found.change)} at "
             f"most; a cut alone changes it by {units.format_mm(found.cut_change)}",
         )
 

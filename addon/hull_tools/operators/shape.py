@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..features.hull import hull_state
 from ..features.modelling import flat_making, point_places, valence
 from .shared import EditModeOperator
@@ -105,7 +106,7 @@ class HULL_OT_release_flat(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         count = flat_making.release_selected(hull)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{count} faces are not kept flat any longer")
+        self.report({"INFO"}, f"No longer kept flat: {counted(count, 'face')}")
 
 
 class HULL_OT_put_in_plane(bpy.types.Operator, EditModeOperator):
@@ -151,7 +152,7 @@ class HULL_OT_put_in_plane(bpy.types.Operator, EditModeOperator):
         )
         self.position = position  # where one that is typed afterwards begins
         metres = units.format_value(scene, position * units.metres_per_unit(scene), "m")
-        self.report({"INFO"}, f"{count} points at {self.plane.lower()} {metres}")
+        self.report({"INFO"}, f"{counted(count, 'point')} at {self.plane.lower()} {metres}")
 
 
 class HULL_OT_reduce_valence(bpy.types.Operator, EditModeOperator):

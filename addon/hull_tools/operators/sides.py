@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted
 from ..features.modelling import mirroring
 from .shared import HullOperator, in_object_mode
 
@@ -15,7 +16,7 @@ class SidesOperator(HullOperator):
     needs = (in_object_mode, *HullOperator.needs)
 
     def tell_faces(self, hull, which):
-        self.report({"INFO"}, f"{hull.name}: {len(hull.data.polygons)} faces, {which}")
+        self.report({"INFO"}, f"{hull.name}: {counted(len(hull.data.polygons), 'face')}, {which}")
 
 
 class HULL_OT_make_whole(bpy.types.Operator, SidesOperator):

@@ -7,6 +7,7 @@ import numpy as np
 
 from ....hull_io.mending import ACROSS
 from .. import native
+from ..counts import counted
 from . import mesh_arrays
 
 # What the native check says of what Split mends.
@@ -126,7 +127,7 @@ def _centre_line_warnings(mesh, control):
     if not len(near):
         return []
     furthest = np.abs(mesh.points[near, 1]).max()
-    points = "1 point" if len(near) == 1 else f"{len(near)} points"
+    points = counted(len(near), "point")
     message = (
         f"{points} of the centre line off the centre plane, by up to {1e3 * furthest:.3g} mm: put "
         "them there (y = 0), or the two sides do not join"
