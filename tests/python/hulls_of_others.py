@@ -6,15 +6,42 @@ import copy
 import zlib
 
 import numpy as np
-from hull_io.mirror import mirror_faces
 
 NOISES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5)  # of the size
 
+# How much of the volume may change. Triangles and torn borders make another surface of coarse
+# meshes.
+_CHANGES = {"of triangles": 0.15, "torn": 0.1}
+_CHANGE_BY_NOISE, _ROUNDING = 30.0, 1e-6
+# Its faces in the centre plane are left out, and their edges become knuckles.
+_FLAT_IN_CENTRE = ("Parent 22_Oort.fbm", "whole")
+# Her keel is up to 8 cm off the centre plane: both sides leave her open, which is told by the
+# volume from breadths.
+OPEN_KEEL = ("50dragger.fbm", "whole")
+# A dock cut across has a border that no closing rule is for.
+REFUSED = {("pdock+weght_symm.fbm", "torn"): "turned inwards"}
 
-def copies(data, seed):
-    """{name: HullData}; the same for the same arguments."""
+
+def change_of_volume(name, kind):
+    """How much of the original's volume that of a copy may differ."""
+    if (name, kind) == _FLAT_IN_CENTRE:
+        return 1e-3
+    noise = float(kind.split()[1]) if kind.startswith("noise") else 0.0
+    return _CHANGES.get(kind, _CHANGE_BY_NOISE * noise + _ROUNDING)
+
+
+def chosen(names, kinds, few):
+    """Pairs (name, kind): so many of each name that all kinds come in turn; all where few is 0."""
+    for index, name in enumerate(names):
+        wanted = [kinds[(few * index + k) % len(kinds)] for k in range(few)] if few else kinds
+        yield from ((name, kind) for kind in wanted)
+
+
+def copies(data, seed, mirror_faces):
+    """{name: HullData}; the same for the same arguments. mirror_faces: that of hull_io."""
     made = {f"noise {noise:g}": noisy(data, noise, seed) for noise in NOISES}
-    for make in (whole, to_starboard, of_triangles, torn, with_a_wall, pinched):
+    made["whole"] = whole(copy.deepcopy(data), mirror_faces)
+    for make in (to_starboard, of_triangles, torn, with_a_wall, pinched):
         made[make.__name__.replace("_", " ")] = make(copy.deepcopy(data))
     return made
 
@@ -27,7 +54,7 @@ def noisy(data, noise, seed):
     return data
 
 
-def whole(data):
+def whole(data, mirror_faces):
     if data.half:
         mirror_faces(data, range(len(data.faces)))
         data.half = False

@@ -10,10 +10,11 @@ from pathlib import Path
 
 import hull_io
 import hull_native
+import hulls_of_others
 import numpy as np
 import pytest
 from hull_io import mending
-from hulls_of_others import copies
+from hull_io.mirror import mirror_faces
 
 FOLDER = Path(__file__).resolve().parents[3] / "shared" / "hulls" / "freeship"
 SEED = 1722
@@ -21,30 +22,21 @@ ALL = os.environ.get("HULL_ALL_COPIES") == "1"
 FEW = 4
 # Of hulls with more faces STEP takes long.
 MOST_FACES = 10**9 if ALL else 130
-# Relative to the volume before. Triangles and torn borders make another surface of coarse meshes.
-CHANGES = {"of triangles": 0.15, "torn": 0.1}
-CHANGE_BY_NOISE, ROUNDING = 30.0, 1e-6
-# Its faces in the centre plane are left out, and their edges become knuckles.
-FLAT_IN_CENTRE = "Parent 22_Oort.fbm"
-# Her keel is up to 8 cm off the centre plane: both sides leave her open, which is told by the
-# volume from breadths.
-OPEN_KEEL = "50dragger.fbm"
-# A dock cut across has a border that no closing rule is for.
-REFUSED = {("pdock+weght_symm.fbm", "torn"): "turned inwards"}
 
 
 def names():
     return sorted(path.name for path in FOLDER.glob("*.f[bt]m"))
 
 
-def chosen():
-    """Pairs (file, copy): all, or a few for each file that come to all copies together."""
+def pairs():
     if not names():
         return []
-    kinds = list(copies(hull_io.read_hull(FOLDER / names()[0]), SEED))
-    for index, name in enumerate(names()):
-        wanted = kinds if ALL else [kinds[(FEW * index + k) % len(kinds)] for k in range(FEW)]
-        yield from ((name, kind) for kind in wanted)
+    kinds = list(copies_of(names()[0]))
+    return list(hulls_of_others.chosen(names(), kinds, 0 if ALL else FEW))
+
+
+def copies_of(name):
+    return hulls_of_others.copies(hull_io.read_hull(FOLDER / name), SEED, mirror_faces)
 
 
 def surface_of(data):
@@ -80,18 +72,18 @@ def test_the_hulls_are_there():
     assert len(names()) == 13
 
 
-@pytest.mark.parametrize("name, kind", chosen())
+@pytest.mark.parametrize("name, kind", pairs())
 def test_a_copy_goes_all_the_way(name, kind, tmp_path):
     original = hull_io.read_hull(FOLDER / name)
-    data = copies(original, SEED)[kind]
+    data = copies_of(name)[kind]
     notes = len(data.notes)
     mending.mend(data)
     told = data.notes[notes:]
     assert any("starboard" in note for note in told) == (kind == "to starboard" and original.half)
     assert any("split" in note for note in told) == (kind in ("with a wall", "pinched"))
     surface = surface_of(data)
-    if (name, kind) in REFUSED:
-        with pytest.raises(ValueError, match=REFUSED[name, kind]):
+    if (name, kind) in hulls_of_others.REFUSED:
+        with pytest.raises(ValueError, match=hulls_of_others.REFUSED[name, kind]):
             check_volume(name, kind, data, surface, original)
         return
     check_volume(name, kind, data, surface, original)
@@ -112,11 +104,8 @@ def check_volume(name, kind, data, surface, original):
     draft = original.particulars.draft or 0.5 * float(original.points[:, 2].max())
     found = volumes(data, surface, draft)
     wanted = volumes(original, surface_of(original), draft)[0]
-    noise = float(kind.split()[1]) if kind.startswith("noise") else 0.0
-    allowed = CHANGES.get(kind, CHANGE_BY_NOISE * noise + ROUNDING)
-    if (name, kind) == (FLAT_IN_CENTRE, "whole"):
-        allowed = 1e-3
-    if (name, kind) == (OPEN_KEEL, "whole"):
+    if (name, kind) == hulls_of_others.OPEN_KEEL:
         assert abs(found[0] - found[1]) > 0.01 * wanted
         found = found[1:]
+    allowed = hulls_of_others.change_of_volume(name, kind)
     assert found[0] == pytest.approx(wanted, rel=allowed)
