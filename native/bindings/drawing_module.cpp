@@ -15,6 +15,7 @@
 #include "bindings/companion_module.h"
 #include "bindings/paper_names.h"
 #include "bindings/plot.h"
+#include "bindings/progress.h"
 #include "bindings/unmade_instances.h"
 #include "drawing/lines_plan/collect_lines.h"
 
@@ -67,8 +68,9 @@ PYBIND11_MODULE(_drawing, module) {
          const std::optional<double>& station_spacing, const std::optional<double>& frame_spacing,
          bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
-         const std::optional<double>& tolerance) {
+         const std::optional<double>& tolerance, const py::object& progress) {
         hull::drawing::LinesOptions options;
+        options.progress = progress_from(progress);
         options.stations = numbers_from(stations, "stations");
         options.waterlines = numbers_from(waterlines, "waterlines");
         options.buttocks = numbers_from(buttocks, "buttocks");
@@ -94,6 +96,7 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
       py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
       py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
+      py::arg("progress"),
       "What write_lines_drawing does with all positions in m and all options given.");
   refuse_unmade_instances(module);
 }

@@ -9,6 +9,7 @@
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 #include "bindings/loads.h"
+#include "bindings/progress.h"
 
 namespace hull::bindings {
 namespace {
@@ -133,8 +134,10 @@ void bind_cross_curves(py::module_& module) {
   module.def(
       "cross_curves",
       [](const analysis::HullBody& body, const DoubleArray& displacements, const DoubleArray& heels,
-         double water_density, bool free_trim, double trim, double assumed_kg) {
+         double water_density, bool free_trim, double trim, double assumed_kg,
+         const py::object& progress) {
         C result{{}, numbers_from(displacements, "displacements_t"), numbers_from(heels, "heels")};
+        const surface::Progress told = progress_from(progress);
         const py::gil_scoped_release release;
         std::vector<double> volumes;
         for (double mass : result.displacements) {
@@ -142,16 +145,17 @@ void bind_cross_curves(py::module_& module) {
               analysis::LoadCase{mass, Vector3d::Zero(), water_density}.displaced_volume());
         }
         result.curves = analysis::cross_curves(body, volumes, result.heels,
-                                               {mode_of(free_trim), trim, assumed_kg});
+                                               {mode_of(free_trim), trim, assumed_kg, told});
         return result;
       },
       py::arg("body"), py::kw_only(), py::arg("displacements_t"), py::arg("heels"),
       py::arg("water_density") = analysis::kSeaWaterDensity, py::arg("free_trim") = true,
-      py::arg("trim") = 0.0, py::arg("assumed_kg") = 0.0,
+      py::arg("trim") = 0.0, py::arg("assumed_kg") = 0.0, py::arg("progress") = py::none(),
       "CrossCurves of a HullBody for displacements_t (n,) in t and heels (k,) in rad.\n\nWith free "
       "trim the ship is balanced on a centre of gravity at the x of the buoyancy upright at zero "
       "trim, at the height assumed_kg (m); levers are about the base line whatever that is. With "
-      "free_trim=False trim (rad) is held.");
+      "free_trim=False trim (rad) is held. progress: a callable that takes the share done, 0 to 1; "
+      "what it raises ends the work.");
 }
 
 }  // namespace

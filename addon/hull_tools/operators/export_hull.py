@@ -9,8 +9,9 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..bridge.objects import hull_objects
 from ..features import analyses
-from ..features.exchange import exports
+from ..features.exchange import exports, file_tasks
 from .shared import HullReader
+from .tasks import TaskOperator
 
 
 class ExportHull(HullReader, ExportHelper):
@@ -32,6 +33,25 @@ class ExportHull(HullReader, ExportHelper):
 
     def run_on(self, hull, context):
         self.report({"INFO"}, self.write(hull, context.scene))
+
+
+class ExportByTask(TaskOperator, ExportHull):
+    """An export whose work may take seconds. Subclasses: begin(hull, scene) → task; done: what is
+    to be said then."""
+
+    _task = None
+
+    def invoke(self, context, event):
+        self._is_in_window = not bpy.app.background
+        return ExportHull.invoke(self, context, event)
+
+    def cancel(self, context):
+        # The dialog may be closed before there is a task.
+        if self._task is not None:
+            TaskOperator.cancel(self, context)
+
+    def outcome(self, result, scene):
+        return self.done(), False
 
 
 class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
@@ -98,7 +118,7 @@ class ExportDrawing(ExportHull):
         return self.properties.bl_rna.properties["format"].enum_items.keys()
 
 
-class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing):
+class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing, ExportByTask):
     """Draw body plan, profile and half-breadth plan as PDF, SVG, PNG or DXF"""
 
     bl_idname = "hull.export_lines"
@@ -107,8 +127,10 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing):
     filter_glob: StringProperty(default="*.pdf;*.svg;*.png;*.dxf", options={"HIDDEN"})
     format: _format("pdf", "svg", "png", "dxf")
 
-    def write(self, hull, scene):
-        exports.export_lines_drawing(hull, scene, self.filepath)
+    def begin(self, hull, scene):
+        return file_tasks.LinesDrawing(hull, scene, self.filepath)
+
+    def done(self):
         return "Lines plan written"
 
 
@@ -129,7 +151,7 @@ class ExportAnalysis:
         return analyses.ANALYSES[self.analysis].LABEL
 
 
-class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis, ExportHull):
+class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis, ExportByTask):
     """Write a table as CSV, which a spreadsheet opens"""
 
     bl_idname = "hull.export_table"
@@ -141,12 +163,14 @@ class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis, ExportHull):
         name="Table", description="What the table is of", items=_analysis_items(analyses.ANALYSES)
     )
 
-    def write(self, hull, scene):
-        exports.export_table(hull, scene, self.analysis, self.filepath)
+    def begin(self, hull, scene):
+        return file_tasks.Table(hull, scene, self.analysis, self.filepath)
+
+    def done(self):
         return f"{self.label()}: table written"
 
 
-class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis, ExportDrawing):
+class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis, ExportDrawing, ExportByTask):
     """Draw a plot on paper as PDF, SVG or PNG"""
 
     bl_idname = "hull.export_plot"
@@ -158,8 +182,10 @@ class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis, ExportDrawing):
         name="Plot", description="What the plot is of", items=_analysis_items(analyses.PLOTTED)
     )
 
-    def write(self, hull, scene):
-        exports.export_plot(hull, scene, self.analysis, self.filepath)
+    def begin(self, hull, scene):
+        return file_tasks.Plot(hull, scene, self.analysis, self.filepath)
+
+    def done(self):
         return f"{self.label()}: plot written"
 
 

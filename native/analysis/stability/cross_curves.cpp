@@ -42,6 +42,8 @@ std::vector<CrossCurve> cross_curves(const HullBody& body, const std::vector<dou
   check(volumes, heels, options, whole);
   std::vector<CrossCurve> curves;
   for (double volume : volumes) {
+    surface::tell(options.progress, static_cast<double>(curves.size()),
+                  static_cast<double>(volumes.size()));
     HeelingPath upright(closed.body(), volume, whole, Vector3d::Zero(), TrimMode::kFixed, 0.0);
     CrossCurve curve;
     curve.volume = volume;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/stability/heeling_path.h"
+#include "surface/progress.h"
 
 namespace hull::analysis {
 
@@ -13,6 +14,7 @@ struct CrossCurveOptions {
   // Height of the centre of gravity assumed for the trim, m. Levers are counted from the base line
   // whatever it is; it matters only to the trim, and little.
   double assumed_kg = 0.0;
+  surface::Progress progress = {};
 };
 
 // Righting levers KN about the base line, for one displacement.

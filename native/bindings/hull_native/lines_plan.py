@@ -57,6 +57,7 @@ def write_lines_drawing(
     scale=None,
     dxf_unit="m",
     tolerance=None,
+    progress=None,
 ):
     """Draw the lines plan of a LimitSurface on one sheet; path ends in .pdf, .svg, .png or .dxf.
 
@@ -76,6 +77,7 @@ def write_lines_drawing(
     1:10, 12.5, 20, 25, 30, 50, 75, 100, ... that fits. dxf_unit: "m" or "mm", of a DXF file, which is at
     true size. tolerance (m): how far the curves may be from the surface's; by default as far as the
     paper does not show, and 1e-6 of the hull's size for the splines of DXF.
+    progress: a callable that takes the share done, 0 to 1; what it raises ends the work.
 
     The file is complete, or one of the same name is untouched. Raises ValueError if nothing can be
     drawn, the plan does not fit the paper at the scale, or lines would run together; OSError if the
@@ -115,4 +117,5 @@ def write_lines_drawing(
         scale=scale,
         dxf_unit=dxf_unit,
         tolerance=tolerance,
+        progress=progress,
     )

@@ -339,7 +339,13 @@ void write_lines_drawing(const surface::LimitSurface& surface, const LinesOption
     chosen.splines = true;
     chosen.tolerance = options.tolerance.value_or(kDxfTolerance * surface.mesh().size());
   }
-  write_lines_drawing(collect_lines(surface, chosen), path);
+  // In the time of crowded plans most goes into the layout.
+  surface::tell(options.progress, 0.0, 1.0);
+  const LinesDrawing drawing = collect_lines(surface, chosen);
+  surface::tell(options.progress, 0.1, 1.0);
+  const LinesSheet sheet = lay_out_lines(drawing);
+  surface::tell(options.progress, 0.8, 1.0);
+  write_lines_sheet(sheet, drawing, path);
 }
 
 }  // namespace hull::drawing

@@ -8,6 +8,7 @@
 
 #include "drawing/lines_plan/lines_drawing.h"
 #include "surface/limit_surface.h"
+#include "surface/progress.h"
 
 namespace hull::drawing {
 
@@ -33,6 +34,8 @@ struct LinesOptions {
   // How far curves may be from the surface's, m; without it as far as the paper does not show.
   std::optional<double> tolerance;
   bool splines = false;  // sections are splines from knuckle to knuckle
+  // Of write_lines_drawing. When it is not told any more, the file is being written.
+  surface::Progress progress;
 };
 
 // Cuts the surface at every position (in any order, repeated ones once) and adds its borders and

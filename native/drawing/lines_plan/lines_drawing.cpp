@@ -97,7 +97,11 @@ void check_lines_path(const std::string& path) {
 
 void write_lines_drawing(const LinesDrawing& drawing, const std::string& path) {
   check_lines_path(path);
-  const LinesSheet sheet = lay_out_lines(drawing);
+  write_lines_sheet(lay_out_lines(drawing), drawing, path);
+}
+
+void write_lines_sheet(const LinesSheet& sheet, const LinesDrawing& drawing,
+                       const std::string& path) {
   if (is_dxf_path(path)) {
     write_lines_dxf(sheet, drawing.dxf_unit, path);
   } else {

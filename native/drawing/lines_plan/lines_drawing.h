@@ -91,6 +91,11 @@ LinesSheet lay_out_lines(const LinesDrawing& drawing);
 // (lines_dxf.h). Throws as lay_out_lines, write_sheet and write_lines_dxf.
 void write_lines_drawing(const LinesDrawing& drawing, const std::string& path);
 
+// The second step of it. REQUIRES: `sheet` is the drawing's, and the path is one of
+// check_lines_path().
+void write_lines_sheet(const LinesSheet& sheet, const LinesDrawing& drawing,
+                       const std::string& path);
+
 // Throws std::invalid_argument unless the extension of `path` is one of these.
 void check_lines_path(const std::string& path);
 

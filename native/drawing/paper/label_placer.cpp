@@ -10,6 +10,13 @@ using Eigen::Vector2d;
 
 namespace {
 
+constexpr std::size_t kRunLength = 16;
+
+// Whether the circles around both boxes do: quickly told of most.
+bool may_overlap(const OrientedBox& a, const OrientedBox& b) {
+  return (b.centre - a.centre).norm() < a.half.norm() + b.half.norm();
+}
+
 AlignedBox2d bounds_of(const OrientedBox& box) {
   AlignedBox2d bounds;
   for (const Vector2d& corner : box.corners()) bounds.extend(corner);
@@ -22,7 +29,12 @@ int LabelPlacer::add_curve(const std::vector<Vector2d>& points) {
   Curve curve;
   for (std::size_t i = 0; i < points.size(); ++i) {
     curve.bounds.extend(points[i]);
-    if (i > 0) curve.segments.push_back({points[i - 1], points[i]});
+    if (i == 0) continue;
+    if ((i - 1) % kRunLength == 0) curve.runs.emplace_back();
+    Run& run = curve.runs.back();
+    run.bounds.extend(points[i - 1]);
+    run.bounds.extend(points[i]);
+    run.segments.push_back({points[i - 1], points[i]});
   }
   curves_.push_back(std::move(curve));
   return static_cast<int>(curves_.size()) - 1;
@@ -30,13 +42,16 @@ int LabelPlacer::add_curve(const std::vector<Vector2d>& points) {
 
 bool LabelPlacer::is_free(const OrientedBox& box, int own_curve) const {
   for (const OrientedBox& other : boxes_) {
-    if (overlap(box, other)) return false;
+    if (may_overlap(box, other) && overlap(box, other)) return false;
   }
   const AlignedBox2d bounds = bounds_of(box);
   for (int i = 0; i < static_cast<int>(curves_.size()); ++i) {
     if (i == own_curve || !curves_[i].bounds.intersects(bounds)) continue;
-    for (const Segment& segment : curves_[i].segments) {
-      if (overlap(box, segment.a, segment.b)) return false;
+    for (const Run& run : curves_[i].runs) {
+      if (!run.bounds.intersects(bounds)) continue;
+      for (const Segment& segment : run.segments) {
+        if (overlap(box, segment.a, segment.b)) return false;
+      }
     }
   }
   return true;

@@ -30,9 +30,14 @@ class LabelPlacer {
   struct Segment {
     Eigen::Vector2d a, b;
   };
-  struct Curve {
+  // Some segments one after the other.
+  struct Run {
     Eigen::AlignedBox2d bounds;
     std::vector<Segment> segments;
+  };
+  struct Curve {
+    Eigen::AlignedBox2d bounds;
+    std::vector<Run> runs;
   };
 
   std::vector<Curve> curves_;

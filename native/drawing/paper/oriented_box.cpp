@@ -44,8 +44,9 @@ bool overlap(const OrientedBox& a, const OrientedBox& b) {
 bool overlap(const OrientedBox& box, const Vector2d& a, const Vector2d& b) {
   // The clipping of Liang and Barsky 1984 in the frame of the box: the part of the segment within
   // both slabs.
-  const Vector2d start{(a - box.centre).dot(along(box)), (a - box.centre).dot(across(box))};
-  const Vector2d end{(b - box.centre).dot(along(box)), (b - box.centre).dot(across(box))};
+  const Vector2d u = along(box), v{-u.y(), u.x()};
+  const Vector2d start{(a - box.centre).dot(u), (a - box.centre).dot(v)};
+  const Vector2d end{(b - box.centre).dot(u), (b - box.centre).dot(v)};
   double first = 0.0, last = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
     const double step = end[axis] - start[axis];

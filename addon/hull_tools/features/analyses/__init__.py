@@ -5,7 +5,8 @@ Each module here is one analysis:
   LABEL           its name for people
   IS_LIVE         whether it is quick enough to follow every change while it is shown
   inputs          (Object.hull, metres per unit) → what it depends on beside the ship; hashable
-  compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread
+  compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread, and
+                  tells the ship's progress where it may take seconds
   header, rows    (result) → its table: names with units, and rows of numbers and texts
   plot            (result, name of the hull) → hull_native.Plot; absent where nothing is drawn
 What a user can get wrong raises ValueError in `inputs` and `compute`.

@@ -14,12 +14,19 @@ class Ship:
     """body: hull_native.HullBody; its surface is that of the hull. deck_edge: the edges that are
     marked, pairs of the surface's control points; without any the borders along the ship. moved:
     the moves.Moves of a surface that follows edits, else None. memory: what analyses know of the
-    body as it is, or was; by what it is."""
+    body as it is, or was; by what it is. progress: is told the share of long work that is done;
+    what it raises ends the work."""
 
     body: object
     deck_edge: tuple
     moved: object = None
     memory: dict = field(default_factory=dict)
+    progress: object = None
+
+    def tell(self, done, count):
+        """So many of a count of steps are done."""
+        if self.progress is not None:
+            self.progress(done / count)
 
     def hydrostatics(self, where):
         """The hull_native.Hydrostatics at an Afloat; ValueError as hydrostatics.computed."""
@@ -51,8 +58,8 @@ class ShipSource:
             hull_native.ControlMesh(*self.control.arguments()), self.scheme
         )
 
-    def new_ship(self):
-        return Ship(self.new_body(self.new_surface()), self.deck_edge)
+    def new_ship(self, progress=None):
+        return Ship(self.new_body(self.new_surface()), self.deck_edge, progress=progress)
 
     @cached_property
     def ship(self):

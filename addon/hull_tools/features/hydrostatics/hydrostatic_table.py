@@ -2,6 +2,7 @@
 """Hydrostatics over drafts and trims: table, and curves of even keel or the first trim."""
 
 from dataclasses import dataclass, replace
+from itertools import product
 from math import degrees
 
 import numpy as np
@@ -16,6 +17,7 @@ LABEL = "Hydrostatics"
 IS_LIVE = False
 
 _DEFAULT_ROWS = 10
+_DRAFTS_AT_ONCE = 50  # then it is told how far the work is
 _CURVE_ROWS = 40  # of the plot, whatever the table's step
 
 
@@ -61,9 +63,11 @@ def inputs(settings, metres_per_unit):
 def compute(ship, given):
     """Rows for the drafts at which something is under water; ValueError if there are none."""
     described = []
-    for trim_m in given.trims:
+    starts = range(0, len(given.drafts), _DRAFTS_AT_ONCE)
+    for number, (trim_m, start) in enumerate(product(given.trims, starts)):
+        ship.tell(number, len(given.trims) * len(starts))
         where = replace(given.where, trim_m=trim_m)
-        for found in _afloat(ship.body, where, given.drafts):
+        for found in _afloat(ship.body, where, given.drafts[start : start + _DRAFTS_AT_ONCE]):
             described.append(hydrostatics.described(found, replace(where, draft=found.draft)))
     if not described:
         raise ValueError(f"Nothing is under water up to a draft of {given.drafts[-1]:.3f} m")

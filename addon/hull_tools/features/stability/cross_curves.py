@@ -61,6 +61,7 @@ def compute(ship, given):
         free_trim=given.load.free_trim,
         trim=given.load.where.trim,
         assumed_kg=given.load.kg,
+        progress=ship.progress,
     )
     return Result(curves, given)
 

@@ -63,7 +63,11 @@ def inputs(settings, metres_per_unit):
 
 def compute(ship, given):
     """A CaseEquilibrium of each case."""
-    return [_equilibrium(ship.body, case, given.where) for case in given.cases]
+    found = []
+    for case in given.cases:
+        ship.tell(len(found), len(given.cases))
+        found.append(_equilibrium(ship.body, case, given.where))
+    return found
 
 
 def _equilibrium(body, case, where):

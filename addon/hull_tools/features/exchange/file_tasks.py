@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables, plots and lines plans written beside Blender's own work: tasks, as conversions are, of a
+hull as it is when they are made.
+
+What is cancelled leaves a file of the name as it was.
+"""
+
+from ...bridge import native
+from ...bridge.background import jobs
+from ...bridge.blender import units
+from .. import analyses
+from ..conversion import conversions
+from ..hull import hull_state
+from ..lines import lines_plan
+from . import tables, title_block
+
+
+class LinesDrawing(jobs.JobTask):
+    """The lines plan that Object.hull.plan asks for; SVG, PDF, PNG or DXF by the name's ending."""
+
+    text = "Drawing the lines plan"
+
+    def __init__(self, obj, scene, path):
+        self.state = hull_state.up_to_date(obj, scene)
+        source, scale = self.state.ship.source, units.metres_per_unit(scene)
+        options = {
+            "title": obj.name,
+            "particulars": title_block.particulars(obj.hull, self.state.ship.body, scale),
+            **lines_plan.drawing_options(obj.hull, self.state.ship.surface, scale),
+        }
+        write = native.require().write_lines_drawing
+        self._job = jobs.Job(
+            lambda progress: write(source.new_surface(), path, progress=progress, **options)
+        )
+        conversions.watch(self)
+
+    def result(self):
+        """Waits until the file is written; ValueError and OSError with the reason when it was not,
+        jobs.Cancelled when it was cancelled."""
+        return self._job.result()
+
+
+class AnalysisFile(jobs.JobTask):
+    """A file of one of analyses.ANALYSES, which is computed where that was not done yet, and kept.
+
+    Subclasses write it: write(result, path), in the thread.
+    """
+
+    # Of the time that computing and writing take together.
+    _SHARE_OF_COMPUTING = 0.9
+
+    def __init__(self, obj, scene, name, path):
+        self.state = hull_state.up_to_date(obj, scene)
+        self.text, self._name, self._title = analyses.ANALYSES[name].LABEL, name, obj.name
+        known, is_current = analyses.last_outcome(obj, scene, name)
+        if analyses.ANALYSES[name].IS_LIVE or not is_current:
+            known = None  # live ones are not as close as can be
+        self._key, source = analyses.key_of(obj, scene, name), self.state.ship.source
+
+        def work(progress):
+            outcome = known or analyses.computed(
+                name,
+                source.new_ship(lambda share: progress(self._SHARE_OF_COMPUTING * share)),
+                self._key,
+            )
+            if outcome.message:
+                raise ValueError(outcome.message)
+            progress(self._SHARE_OF_COMPUTING)
+            self.write(outcome.result, path)
+            return outcome
+
+        self._job = jobs.Job(work)
+        conversions.watch(self)
+
+    def result(self):
+        """The same as of LinesDrawing."""
+        outcome = self._job.result()
+        if not analyses.ANALYSES[self._name].IS_LIVE:
+            analyses.keep(self.state, self._name, self._key, outcome)
+
+
+class Table(AnalysisFile):
+    """As CSV."""
+
+    def write(self, result, path):
+        analysis = analyses.ANALYSES[self._name]
+        tables.write_table(path, analysis.header(result), analysis.rows(result))
+
+
+class Plot(AnalysisFile):
+    """On paper; SVG, PDF or PNG by the file name's ending."""
+
+    def write(self, result, path):
+        native.require().write_plot(analyses.PLOTTED[self._name].plot(result, self._title), path)
