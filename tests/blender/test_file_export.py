@@ -2,11 +2,12 @@
 """Files for others: written whole or not at all, and read back."""
 
 import csv
+import threading
 from types import MethodType, SimpleNamespace
 
 import bpy
 import pytest
-from addon_under_test import add_hull
+from addon_under_test import add_hull, part
 
 
 def test_a_folder_that_is_not_there_is_one_message(tmp_path):
@@ -66,3 +67,58 @@ def test_the_format_is_chosen_in_the_dialog():
     assert check(filepath="/tmp/no ending") == ("/tmp/no ending.svg", ".svg")
     assert check() == ("/tmp/no ending.svg", ".svg")
     assert rna.properties["format"].enum_items.keys() == [".pdf", ".svg", ".png", ".dxf"]
+
+
+def sample_with_a_long_table():
+    bpy.ops.hull.load_sample(name="coaster")
+    hull = bpy.context.object
+    hull.hull.table.trims = "-1:1:0.1"
+    bpy.context.view_layer.update()
+    return hull
+
+
+def test_a_cancelled_table_leaves_the_file_as_it_was(tmp_path, monkeypatch):
+    """The work is held up in its first part, until it was cancelled."""
+    hull = sample_with_a_long_table()
+    module = part("features.hydrostatics.hydrostatic_table")
+    begun, cancelled = threading.Event(), threading.Event()
+    original = module._afloat
+
+    def afloat_behind_gate(*arguments):
+        assert threading.current_thread() is not threading.main_thread()
+        begun.set()
+        assert cancelled.wait(30.0)
+        return original(*arguments)
+
+    monkeypatch.setattr(module, "_afloat", afloat_behind_gate)
+    path = tmp_path / "table.csv"
+    path.write_text("before")
+    task = part("features.exchange.file_tasks").Table(
+        hull, bpy.context.scene, "hydrostatic_table", str(path)
+    )
+    assert begun.wait(30.0)
+    assert part("features.conversion.conversions").running(hull) is task
+    task.cancel()
+    cancelled.set()
+    with pytest.raises(part("bridge.background.jobs").Cancelled):
+        task.result()
+    assert path.read_text() == "before"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("name", ["hydrostatic_table", "cross_curves"])
+def test_a_long_table_tells_how_far_it_is(name, tmp_path, monkeypatch):
+    hull = sample_with_a_long_table()
+    shares, jobs = [], part("bridge.background.jobs")
+    told = jobs.Job._tell
+
+    def note(job, share):
+        shares.append(share)
+        told(job, share)
+
+    monkeypatch.setattr(jobs.Job, "_tell", note)
+    bpy.ops.hull.export_table(analysis=name, filepath=str(tmp_path / "table.csv"))
+    assert len(shares) > 5 and shares == sorted(shares) and shares[-1] == 1.0
+    # What was computed is known to the panels now.
+    outcome, is_current = part("features.analyses").last_outcome(hull, bpy.context.scene, name)
+    assert is_current and outcome.result is not None

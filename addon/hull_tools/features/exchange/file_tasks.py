@@ -76,7 +76,7 @@ class AnalysisFile(jobs.JobTask):
         """The same as of LinesDrawing."""
         outcome = self._job.result()
         if not analyses.ANALYSES[self._name].IS_LIVE:
-            analyses.keep(self.state, self._name, self._key, outcome)
+            analyses.store(self.state, self._name, self._key, outcome)
 
 
 class Table(AnalysisFile):
