@@ -75,9 +75,9 @@ def write_lines_drawing(
     title_block: up to 8 pairs (name, value) of texts below the title; particulars: up to 16.
     paper: "A4" to "A0", or (width, height) in mm. scale: 100 for 1:100; by default the largest of
     1:10, 12.5, 20, 25, 30, 50, 75, 100, ... that fits. dxf_unit: "m" or "mm", of a DXF file, which
-    is at true size. tolerance (m): how far the curves may be from the surface's; by default as far as the
-    paper does not show, and 1e-6 of the hull's size for the splines of DXF.
-    progress: a callable that takes the share done, 0 to 1; what it raises ends the work.
+    is at true size. tolerance (m): how far the curves may be from the surface's; by default as far
+    as the paper does not show, and 1e-6 of the hull's size for the splines of DXF. progress: a
+    callable that takes the share done, 0 to 1; what it raises ends the work.
 
     The file is complete, or one of the same name is untouched. Raises ValueError if nothing can be
     drawn, the plan does not fit the paper at the scale, or lines would run together; OSError if the
