@@ -147,8 +147,10 @@ def test_what_came_too_late_is_shown_as_out_of_date(gate):
     gate.set()
     take_finished()
     overlay = part("overlays.plots")
+    overlay.follow()
     assert len(overlay.shown_arrays()) == 1 and overlay.shown_outdated() == {0}
     compute([(hull.name, NAME)])
+    overlay.follow()
     assert len(overlay.shown_arrays()) == 1 and overlay.shown_outdated() == set()
 
 

@@ -8,6 +8,7 @@ from addon_under_test import add_hull, compute, make_active, module_name, part, 
 
 
 def shown():
+    part("overlays.plots").follow()  # as at each drawing
     return part("overlays.plots").shown_arrays()
 
 
@@ -87,13 +88,53 @@ def test_a_new_file_shows_none():
 def test_an_addon_that_is_off_shows_none():
     with_plot()
     name = module_name()
-    viewers = part("features.analyses.live_analyses").plot_viewers
+    live = part("features.analyses.live_analyses")
+    assert len(live.plots().shown) == 1
     addon_utils.disable(name)
     try:
-        assert not viewers
+        assert not live.plots().shown
     finally:
         addon_utils.enable(name, default_set=True)
-    assert len(part("features.analyses.live_analyses").plot_viewers) == 1
+    bpy.context.view_layer.update()
+
+
+def test_what_was_missed_for_a_pause_is_computed(monkeypatch):
+    live, worker = part("features.analyses.live_analyses"), part("bridge.background.worker")
+    hull = add_hull()
+    bpy.context.view_layer.update()
+    scene, now = bpy.context.scene, [100.0]
+    monkeypatch.setattr(live, "monotonic", lambda: now[0])
+    assert live.latest(hull, scene, "cross_curves") == (None, False)
+    live.follow_wanted()
+    assert not worker.is_busy(), "no pause yet"
+    now[0] += 0.15
+    hull.hull.draft += 0.1
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    live.latest(hull, scene, "cross_curves")
+    now[0] += 0.15
+    live.follow_wanted()
+    assert not worker.is_busy(), "it has changed meanwhile"
+    now[0] += 0.15
+    live.latest(hull, scene, "cross_curves")
+    live.follow_wanted()
+    assert worker.is_busy()
+    worker.finish()
+    assert live.take_finished() and live.latest(hull, scene, "cross_curves")[1]
+
+
+def test_what_nobody_looks_at_any_longer_is_not_computed(monkeypatch):
+    hull, live = add_hull(), part("features.analyses.live_analyses")
+    bpy.context.view_layer.update()
+    monkeypatch.setattr(live, "monotonic", lambda: 100.0)
+    live.latest(hull, bpy.context.scene, "cross_curves")
+    hull.data.vertices[0].co.x -= 1.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    monkeypatch.setattr(live, "monotonic", lambda: 101.0)
+    live.follow_wanted()
+    assert not part("bridge.background.worker").is_busy()
 
 
 def test_what_was_asked_for_is_computed_and_shown():

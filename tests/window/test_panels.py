@@ -55,6 +55,17 @@ def test_every_panel_is_drawn_to_its_end(window):
     yield
     with window.in_view():
         bpy.ops.object.mode_set(mode="EDIT")
+    yield lambda: is_computed(hull, "criteria")
     yield lambda: not part("bridge.background.worker").is_busy()
+    assert not is_computed(hull, "cross_curves"), "nothing shows them"
+    hull.hull.plots.cross_curves = True
+    yield lambda: is_computed(hull, "cross_curves")
+    yield lambda: len(part("overlays.plots").shown_arrays()) == 1
     bpy.context.preferences.view.ui_scale = 1.0
     assert drawn == wanted
+
+
+def is_computed(hull, name):
+    """Whether an analysis of a hull is known as it is now."""
+    outcome, is_current = part("features.analyses").last_outcome(hull, bpy.context.scene, name)
+    return is_current and outcome is not None and outcome.result is not None

@@ -105,6 +105,7 @@ def after_load(*unused):
 
 def begin():
     """Brings all hulls of the file up to date, of which nothing is known yet."""
+    live_analyses.start()
     _follow_all()
     colour_views.follow()
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plots over the 3D view: cards in a corner, one beside or above the other.
 
-`show` is told which plots are on and where; it makes the arrays, and only when something changed.
-Drawing reads them and nothing else.
+`follow` reads which plots are on and where, and has their arrays made where something changed.
 """
 
 from dataclasses import dataclass
@@ -12,7 +11,8 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge.blender import blender_versions, preferences, redraw
+from ..bridge.blender import blender_versions, preferences
+from ..features.analyses import live_analyses
 from .plot_arrays import arrays_of
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
@@ -73,15 +73,19 @@ def show(plots, placement=None, outdated=()):
     plots, placement = list(plots), placement or Placement()
     outdated = frozenset(outdated)
     if plots == _shown.plots and placement == _shown.placement:
-        if outdated != _shown.outdated:
-            _shown.outdated = outdated
-            redraw.redraw()
+        _shown.outdated = outdated
         return
     arrays = [arrays_of(plot, placement.width_mm, placement.height_mm) for plot in plots]
     _shown.plots, _shown.placement, _shown.arrays = plots, placement, arrays
     _shown.outdated = outdated
     _shown.batches = None
-    redraw.redraw()
+
+
+def follow():
+    """Shows what features.analyses has to show now."""
+    now = live_analyses.plots()
+    outdated = {index for index, one in enumerate(now.shown) if not one.is_current}
+    show([one.plot for one in now.shown], Placement.sized(now.corner, now.size), outdated)
 
 
 def hide():
@@ -164,6 +168,7 @@ def free_room(area, region):
 
 
 def _draw():
+    follow()
     if not _shown.arrays:
         return
     context = bpy.context

@@ -93,7 +93,6 @@ class HULL_PT_dialog_report(_DialogPanel, bpy.types.Panel):
 
     def draw(self, context):
         hull = hull_objects.hull_of(context.object)
-        conversions.request(hull)
         draw_task(self.layout, hull)
         draw_report(self.layout, context, hull)
 

@@ -38,8 +38,14 @@ def _percent_done(settings):
     return 0.0 if task is None else 100.0 * task.share
 
 
+def _choice_changed(settings, context):
+    """Beside a file dialog of STEP and IGES files the report is of the choice as it is."""
+    if context.space_data is not None and context.space_data.type == "FILE_BROWSER":
+        conversions.request(settings.id_data)
+
+
 class HullExport(bpy.types.PropertyGroup):
-    """Nothing here changes what is shown of the hull: no update is asked for."""
+    """Nothing here changes what is shown of the hull."""
 
     conversion: EnumProperty(
         name="Conversion",
@@ -50,6 +56,7 @@ class HullExport(bpy.types.PropertyGroup):
             ("PER_CELL", "One a cell", "One patch for each cell of the control mesh, an "
              "approximation near irregular points: for comparison"),
         ),
+        update=_choice_changed,
     )  # fmt: skip
     control_points: IntProperty(
         name="Control points",
@@ -57,6 +64,7 @@ class HullExport(bpy.types.PropertyGroup):
         default=5,
         min=4,
         max=7,
+        update=_choice_changed,
     )
     tolerance: FloatProperty(
         name="Of the length",
@@ -67,6 +75,7 @@ class HullExport(bpy.types.PropertyGroup):
         max=0.01,
         precision=6,
         step=0.0001,
+        update=_choice_changed,
     )
     tolerance_mm: FloatProperty(
         name="Tolerance mm",
@@ -85,11 +94,13 @@ class HullExport(bpy.types.PropertyGroup):
         0.0,
         0.0,
         radians(5.0),
+        _choice_changed,
     )
     matched_knots: BoolProperty(
         name="Matched knots",
         description="Neighbouring patches have the same knots along the border they share, and "
         "more of them: for systems that join no others",
+        update=_choice_changed,
     )
     most_control_points: IntProperty(
         name="Most per patch",
@@ -97,11 +108,13 @@ class HullExport(bpy.types.PropertyGroup):
         "divided. 0: as many as there are",
         min=0,
         max=1000000,
+        update=_choice_changed,
     )
     bezier: BoolProperty(
         name="Bézier patches",
         description="Patches are divided at their knots, into 4 × 4 control points each: for "
         "systems that take no others. There are very many",
+        update=_choice_changed,
     )
     progress: FloatProperty(
         name="Progress",

@@ -34,7 +34,7 @@ def mass(name, description):
     )
 
 
-def angle(name, description, default, minimum, maximum):
+def angle(name, description, default, minimum, maximum, update=changed):
     """Radians, shown in degrees."""
     return FloatProperty(
         name=name,
@@ -46,5 +46,5 @@ def angle(name, description, default, minimum, maximum):
         subtype="ANGLE",
         precision=3,
         step=100,
-        update=changed,
+        update=update,
     )

@@ -5,7 +5,8 @@ pauses, in a thread. Nothing is computed that no panel and no plot shows.
 Blender's windows are needed for it: in the background nobody looks, and nothing is computed.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from time import monotonic
 
 import bpy
 
@@ -17,15 +18,10 @@ from ..hull import hull_state
 
 # A pause this long in the changes, and the numbers are made.
 _PAUSE_SECONDS = 0.2
-_LOOK_SECONDS = 0.05  # between looks at what the thread has made
+_LOOK_SECONDS = 0.05  # between looks at what is wanted, and at what the thread has made
 
-_wanted = set()  # (object's name, analysis)
 _asked = {}  # (identity of a HullState, analysis): the key_of that the thread was given last
 _plot_cache = {}  # analysis: (result, hull's name, plot)
-
-# What shows plots: functions that take a list of Shown and, unless nothing is shown,
-# Object.hull.plots, which says where.
-plot_viewers = []
 
 
 @dataclass(frozen=True)
@@ -36,29 +32,65 @@ class Shown:
     is_current: bool
 
 
+@dataclass(frozen=True)
+class Plots:
+    """What 3D views are to show now: Shown, and the corner and size that Object.hull.plots says."""
+
+    shown: tuple = ()
+    corner: str = "BOTTOM_LEFT"
+    size: float = 1.0
+
+
+@dataclass
+class Wanted:
+    """What was missed of one hull by who looked: {analysis: (its key_of, since when)}, monotonic
+    seconds."""
+
+    since: dict = field(default_factory=dict)
+
+
 def latest(obj, scene, name):
     """(the last Outcome for a panel to show or None, whether it is of the hull as it is now).
 
-    One that is not is asked for.
+    That one is missed is noted in the hull's state, for `follow_wanted` to act on.
     """
     outcome, is_current = analyses.last_outcome(obj, scene, name)
     if not is_current:
-        _request(obj, name)
+        key, since = analyses.key_of(obj, scene, name), _wanted(obj)
+        if name not in since or since[name][0] != key:
+            since[name] = key, monotonic()
     return outcome, is_current
 
 
-def show_plots(obj, scene):
-    """Shows the plots that are switched on for this hull, of what is known of it; None: none.
+def _wanted(obj):
+    return hull_state.state_of(obj).of(Wanted).since
 
-    Quick analyses are brought up to date, the others are asked for.
+
+def plots():
+    """The Plots of now, for those who draw them."""
+    return _plots
+
+
+def show_plots(obj, scene):
+    """Has the plots shown that are switched on for this hull, of what is known of it; None: none.
+
+    Quick analyses are brought up to date, the others are noted as wanted.
     """
-    shown, settings = [], None
+    found = Plots()
     if obj is not None and hull_state.state_of(obj) is not None:
         settings = obj.hull.plots
         names = [name for name in analyses.PLOTTED if getattr(settings, name)]
-        shown = [plot for name in names for plot in _plots_of(obj, scene, name)]
-    for view in plot_viewers:
-        view(shown, settings)
+        shown = tuple(plot for name in names for plot in _plots_of(obj, scene, name))
+        if shown:
+            found = Plots(shown, settings.corner, settings.size)
+    _put_on_view(found)
+
+
+def _put_on_view(found):
+    global _plots
+    if found != _plots:
+        _plots = found
+        redraw.redraw()
 
 
 def _plots_of(obj, scene, name):
@@ -86,20 +118,17 @@ def _outcome(obj, scene, name):
         return analyses.Outcome(message=str(error))
 
 
-def _request(obj, name):
-    """Asks for an analysis at the next pause; each request for something new puts it off."""
-    if bpy.app.background:
-        return
-    _wanted.add((obj.name, name))
-    _pause.put_off()
-
-
-def _begin_wanted():
-    wanted = sorted(_wanted)
-    _wanted.clear()
-    begin(wanted)
-    if worker.is_busy():
-        _looks.start()
+def follow_wanted():
+    """Has what is wanted for the time of a pause, and is so still, computed in the thread."""
+    scene, now, due = bpy.context.scene, monotonic(), []
+    for obj, state in hull_state.known_hulls(bpy.context.view_layer):
+        since = state.of(Wanted).since
+        for name in [name for name, (_, begun) in since.items() if now - begun >= _PAUSE_SECONDS]:
+            key, _ = since.pop(name)
+            if not analyses.last_outcome(obj, scene, name)[1]:
+                if analyses.key_of(obj, scene, name) == key:
+                    due.append((obj.name, name))
+    begin(due)
 
 
 def begin(wanted):
@@ -141,21 +170,24 @@ def take_finished():
 
 
 def _look():
+    follow_wanted()
     take_finished()
-    return worker.is_busy()
+    return True
 
 
-_pause = timers.Timer(_PAUSE_SECONDS, _begin_wanted)
+_plots = Plots()
 _looks = timers.Timer(_LOOK_SECONDS, _look)
 
 
+def start():
+    """Looks from now on, again and again, at what is wanted: what is drawn only notes it."""
+    _looks.start()
+
+
 def stop():
-    """Forgets all requests and plots, and shows none; when this returns nothing is computed."""
-    _pause.stop()
+    """Forgets what is on its way, and all plots; when this returns nothing is computed."""
     _looks.stop()
     worker.stop()
-    _wanted.clear()
     _asked.clear()
     _plot_cache.clear()
-    for view in plot_viewers:
-        view([], None)
+    _put_on_view(Plots())

@@ -183,7 +183,8 @@ def _look():
 
 
 def request(obj):
-    """Has a hull converted at the next pause if that is due; for what is drawn again and again."""
+    """Has a hull converted at the next pause if that is due: for a file dialog that opens, and for
+    settings that are changed beside it."""
     if bpy.app.background or not _is_due(obj):
         return
     _requested.add(obj.name)
