@@ -20,3 +20,8 @@ def test_reports(points, words, capfd):
     assert bpy.ops.hull.lock_points() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     assert words in capfd.readouterr().out
+
+
+@pytest.mark.parametrize("count, words", [(0, "0 edges are"), (1, "1 edge is"), (2, "2 edges are")])
+def test_the_verb_agrees(count, words):
+    assert part("bridge.counts").counted_are(count, "edge") == words

@@ -148,7 +148,7 @@ def test_what_cannot_be_marked_says_why():
     select_edges(hull, SIDE)
     bpy.ops.hull.tag_smooth()
     select_edges(hull, SIDE)
-    with pytest.raises(RuntimeError, match="1 of the 1 selected edges are neither crease"):
+    with pytest.raises(RuntimeError, match="neither crease nor border of the shell: 1 of 1"):
         bpy.ops.hull.mark_deck_edge()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert not bpy.ops.hull.mark_deck_edge.poll()

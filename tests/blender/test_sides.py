@@ -128,7 +128,7 @@ def test_points_on_the_other_side_are_refused():
     hull = add_hull()
     edit(hull, lambda bm: setattr(bm.verts[0].co, "y", -0.5))
     before = mesh_points(hull)
-    with pytest.raises(RuntimeError, match="1 points of the half hull are to starboard"):
+    with pytest.raises(RuntimeError, match="1 point of the half hull to starboard"):
         bpy.ops.hull.make_whole()
     assert np.array_equal(mesh_points(hull), before) and hull.hull.half
 

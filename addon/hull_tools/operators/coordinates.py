@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, CollectionProperty, FloatVectorProperty
 
 from ..bridge.blender import units
+from ..bridge.counts import counted, counted_are
 from ..bridge.objects import hull_objects
 from ..features.modelling import point_places
 from .shared import EditModeOperator
@@ -44,7 +45,9 @@ class HULL_OT_set_coordinates(bpy.types.Operator, EditModeOperator):
     def _open_table(self, context):
         rows = point_places.selected_points(hull_objects.hull_of(context.object))
         if len(rows) > _MOST_ROWS:
-            raise ValueError(f"{len(rows)} points are selected: the table has {_MOST_ROWS} rows")
+            raise ValueError(
+                f"{counted_are(len(rows), 'point')} selected: the table has {_MOST_ROWS} rows"
+            )
         self.points.clear()
         for index, place in rows:
             row = self.points.add()
@@ -64,9 +67,7 @@ class HULL_OT_set_coordinates(bpy.types.Operator, EditModeOperator):
         places = {_number(row): [part / scale for part in row.co] for row in self.points}
         held = point_places.set_points(hull, context.scene, places)
         if held:
-            text = (
-                f"{held} of {len(places)} points are in a region that is kept flat: they stay in it"
-            )
+            text = f"In a region that is kept flat: {held} of {counted(len(places), 'point')}"
             self.report({"WARNING"}, text)
 
 

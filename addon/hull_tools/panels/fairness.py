@@ -102,7 +102,9 @@ class HULL_PT_knuckles(HullPanel, bpy.types.Panel):
             column.scale_y = 0.8
             column.label(text="Least, mean, largest angle")
             for place, one in enumerate(outcome.result):
-                reach = " – ".join(format_value(context.scene, x, "m") for x in one.reach)
+                # A knuckle across the ship is at one place.
+                ends = dict.fromkeys(format_value(context.scene, x, "m") for x in one.reach)
+                reach = " – ".join(ends)
                 column.label(text=f"{place + 1}: {reach}")
                 column.label(text=_angles(one), icon="BLANK1")
         layout.prop(hull.hull.plots, "knuckle_angles", text="Plot over the view")

@@ -38,6 +38,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         if result is not None:
             self._draw_levers(place, context, result)
         export_buttons(layout, "righting_levers")
+        # Last: they come and go while points are dragged, and no button is to move with them.
+        for remark in result.remarks() if result is not None else ():
+            label_wrapped(layout, context, remark, icon="INFO")
 
     def _draw_load(self, layout, loading):
         layout.prop(loading, "use_displacement")
@@ -70,11 +73,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         line(f"– at heel{at_end}", found.greatest_lever_heel, "deg")
         line("Vanishing at", found.vanishing_heel, "deg")
         line("Deck edge at", found.deck_edge_heel, "deg")
-        line("Flooding at", found.downflooding_heel, "deg")
+        line("Downflooding at", found.downflooding_heel, "deg")
         for start, end, area in result.areas():
             line(f"Area {degrees(start):.3g}–{_degrees(end)}", area, "m rad")
-        for remark in result.remarks():
-            label_wrapped(layout, context, remark, icon="INFO")
 
 
 class HULL_PT_levers(HullPanel, bpy.types.Panel):

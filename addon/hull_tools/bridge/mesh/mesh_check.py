@@ -7,7 +7,7 @@ import numpy as np
 
 from ....hull_io.mending import ACROSS
 from .. import native
-from ..counts import counted
+from ..counts import counted, counted_are
 from . import mesh_arrays
 
 # What the native check says of what Split mends.
@@ -95,10 +95,14 @@ def _tag_warnings(data):
     edges, vertices = mesh_arrays.fractional_creases(data)
     problems = []
     if len(edges):
-        message = f"{len(edges)} edges are creased between 0 and 1: make them crease or smooth"
+        message = (
+            f"{counted_are(len(edges), 'edge')} creased between 0 and 1: make crease or smooth"
+        )
         problems.append(Problem("warning", "edge", tuple(map(tuple, edges.tolist())), message))
     if len(vertices):
-        message = f"{len(vertices)} points are creased between 0 and 1: make them corner or smooth"
+        message = (
+            f"{counted_are(len(vertices), 'point')} creased between 0 and 1: make corner or smooth"
+        )
         problems.append(Problem("warning", "vertex", tuple(vertices.tolist()), message))
     return problems
 
@@ -113,7 +117,7 @@ def _side_warnings(control, half):
         problems.append(Problem("error", "vertex", elements, message, "PORT"))
     elif half and len(starboard):
         elements = tuple(control.vertex_ids[starboard].tolist())
-        message = f"{len(starboard)} points of the half hull are to starboard (y < 0)"
+        message = f"{counted(len(starboard), 'point')} of the half hull to starboard (y < 0)"
         problems.append(Problem("warning", "vertex", elements, message))
     if outward_flux(control) < 0.0:
         elements = tuple(control.face_ids.tolist())

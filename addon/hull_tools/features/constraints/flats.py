@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
+from ...bridge.counts import counted_are
 from ...bridge.mesh import mesh_points
 from . import flat_marks, planes
 
@@ -77,8 +78,8 @@ def mark(obj, faces, plane):
     if apart:
         _write_numbers(obj.data, faces, before)
         raise ValueError(
-            f"{apart} of the points are kept in another plane that does not meet this one: release "
-            "the other region first, or choose the same plane"
+            f"{counted_are(apart, 'point')} kept in another plane that does not meet this one: "
+            "release the other region first, or choose the same plane"
         )
     mesh_points.write(obj.data, points, there)
     store_plane(obj, number, plane)

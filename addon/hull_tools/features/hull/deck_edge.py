@@ -27,8 +27,8 @@ def points_of(surface, edges):
     if marked - whole:
         count = len(marked - whole)
         raise ValueError(
-            f"{count} of the {len(marked)} edges marked as deck edge are no crease or border, or "
-            "part of one that is not marked all along: select them and mark the deck edge again"
+            f"Of the edges marked as deck edge {count} of {len(marked)} belong to no crease or "
+            "border, or to one that is not marked all along: select it and mark the deck edge again"
         )
     return sorted({point for edge in whole for point in edge})
 
@@ -45,8 +45,8 @@ def mark(obj, scene):
     marked = set(tags.chains_through(obj, scene, selected))
     if selected - marked:
         raise ValueError(
-            f"{len(selected - marked)} of the {len(selected)} selected edges are neither crease "
-            "nor border of the shell: make them a crease first"
+            f"Selected edges that are neither crease nor border of the shell: "
+            f"{len(selected - marked)} of {len(selected)}. Make a crease of them first"
         )
     bm = bmesh.from_edit_mesh(obj.data)
     edges = [tags.edge_key(*(vertex.index for vertex in edge.verts)) for edge in bm.edges]

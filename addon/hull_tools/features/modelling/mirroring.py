@@ -16,6 +16,7 @@ from mathutils import kdtree
 
 from ....hull_io.mending import ACROSS
 from ...bridge.blender import blender_versions
+from ...bridge.counts import counted
 from ...bridge.mesh import mesh_check, mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user, editing
 from ..constraints import flat_marks, flats, planes
@@ -49,7 +50,7 @@ def to_whole(obj, scene):
         astray = sum(vertex.co.y < 0.0 for vertex in bm.verts if vertex.link_faces)
         if astray:
             raise ValueError(
-                f"{astray} points of the half hull are to starboard (y < 0): move them to port"
+                f"{counted(astray, 'point')} of the half hull to starboard (y < 0): move to port"
             )
         numbers = _numbers_of_other_side(obj)
         _add_other_side(bm, numbers)
