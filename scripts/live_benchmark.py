@@ -41,7 +41,7 @@ STEPS = (
     ("features.constraints.flat_keeping", "keep", "flats kept"),
     ("features.flotation.live_ship", "LiveShip.follow", "surface and body moved"),
     ("features.surface.shown_surface", "ShownSurface.follow", "surface object computed"),
-    ("features.surface.surface_object", "move_surface", "surface object written"),
+    ("features.surface.surface_mesh", "move_surface", "surface object written"),
     (
         "features.flotation.live_hydrostatics",
         "LiveHydrostatics.follow",

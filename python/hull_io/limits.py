@@ -21,8 +21,8 @@ HEAVIEST_LOAD = 1e8
 LARGEST_WIND_AREA = 1e6
 STRONGEST_WIND = 1e5
 LONGEST_ROLL_PERIOD = 1e3
-# Load cases, openings, wind areas: a stability booklet has dozens.
-MAX_LOADING_ENTRIES = 1000
+# Load cases, openings, wind areas, each of which takes some milliseconds; a booklet has dozens.
+MAX_LOADING_ENTRIES = 200
 # Planes to cut a hull by, and spaces between stations.
 MAX_CUT_PLANES = 1000
 MAX_LINE_SPACES = 200

@@ -292,10 +292,10 @@ def test_shape_keys_of_others_are_no_matter(refreshed, monkeypatch):
     hulls = [add_hull(), add_hull("second")]
     bpy.ops.mesh.primitive_cube_add()
     cube = with_shape_keys(bpy.context.object)
-    digests, surface_object = [], part("features.surface.surface_object")
-    original = surface_object.faces_digest
+    digests, surface_mesh = [], part("features.surface.surface_mesh")
+    original = surface_mesh.faces_digest
     monkeypatch.setattr(
-        surface_object, "faces_digest", lambda mesh: (digests.append(mesh.name), original(mesh))[1]
+        surface_mesh, "faces_digest", lambda mesh: (digests.append(mesh.name), original(mesh))[1]
     )
     refreshed.clear()
     for value in (0.25, 0.5, 0.75):

@@ -56,7 +56,7 @@ def mark(hull, *pairs):
 
 
 def marked(hull):
-    marks = part("bridge.mesh.edge_marks").stored_marks(hull.data)
+    marks = part("bridge.mesh.deck_edge_marks").stored_marks(hull.data)
     return {tuple(sorted(hull.data.edges[i].vertices)) for i in np.flatnonzero(marks)}
 
 

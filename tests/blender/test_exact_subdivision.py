@@ -106,8 +106,8 @@ def dressed_hull():
         corner.uv = hull.data.vertices[loop.vertex_index].co.xz
     bm = edit(hull)
     crease, _ = part("bridge.blender.blender_versions").ensure_crease_layers(bm)
-    bm.edges.layers.int.new(part("bridge.mesh.edge_marks").ATTRIBUTE)
-    mark = bm.edges.layers.int[part("bridge.mesh.edge_marks").ATTRIBUTE]
+    bm.edges.layers.int.new(part("bridge.mesh.deck_edge_marks").ATTRIBUTE)
+    mark = bm.edges.layers.int[part("bridge.mesh.deck_edge_marks").ATTRIBUTE]
     bm.verts.ensure_lookup_table()
     edge = bm.edges.get((bm.verts[FIRST], bm.verts[MIDDLE]))
     edge.seam, edge.smooth, edge[crease], edge[mark] = True, False, 1.0, 1

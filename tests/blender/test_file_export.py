@@ -80,7 +80,7 @@ def sample_with_a_long_table():
 def test_a_cancelled_table_leaves_the_file_as_it_was(tmp_path, monkeypatch):
     """The work is held up in its first part, until it was cancelled."""
     hull = sample_with_a_long_table()
-    module = part("features.hydrostatics.hydrostatic_table")
+    module = part("features.curves_of_form.hydrostatic_table")
     begun, cancelled = threading.Event(), threading.Event()
     original = module._afloat
 

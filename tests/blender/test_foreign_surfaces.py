@@ -24,7 +24,7 @@ def assert_shows_the_box(hull, capfd):
     bpy.context.view_layer.update()
     mesh, state = surface(hull).data, state_of(hull)
     assert np.array_equal(mesh_points(surface(hull)), state.shown.points.coordinates)
-    quads, _ = part("features.surface.surface_object").surface_faces(
+    quads, _ = part("features.surface.surface_mesh").surface_faces(
         state.ship.surface.tessellate(hull.hull.samples), state.shown.points.shared
     )
     assert [tuple(polygon.vertices) for polygon in mesh.polygons] == list(map(tuple, quads))

@@ -95,7 +95,7 @@ def test_tags_and_the_deck_edge_come_back(tmp_path):
     assert bpy.ops.hull.mark_deck_edge() == {"FINISHED"}
     write(tmp_path / "box.hull.json")  # from edit mode
     again = read(tmp_path / "box.hull.json")
-    marks = part("bridge.mesh.edge_marks").stored_marks(again.data)
+    marks = part("bridge.mesh.deck_edge_marks").stored_marks(again.data)
     assert [set(again.data.edges[i].vertices) for i in np.flatnonzero(marks)] == [{3, 7}]
     assert len(state_of(again).ship.source.deck_edge) == 1
     creases = part("bridge.blender.blender_versions").edge_creases(again.data)

@@ -57,7 +57,7 @@ def test_waterlines_that_pass_by_the_point_are_cut_again(hull):
 
 
 def test_only_areas_near_the_point_are_integrated_again(hull, monkeypatch):
-    areas = part("features.hydrostatics.sectional_areas")
+    areas = part("features.curves_of_form.sectional_areas")
     counts, computed = [], areas._computed
 
     def counted(body, stations, where):

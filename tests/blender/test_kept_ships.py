@@ -125,7 +125,9 @@ def test_undo_and_redo_of_moves_and_tags():
     push()
     move(hull, choice)
     push()
-    part("bridge.mesh.edge_marks").store_marks(hull.data, np.ones(len(hull.data.edges), dtype=bool))
+    part("bridge.mesh.deck_edge_marks").store_marks(
+        hull.data, np.ones(len(hull.data.edges), dtype=bool)
+    )
     part("bridge.blender.blender_versions").set_creases(hull.data, range(len(hull.data.edges)), [])
     hull.data.update_tag()
     bpy.context.view_layer.update()

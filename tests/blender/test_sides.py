@@ -107,7 +107,7 @@ def test_flat_regions_come_along(side):
 
 def test_the_deck_edge_comes_along():
     hull = add_hull()
-    marks = part("bridge.mesh.edge_marks")
+    marks = part("bridge.mesh.deck_edge_marks")
     marked = np.arange(len(hull.data.edges)) == 2
     marks.store_marks(hull.data, marked)
     bpy.ops.hull.make_whole()

@@ -123,7 +123,7 @@ def test_nothing_is_done_when_nothing_changed(monkeypatch):
     bpy.context.view_layer.update()
     written = []
     monkeypatch.setattr(
-        part("features.surface.surface_object"),
+        part("features.surface.surface_mesh"),
         "move_surface",
         lambda *arguments: written.append(1),
     )
@@ -144,9 +144,9 @@ def test_normals_are_the_surface_normals():
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.update()
     tessellation = state_of(hull).ship.surface.tessellate(hull.hull.samples)
-    surface_object = part("features.surface.surface_object")
+    surface_mesh = part("features.surface.surface_mesh")
     shared = state_of(hull).shown.points.shared
-    normals = surface_object.surface_faces(tessellation, shared)[1].reshape(-1, 3)
+    normals = surface_mesh.surface_faces(tessellation, shared)[1].reshape(-1, 3)
     mesh = hull.hull.surface_object.data
     if hasattr(mesh, "calc_normals_split"):
         mesh.calc_normals_split()
@@ -180,9 +180,9 @@ def pull_a_point(hull, by):
 
 def test_normals_wait_while_points_move_and_come_at_a_pause(monkeypatch):
     hull = add_hull()
-    surface_object, written = part("features.surface.surface_object"), []
-    write = surface_object.write_normals
-    monkeypatch.setattr(surface_object, "write_normals", lambda *a: (written.append(1), write(*a)))
+    surface_mesh, written = part("features.surface.surface_mesh"), []
+    write = surface_mesh.write_normals
+    monkeypatch.setattr(surface_mesh, "write_normals", lambda *a: (written.append(1), write(*a)))
     bpy.ops.object.mode_set(mode="EDIT")
     for _ in range(3):
         pull_a_point(hull, 0.1)
@@ -258,7 +258,7 @@ def counted(monkeypatch):
     count(arrays.MeshData, "points_digest")
     count(part("bridge.objects.hull_objects"), "refusal")
     count(part("features.constraints.flat_keeping"), "keep")
-    count(part("features.surface.surface_object"), "move_surface")
+    count(part("features.surface.surface_mesh"), "move_surface")
     count(part("features.flotation.hydrostatics"), "computed")
     count(part("features.lines.lines"), "groups")
     count(part("features.fairness.combs"), "combs")

@@ -5,9 +5,9 @@ from functools import lru_cache
 
 import pytest
 import vessels
-from features.form import Form
-from features.spoils import SPOILS
-from features.table import CHECKS
+from vessel_features.form import Form
+from vessel_features.spoils import SPOILS
+from vessel_features.table import CHECKS
 
 CASES = [(name, feature) for name, checks in CHECKS.items() for feature in checks]
 

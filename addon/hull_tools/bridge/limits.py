@@ -33,8 +33,7 @@ DIVISIONS = (2, 32)  # of a cell's side, where light lines are searched
 # Rows of a table of hydrostatics; each takes about a millisecond.
 MOST_TABLE_ROWS = 1000
 DISPLACEMENTS = (2, 50)  # of cross curves
-# Load cases or openings, each of which takes some milliseconds; a stability booklet has dozens.
-MOST_LOADING_ENTRIES = 200
+MOST_LOADING_ENTRIES = of_files.MAX_LOADING_ENTRIES
 
 FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
 GREATEST_FAIRNESS, GREATEST_STIFFNESS = 0.1 + _ROUNDING, 10.0

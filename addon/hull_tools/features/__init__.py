@@ -12,7 +12,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   lines           sections and other lines, places of the lines plan, the table of offsets
   fairness        what fairness is judged by: curvature combs, reflection and other level lines
   hull            a hull as a whole: made, brought up to date, its tags, saved
-  hydrostatics    tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
+  curves_of_form  tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
   stability       righting levers, cross curves, load cases, criteria
   analyses        all tables and plots of the two above, computed when they are looked at
   conversion      the surface as B-spline patches, and how far they are from it

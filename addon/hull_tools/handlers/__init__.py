@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.objects import upkeep
+from ..bridge.objects import surface_upkeep
 from . import follow, upkeep_handlers
 
 _HANDLERS = (
@@ -41,4 +41,4 @@ def unregister():
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
     follow.forget_all()
-    upkeep.forget_all()
+    surface_upkeep.forget_all()

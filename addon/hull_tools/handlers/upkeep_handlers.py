@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Blender's own tools did to hulls is made good; see bridge.objects.upkeep.
+"""What Blender's own tools did to hulls is made good; see bridge.objects.surface_upkeep.
 
 These come after the handlers of `follow`: what they change is brought up to date here.
 """
@@ -7,7 +7,7 @@ These come after the handlers of `follow`: what they change is brought up to dat
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.objects import hull_objects, shown_objects, upkeep
+from ..bridge.objects import hull_objects, shown_objects, surface_upkeep
 from ..features.hull import hull_state
 
 
@@ -23,9 +23,9 @@ def after_update(scene, depsgraph):
     # Blender says that a scene has changed when objects come, go, or change collections, and when
     # units change; not while points move.
     if depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION"):
-        changed = upkeep.look_after(depsgraph.view_layer)
-        _refresh({*changed, *upkeep.with_new_scale(bpy.data.scenes)})
-        upkeep.follow_local_views(depsgraph)
+        changed = surface_upkeep.look_after(depsgraph.view_layer)
+        _refresh({*changed, *surface_upkeep.with_new_scale(bpy.data.scenes)})
+        surface_upkeep.follow_local_views(depsgraph)
     for update in depsgraph.updates:
         if update.is_updated_transform and isinstance(update.id, bpy.types.Object):
             obj = update.id.original
@@ -35,16 +35,16 @@ def after_update(scene, depsgraph):
 
 @persistent
 def after_undo(*unused):
-    _refresh(upkeep.look_after(bpy.context.view_layer))
+    _refresh(surface_upkeep.look_after(bpy.context.view_layer))
 
 
 @persistent
 def before_load(*unused):
-    upkeep.forget_all()
+    surface_upkeep.forget_all()
 
 
 @persistent
 def after_load(*unused):
-    upkeep.forget_all()
-    _refresh(upkeep.look_after(bpy.context.view_layer, is_new_file=True))
-    upkeep.with_new_scale(bpy.data.scenes)
+    surface_upkeep.forget_all()
+    _refresh(surface_upkeep.look_after(bpy.context.view_layer, is_new_file=True))
+    surface_upkeep.with_new_scale(bpy.data.scenes)

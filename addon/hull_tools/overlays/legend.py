@@ -7,6 +7,7 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions
+from ..bridge.blender.palette import INK, PAPER
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.surface import colours
@@ -14,8 +15,6 @@ from .legend_arrays import HEIGHT_MM, LegendArrays, arrays_of
 from .plots import DOTS_PER_MM, free_room
 from .view import Handler
 
-_PAPER = (0.97, 0.97, 0.96, 0.96)
-_INK = (0.12, 0.12, 0.12, 1.0)
 _FONT = 0
 _TEXT_MM = 2.5
 _GAP = 12.0  # dots to the region's border, at a scale of 1
@@ -64,9 +63,9 @@ def _draw_legend(context, arrays: LegendArrays, is_low):
     with gpu.matrix.push_pop():
         gpu.matrix.translate((x, y))
         gpu.matrix.scale((dots, dots))
-        for points, shades in (arrays.card(width, _PAPER), arrays.bar, arrays.ticks(_INK)):
+        for points, shades in (arrays.card(width, PAPER), arrays.bar, arrays.ticks(INK)):
             batch_for_shader(shader, "TRIS", {"pos": points, "color": shades}).draw(shader)
-    blf.color(_FONT, *_INK)
+    blf.color(_FONT, *INK)
     for (place_x, place_y), text in arrays.placed_texts():
         blf.position(_FONT, x + place_x * dots, y + place_y * dots, 0.0)
         blf.draw(_FONT, text)

@@ -12,14 +12,14 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions, preferences
+from ..bridge.blender.palette import PAPER
 from ..features.analyses import live_analyses
 from .plot_arrays import arrays_of
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
 DOTS_PER_MM = 4.4
 
-_PAPER = (0.97, 0.97, 0.96, 0.96)
-_VEIL = (*_PAPER[:3], 0.6)
+_VEIL = (*PAPER[:3], 0.6)
 _BORDER = (0.35, 0.35, 0.35, 1.0)
 _NOTE, _NOTE_MM = "computing …", 2.5  # over a pale card
 _LEAST_LINE = 1.0  # dots: thinner lines would fade
@@ -229,7 +229,7 @@ class _Batches:
         width, height = arrays.width_mm, arrays.height_mm
         corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
         order = (0, 1, 2, 0, 2, 3)
-        self._card = self._filled([corners[i] for i in order], [_PAPER] * 6)
+        self._card = self._filled([corners[i] for i in order], [PAPER] * 6)
         self._veil = self._filled([corners[i] for i in order], [_VEIL] * 6)
         sides = [corners[i] for i in (0, 1, 1, 2, 2, 3, 3, 0)]
         self._border = self._lined(sides, [_BORDER] * 8)
@@ -240,7 +240,7 @@ class _Batches:
         self._patches = self._filled(arrays.patches.points, arrays.patches.colours)
         knockouts = [label for label in arrays.labels if label["knockout"]]
         blanks = [corner for label in knockouts for corner in _blank(label)]
-        self._blanks = self._filled(blanks, [(*_PAPER[:3], 1.0)] * len(blanks))
+        self._blanks = self._filled(blanks, [(*PAPER[:3], 1.0)] * len(blanks))
 
     def draw(self, dots, viewport):
         self._draw_filled(self._card)

@@ -8,11 +8,10 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions
+from ..bridge.blender.palette import INK, PAPER
 from ..features.conversion import worst_spots
 from .view import Handler, hulls_in_view
 
-_PAPER = (0.97, 0.97, 0.96, 0.96)
-_INK = (0.12, 0.12, 0.12, 1.0)
 _COLOUR = (0.90, 0.05, 0.05, 1.0)
 _RADIUS, _WIDTH = 12.0, 2.5  # dots, at a scale of 1
 _TEXT, _MARGIN = 12.0, 5.0
@@ -44,7 +43,7 @@ def _draw_spot(place, text, scale):
     lines = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
     lines.bind()
     lines.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-    for colour, width in ((_PAPER, 2.0 * _WIDTH), (_COLOUR, _WIDTH)):
+    for colour, width in ((PAPER, 2.0 * _WIDTH), (_COLOUR, _WIDTH)):
         lines.uniform_float("lineWidth", width * scale)
         lines.uniform_float("color", colour)
         corners = ring(place, _RADIUS * scale)
@@ -53,7 +52,7 @@ def _draw_spot(place, text, scale):
     width, height = blf.dimensions(_FONT, text)
     left, low = place[0] + (_RADIUS + 2.0 * _MARGIN) * scale, place[1] - 0.5 * height
     _draw_card(left, low, width, height, _MARGIN * scale)
-    blf.color(_FONT, *_INK)
+    blf.color(_FONT, *INK)
     blf.position(_FONT, left, low, 0.0)
     blf.draw(_FONT, text)
     gpu.state.blend_set("NONE")
@@ -66,7 +65,7 @@ def _draw_card(left, low, width, height, margin):
     y = (low - margin, low + height + margin)
     corners = [(x[0], y[0], 0.0), (x[1], y[0], 0.0), (x[0], y[1], 0.0), (x[1], y[1], 0.0)]
     shader.bind()
-    shader.uniform_float("color", _PAPER)
+    shader.uniform_float("color", PAPER)
     batch_for_shader(shader, "TRI_STRIP", {"pos": corners}).draw(shader)
 
 

@@ -6,6 +6,7 @@ from math import radians
 import bpy
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
+from ..bridge import limits
 from ..features.surface import colour_views
 from .shared import angle, changed, length, switch
 
@@ -108,8 +109,8 @@ class HullFairness(bpy.types.PropertyGroup):
         description="Reflection lines, isophotes and silhouette are searched on so many parts of "
         "each side of a cell: fine ones are not missed",
         default=8,
-        min=2,
-        max=32,
+        min=limits.DIVISIONS[0],
+        max=limits.DIVISIONS[1],
         update=changed,
     )
 

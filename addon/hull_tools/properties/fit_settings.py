@@ -6,6 +6,7 @@ from math import radians
 import bpy
 from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty
 
+from ..bridge import limits
 from ..bridge.objects import hull_objects
 from .shared import angle, length
 
@@ -78,8 +79,8 @@ class HullFit(bpy.types.PropertyGroup):
         name="Points",
         description="How many points are spread over the target's faces",
         default=20000,
-        min=100,
-        max=1000000,
+        min=limits.FIT_POINTS[0],
+        max=limits.FIT_POINTS[1],
     )
 
 

@@ -18,6 +18,7 @@ from bpy.props import (
     StringProperty,
 )
 
+from ..bridge import limits
 from ..bridge.blender import preferences
 from . import (
     export_settings,
@@ -84,8 +85,8 @@ class HullSettings(bpy.types.PropertyGroup):
         name="Density t/m³",
         description="Density of the water in t/m³: 1.025 in the sea, 1.000 in a river",
         default=preferences.DEFAULTS["water_density"],
-        min=0.5,
-        max=2.0,
+        min=limits.DENSITIES[0],
+        max=limits.DENSITIES[1],
         precision=4,
         step=0.1,
         update=changed,
@@ -119,7 +120,7 @@ class HullSettings(bpy.types.PropertyGroup):
         description="Faces along each side of a cell in the surface object",
         default=4,
         min=1,
-        max=32,
+        max=limits.MOST_SAMPLES,
         soft_max=12,
         update=changed,
     )

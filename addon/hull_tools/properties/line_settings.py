@@ -13,6 +13,7 @@ from bpy.props import (
     StringProperty,
 )
 
+from ..bridge import limits
 from .shared import changed, length, switch
 
 
@@ -66,7 +67,7 @@ class HullLines(bpy.types.PropertyGroup):
         "0 draws none",
         default=20,
         min=0,
-        max=200,
+        max=limits.MOST_STATION_SPACES,
         update=changed,
     )
     stations: _text(

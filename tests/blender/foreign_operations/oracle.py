@@ -37,7 +37,7 @@ class Fresh:
         self.shown = native.ShownPoints(
             self.surface, samples, mirrored=settings.half, metres_per_unit=scale
         )
-        self.quads, self.normals = part("features.surface.surface_object").surface_faces(
+        self.quads, self.normals = part("features.surface.surface_mesh").surface_faces(
             self.surface.tessellate(samples), self.shown.shared
         )
         openings = "closed" if settings.deck_closed else "open"
@@ -110,7 +110,7 @@ def _of_normals(mesh, fresh):
     further from the exact ones than there."""
     if not mesh.has_custom_normals:
         return ["the exact normals are missing"]
-    drawn, own = part("features.surface.surface_object"), bpy.data.meshes.new("fresh")
+    drawn, own = part("features.surface.surface_mesh"), bpy.data.meshes.new("fresh")
     try:
         drawn.write_surface(own, fresh.shown.coordinates, fresh.quads)
         drawn.write_normals(own, fresh.normals)

@@ -246,8 +246,8 @@ MISTAKES = {
         "load_cases[0].vcg: 100000.0 is not a number from -10000 to 10000",
     ),
     "many load cases": (
-        content(load_cases=[{"mass_t": 1}] * 1001),
-        "load_cases: it has 1001 entries; write at most 1000",
+        content(load_cases=[{"mass_t": 1}] * 201),
+        "load_cases: it has 201 entries; write at most 200",
     ),
     "opening": (content(openings=[{}]), "openings[0].position: it is missing"),
     "opening of two": (

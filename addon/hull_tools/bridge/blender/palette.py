@@ -18,6 +18,9 @@ class Ink:
     on_dark: tuple = None
 
 
+# Of what is printed over the view as on paper: plots, legends, notes; the same on any ground.
+PAPER, INK = (0.97, 0.97, 0.96, 0.96), (0.12, 0.12, 0.12, 1.0)
+
 # By the kinds of features.lines.lines and features.fairness.level_lines.
 _LINES = {
     "station": Ink("Stations", (0.05, 0.05, 0.07), (0.96, 0.96, 0.96)),

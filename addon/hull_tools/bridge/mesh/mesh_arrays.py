@@ -14,7 +14,7 @@ import bmesh
 import numpy as np
 
 from ..blender import blender_versions
-from . import edge_marks
+from . import deck_edge_marks
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def _read_stored_mesh(mesh):
         face_sizes,
         face_vertices,
         face_slots,
-        edge_marks.stored_marks(mesh),
+        deck_edge_marks.stored_marks(mesh),
     )
 
 
@@ -128,7 +128,7 @@ def _read_edit_mesh(mesh):
         np.array([len(loop) for loop in face_loops], dtype=np.int32),
         np.fromiter(chain.from_iterable(face_loops), np.int32),
         np.array([face.material_index for face in bm.faces], dtype=np.int32),
-        edge_marks.edited_marks(bm),
+        deck_edge_marks.edited_marks(bm),
     )
 
 
@@ -229,4 +229,4 @@ def write_tags(mesh, creases, corners, deck_edge=()):
     if len(crease_edges) or len(corners):
         blender_versions.set_creases(mesh, crease_edges, corners)
     if len(deck_edge):
-        edge_marks.store_marks(mesh, np.isin(keys, edge_keys(deck_edge)))
+        deck_edge_marks.store_marks(mesh, np.isin(keys, edge_keys(deck_edge)))

@@ -15,9 +15,9 @@ What a user can get wrong raises ValueError in `inputs` and `compute`.
 from dataclasses import dataclass, field
 
 from ...bridge.blender import units
+from ..curves_of_form import bonjean_curves, hydrostatic_table, sectional_areas
 from ..fairness import knuckle_angles
 from ..hull import hull_state
-from ..hydrostatics import bonjean_curves, hydrostatic_table, sectional_areas
 from ..lines import offset_table
 from ..stability import criteria, cross_curves, load_cases, righting_levers
 

@@ -8,7 +8,7 @@ the borders along the ship.
 import bmesh
 import numpy as np
 
-from ...bridge.mesh import edge_marks, selection
+from ...bridge.mesh import deck_edge_marks, selection
 from . import tags
 
 
@@ -64,7 +64,7 @@ def select(context, obj):
     """Selects exactly the marked edges, in edit mode; returns how many there are."""
     bm = bmesh.from_edit_mesh(obj.data)
     bm.verts.index_update()
-    marks = edge_marks.edited_marks(bm)
+    marks = deck_edge_marks.edited_marks(bm)
     marked = [
         [vertex.index for vertex in edge.verts] for edge, mark in zip(bm.edges, marks) if mark
     ]
@@ -73,5 +73,5 @@ def select(context, obj):
 
 
 def _store(obj, bm, marks):
-    edge_marks.edit_marks(bm, marks)
+    deck_edge_marks.edit_marks(bm, marks)
     bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)

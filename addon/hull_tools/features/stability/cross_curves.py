@@ -8,8 +8,8 @@ import numpy as np
 
 from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
+from ..curves_of_form.ranges import stepped
 from ..flotation.afloat import as_typed_angle
-from ..hydrostatics.ranges import stepped
 from . import loads
 
 LABEL = "Cross curves"

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from math import degrees, radians
 
 from ...bridge import native
+from ..curves_of_form.ranges import stepped
 from ..flotation.afloat import as_typed_angle
 from ..hull import deck_edge
-from ..hydrostatics.ranges import stepped
 from . import loads
 
 LABEL = "Righting levers"

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...bridge import limits, native
 from ...bridge.objects import shown_objects
-from . import colours, surface_object
+from . import colours, surface_mesh
 
 # On the surface object's mesh: what its faces were made for, and a digest of them as they were
 # left. They are saved and undone with the mesh.
@@ -81,15 +81,15 @@ class ShownSurface:
         if self.points is None:  # the hull has other faces now: all is made anew
             return True
         left = self.points.coordinates
-        points = surface_object.points_of(mesh)
+        points = surface_mesh.points_of(mesh)
         # By their bits: not even what is no number may differ from itself.
         return points.shape == left.shape and np.array_equal(points.view("i4"), left.view("i4"))
 
     def _has_looks_left(self, mesh):
-        if mesh.get(_FACES_LEFT) != surface_object.faces_digest(mesh):
+        if mesh.get(_FACES_LEFT) != surface_mesh.faces_digest(mesh):
             return False
         left = self._left.normals_digest
-        if left is not None and left != surface_object.normals_digest(mesh):
+        if left is not None and left != surface_mesh.normals_digest(mesh):
             return False
         _, choice = self._left.colours or (None, None)
         return choice is None or colours.has_colours(mesh)
@@ -198,23 +198,23 @@ class _Writer:
         mesh, coordinates = self._shown.data, self._points.coordinates
         has_faces = mesh.get(_FACES) == self._stamp
         if has_faces and (is_known or self._has_faces_left(mesh, coordinates)):
-            surface_object.move_surface(mesh, coordinates)
+            surface_mesh.move_surface(mesh, coordinates)
             return False
-        quads, _ = surface_object.surface_faces(self._tessellation(), self._points.shared)
-        surface_object.write_surface(mesh, coordinates, quads)
-        mesh[_FACES], mesh[_FACES_LEFT] = self._stamp, surface_object.faces_digest(mesh)
+        quads, _ = surface_mesh.surface_faces(self._tessellation(), self._points.shared)
+        surface_mesh.write_surface(mesh, coordinates, quads)
+        mesh[_FACES], mesh[_FACES_LEFT] = self._stamp, surface_mesh.faces_digest(mesh)
         return True
 
     @staticmethod
     def _has_faces_left(mesh, coordinates):
         is_of_size = len(mesh.vertices) == len(coordinates)
-        return is_of_size and mesh.get(_FACES_LEFT) == surface_object.faces_digest(mesh)
+        return is_of_size and mesh.get(_FACES_LEFT) == surface_mesh.faces_digest(mesh)
 
     def write_normals(self):
         """Returns a digest of the normals as Blender keeps them."""
-        _, normals = surface_object.surface_faces(self._tessellation(), self._points.shared)
-        surface_object.write_normals(self._shown.data, normals)
-        return surface_object.normals_digest(self._shown.data)
+        _, normals = surface_mesh.surface_faces(self._tessellation(), self._points.shared)
+        surface_mesh.write_normals(self._shown.data, normals)
+        return surface_mesh.normals_digest(self._shown.data)
 
     def write_colours(self, choice):
         """Gives the surface object its colours; returns their scale, or None."""
@@ -225,7 +225,7 @@ class _Writer:
         scale, of_normals = colours.coloured(self._surface, tessellation, choice)
         corners = colours.linear(of_normals)[tessellation.normal_indices]
         shared = self._points.shared
-        colours.write_colours(self._shown, surface_object.both_sides(tessellation, shared, corners))
+        colours.write_colours(self._shown, surface_mesh.both_sides(tessellation, shared, corners))
         return scale
 
     def _tessellation(self):
