@@ -160,7 +160,7 @@ def test_a_mark_on_a_crease_that_was_smoothed_is_told():
     select_edges(hull, SIDE)
     bpy.ops.hull.tag_smooth()
     bpy.ops.object.mode_set(mode="OBJECT")
-    with pytest.raises(ValueError, match="1 of the 1 edges marked as deck edge"):
+    with pytest.raises(ValueError, match="marked as deck edge 1 of 1 belong"):
         deck_edge_heel(hull)
 
 
