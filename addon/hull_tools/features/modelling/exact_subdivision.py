@@ -15,7 +15,7 @@ import numpy as np
 
 from ...bridge import limits
 from ...bridge.blender import blender_versions, units
-from ...bridge.mesh import mesh_arrays
+from ...bridge.mesh import corner_layers, mesh_arrays
 from ...bridge.mesh.mesh_editing import check_single_user, editing
 from ..constraints import flats, planes, point_locks
 from ..hull import hull_state
@@ -74,7 +74,7 @@ def _replace(bm, faces):
     chosen = [part for parts in (bm.verts, bm.edges, faces) for part in parts if part.select]
     loops = [[(loop.vert, loop.edge) for loop in face.loops] for face in faces]
     parts = _split_edges(bm, dict.fromkeys(edge for own in loops for _, edge in own))
-    layers, loop_layers = _point_layers(bm), _loop_layers(bm)
+    layers, loop_layers = _point_layers(bm), corner_layers.of(bm)
     cells = []
     for face, own in zip(faces, loops):
         centre = _centre(bm, face, layers)
@@ -131,21 +131,12 @@ def _centre(bm, face, layers):
     return centre
 
 
-def _loop_layers(bm):
-    """All that corners of faces carry. Their copy_from() would do, but leaves Blender 4.3 with
-    loops that it takes for removed."""
-    kinds = ("bool", "color", "float", "float_color", "float_vector", "int", "string", "uv")
-    found = (getattr(bm.loops.layers, kind, None) for kind in kinds)
-    return [layer for of_kind in found if of_kind is not None for layer in of_kind.values()]
-
-
 def _quad(bm, face, cell, corners, loop_layers):
     """A new face at a corner of one whose loops by point are `corners`; it has all that one has."""
     new = bm.faces.new(cell, face)
     for loop in new.loops:
         of_corner = corners.get(loop.vert, corners[cell[0]])
-        for layer in loop_layers:
-            loop[layer] = of_corner[layer]
+        corner_layers.copy(loop_layers, of_corner, loop)
         if loop.vert is cell[2]:
             for layer in bm.loops.layers.uv.values():
                 loop[layer].uv = _mean([corner[layer].uv for corner in face.loops])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....hull_io import splitting
-from ...bridge.mesh import mesh_arrays
+from ...bridge.mesh import corner_layers, mesh_arrays
 from ...bridge.mesh.mesh_editing import editing
 from ...bridge.mesh.valid_part import faces_of
 from ...bridge.objects import hull_objects
@@ -82,8 +82,9 @@ def _write(bm, made):
     for origin in made.origins[count:]:
         vertices.append(bm.verts.new(vertices[origin].co, vertices[origin]))
     replaced = [(face, new) for face, new in zip(list(bm.faces), made.faces) if max(new) >= count]
+    layers = corner_layers.of(bm)
     for face, new in replaced:
-        _replace(bm, face, [vertices[index] for index in new])
+        _replace(bm, face, [vertices[index] for index in new], layers)
     edges = {edge for face, _ in replaced for edge in face.edges}
     for face, _ in replaced:
         bm.faces.remove(face)
@@ -94,7 +95,7 @@ def _write(bm, made):
     bm.normal_update()
 
 
-def _replace(bm, face, corners):
+def _replace(bm, face, corners, layers):
     """A copy of a face between other points at the same places."""
     old = list(face.loops)
     for loop, (a, b) in zip(old, zip(corners, corners[1:] + corners[:1])):
@@ -102,7 +103,7 @@ def _replace(bm, face, corners):
             bm.edges.new((a, b), loop.edge)
     copy = bm.faces.new(corners, face)
     for loop, source in zip(copy.loops, old):
-        loop.copy_from(source)
+        corner_layers.copy(layers, source, loop)
     copy.select, copy.hide = face.select, face.hide
 
 
