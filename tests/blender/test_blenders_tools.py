@@ -231,6 +231,24 @@ def test_a_constraint_that_turns_is_named():
     assert not state_of(hull).status
 
 
+def test_a_hull_that_follows_itself_is_refused_at_once():
+    """Blender turns it after all was told of what moved."""
+    hull, other = add_hull(), add_hull("other")
+    constraint = hull.constraints.new("DAMPED_TRACK")
+    for target in (hull.hull.surface_object, other):
+        constraint.target = target
+        other.constraints.new("COPY_LOCATION").target = hull
+        bpy.context.view_layer.update()
+        assert "follows itself" in state_of(hull).status
+    for one in other.constraints:
+        one.mute = True
+    bpy.context.view_layer.update()
+    assert "follows itself" not in state_of(hull).status
+    hull.constraints.remove(constraint)
+    bpy.context.view_layer.update()
+    assert not state_of(hull).status and not state_of(other).status
+
+
 def test_shape_keys_are_refused():
     hull = add_hull()
     hull.shape_key_add(name="Basis")

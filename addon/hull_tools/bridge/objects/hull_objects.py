@@ -49,7 +49,7 @@ def refusal(obj):
     keys = obj.data.shape_keys
     if keys is not None and len(keys.key_blocks) > 1:
         return f'"{obj.name}" has shape keys, and a hull has one shape: remove them first'
-    return _turned(obj)
+    return _following_itself(obj) or _turned(obj)
 
 
 def has_shape_keys(obj):
@@ -65,6 +65,28 @@ def locked(obj):
         if block.override_library is not None:
             return f'"{block.name}" is an override of a linked one: make it local first'
     return ""
+
+
+def _following_itself(obj):
+    """That a hull's place hangs on that of its own surface or lines, or of another object that
+    follows it; "" when it does not. Where such a hull stands is undefined: Blender breaks the
+    cycle somewhere, turns the hull after all was told of a change, and tells nobody."""
+    seen, left = set(), _followed(obj)
+    while left:
+        other = left.pop()
+        if other == obj:
+            return f'"{obj.name}" follows itself by a constraint: remove that first'
+        if other not in seen:
+            seen.add(other)
+            left += _followed(other)
+    return ""
+
+
+def _followed(obj):
+    """The objects that an object's place hangs on, by its parent and its constraints."""
+    acting = (constraint for constraint in obj.constraints if not constraint.mute)
+    followed = [obj.parent, *(getattr(constraint, "target", None) for constraint in acting)]
+    return [other for other in followed if other is not None]
 
 
 def _turned(obj):
