@@ -2,6 +2,7 @@
 """Blender's own operators on meshes and objects, called with arguments by chance."""
 
 import bpy
+import numpy as np
 
 FAMILIES = {
     "EDIT": ("mesh", "transform", "object", "geometry"),
@@ -97,6 +98,7 @@ _MODIFIERS_LEFT_OUT = {
 }
 _MOST = 3  # of what an operator repeats or divides by
 _FARTHEST = 4.0
+_VOXELS = 12  # along a mesh
 
 
 def by_chance(mode, random):
@@ -125,10 +127,20 @@ def can_be_called(name):
 
 def call(name, arguments):
     """What the operator returned, or what it refused with."""
+    if name == "object.voxel_remesh":
+        _take_large_voxels(bpy.context.view_layer.objects.active.data)
     try:
         return sorted(_operator(name)("EXEC_DEFAULT", **arguments))
     except (RuntimeError, TypeError, ValueError) as error:
         return str(error).strip().splitlines()[-1][:80]
+
+
+def _take_large_voxels(mesh):
+    """Of the mesh's own size: modifiers may hide all that the object's dimensions are of, and
+    voxels of a millimetre in a ship take gigabytes."""
+    points = np.array([vertex.co for vertex in mesh.vertices]).reshape(-1, 3)
+    size = np.ptp(points, axis=0).max() if len(points) else 0.0
+    mesh.remesh_voxel_size = max(size / _VOXELS, 1e-3)
 
 
 def arguments_by_chance(name, random):

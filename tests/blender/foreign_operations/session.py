@@ -93,9 +93,6 @@ class Session:
                 name == "object.join" and _joins_its_parent()
             ):
                 break
-        if name == "object.voxel_remesh":
-            active = bpy.context.view_layer.objects.active
-            active.data.remesh_voxel_size = max(max(active.dimensions) / 12.0, 1e-3)
         arguments = operators.arguments_by_chance(name, self.random)
         self.tell(f"{name} {arguments}")
         came = operators.call(name, arguments)
