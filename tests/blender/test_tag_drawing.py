@@ -116,6 +116,15 @@ def test_numbers_stand_side_by_side(arrays):
     assert arrays.numbers([], np.empty((0, 3)), 1.0, (0, 0), VIEWPORT).shape == (0, 3)
 
 
+def test_sizes_are_those_of_the_numbers_written(arrays):
+    numbers, place = [3, 12, 140], np.zeros((1, 3))
+    for number, size in zip(numbers, arrays.number_sizes(numbers, 10.0)):
+        corners = in_dots(arrays.numbers([number], place, 10.0, (0, 0), VIEWPORT))
+        assert np.ptp(corners, axis=0) == pytest.approx(size, abs=2.5)  # a 1 is narrower
+        assert (corners.max(axis=0) <= size + 1e-9).all()
+    assert arrays.number_sizes([], 10.0).shape == (0, 2)
+
+
 def test_triangles_and_rim_of_faces(arrays):
     faces = [np.array([0, 1, 2, 3]), np.array([1, 4, 5, 6, 2])]
     assert arrays.fan_triangles(faces).tolist() == [
@@ -334,6 +343,27 @@ def test_marks_are_smaller_where_there_is_no_room():
     near, far = marks(1.0), marks(0.1)
     assert len(near) == 2 and len(far) == 1
     assert far[0] == pytest.approx(0.5 * near[0])
+
+
+def test_of_numbers_that_would_cover_one_another_the_nearest_is_written():
+    hull = grid_hull()
+    bm = edit(hull)
+    bm.faces.ensure_lookup_table()
+    bmesh.ops.poke(bm, faces=[bm.faces[0]])
+    bmesh.update_edit_mesh(hull.data)
+    triangles = [face for face in bm.faces if len(face.verts) == 3]
+    heights = sorted(face.calc_center_median().z for face in triangles)
+    colour = part("bridge.blender.preferences").colour("tags", "odd_face")
+
+    def depths(zoom):
+        """Of the numbers written; a 3 has four strokes."""
+        lines = drawing_of(hull, zoom=zoom).lines
+        (corners,) = (corners for found, _, corners in lines if tuple(found) == colour)
+        return sorted(corners[:: 2 * 4, 2] / 0.01)
+
+    # Two triangles of the four are one above the other and seen as one behind the other.
+    assert depths(2.0) == pytest.approx(heights)
+    assert depths(1.0) == pytest.approx(heights[:-1])
 
 
 def test_sizes_are_those_of_the_preferences():

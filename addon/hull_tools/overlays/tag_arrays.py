@@ -113,7 +113,7 @@ _DIGITS = {
     "8": [[(0, 0), (2, 0), (2, 4), (0, 4), (0, 0)], [(0, 2), (2, 2)]],
     "9": [[(0, 0), (2, 0), (2, 4), (0, 4), (0, 1.8), (2, 1.8)]],
 }
-_FIELD, _PITCH = 4.0, 3.2
+_FIELD, _DIGIT, _PITCH = 4.0, 2.0, 3.2
 
 
 def _number_strokes(number):
@@ -137,6 +137,17 @@ def numbers(values, at, height, shift, viewport):
         shape = (_number_strokes(value) * height + shift) * dot
         written.append(_around(at[values == value], shape))
     return np.concatenate(written)
+
+
+def number_sizes(values, height):
+    """(n, 2) width and height of the whole numbers `values` (n,) as `numbers` writes them."""
+    widths = [(len(str(value)) - 1) * _PITCH + _DIGIT for value in np.asarray(values).tolist()]
+    return np.column_stack([np.array(widths) / _FIELD * height, np.full(len(widths), height)])
+
+
+def in_dots(at, viewport):
+    """(n, 2) the places `at`, (n, 3), in dots from the middle of the picture."""
+    return 0.5 * np.asarray(viewport, dtype=np.float64) * at[:, :2]
 
 
 def fan_triangles(faces):

@@ -10,7 +10,7 @@ from mathutils import Vector
 from ..bridge.blender import preferences
 from ..bridge.mesh import mesh_check, selection
 from ..features.hull import tags
-from . import tag_arrays
+from . import label_places, tag_arrays
 
 # Of each kind of points: its switch, colour, outline, and radius and width of the outline in dots
 # at a scale of 1 for marks of the usual size.
@@ -23,6 +23,7 @@ _POINTS = {
 _LOCKED = ("pins", 10.5, 2.2)
 _PROBLEM = ("ring", 13.0, 2.5)
 _DIGIT_HEIGHT, _DIGIT_WIDTH = 14.0, 1.7
+_GAP = 3.0  # in dots at a scale of 1, at least between numbers, for their strokes and halo
 _BESIDE, _CENTRED = (11.0, 5.0), (-3.5, -7.0)  # from a place to the lower left of its number
 _USUAL_MARK = 5.0
 # Marks are smaller where points are nearer to one another in the picture than so many dots, numbers
@@ -88,6 +89,7 @@ def drawing_of(hull, state, scene, picture):
     if settings.show_problems:
         for problem in state.ship.check.problems:
             pen.draw_problem(bm, problem, colours["problem"])
+    pen.write_numbers()
     return pen.drawing
 
 
@@ -108,6 +110,7 @@ class _Pen:
     def __init__(self, picture, points, is_seen):
         self.drawing = Drawing()
         self._picture, self._points, self._is_seen = picture, points, is_seen
+        self._labels = []  # (numbers, at, shift, colour) of numbers that are not written yet
         self._clip = tag_arrays.in_clip(points, picture.to_clip)
         room = tag_arrays.spacing(self._clip, picture.viewport) / (_ROOM * picture.scale)
         self._crowding = min(max(room, _SMALLEST), 1.0)
@@ -125,7 +128,7 @@ class _Pen:
 
     def write_beside(self, indices, numbers, colour):
         at, is_shown = self._places(indices)
-        self._write(numbers[is_shown], at[is_shown], _BESIDE, colour)
+        self._labels.append((numbers[is_shown], at[is_shown], _BESIDE, colour))
 
     def draw_odd_faces(self, faces, colour):
         """Faces, arrays of points, with the number of their corners in each."""
@@ -133,7 +136,7 @@ class _Pen:
         middles = tag_arrays.middles(self._points, faces)
         at, is_shown = tag_arrays.places(tag_arrays.in_clip(middles, self._picture.to_clip))
         counts = np.array([len(face) for face in faces], dtype=np.int32)
-        self._write(counts[is_shown], at[is_shown], _CENTRED, colour)
+        self._labels.append((counts[is_shown], at[is_shown], _CENTRED, colour))
 
     def draw_flat(self, faces, colour):
         """Faces, arrays of points, with the rim of all of them."""
@@ -156,6 +159,29 @@ class _Pen:
             rings = self._clip_of([_middle(element) for element in elements])
         at, is_shown = tag_arrays.places(rings)
         self._draw_outlines(at[is_shown], colour, *_PROBLEM)
+
+    def write_numbers(self):
+        """Those noted so far: of numbers that would cover one another the nearest."""
+        if not self._labels or self._crowding < _LEGIBLE:
+            return
+        height, gap = _DIGIT_HEIGHT * self._mark, _GAP * self._picture.scale
+        corners, sizes, depths = [], [], []
+        for numbers, at, shift, _ in self._labels:
+            places = tag_arrays.in_dots(at, self._picture.viewport)
+            corners.append(places + np.array(shift) * self._mark)
+            sizes.append(tag_arrays.number_sizes(numbers, height) + gap)
+            depths.append(at[:, 2])
+        is_written = label_places.written(*map(np.concatenate, (corners, sizes, depths)))
+        ends = np.cumsum([len(at) for _, at, _, _ in self._labels])
+        for (numbers, at, shift, colour), kept in zip(
+            self._labels, np.split(is_written, ends[:-1])
+        ):
+            self._write(numbers[kept], at[kept], np.array(shift) * self._mark, colour)
+
+    def _write(self, numbers, at, shift, colour):
+        height = _DIGIT_HEIGHT * self._mark
+        corners = tag_arrays.numbers(numbers, at, height, shift, self._picture.viewport)
+        self._draw_with_halo(colour, _DIGIT_WIDTH * self._mark, corners)
 
     def _places(self, indices):
         at, is_shown = tag_arrays.places(self._clip[indices])
@@ -183,13 +209,6 @@ class _Pen:
     def _draw_outlines(self, at, colour, outline, radius, width):
         corners = tag_arrays.outlines(outline, at, radius * self._mark, self._picture.viewport)
         self._draw_with_halo(colour, width * self._mark, corners)
-
-    def _write(self, numbers, at, shift, colour):
-        if self._crowding < _LEGIBLE:
-            return
-        height, shift = _DIGIT_HEIGHT * self._mark, np.array(shift) * self._mark
-        corners = tag_arrays.numbers(numbers, at, height, shift, self._picture.viewport)
-        self._draw_with_halo(colour, _DIGIT_WIDTH * self._mark, corners)
 
     def _draw_with_halo(self, colour, width, corners):
         self._draw_lines(_HALO, width + _HALO_WIDTH * self._picture.scale, corners)
