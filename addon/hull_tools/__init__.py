@@ -3,8 +3,16 @@
 
 from . import late_loading
 
+# Of the overlays what makes arrays: nothing is drawn before there is a hull.
+_ARRAYS = ("legend", "line", "mark", "plot", "tag")
+
 late_loading.install(
-    f"{__name__}.bridge", f"{__name__}.features", f"{__package__.rpartition('.')[0]}.hull_io"
+    f"{__name__}.bridge",
+    f"{__name__}.features",
+    f"{__package__.rpartition('.')[0]}.hull_io",
+    *(f"{__name__}.overlays.{name}_arrays" for name in _ARRAYS),
+    f"{__name__}.overlays.label_places",
+    f"{__name__}.overlays.tag_drawing",
 )
 
 from . import handlers, operators, overlays, panels, properties  # noqa: E402

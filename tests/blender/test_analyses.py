@@ -65,6 +65,12 @@ def test_these_are_all():
     analyses = part("features.analyses")
     assert tuple(analyses.ANALYSES) == ALL
     assert tuple(analyses.PLOTTED) == PLOTTED
+    for name, module in analyses.ANALYSES.items():
+        assert module.__name__.rpartition(".")[2] == name
+        assert hasattr(module, "plot") == (name in PLOTTED)
+        label, description = analyses.WORDS[name]
+        assert label and not description.endswith(".")
+    assert tuple(analyses.WORDS) == ALL
 
 
 @pytest.mark.parametrize("name", ALL)

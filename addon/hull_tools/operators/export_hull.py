@@ -134,11 +134,8 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing, ExportByTask):
         return "Lines plan written"
 
 
-def _analysis_items(modules):
-    return tuple(
-        (name, module.LABEL, module.__doc__.splitlines()[0].rstrip("."))
-        for name, module in modules.items()
-    )
+def _analysis_items(names):
+    return tuple((name, *analyses.WORDS[name]) for name in names)
 
 
 class ExportAnalysis:
@@ -148,7 +145,7 @@ class ExportAnalysis:
         return f"-{self.analysis}"
 
     def label(self):
-        return analyses.ANALYSES[self.analysis].LABEL
+        return analyses.WORDS[self.analysis][0]
 
 
 class HULL_OT_export_table(bpy.types.Operator, ExportAnalysis, ExportByTask):

@@ -6,7 +6,7 @@ from bpy.props import EnumProperty
 
 from ..bridge.objects import hull_objects
 from ..features import studio
-from ..features.studio import cameras
+from ..features.studio import views
 from .shared import BaseOperator, HullOperator, in_object_mode, make_active
 
 
@@ -58,7 +58,7 @@ class HULL_OT_studio_view(bpy.types.Operator, BaseOperator):
     view: EnumProperty(
         name="View",
         description="Where from one looks",
-        items=[(name, view.label, view.description) for name, view in cameras.VIEWS.items()],
+        items=[(name, view.label, view.description) for name, view in views.VIEWS.items()],
     )
 
     needs = (_has_studio,)

@@ -11,7 +11,7 @@ from ..bridge.blender.palette import INK, PAPER
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.surface import colours
-from .legend_arrays import HEIGHT_MM, LegendArrays, arrays_of
+from . import legend_arrays
 from .plots import DOTS_PER_MM, free_room
 from .view import Handler
 
@@ -32,7 +32,11 @@ def legend_of(hull):
         return None
     title = colours.TITLES[hull.hull.fairness.colours]
     if _made[0] is not state.shown.colour_scale or _made[1] != title:
-        _made = state.shown.colour_scale, title, arrays_of(state.shown.colour_scale, title)
+        _made = (
+            state.shown.colour_scale,
+            title,
+            legend_arrays.arrays_of(state.shown.colour_scale, title),
+        )
     return _made[2]
 
 
@@ -46,17 +50,17 @@ def _draw():
         _draw_legend(context, arrays, is_low=hull.hull.plots.corner == "TOP_LEFT")
 
 
-def _draw_legend(context, arrays: LegendArrays, is_low):
-    """Where no plot is: at the bottom if `is_low`, else below the texts at the top."""
+def _draw_legend(context, arrays, is_low):
+    """LegendArrays where no plot is: at the bottom if `is_low`, else below the texts at the top."""
     scale = context.preferences.system.ui_scale
     dots = DOTS_PER_MM * scale
     left, bottom, _, height = free_room(context.area, context.region)
-    dots *= min(1.0, height / ((HEIGHT_MM + 8.0) * dots))
+    dots *= min(1.0, height / ((legend_arrays.HEIGHT_MM + 8.0) * dots))
     blf.size(_FONT, _TEXT_MM * dots)
     widest = max((_width(text) for _, text in arrays.labels), default=0.0)
     width = arrays.card_width_mm(_width(arrays.title) / dots, widest / dots)
     x = left + _GAP * scale
-    below_texts = max(height - HEIGHT_MM * dots - _TEXTS * scale, 0.0)
+    below_texts = max(height - legend_arrays.HEIGHT_MM * dots - _TEXTS * scale, 0.0)
     y = bottom + (_GAP * scale if is_low else below_texts)
     shader = blender_versions.builtin_shader("SMOOTH_COLOR")
     gpu.state.blend_set("ALPHA")

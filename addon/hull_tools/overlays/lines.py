@@ -12,7 +12,7 @@ import gpu
 from gpu.types import GPUBatch, GPUIndexBuf, GPUVertBuf
 
 from ..bridge.blender import blender_versions, preferences
-from .line_arrays import comb_strokes, strokes_of
+from . import line_arrays
 from .view import Handler, hulls_in_view
 
 # Times the width that is set.
@@ -86,7 +86,7 @@ class _Pen:
 
 def _batch_of(group, shader):
     if group not in _batches:
-        _batches[group] = batch_of_strokes(strokes_of(group.polylines), shader)
+        _batches[group] = batch_of_strokes(line_arrays.strokes_of(group.polylines), shader)
     return _batches[group]
 
 
@@ -98,7 +98,7 @@ def batch_of_strokes(strokes, shader):
 def _comb_batches_of(group, scale, shader):
     known = _comb_batches.get(group)
     if known is None or known[0] != scale:
-        teeth, outline = comb_strokes(*group.comb(scale))
+        teeth, outline = line_arrays.comb_strokes(*group.comb(scale))
         buffer = _buffer(teeth.points, shader)
         known = scale, _batch(buffer, teeth), _batch(buffer, outline)
         _comb_batches[group] = known

@@ -7,7 +7,7 @@ from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
 from ..bridge.blender import blender_versions, preferences
-from .mark_arrays import SHAPES, in_picture, symbols
+from . import mark_arrays
 from .view import Handler, hulls_in_view
 
 _SWITCHES = {
@@ -22,7 +22,7 @@ _LAYER = 6  # before lines, and so that the hull's own slope does not cut symbol
 def _draw():
     for shown in hulls_in_view():
         fairness = shown.hull.hull.fairness
-        names = [name for name in SHAPES if getattr(fairness, _SWITCHES[name])]
+        names = [name for name in mark_arrays.SHAPES if getattr(fairness, _SWITCHES[name])]
         if not shown.state.fairness.combs or not names:
             continue
         gpu.state.blend_set("ALPHA")
@@ -42,8 +42,8 @@ def _draw_marks(shown, name):
         return
     viewport = gpu.state.viewport_get()[2:]
     scale = shown.context.preferences.system.ui_scale
-    corners = symbols(name, places, preferences.value("mark_size") * scale, viewport)
-    form = SHAPES[name][0]
+    corners = mark_arrays.symbols(name, places, preferences.value("mark_size") * scale, viewport)
+    form = mark_arrays.SHAPES[name][0]
     shader = blender_versions.builtin_shader(
         "POLYLINE_UNIFORM_COLOR" if form == "LINES" else "UNIFORM_COLOR"
     )
@@ -65,7 +65,7 @@ def _places(shown, name):
     for group in shown.state.fairness.combs.values():
         for is_image in (False, True) if group.is_mirrored else (False,):
             to_clip = projection @ shown.to_view(is_image, _LAYER)
-            found.append(in_picture(group.marks[name], to_clip))
+            found.append(mark_arrays.in_picture(group.marks[name], to_clip))
     return np.concatenate(found)
 
 

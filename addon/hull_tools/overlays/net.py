@@ -8,7 +8,7 @@ import gpu
 import numpy as np
 
 from ..bridge.blender import blender_versions, preferences
-from .line_arrays import Strokes
+from . import line_arrays
 from .lines import batch_of_strokes
 from .view import Handler, hulls_in_view
 
@@ -23,7 +23,7 @@ def net_of(mesh):
     ends = np.cumsum(sizes)
     following[ends - 1] = corners[ends - sizes]
     edges = np.unique(np.sort(np.stack([corners, following], axis=1), axis=1), axis=0)
-    return Strokes(mesh.points.astype(np.float32), edges.astype(np.int32))
+    return line_arrays.Strokes(mesh.points.astype(np.float32), edges.astype(np.int32))
 
 
 def _draw():

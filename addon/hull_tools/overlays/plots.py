@@ -14,7 +14,7 @@ from gpu_extras.batch import batch_for_shader
 from ..bridge.blender import blender_versions, preferences
 from ..bridge.blender.palette import PAPER
 from ..features.analyses import live_analyses
-from .plot_arrays import arrays_of
+from . import plot_arrays
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
 DOTS_PER_MM = 4.4
@@ -75,7 +75,9 @@ def show(plots, placement=None, outdated=()):
     if plots == _shown.plots and placement == _shown.placement:
         _shown.outdated = outdated
         return
-    arrays = [arrays_of(plot, placement.width_mm, placement.height_mm) for plot in plots]
+    arrays = [
+        plot_arrays.arrays_of(plot, placement.width_mm, placement.height_mm) for plot in plots
+    ]
     _shown.plots, _shown.placement, _shown.arrays = plots, placement, arrays
     _shown.outdated = outdated
     _shown.batches = None

@@ -7,7 +7,7 @@ from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
 from ..bridge.blender import blender_versions
-from .tag_drawing import Picture, drawing_of
+from . import tag_drawing
 from .view import Handler, hulls_in_view
 
 _FILL_ALPHA = 0.22
@@ -19,13 +19,13 @@ def _draw():
     for shown in hulls_in_view(lambda state: True):
         if shown.hull.mode == "EDIT" and shown.hull.hull.tags.show:
             context = shown.context
-            picture = Picture(
+            picture = tag_drawing.Picture(
                 context.region_data.window_matrix @ shown.to_view(layer=_LAYER),
                 gpu.state.viewport_get()[2:],
                 context.preferences.system.ui_scale,
                 shown.metres_per_unit,
             )
-            _draw_drawing(drawing_of(shown.hull, shown.state, context.scene, picture))
+            _draw_drawing(tag_drawing.drawing_of(shown.hull, shown.state, context.scene, picture))
 
 
 def _draw_drawing(drawing):

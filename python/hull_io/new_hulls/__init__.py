@@ -7,11 +7,8 @@ Start at `new_hull`.
 from dataclasses import dataclass
 from typing import Callable
 
-from .barge import barge
-from .canoe_body import canoe_body
+from . import barge, canoe_body, planing, round_bilge
 from .dimensions import Dimensions
-from .planing import planing_hull
-from .round_bilge import round_bilge_hull
 
 # Least and greatest numbers of sections along the hull, and of control points in a section.
 SECTIONS = (8, 60)
@@ -20,7 +17,8 @@ POINTS = (6, 24)
 
 @dataclass(frozen=True)
 class HullType:
-    """make(dimensions, sections, points) returns a HullData; the rest is what is usual."""
+    """make(dimensions, sections, points) returns a HullData; the rest is what is usual. Its module
+    is looked up at the call: in the add-on it runs only then."""
 
     name: str
     description: str
@@ -34,7 +32,7 @@ TYPES = {
     "BARGE": HullType(
         "Barge",
         "Flat bottom and sides, small bilges, raked ends with headlogs",
-        barge,
+        lambda *asked: barge.barge(*asked),
         Dimensions(length=60.0, beam=12.0, draft=2.8, depth=4.0),
         8,
         6,
@@ -42,7 +40,7 @@ TYPES = {
     "ROUND_BILGE": HullType(
         "Round Bilge",
         "Displacement hull with flat bottom and sides amidships, raked stem and transom",
-        round_bilge_hull,
+        lambda *asked: round_bilge.round_bilge_hull(*asked),
         Dimensions(length=80.0, beam=13.0, draft=5.0, depth=7.2),
         13,
         8,
@@ -50,7 +48,7 @@ TYPES = {
     "PLANING": HullType(
         "Hard-chine Planing",
         "Planing hull with one chine, constant deadrise aft and a V forward",
-        planing_hull,
+        lambda *asked: planing.planing_hull(*asked),
         Dimensions(length=10.0, beam=3.2, draft=0.6, depth=1.6),
         10,
         8,
@@ -58,7 +56,7 @@ TYPES = {
     "CANOE_BODY": HullType(
         "Sailing Yacht",
         "Canoe body of a sailing yacht: round sections, overhangs, no keel or rudder",
-        canoe_body,
+        lambda *asked: canoe_body.canoe_body(*asked),
         Dimensions(length=10.0, beam=3.5, draft=0.6, depth=1.7),
         11,
         7,

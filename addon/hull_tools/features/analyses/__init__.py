@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Analyses of a hull: tables and plots that are computed when they are looked at.
 
-Each module here is one analysis:
-  LABEL           its name for people
+Each module of ANALYSES is one analysis:
   IS_LIVE         whether it is quick enough to follow every change while it is shown
   inputs          (Object.hull, metres per unit) → what it depends on beside the ship; hashable
   compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread, and
@@ -21,20 +20,55 @@ from ..hull import hull_state
 from ..lines import offset_table
 from ..stability import criteria, cross_curves, load_cases, righting_levers
 
-_MODULES = (
-    hydrostatic_table,
-    sectional_areas,
-    bonjean_curves,
-    righting_levers,
-    cross_curves,
-    criteria,
-    load_cases,
-    offset_table,
-    knuckle_angles,
-)
+ANALYSES = {
+    "hydrostatic_table": hydrostatic_table,
+    "sectional_areas": sectional_areas,
+    "bonjean_curves": bonjean_curves,
+    "righting_levers": righting_levers,
+    "cross_curves": cross_curves,
+    "criteria": criteria,
+    "load_cases": load_cases,
+    "offset_table": offset_table,
+    "knuckle_angles": knuckle_angles,
+}
 
-ANALYSES = {module.__name__.rpartition(".")[2]: module for module in _MODULES}
-PLOTTED = {name: module for name, module in ANALYSES.items() if hasattr(module, "plot")}
+# Of each its name for people, and what it is. Modules run when they are first asked for something:
+# these words, and which have a plot, Blender wants when the add-on is enabled.
+WORDS = {
+    "hydrostatic_table": (
+        "Hydrostatics",
+        "Over drafts and trims: table, and curves of even keel or the first trim",
+    ),
+    "sectional_areas": (
+        "Sectional areas",
+        "The sectional area curve at the draft, trim and heel of the hydrostatics",
+    ),
+    "bonjean_curves": (
+        "Bonjean curves",
+        "Areas of the stations of the lines plan over the draft",
+    ),
+    "righting_levers": (
+        "Righting levers",
+        "Levers over the heel, with what is read from the curve",
+    ),
+    "cross_curves": ("Cross curves", "KN over displacements and heels"),
+    "criteria": (
+        "IS Code criteria",
+        "2008 IS Code, Part A, 2.2 and 2.3, for the load of the stability panel",
+    ),
+    "load_cases": ("Load cases", "How the hull floats under each load case, or why it does not"),
+    "offset_table": (
+        "Table of offsets",
+        "Heights and half-breadths at the stations of the lines plan",
+    ),
+    "knuckle_angles": (
+        "Angles of knuckles",
+        "The angle between the surface's normals on both sides, along the knuckles",
+    ),
+}
+
+_UNPLOTTED = ("criteria", "load_cases", "offset_table")
+PLOTTED = {name: module for name, module in ANALYSES.items() if name not in _UNPLOTTED}
 
 
 @dataclass(frozen=True)

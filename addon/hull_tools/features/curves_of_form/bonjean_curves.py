@@ -10,7 +10,6 @@ from ...bridge.blender.units import as_typed
 from ..flotation import afloat
 from ..lines.line_places import station_spaces
 
-LABEL = "Bonjean curves"
 IS_LIVE = False
 
 _DRAFTS = 20

@@ -13,7 +13,6 @@ from ...bridge.blender.units import as_typed
 from ..flotation import afloat, hydrostatics
 from .ranges import stepped
 
-LABEL = "Hydrostatics"
 IS_LIVE = False
 
 _DEFAULT_ROWS = 10

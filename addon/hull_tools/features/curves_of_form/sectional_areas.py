@@ -9,7 +9,6 @@ from ...bridge import native
 from ..flotation import afloat
 from ..lines import lines
 
-LABEL = "Sectional areas"
 IS_LIVE = True
 
 _SPACES = 80

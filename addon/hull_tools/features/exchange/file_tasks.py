@@ -51,7 +51,7 @@ class AnalysisFile(jobs.JobTask):
 
     def __init__(self, obj, scene, name, path):
         self.state = hull_state.up_to_date(obj, scene)
-        self.text, self._name, self._title = analyses.ANALYSES[name].LABEL, name, obj.name
+        self.text, self._name, self._title = analyses.WORDS[name][0], name, obj.name
         known, is_current = analyses.last_outcome(obj, scene, name)
         if analyses.ANALYSES[name].IS_LIVE or not is_current:
             known = None  # live ones are not as close as can be

@@ -7,7 +7,6 @@ import numpy as np
 
 from ...bridge import native
 
-LABEL = "Angles of knuckles"
 IS_LIVE = True
 
 _SAMPLES = 8  # of a control edge
@@ -92,7 +91,7 @@ def rows(result):
 
 
 def plot(result, name):
-    plot = native.require().Plot(LABEL, [name])
+    plot = native.require().Plot("Angles of knuckles", [name])
     plot.add_x_axis("x from the after perpendicular", "m")
     plot.set_y_axis("Angle of the knuckle", "°", from_zero=False)
     for place, one in enumerate(result):

@@ -6,7 +6,6 @@ import numpy as np
 from ...bridge import native
 from . import line_places
 
-LABEL = "Table of offsets"
 IS_LIVE = False
 
 

@@ -9,7 +9,6 @@ from ...bridge import native
 from ..hull import deck_edge
 from . import loads, wind
 
-LABEL = "IS Code criteria"
 IS_LIVE = False
 
 GENERAL, WEATHER = "2.2", "2.3"

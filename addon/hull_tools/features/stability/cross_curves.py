@@ -12,7 +12,6 @@ from ..curves_of_form.ranges import stepped
 from ..flotation.afloat import as_typed_angle
 from . import loads
 
-LABEL = "Cross curves"
 IS_LIVE = False
 
 _LEAST, _GREATEST = 0.25, 1.25  # of the load, where no range is given

@@ -9,7 +9,6 @@ from ...bridge.blender.units import as_typed
 from ..flotation import afloat
 from . import loads
 
-LABEL = "Load cases"
 IS_LIVE = False
 
 AFLOAT = ("stable", "neutral", "unstable")

@@ -10,7 +10,6 @@ from ..flotation.afloat import as_typed_angle
 from ..hull import deck_edge
 from . import loads
 
-LABEL = "Righting levers"
 IS_LIVE = False
 
 # The intervals whose areas the intact stability code asks for.

@@ -6,9 +6,9 @@ and put back. A scene has one studio at a time.
 """
 
 from .building import look_from, make, remove, turn
-from .cameras import TURNTABLE, VIEWS
 from .following import ask, before_picture, follow, forget, stop
 from .place import find, hull_of
+from .views import TURNTABLE, VIEWS
 
 __all__ = [
     "TURNTABLE",

@@ -15,6 +15,7 @@ from . import (
     paint,
     rendering,
     scene_settings,
+    views,
 )
 from .place import MARK, find, hull_of, place_of
 
@@ -50,7 +51,7 @@ def make(hull, scene):
     cameras.add_cameras(here)
     following.follow(scene)
     cameras.turn(here, settings.turntable_frames)
-    look_from(scene, cameras.FIRST)
+    look_from(scene, views.FIRST)
     scene_settings.show_only(collection, scene, _seen(hull, collection))
     return collection
 
@@ -100,12 +101,12 @@ def _seen(hull, collection):
 
 
 def look_from(scene, view):
-    """Has pictures be taken by the camera of one of cameras.VIEWS, framed to the hull as it is now
+    """Has pictures be taken by the camera of one of views.VIEWS, framed to the hull as it is now
     and to the shape of the picture. ValueError where there is no such camera."""
     here = _studio_of(scene)
-    camera = cameras.camera_of(here.collection, cameras.VIEWS[view])
+    camera = cameras.camera_of(here.collection, views.VIEWS[view])
     if camera is None:
-        raise ValueError(f"The camera {cameras.VIEWS[view].label} is gone: set up the studio anew")
+        raise ValueError(f"The camera {views.VIEWS[view].label} is gone: set up the studio anew")
     cameras.frame(here, camera, view)
     lines_on_hull.draw_thin(here, cameras.width_at(here, camera))
     scene.camera = camera
@@ -113,7 +114,7 @@ def look_from(scene, view):
 
 def turn(scene, frames):
     """Has the turntable turn once in so many frames, and the film be taken from it."""
-    look_from(scene, cameras.TURNTABLE)
+    look_from(scene, views.TURNTABLE)
     cameras.turn(_studio_of(scene), frames)
     # The last frame is the one before the first comes again.
     scene.frame_start, scene.frame_end = 1, frames

@@ -5,7 +5,6 @@ A camera that sees in perspective stands exactly so far away that the hull just 
 orthographic one has exactly the scale at which it does.
 """
 
-from dataclasses import dataclass
 from math import cos, radians, sin, tau
 
 import bpy
@@ -13,6 +12,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from . import place, water_look
+from .views import TURNTABLE, VIEWS
 
 _SENSOR = 36.0  # mm, of the picture's longer side
 # Room around the hull: each side of the frame is this much longer than the hull needs.
@@ -20,34 +20,6 @@ _ROOM = 1.08
 _CLIP = (1e-3, 2000.0)  # lengths
 _HALVINGS = 50
 _TURNS, _LEVELS = 48, 64
-
-
-@dataclass(frozen=True)
-class View:
-    """Where from a camera looks: degrees from ahead to port, and above the horizon. lens: mm; 0
-    for an orthographic one. below: whether it shows only what is below the water, if there is any.
-    """
-
-    label: str
-    description: str
-    bearing: float
-    elevation: float
-    lens: float = 0.0
-    below: bool = False
-
-
-VIEWS = {
-    "BOW": View("Bow quarter", "From off the starboard bow", -37.0, 8.5, 55.0),
-    "STERN": View("Stern quarter", "From off the starboard quarter", -142.0, 9.0, 55.0),
-    "PROFILE": View("Profile", "From starboard, level, to scale", -90.0, 0.0),
-    "PLAN": View("Plan", "From above, to scale", -90.0, 90.0),
-    "BODY": View("Body", "From ahead, level, to scale", 0.0, 0.0),
-    "UNDERWATER": View(
-        "Underwater", "From below the bow, what is under water", -38.0, -15.0, 45.0, below=True
-    ),
-    "TURNTABLE": View("Turntable", "From a camera that goes round the hull", -40.0, 7.5, 60.0),
-}
-FIRST, TURNTABLE = "BOW", "TURNTABLE"
 _PIVOT = "Studio turntable"
 # How a camera stood when it was framed; one that the user has moved is his.
 _STANDS = "hull_studio_stands"
