@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Of labels that would cover one another the nearest is written."""
+"""Of labels that would cover one another the nearest is written, and none over marks."""
 
 import importlib.util
 from pathlib import Path
@@ -48,7 +48,17 @@ def test_a_wide_label_meets_those_beside_it(written):
     assert written(corners, sizes, [1, 2, 3]).tolist() == [True, False, True]
 
 
+def test_what_is_taken_stays_free(written):
+    corners, sizes, taken = (
+        [(0, 0), (20, 0), (40, 0)],
+        [(7, 14)] * 3,
+        [(-50, 5, 1, 9), (27, 0, 35, 9)],
+    )
+    assert written(corners, sizes, [1, 2, 3], taken).tolist() == [False, True, True]
+
+
 def test_no_labels(written):
+    assert written([], [], [], [(0, 0, 1, 1)]).shape == (0,)
     assert written(np.empty((0, 2)), np.empty((0, 2)), np.empty(0)).shape == (0,)
 
 
@@ -59,11 +69,18 @@ def test_crowds_of_labels(written):
         corners = rng.uniform(-300.0, 300.0, (count, 2))
         sizes = rng.uniform(5.0, 40.0, (count, 2))
         depths = rng.permutation(count)
-        is_written = written(corners, sizes, depths)
-        meet = overlaps(corners, sizes) & ~np.eye(count, dtype=bool)
+        low = rng.uniform(-300.0, 300.0, (count // 5, 2))
+        size = rng.uniform(5.0, 60.0, (count // 5, 2))
+        taken = np.hstack([low, low + size])
+        is_written = written(corners, sizes, depths, taken)
+        both = overlaps(np.concatenate([corners, low]), np.concatenate([sizes, size]))
+        meet = both[:count, :count] & ~np.eye(count, dtype=bool)
+        is_on_taken = both[:count, count:].any(axis=1)
         assert not meet[np.ix_(is_written, is_written)].any()
         nearer = depths[None] < depths[:, None]
-        assert (is_written == ~(meet & nearer & is_written[None]).any(axis=1)).all()
+        gives_way = (meet & nearer & is_written[None]).any(axis=1)
+        assert (is_written == ~(gives_way | is_on_taken)).all()
         # In any order.
         order = rng.permutation(count)
-        assert (written(corners[order], sizes[order], depths[order]) == is_written[order]).all()
+        again = written(corners[order], sizes[order], depths[order], taken[::-1])
+        assert (again == is_written[order]).all()

@@ -111,6 +111,7 @@ class _Pen:
         self.drawing = Drawing()
         self._picture, self._points, self._is_seen = picture, points, is_seen
         self._labels = []  # (numbers, at, shift, colour) of numbers that are not written yet
+        self._taken = [np.empty((0, 4))]  # boxes of points' marks, which no number covers
         self._clip = tag_arrays.in_clip(points, picture.to_clip)
         room = tag_arrays.spacing(self._clip, picture.viewport) / (_ROOM * picture.scale)
         self._crowding = min(max(room, _SMALLEST), 1.0)
@@ -125,6 +126,9 @@ class _Pen:
     def draw_points(self, indices, colour, outline, radius, width):
         at, is_shown = self._places(indices)
         self._draw_outlines(at[is_shown], colour, outline, radius, width)
+        middles = tag_arrays.in_dots(at[is_shown], self._picture.viewport)
+        reach = radius * self._mark
+        self._taken.append(np.hstack([middles - reach, middles + reach]))
 
     def write_beside(self, indices, numbers, colour):
         at, is_shown = self._places(indices)
@@ -161,7 +165,8 @@ class _Pen:
         self._draw_outlines(at[is_shown], colour, *_PROBLEM)
 
     def write_numbers(self):
-        """Those noted so far: of numbers that would cover one another the nearest."""
+        """Those noted so far that cover no mark; of those that would cover one another the
+        nearest."""
         if not self._labels or self._crowding < _LEGIBLE:
             return
         height, gap = _DIGIT_HEIGHT * self._mark, _GAP * self._picture.scale
@@ -171,7 +176,9 @@ class _Pen:
             corners.append(places + np.array(shift) * self._mark)
             sizes.append(tag_arrays.number_sizes(numbers, height) + gap)
             depths.append(at[:, 2])
-        is_written = label_places.written(*map(np.concatenate, (corners, sizes, depths)))
+        is_written = label_places.written(
+            *map(np.concatenate, (corners, sizes, depths, self._taken))
+        )
         ends = np.cumsum([len(at) for _, at, _, _ in self._labels])
         for (numbers, at, shift, colour), kept in zip(
             self._labels, np.split(is_written, ends[:-1])
