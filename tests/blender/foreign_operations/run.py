@@ -9,6 +9,7 @@ when Blender crashed, FOLDER/finding.txt what was found. The exit code is 3 then
 
 import faulthandler
 import os
+import random
 import sys
 import traceback
 from pathlib import Path
@@ -21,6 +22,8 @@ from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
 
 LONGEST_STEP_SECONDS = 300
+# In a window, between two steps: work for pauses is done in the longest of these.
+PAUSES_SECONDS = (0.0, 0.0, 0.0, 0.5)
 
 
 class Listening:
@@ -37,35 +40,101 @@ class Listening:
         self.stream.flush()
 
 
-def main(seed, steps, folder):
-    folder = Path(folder)
-    python = open(folder / "python.txt", "w")
-    faulthandler.enable(python)
-    sys.stderr = Listening(sys.stderr)
-    log = open(folder / "steps.txt", "w", buffering=1)
-    bpy.ops.wm.read_homefile(use_empty=True)
-    session = Session(int(seed), folder)
-    session.tell = lambda text: print("begin", text, file=log)
-    for number in range(int(steps)):
+class Run:
+    """A session of `steps` steps; what is shown is judged after each."""
+
+    def __init__(self, seed, steps, folder):
+        self._seed, self._steps, self._folder = seed, steps, folder
+        self._python = open(folder / "python.txt", "w")
+        self._log = open(folder / "steps.txt", "w", buffering=1)
+        self._number = 0
+        faulthandler.enable(self._python)
+        bpy.ops.wm.read_homefile(use_empty=True)
+        with _context():
+            self._session = Session(seed, folder)
+        self._session.tell = lambda text: print("begin", text, file=self._log)
+
+    def step(self):
+        """Does one thing; returns what."""
+        python = self._python
         faulthandler.dump_traceback_later(LONGEST_STEP_SECONDS, exit=True, file=python)
         try:
-            done = session.step()
+            with _context():
+                done = self._session.step()
         except Exception:
             done = "FAILED " + traceback.format_exc()
-        print(number, done, file=log)
-        found = oracle.differences()
+        print(self._number, done, file=self._log)
+        return done
+
+    def judge(self, done):
+        """Ends Blender where something is found after a step, and after the last."""
+        with _context():
+            found = oracle.differences()
         if f"{os.sep}hull_tools{os.sep}" in sys.stderr.text:  # a traceback
             found.insert(0, sys.stderr.text)
         if done.startswith("FAILED"):
             found.append(done)
         if found:
-            (folder / "finding.txt").write_text(
-                "\n".join([f"seed {seed} step {number}: {done}", *found])
-            )
-            log.flush()
-            os._exit(3)
-    print("done", file=log, flush=True)
-    os._exit(0)
+            what = f"seed {self._seed} step {self._number}: {done}"
+            (self._folder / "finding.txt").write_text("\n".join([what, *found]))
+            self._end(3)
+        self._number += 1
+        if self._number == self._steps:
+            print("done", file=self._log)
+            self._end(0)
+
+    def _end(self, code):
+        self._log.flush()
+        os._exit(code)
+
+
+def _context():
+    """That of operators in a 3D view, where there is a window: what is called by a timer has none.
+    The views are others after each loaded file."""
+    if bpy.app.background:
+        return bpy.context.temp_override()
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    return bpy.context.temp_override(window=window, area=area, region=region)
+
+
+class InWindow:
+    """`advance` is a timer: between a step and its judgement Blender handles events and draws."""
+
+    def __init__(self, *arguments):
+        self._arguments, self._run, self._done = arguments, None, ""
+        self._chance = random.Random(arguments[0])
+        # Drawn by the processor, smoothing takes longer than all else.
+        bpy.context.preferences.system.viewport_aa = "OFF"
+
+    def advance(self):
+        try:
+            self._advance()
+        except Exception:
+            traceback.print_exc()
+            os._exit(1)
+        return self._chance.choice(PAUSES_SECONDS)
+
+    def _advance(self):
+        if self._run is None:
+            self._run = Run(*self._arguments)
+        elif self._done:
+            self._run.judge(self._done)
+            self._done = ""
+        else:
+            self._done = self._run.step()
+
+
+def main(seed, steps, folder):
+    sys.stderr = Listening(sys.stderr)
+    arguments = int(seed), int(steps), Path(folder)
+    if not bpy.app.background:
+        bpy.app.timers.register(InWindow(*arguments).advance, first_interval=0.5, persistent=True)
+        return
+    run = Run(*arguments)
+    while True:
+        run.judge(run.step())
 
 
 main(*sys.argv[sys.argv.index("--") + 1 :])
