@@ -20,6 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
+from foreign_operations.view import in_view  # noqa: E402
 
 LONGEST_STEP_SECONDS = 300
 # In a window, between two steps: work for pauses is done in the longest of these.
@@ -50,7 +51,7 @@ class Run:
         self._number = 0
         faulthandler.enable(self._python)
         bpy.ops.wm.read_homefile(use_empty=True)
-        with _context():
+        with in_view():
             self._session = Session(seed, folder)
         self._session.tell = lambda text: print("begin", text, file=self._log)
 
@@ -59,7 +60,7 @@ class Run:
         python = self._python
         faulthandler.dump_traceback_later(LONGEST_STEP_SECONDS, exit=True, file=python)
         try:
-            with _context():
+            with in_view():
                 done = self._session.step()
         except Exception:
             done = "FAILED " + traceback.format_exc()
@@ -68,7 +69,7 @@ class Run:
 
     def judge(self, done):
         """Ends Blender where something is found after a step, and after the last."""
-        with _context():
+        with in_view():
             found = oracle.differences()
         if f"{os.sep}hull_tools{os.sep}" in sys.stderr.text:  # a traceback
             found.insert(0, sys.stderr.text)
@@ -86,17 +87,6 @@ class Run:
     def _end(self, code):
         self._log.flush()
         os._exit(code)
-
-
-def _context():
-    """That of operators in a 3D view, where there is a window: what is called by a timer has none.
-    The views are others after each loaded file."""
-    if bpy.app.background:
-        return bpy.context.temp_override()
-    window = bpy.context.window_manager.windows[0]
-    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
-    region = next(region for region in area.regions if region.type == "WINDOW")
-    return bpy.context.temp_override(window=window, area=area, region=region)
 
 
 class InWindow:

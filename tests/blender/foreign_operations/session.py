@@ -8,6 +8,7 @@ import bpy
 from addon_under_test import add_hull, make_active, part
 
 from . import operators
+from .view import in_view
 
 MOST_FACES = 1500
 MOST_OBJECTS = 14
@@ -266,7 +267,8 @@ class Session:
             bpy.ops.wm.save_as_mainfile(filepath=self.path)
             self.is_saved = True
         bpy.ops.wm.open_mainfile(filepath=self.path)
-        self.finish("loaded")
+        with in_view():
+            self.finish("loaded")
         return self.path
 
     def tidy(self):
