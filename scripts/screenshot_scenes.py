@@ -66,13 +66,16 @@ def _with_opening(hull):
     hull.hull.loading.kg = 5.0
     with bpy.context.temp_override(object=hull, active_object=hull):
         bpy.ops.hull.add_downflooding_point()
+    hatch = hull.hull.loading.downflooding_points[0]
+    hatch.name, hatch.position = "Hatch, fore end", (58.0, 4.2, 8.6)
 
 
 def _with_fit(hull):
     """The hull fitted to faces between points of its own surface, somewhat fuller."""
     grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(12)
-    mesh = bpy.data.meshes.new("Hull of a scan")
+    mesh = bpy.data.meshes.new("Scan")
     mesh.from_pydata((np.array(grid.points) * [1.0, 1.01, 1.0]).tolist(), [], grid.quads.tolist())
+    hull.hull.fit.use_edges = True
     hull.hull.fit.target = bpy.data.objects.new(mesh.name, mesh)
     bpy.context.collection.objects.link(hull.hull.fit.target)
     bpy.context.view_layer.update()
@@ -106,7 +109,7 @@ PANELS = {
         )
     ),
     "panels/stability": PanelShot(
-        hull_panels("stability", "downflooding_points"),
+        hull_panels("stability", "downflooding_points", "stability_remarks"),
         _with_opening,
         analyses=("righting_levers",),
     ),

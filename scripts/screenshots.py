@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Make the pictures of the docs in Blender's window, or those named.
 
-blender --enable-event-simulate --python screenshots.py -- FOLDER THEME [NAME...]
+blender --enable-event-simulate --python screenshots.py -- FOLDER THEME KIND [NAME...]
 
-THEME is "dark", as the docs have it, or "light", to be looked at.
+THEME is "dark", as the docs have it, or "light", to be looked at; KIND is "panels", for which the
+window is to be higher than any of them, or "views" with drawings.
 """
 
 import sys
@@ -27,11 +28,9 @@ _SMOOTHINGS = 4
 class Shots:
     """All pictures, one after the other, each from an empty file; `step` is a timer."""
 
-    def __init__(self, folder, wanted):
+    def __init__(self, folder, names):
         self._folder = Path(folder)
-        self._names = [
-            name for name in (*PANELS, *VIEWS, *DRAWINGS) if not wanted or name in wanted
-        ]
+        self._names = names
         self._panels = Panels()
         self._stepper = None
 
@@ -79,14 +78,15 @@ class Shots:
 
 
 def main():
-    folder, theme, *wanted = sys.argv[sys.argv.index("--") + 1 :]
+    folder, theme, kind, *wanted = sys.argv[sys.argv.index("--") + 1 :]
+    of_kind = {"panels": (*PANELS,), "views": (*VIEWS, *DRAWINGS)}[kind]
     preferences = bpy.context.preferences
     preferences.view.show_splash = False
     preferences.system.use_region_overlap = False  # the 3D view does not shine through
     preferences.use_preferences_save = False
     preferences.filepaths.use_auto_save_temporary_files = False
     use_theme(theme)
-    shots = Shots(folder, wanted)
+    shots = Shots(folder, [name for name in of_kind if not wanted or name in wanted])
     bpy.app.timers.register(shots.step, first_interval=0.5, persistent=True)
 
 

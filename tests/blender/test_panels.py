@@ -108,12 +108,14 @@ def test_hydrostatics_with_units(hull):
     assert value_after(said["HULL_PT_hydrostatics_waterplane"], "Entrance ½") == "90.00°"
 
 
-def test_stability_says_nothing_before_it_was_computed(hull):
-    assert "Righting levers: computing …" in texts()["HULL_PT_stability"]
+def test_stability_says_dashes_before_it_was_computed(hull):
+    before = texts()["HULL_PT_stability"]
+    assert "Righting levers: computing …" in before
+    assert value_after(before, "GM") == value_after(before, "Area 0–40°") == "–"
     compute_all(hull)
     said = texts()
     assert value_after(said["HULL_PT_stability"], "GM") == "0.633 m"
-    assert any(text.startswith("2.2.4 pass") for text in said["HULL_PT_criteria"])
+    assert any(text.startswith("2.2.4 met") for text in said["HULL_PT_criteria"])
 
 
 def test_criteria_say_which_are_met_and_what_they_rest_on(hull):
@@ -128,8 +130,51 @@ def test_criteria_say_which_are_met_and_what_they_rest_on(hull):
     hull.hull.loading.kg_is_guess = True
     bpy.context.view_layer.update()
     compute_all(hull)
-    for name in ("HULL_PT_criteria", "HULL_PT_stability"):
+    for name in ("HULL_PT_criteria", "HULL_PT_stability_remarks"):
         assert any(text.startswith("VCG 1.2 m is a guess") for text in texts()[name])
+
+
+def places(said):
+    """By field and button at which line of its panel it stands."""
+    marks = ("property ", "operator ", "list ")
+    return [(line, text) for line, text in enumerate(said) if text.startswith(marks)]
+
+
+def test_no_field_or_button_of_stability_moves_with_results(hull):
+    """Not within its panel; panels that grow and shrink stand below those of fields."""
+    found = [places(texts()["HULL_PT_stability"])]
+    compute_all(hull)
+    found.append(places(texts()["HULL_PT_stability"]))
+    assert "No downflooding point is given" in texts()["HULL_PT_stability_remarks"][0]
+    with bpy.context.temp_override(object=hull):
+        bpy.ops.hull.add_downflooding_point()
+    hull.hull.loading.kg = 2.5
+    bpy.context.view_layer.update()
+    found.append(places(texts()["HULL_PT_stability"]))
+    compute_all(hull)
+    found.append(places(texts()["HULL_PT_stability"]))
+    assert texts()["HULL_PT_stability_remarks"] == ["None"]
+    assert found[0] and all(one == found[0] for one in found)
+    parts = [cls for cls in part("panels")._CLASSES if
+             getattr(cls, "bl_parent_id", "") == "HULL_PT_stability"]  # fmt: skip
+    parts.sort(key=lambda cls: cls.bl_order)
+    assert [cls.bl_label for cls in parts[-2:]] == ["IS Code Criteria", "Remarks"]
+    assert len({cls.bl_order for cls in parts}) == len(parts)
+
+
+def test_a_criterion_that_is_not_met_in_spite_of_its_number_says_why(hull):
+    """Where the ship floods before 30°, though there is area enough up to there."""
+    criterion = SimpleNamespace(paragraph="2.2.1", outcome="fail", name="Area", value=0.06,
+                                unit="m·rad", bound="at least", limit=0.055,
+                                note="The ship floods at 18.0°.")  # fmt: skip
+    drawn = Drawn(part("panels.criteria").HULL_PT_criteria)
+    drawn._draw_criterion(drawn.layout, context(), criterion)
+    assert drawn.layout.noted == [
+        "2.2.1 not met: Area", "0.060 m·rad", "≥ 0.055 m·rad", "The ship floods at 18.0°."
+    ]  # fmt: skip
+    criterion.value, drawn.layout.noted[:] = 0.05, []
+    drawn._draw_criterion(drawn.layout, context(), criterion)
+    assert len(drawn.layout.noted) == 3
 
 
 def test_the_vcg_is_a_guess_until_it_is_given():
@@ -167,7 +212,7 @@ def test_wind_and_rolling(hull):
     # Without areas there is no criterion, and the others stay.
     said = texts()["HULL_PT_criteria"]
     assert any("no wind area" in text for text in said)
-    assert any(text.startswith("2.2.4 pass") for text in said)
+    assert any(text.startswith("2.2.4 met") for text in said)
 
 
 def test_load_cases(hull):

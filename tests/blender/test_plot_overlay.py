@@ -2,6 +2,7 @@
 """The headless half of the plots over the 3D view: arrays, places, and when they are made anew."""
 
 import math
+from types import SimpleNamespace
 
 import addon_utils
 import numpy as np
@@ -92,6 +93,18 @@ def test_cards_stand_apart_within_the_room(overlay, corner, count):
     for i, (x, y) in enumerate(places):
         assert left <= x <= left + width - w and bottom <= y <= bottom + height - h
         assert all(abs(x - u) >= w or abs(y - v) >= h for u, v in places[:i])
+
+
+@pytest.mark.parametrize("is_shown", [True, False])
+def test_blenders_texts_at_the_top_keep_their_room(overlay, is_shown):
+    context = SimpleNamespace(
+        space_data=SimpleNamespace(overlay=SimpleNamespace(show_text=is_shown)),
+        preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=2.0)),
+    )
+    left, bottom, width, height = overlay.below_texts((5.0, 10.0, 300.0, 200.0), context)
+    assert (left, bottom, width) == (5.0, 10.0, 300.0)
+    assert height == (200.0 - 2.0 * 56.0 if is_shown else 200.0)
+    assert overlay.below_texts((0.0, 0.0, 300.0, 20.0), context)[3] >= 0.0
 
 
 def test_disabling_the_addon_takes_the_plots_away(overlay):

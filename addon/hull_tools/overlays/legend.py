@@ -12,14 +12,12 @@ from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.surface import colours
 from . import legend_arrays
-from .plots import DOTS_PER_MM, free_room
+from .plots import DOTS_PER_MM, below_texts, free_room
 from .view import Handler
 
 _FONT = 0
 _TEXT_MM = 2.5
 _GAP = 12.0  # dots to the region's border, at a scale of 1
-
-_TEXTS = 56.0  # dots that Blender's own texts take at the top, at a scale of 1
 
 _made = (None, "", None)  # of the last time: scale, title, LegendArrays
 
@@ -54,14 +52,15 @@ def _draw_legend(context, arrays, is_low):
     """LegendArrays where no plot is: at the bottom if `is_low`, else below the texts at the top."""
     scale = context.preferences.system.ui_scale
     dots = DOTS_PER_MM * scale
-    left, bottom, _, height = free_room(context.area, context.region)
+    room = free_room(context.area, context.region)
+    left, bottom, _, height = room
     dots *= min(1.0, height / ((legend_arrays.HEIGHT_MM + 8.0) * dots))
     blf.size(_FONT, _TEXT_MM * dots)
     widest = max((_width(text) for _, text in arrays.labels), default=0.0)
     width = arrays.card_width_mm(_width(arrays.title) / dots, widest / dots)
     x = left + _GAP * scale
-    below_texts = max(height - legend_arrays.HEIGHT_MM * dots - _TEXTS * scale, 0.0)
-    y = bottom + (_GAP * scale if is_low else below_texts)
+    highest = max(below_texts(room, context)[3] - legend_arrays.HEIGHT_MM * dots, 0.0)
+    y = bottom + (_GAP * scale if is_low else highest)
     shader = blender_versions.builtin_shader("SMOOTH_COLOR")
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():

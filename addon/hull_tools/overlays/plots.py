@@ -26,6 +26,7 @@ _LEAST_LINE = 1.0  # dots: thinner lines would fade
 _BLANK_MARGIN_MM = 0.25  # as on paper
 _FONT = 0  # Blender's own
 _GAP = 12.0  # dots between cards and to the region's border, at a scale of 1
+_TEXTS = 56.0  # dots that Blender's own texts take at the top on the left, at a scale of 1
 
 CORNERS = ("BOTTOM_LEFT", "BOTTOM_RIGHT", "TOP_LEFT", "TOP_RIGHT")
 
@@ -169,6 +170,14 @@ def free_room(area, region):
     return left, bottom, right - left, top - bottom
 
 
+def below_texts(room, context):
+    """A `free_room` without what Blender's own texts at its top take, where they are shown."""
+    left, bottom, width, height = room
+    if context.space_data.overlay.show_text:
+        height = max(height - _TEXTS * context.preferences.system.ui_scale, 0.0)
+    return left, bottom, width, height
+
+
 def _draw():
     follow()
     if not _shown.arrays:
@@ -184,6 +193,8 @@ def _draw():
     dots = DOTS_PER_MM * scale * preferences.value("plot_size")
     sizes = [(one.width_mm * dots, one.height_mm * dots) for one in _shown.arrays]
     room = free_room(context.area, context.region)
+    if _shown.placement.corner == "TOP_LEFT":
+        room = below_texts(room, context)
     places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
     viewport = (context.region.width, context.region.height)
     blend = gpu.state.blend_get()

@@ -28,7 +28,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     bl_label = "IS Code Criteria"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 3
+    bl_order = 5
 
     def draw(self, context):
         result, layout = latest_result(self.layout, context, "criteria", "IS Code, Part A")
@@ -53,11 +53,13 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     def _draw_criterion(self, layout, context, one):
         column = layout.column(align=True)
         column.scale_y = 0.8
-        text = f"{one.paragraph} {one.outcome}: {one.name}"
+        text = f"{one.paragraph} {_OUTCOME_WORDS[one.outcome]}: {one.name}"
         label_wrapped(column, context, text, icon=_OUTCOME_ICONS[one.outcome])
         unit = {"rad": "deg", "m·rad": "m rad"}.get(one.unit, one.unit)
         value, limit = (format_value(context.scene, x, unit) for x in (one.value, one.limit))
         label_value(column, value, f"{_BOUNDS[one.bound]} {limit}")
+        if one.outcome == "fail" and criteria.is_within_limit(one):
+            label_wrapped(column, context, one.note, icon="BLANK1")
 
 
 class HULL_UL_areas(bpy.types.UIList):

@@ -105,7 +105,7 @@ class HULL_PT_knuckles(HullPanel, bpy.types.Panel):
                 # A knuckle across the ship is at one place.
                 ends = dict.fromkeys(format_value(context.scene, x, "m") for x in one.reach)
                 reach = " – ".join(ends)
-                column.label(text=f"{place + 1}: {reach}")
+                column.label(text=f"{place + 1}: x {reach}")
                 column.label(text=_angles(one), icon="BLANK1")
         layout.prop(hull.hull.plots, "knuckle_angles", text="Plot over the view")
         if context.object.mode == "EDIT":

@@ -9,6 +9,8 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
+from ..features.flotation import afloat
+from ..features.stability import righting_levers
 from .shared import (
     HullPanel,
     draw_entries,
@@ -25,6 +27,12 @@ def _degrees(angle):
     return f"{degrees(angle):.4g}°"
 
 
+def _levers(context):
+    """The last Outcome of righting levers of the hull at hand, or None."""
+    hull = hull_objects.hull_of(context.object)
+    return live_analyses.latest(hull, context.scene, "righting_levers")[0]
+
+
 class HULL_PT_stability(HullPanel, bpy.types.Panel):
     bl_label = "Stability"
     bl_options = {"DEFAULT_CLOSED"}
@@ -35,12 +43,9 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         self._draw_load(layout, loading)
         layout.separator()
         result, place = latest_result(layout, context, "righting_levers", "Righting levers")
-        if result is not None:
-            self._draw_levers(place, context, result)
+        if result is not None or not _levers(context):
+            self._draw_levers(place, context, loading, result)
         export_buttons(layout, "righting_levers")
-        # Last: they come and go while points are dragged, and no button is to move with them.
-        for remark in result.remarks() if result is not None else ():
-            label_wrapped(layout, context, remark, icon="INFO")
 
     def _draw_load(self, layout, loading):
         layout.prop(loading, "use_displacement")
@@ -56,26 +61,37 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         column.prop(loading, "heel_greatest", text="Heels to")
         column.prop(loading, "heel_step")
 
-    def _draw_levers(self, layout, context, result):
-        found, load = result.levers, result.load
-        scene = context.scene
+    def _draw_levers(self, layout, context, loading, result):
+        """The numbers; before they are there a dash for each, lest what is below moves then."""
+        if result is None:
+            found = load = None
+            spans = righting_levers.intervals(afloat.as_typed_angle(loading.heel_greatest))
+            areas = [(start, end, None) for start, end in spans]
+        else:
+            found, load, areas = result.levers, result.load, result.areas()
         column = layout.column(align=True)
         column.scale_y = 0.8
 
-        def line(name, value, unit):
-            label_value(column, name, format_value(scene, value, unit))
+        def line(name, of, attribute, unit):
+            value = getattr(of, attribute, None)
+            label_value(column, name, format_value(context.scene, value, unit))
 
-        line("Mass", load.mass_t, "t")
-        line("LCG", load.lcg, "m")
-        line("GM", found.gm, "m")
-        at_end = " (last)" if found.greatest_lever_at_end else ""
-        line("Greatest GZ", found.greatest_lever, "m")
-        line(f"– at heel{at_end}", found.greatest_lever_heel, "deg")
-        line("Vanishing at", found.vanishing_heel, "deg")
-        line("Deck edge at", found.deck_edge_heel, "deg")
-        line("Downflooding at", found.downflooding_heel, "deg")
-        for start, end, area in result.areas():
-            line(f"Area {degrees(start):.3g}–{_degrees(end)}", area, "m rad")
+        line("Mass", load, "mass_t", "t")
+        line("LCG", load, "lcg", "m")
+        line("GM", found, "gm", "m")
+        line("Greatest GZ", found, "greatest_lever", "m")
+        line(f"– at heel{self._note(found)}", found, "greatest_lever_heel", "deg")
+        line("Vanishing at", found, "vanishing_heel", "deg")
+        line("Deck edge at", found, "deck_edge_heel", "deg")
+        line("Downflooding at", found, "downflooding_heel", "deg")
+        for start, end, area in areas:
+            name = f"Area {degrees(start):.3g}–{_degrees(end)}"
+            label_value(column, name, format_value(context.scene, area, "m rad"))
+
+    def _note(self, found):
+        """That the greatest GZ is at the last heel: at a further one it may be greater."""
+        is_open = found and found.greatest_lever_at_end and found.greatest_lever_heel
+        return " (last)" if is_open else ""
 
 
 class HULL_PT_levers(HullPanel, bpy.types.Panel):
@@ -144,7 +160,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
     bl_label = "Load Cases"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 4
+    bl_order = 3
 
     def draw(self, context):
         layout = self.layout
@@ -186,7 +202,7 @@ class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
     bl_label = "Cross Curves KN"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 5
+    bl_order = 4
 
     def draw(self, context):
         loading = hull_objects.hull_of(context.object).hull.loading
@@ -195,6 +211,24 @@ class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
         field_or(column, loading, "greatest_t", "5/4 of the load")
         column.prop(loading, "displacement_count")
         export_buttons(self.layout, "cross_curves")
+
+
+class HULL_PT_stability_remarks(HullPanel, bpy.types.Panel):
+    """The last part: what it says comes and goes while points are dragged, and nothing is to move
+    with it."""
+
+    bl_label = "Remarks"
+    bl_parent_id = "HULL_PT_stability"
+    bl_order = 6
+
+    def draw(self, context):
+        outcome = _levers(context)
+        result = outcome.result if outcome else None
+        remarks = tuple(result.remarks()) if result else ()
+        for remark in remarks:
+            label_wrapped(self.layout, context, remark, icon="INFO")
+        if result and not remarks:
+            self.layout.label(text="None")
 
 
 class HULL_PT_plots(HullPanel, bpy.types.Panel):
@@ -233,5 +267,6 @@ CLASSES = (
     HULL_PT_downflooding_points,
     HULL_PT_load_cases,
     HULL_PT_cross_curves,
+    HULL_PT_stability_remarks,
     HULL_PT_plots,
 )

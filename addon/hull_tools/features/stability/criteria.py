@@ -51,6 +51,14 @@ class Result:
         return list(dict.fromkeys(note for note in (*self.remarks, *notes) if note))
 
 
+def is_within_limit(one):
+    """Whether the value of a hull_native.Criterion is: it fails all the same where the curve of
+    levers ends too early, which its note tells."""
+    if one.value is None:
+        return False
+    return one.value >= one.limit if one.bound == "at least" else one.value <= one.limit
+
+
 def _outcome(criteria):
     failed = list(dict.fromkeys(one.paragraph for one in criteria if one.outcome == "fail"))
     if failed:

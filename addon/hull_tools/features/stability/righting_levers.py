@@ -51,12 +51,16 @@ class Result:
 def inputs(settings, metres_per_unit):
     loading = settings.loading
     heels = stepped(0.0, loads.greatest_heel(loading), as_typed_angle(loading.heel_step), "heels")
-    intervals = tuple(
+    return Inputs(loads.load_inputs(settings, metres_per_unit), heels, intervals(heels[-1]))
+
+
+def intervals(last_heel):
+    """(from, to) in rad of the areas that are told of levers up to a heel in rad."""
+    return tuple(
         (radians(start), radians(end))
         for start, end in _INTERVALS_DEG
-        if radians(end) <= heels[-1] + 1e-9
+        if radians(end) <= last_heel + 1e-9
     )
-    return Inputs(loads.load_inputs(settings, metres_per_unit), heels, intervals)
 
 
 def compute(ship, given):
