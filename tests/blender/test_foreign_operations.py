@@ -3,6 +3,8 @@
 of the control mesh, and no handler ends in a traceback.
 
 HULL_FOREIGN_STEPS is the number of steps, 2,000 when not said; HULL_FOREIGN_SEED the first seed.
+With HULL_FOREIGN_WINDOW=1 they are done in a window, which needs a screen, and takes some times as
+long.
 """
 
 import os
@@ -12,6 +14,9 @@ from foreign_operations import runs
 
 STEPS = int(os.environ.get("HULL_FOREIGN_STEPS", 2000))
 SEED = int(os.environ.get("HULL_FOREIGN_SEED", 20261122))
+IN_WINDOW = os.environ.get("HULL_FOREIGN_WINDOW") == "1"
+# Small: it is drawn after each step.
+HOW = ["--window-geometry", "0", "0", "640", "480", "-noaudio"] if IN_WINDOW else ["--background"]
 # Where Blender itself crashes a session ends early, and another one takes its place.
 MOST_CRASHES = 2 + STEPS // 400
 
@@ -20,9 +25,8 @@ def test_what_is_shown_follows_whatever_is_done(tmp_path):
     done, crashes, seed = 0, [], SEED
     while done < STEPS:
         print("seed", seed)
-        blender = [bpy.app.binary_path, "--background"]
         steps = min(runs.STEPS_A_SESSION, STEPS - done)
-        outcome = runs.run(blender, seed, steps, tmp_path / str(seed))
+        outcome = runs.run([bpy.app.binary_path, *HOW], seed, steps, tmp_path / str(seed))
         assert not outcome.finding, outcome.finding
         done, seed = done + outcome.steps, seed + 1
         crashes += [outcome.crashed_at] if outcome.crashed_at else []
