@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "mesh/tolerances.h"
 
@@ -34,18 +35,24 @@ std::vector<Eigen::Vector3d> points_with_centre_line(const ControlMesh& mesh) {
 }
 
 std::vector<int> vertices_near_centre_line(const ControlMesh& mesh) {
-  const std::vector<Eigen::Vector3d>& points = mesh.points();
+  std::vector<Eigen::Vector3d> points = mesh.points();
   const double on = kOnCentrePlane * mesh.size(), near = kNearCentrePlane * mesh.size();
   std::vector<int> found;
-  for_each_border_edge(mesh.topology(), [&](int a, int b) {
-    const double farther = std::max(std::abs(points[a].y()), std::abs(points[b].y()));
-    if (farther > near || farther > kAlong * (points[b] - points[a]).norm()) return;
-    for (int v : {a, b}) {
-      if (std::abs(points[v].y()) > on) found.push_back(v);
-    }
-  });
+  std::size_t known = 0;
+  // Some edges run along the plane only when one of their ends has been put there.
+  do {
+    known = found.size();
+    for_each_border_edge(mesh.topology(), [&](int a, int b) {
+      const double farther = std::max(std::abs(points[a].y()), std::abs(points[b].y()));
+      if (farther > near || farther > kAlong * (points[b] - points[a]).norm()) return;
+      for (int v : {a, b}) {
+        if (std::abs(points[v].y()) <= on) continue;
+        found.push_back(v);
+        points[v].y() = 0.0;
+      }
+    });
+  } while (found.size() > known);
   std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

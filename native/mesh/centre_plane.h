@@ -17,7 +17,8 @@ std::vector<Eigen::Vector3d> points_with_centre_line(const ControlMesh& mesh);
 
 // The vertices, in order, that were probably meant to be on the centre line, but are not within
 // kOnCentrePlane: ends of border edges that run along the plane, rising from it by less than a
-// hundredth of their length, within kNearCentrePlane.
+// hundredth of their length, within kNearCentrePlane, once the others are on it. None is left when
+// all of them have been put there.
 std::vector<int> vertices_near_centre_line(const ControlMesh& mesh);
 
 }  // namespace hull::mesh

@@ -6,9 +6,9 @@
 // one algorithm alone needs, to end its steps or to know its rounding, stays beside it.
 namespace hull {
 
-// A half hull's points, and curves all of whose control points are so near, lie in the centre plane
-// y = 0: for closings, caps, mirror images, seams and what is drawn alike. A tenth of a millimetre
-// on 100 m: several times the rounding of single precision, which turning and moving a model
+// A half hull's points so near lie in the centre plane y = 0, for closings, CAD files and what is
+// drawn alike. Conversion puts its centre line there first, so that seams and caps are exact. A
+// tenth of a mm on 100 m: several times the rounding of single precision, which turning a model
 // leaves, and less than anybody models.
 inline constexpr double kOnCentrePlane = 1e-6;
 

@@ -75,8 +75,7 @@ class SetBuilder {
 
   bool is_in_plane(int h) const {
     for (double t : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-      if (std::abs(point_on_half_edge(surface_, h, t).y()) >
-          kOnCentrePlane * surface_.mesh().size()) {
+      if (std::abs(point_on_half_edge(surface_, h, t).y()) > kNoLength * surface_.mesh().size()) {
         return false;
       }
     }

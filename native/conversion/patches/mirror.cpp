@@ -10,9 +10,6 @@
 namespace hull::conversion {
 namespace {
 
-// The last piece of a border that leaves the plane may be shorter than what is on the plane.
-constexpr double kAlong = 0.1;
-
 struct Seam {
   std::vector<bool> edges, vertices;
 };
@@ -39,19 +36,25 @@ Seam find_seam(const PatchSet& set) {
   return seam;
 }
 
+// Puts what the seam's curve in a part of a side is made of on the plane. Other control points of
+// the side stay, however near they are: another patch may have them, which has no seam there.
+void flatten_part(BSplinePatch& patch, int side, const SideEdge& part, double tolerance) {
+  const std::vector<double> knots = patch.side_knots(side);
+  for (int i = 0; i < patch.side_count(side); ++i) {
+    if (knots[i] >= part.end || knots[i + patch.side_degree(side) + 1] <= part.begin) continue;
+    double& y = patch.control_points[patch.side_index(side, i)].y();
+    if (std::abs(y) <= tolerance) y = 0.0;
+  }
+}
+
 void flatten(BSplinePatch& patch, const std::array<int, 4>& corners,
              const std::array<PatchSide, 4>& sides, const Seam& seam, double tolerance) {
-  const auto to_plane = [&](int side, int i) {
-    double& y = patch.control_points[patch.side_index(side, i)].y();
-    // Where only a part of the side is on the plane, the other's points stay.
-    if (std::abs(y) <= tolerance) y = 0.0;
-  };
   for (int k = 0; k < 4; ++k) {
-    if (seam.vertices[corners[k]]) to_plane(k, 0);
-    const bool is_seam =
-        std::ranges::any_of(sides[k], [&](const SideEdge& part) { return seam.edges[part.edge]; });
-    if (!is_seam) continue;
-    for (int i = 0; i < patch.side_count(k); ++i) to_plane(k, i);
+    double& y = patch.control_points[patch.side_index(k, 0)].y();
+    if (seam.vertices[corners[k]] && std::abs(y) <= tolerance) y = 0.0;
+    for (const SideEdge& part : sides[k]) {
+      if (seam.edges[part.edge]) flatten_part(patch, k, part, tolerance);
+    }
   }
 }
 
@@ -77,7 +80,7 @@ std::vector<int> image_numbers(const std::vector<bool>& on_seam, int& count) {
 
 PatchSet flattened(const PatchSet& half, const Seam& seam) {
   PatchSet result = half;
-  const double tolerance = kOnCentrePlane * half.size();
+  const double tolerance = kNoLength * half.size();
   for (size_t p = 0; p < half.patches.size(); ++p) {
     flatten(result.patches[p], half.corners[p], half.sides[p], seam, tolerance);
   }
@@ -89,8 +92,7 @@ PatchSet flattened(const PatchSet& half, const Seam& seam) {
 bool lies_in_centre_plane(const BSplineCurve& curve, double size) {
   double farthest = 0.0;
   for (const Vector3d& point : curve.points) farthest = std::max(farthest, std::abs(point.y()));
-  if (farthest > kOnCentrePlane * size) return false;
-  return farthest <= kNoLength * size || farthest <= kAlong * curve.polygon_length();
+  return farthest <= kNoLength * size;
 }
 
 PatchSet with_seam_in_plane(const PatchSet& half) { return flattened(half, find_seam(half)); }

@@ -5,8 +5,8 @@
 
 namespace hull::conversion {
 
-// Whether a curve of a set of this size lies in the centre plane y = 0: within kOnCentrePlane of
-// it, and along it rather than so short.
+// Whether a curve of a set of this size lies in the centre plane y = 0 but for rounding, within
+// kNoLength: the centre line's control points are put there before anything is converted.
 bool lies_in_centre_plane(const BSplineCurve& curve, double size);
 
 // The patches with the seam of with_mirror_image() put on the centre plane exactly.

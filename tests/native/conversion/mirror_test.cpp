@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conversion/exact/exact_conversion.h"
+#include "mesh/centre_plane.h"
 #include "sheets.h"
+#include "test_meshes.h"
 
 namespace hull::conversion {
 namespace {
@@ -67,10 +70,45 @@ TEST(WithMirrorImage, MirrorsPointsAndNormals) {
 }
 
 TEST(WithMirrorImage, PutsASeamThatIsNearlyOnThePlaneOnIt) {
-  const PatchSet whole = with_mirror_image(half_trough(3e-7));  // 1e-7 of the size is 1.1e-6
+  const PatchSet whole = with_mirror_image(half_trough(5e-9));  // 1e-9 of the size is 1.1e-8
   ASSERT_NO_THROW(whole.check());
   EXPECT_EQ(free_edges(whole), 14);
   EXPECT_EQ(whole.patches[0].control_point(2, 0).y(), 0.0);
+}
+
+// A side that runs along the plane and then, beside another patch, off it by less than the
+// tolerance.
+TEST(WithMirrorImage, LeavesWhatAnotherPatchHasBesideTheSeam) {
+  const double off = 1e-9;  // 3e-10 of the size
+  BSplinePatch wide{1, 1, {0, 0, 0.5, 1, 1}, {0, 0, 1, 1}, 3, 2, {}, 0};
+  wide.control_points = {{0, 0, 0}, {0, 1, 1}, {1, 0, 0}, {1, 1, 1}, {2, off, 0}, {2, 1, 1}};
+  BSplinePatch below{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, 2, 2, {}, 1};
+  below.control_points = {{1, 1, -1}, {1, 0, 0}, {2, 1, -1}, {2, off, 0}};
+  PatchSet half;
+  half.patches = {wide, below};
+  half.corners = {{0, 2, 3, 4}, {5, 6, 2, 1}};
+  half.sides = {
+      {PatchSide{{0, 0, 1, 0.0, 0.5}, {1, 1, 2, 0.5, 1.0}}, whole_side(2, 2, 3),
+       whole_side(3, 3, 4), whole_side(4, 4, 0)},
+      {whole_side(5, 5, 6), whole_side(6, 6, 2), whole_side(1, 2, 1), whole_side(7, 1, 5)}};
+  half.vertex_count = 7;
+  half.edge_count = 8;
+  ASSERT_NO_THROW(half.check());
+  const PatchSet whole = with_mirror_image(half);
+  EXPECT_NO_THROW(whole.check());
+  EXPECT_EQ(whole.patches[0].control_point(2, 0).y(), off);
+  EXPECT_EQ(whole.edge_count, 2 * 8 - 1);
+}
+
+// A border that leaves the plane in a short edge is within kOnCentrePlane of it at first, but was
+// not put there: moving it now would part it from its neighbours.
+TEST(WithMirrorImage, LeavesABorderThatRisesFromThePlane) {
+  mesh::MeshArrays arrays = testing::grid(8, 3);
+  arrays.points[8] = {7.001, 1.2e-5, 0.0};
+  const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  ASSERT_TRUE(mesh::vertices_near_centre_line(surface.mesh()).empty());
+  const PatchSet whole = with_mirror_image(exact_patches(surface));
+  EXPECT_NO_THROW(whole.check());
 }
 
 TEST(WithMirrorImage, LeavesAGapThatIsReal) {

@@ -39,6 +39,19 @@ TEST(CentrePlane, BordersThatAreNearItAreTold) {
   }
 }
 
+// The short edges at 4 run along the plane only when 3 and 5 are on it.
+TEST(CentrePlane, NoneIsLeftWhenAllThatAreToldHaveBeenPutThere) {
+  MeshArrays arrays = sheet();
+  arrays.points[3].x() = 3.98;
+  arrays.points[5].x() = 4.02;
+  arrays.points[3].y() = arrays.points[5].y() = 0.8 * kNearCentrePlane * size_of(arrays);
+  arrays.points[4].y() = 1e-4;
+  const std::vector<int> near = vertices_near_centre_line(ControlMesh(arrays));
+  EXPECT_EQ(near, (std::vector<int>{3, 4, 5}));
+  for (int v : near) arrays.points[v].y() = 0.0;
+  EXPECT_TRUE(vertices_near_centre_line(ControlMesh(arrays)).empty());
+}
+
 TEST(CentrePlane, WhatIsFurtherOffIsMeant) {
   MeshArrays arrays = sheet();
   arrays.points[3].y() = 1.1 * kNearCentrePlane * size_of(arrays);
