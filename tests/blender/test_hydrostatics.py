@@ -5,7 +5,7 @@ from math import atan, cos, pi, radians, tan
 
 import bpy
 import pytest
-from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, part, state_of
+from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, add_hull, make_active, part, state_of
 
 BEAM = 2.0 * HALF_BREADTH
 
@@ -99,6 +99,53 @@ def test_nothing_under_water_is_said():
     hull.data.update_tag()
     bpy.context.view_layer.update()
     assert "Nothing is under water" in state_of(hull).hydrostatics.status
+
+
+def two_flared_sides():
+    """A whole hull of two sides, hollow below, 10 m long, that are 0.2 m apart along the keel."""
+    section = ((0.1, 0.0), (0.2, 1.5), (2.0, 3.0), (2.0, 10.0))
+    points, faces = [], []
+    for sign in (1.0, -1.0):
+        first = len(points)
+        for x in (0.0, 10.0):
+            points += [(x, sign * y, z) for y, z in section]
+        for low in range(first, first + 3):
+            face = [low, low + 1, low + 5, low + 4]
+            faces.append(face if sign > 0.0 else face[::-1])
+    mesh = bpy.data.meshes.new("sides")
+    mesh.from_pydata(points, [], faces)
+    part("bridge.blender.blender_versions").set_creases(mesh, range(len(mesh.edges)), [])
+    sides = bpy.data.objects.new("sides", mesh)
+    bpy.context.collection.objects.link(sides)
+    make_active(sides)
+    assert bpy.ops.hull.make_hull(half=False) == {"FINISHED"}
+    return sides
+
+
+def test_a_shell_open_along_the_keel_is_said_with_what_helps():
+    hull = two_flared_sides()
+    hull.hull.draft = 1.5
+    bpy.context.view_layer.update()
+    status = state_of(hull).hydrostatics.status
+    assert "not closed below the water" in status and "Select › Creases › Borders" in status
+    with pytest.raises(ValueError, match="not closed below the water"):
+        table = part("features.curves_of_form.hydrostatic_table")
+        ship = state_of(hull).ship.source.new_ship()
+        where = part("features.flotation.afloat").afloat(hull.hull, 1.0)
+        table.compute(ship, table.Inputs((1.0, 1.5), (0.0,), where))
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert bpy.ops.hull.select_creases(kind="BORDER") == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    low = [v for v in hull.data.vertices if v.select and v.co.z == 0.0]
+    assert len(low) == 4
+    for vertex in low:
+        vertex.co.y = 0.0
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.remove_doubles()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    found = part("features.hull.hull_state").refresh(hull, bpy.context.scene).hydrostatics.values
+    assert found.displaced_volume == pytest.approx(10.0 * 0.2 * 1.5, rel=1e-6)
 
 
 def test_faces_turned_inwards_are_said():

@@ -56,6 +56,20 @@ def test_a_whole_hull_is_the_same_ship(name):
     assert np.array_equal(surface_points(hull), surface)
 
 
+def test_sides_that_would_not_join_are_put_on_the_centre_plane_first():
+    hull = sample("coaster")
+    before = numbers(hull)
+    mesh = state_of(hull).ship.surface.mesh
+    line = np.flatnonzero(mesh.points[:, 1] == 0.0)
+    hull.data.vertices[int(line[len(line) // 2])].co.y = 2e-6 * mesh.size
+    with pytest.raises(RuntimeError, match="Put on Centre Plane"):
+        bpy.ops.hull.make_whole()
+    assert hull.hull.half
+    assert bpy.ops.hull.put_on_centre_plane() == {"FINISHED"}
+    assert bpy.ops.hull.make_whole() == {"FINISHED"}
+    assert numbers(hull) == pytest.approx(before, rel=ALIKE)
+
+
 def test_the_mesh_comes_back_with_its_tags():
     hull = sample("coaster")
     arrays = part("bridge.mesh.mesh_arrays")

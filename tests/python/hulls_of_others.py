@@ -13,8 +13,13 @@ NOISES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5)  # of the size
 # meshes.
 _CHANGES = {"of triangles": 0.15, "torn": 0.1}
 _CHANGE_BY_NOISE, _ROUNDING = 30.0, 1e-6
-# Its faces in the centre plane are left out, and their edges become knuckles.
-_FLAT_IN_CENTRE = ("Parent 22_Oort.fbm", "whole")
+_CHANGES_OF_ONE = {
+    # Its faces in the centre plane are left out, and their edges become knuckles.
+    ("Parent 22_Oort.fbm", "whole"): 1e-3,
+    # Four points of its centre line are up to 0.03 mm off the plane, where the sides do not join.
+    # The ends of these slits are corners, which the surface passes through.
+    ("ellipsoid321.fbm", "whole"): 1e-3,
+}
 # Her keel is up to 8 cm off the centre plane: both sides leave her open, which is told by the
 # volume from breadths.
 OPEN_KEEL = ("50dragger.fbm", "whole")
@@ -24,8 +29,8 @@ REFUSED = {("pdock+weght_symm.fbm", "torn"): "turned inwards"}
 
 def change_of_volume(name, kind):
     """How much of the original's volume that of a copy may differ."""
-    if (name, kind) == _FLAT_IN_CENTRE:
-        return 1e-3
+    if (name, kind) in _CHANGES_OF_ONE:
+        return _CHANGES_OF_ONE[name, kind]
     noise = float(kind.split()[1]) if kind.startswith("noise") else 0.0
     return _CHANGES.get(kind, _CHANGE_BY_NOISE * noise + _ROUNDING)
 

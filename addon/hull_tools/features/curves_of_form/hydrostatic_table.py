@@ -62,6 +62,7 @@ def inputs(settings, metres_per_unit):
 def compute(ship, given):
     """Rows for the drafts at which something is under water; ValueError if there are none."""
     described = []
+    first_trim = replace(given.where, trim_m=given.trims[0])
     starts = range(0, len(given.drafts), _DRAFTS_AT_ONCE)
     for number, (trim_m, start) in enumerate(product(given.trims, starts)):
         ship.tell(number, len(given.trims) * len(starts))
@@ -69,18 +70,21 @@ def compute(ship, given):
         for found in _afloat(ship.body, where, given.drafts[start : start + _DRAFTS_AT_ONCE]):
             described.append(hydrostatics.described(found, replace(where, draft=found.draft)))
     if not described:
-        raise ValueError(f"Nothing is under water up to a draft of {given.drafts[-1]:.3f} m")
+        last = given.drafts[-1]
+        raise ValueError(hydrostatics.why_no_volume(*_rows(ship.body, first_trim, [last]), last))
     close = np.linspace(given.drafts[0], given.drafts[-1], _CURVE_ROWS)
-    first_trim = replace(given.where, trim_m=given.trims[0])
     return Result(described, _afloat(ship.body, first_trim, close), given)
 
 
 def _afloat(body, where, drafts):
     """hull_native.Hydrostatics at those of the drafts at which something is under water."""
-    rows = native.require().hydrostatic_table(
+    return [row for row in _rows(body, where, drafts) if row.displaced_volume > 0.0]
+
+
+def _rows(body, where, drafts):
+    return native.require().hydrostatic_table(
         body, drafts=drafts, trims=[where.trim], **where.project()
     )
-    return [row for row in rows if row.displaced_volume > 0.0]
 
 
 _POSITION = (

@@ -8,6 +8,7 @@ from ...bridge import native
 
 # Volumes from depths and from breadths that differ by more than this part are no rounding.
 _CLOSED_TOLERANCE = 1e-6
+_CLOSING = "Join its borders there or close it with faces: Select › Creases › Borders shows them"
 
 
 @dataclass(frozen=True)
@@ -132,12 +133,20 @@ def at(ship, where):
 def computed(body, where):
     """The hull_native.Hydrostatics of a hull_native.HullBody.
 
-    ValueError when nothing is under water, when the body floods, or faces are turned.
+    ValueError when nothing is under water or the shell is open there, when the body floods, or
+    faces are turned.
     """
     found = native.require().hydrostatics(body, **where.position(), **where.project())
     if found.displaced_volume <= 0.0:
-        raise ValueError(f"Nothing is under water at a draft of {where.draft:.3f} m")
+        raise ValueError(why_no_volume(found, where.draft))
     return found
+
+
+def why_no_volume(found, draft):
+    """Why the hull_native.Hydrostatics at a draft (m) have no volume, in a sentence."""
+    if found.displaced_volume < 0.0 < found.immersed_draft:
+        return f"{_open_shell(found)}. {_CLOSING}"
+    return f"Nothing is under water at a draft of {draft:.3f} m"
 
 
 def described(found, where):
@@ -171,7 +180,11 @@ def _remark(found, where):
     volume, other = found.displaced_volume, found.volume_from_breadths
     if abs(volume - other) <= _CLOSED_TOLERANCE * volume:
         return ""
+    return f"{_open_shell(found)}, from breadths {other:.6g} m³. {_CLOSING}"
+
+
+def _open_shell(found):
     return (
-        f"The shell is not closed below the water: from breadths the volume is {other:.6g} m³, "
-        f"not {volume:.6g} m³"
+        "The shell is not closed below the water: from depths the volume is "
+        f"{found.displaced_volume:.6g} m³"
     )

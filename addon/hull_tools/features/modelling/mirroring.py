@@ -41,10 +41,13 @@ class HalfMade:
 
 def to_whole(obj, scene):
     """Gives a half hull its other side: the same ship, modelled whole. ValueError when it is
-    whole, or points are on the other side already."""
+    whole, points are on the other side already, or the two sides would not join."""
     if not obj.hull.half:
         raise ValueError("The hull is whole already")
     check_single_user(obj.data)
+    for problem in hull_state.refresh(obj, scene).ship.check.problems:
+        if problem.remedy == "CENTRE":
+            raise ValueError(f"{problem.message}. Put on Centre Plane does that")
     with editing(obj.data) as bm:
         _put_on_centre_plane(bm)
         astray = sum(vertex.co.y < 0.0 for vertex in bm.verts if vertex.link_faces)
