@@ -36,7 +36,7 @@ _LINES = {
     "silhouette": Ink("Silhouette", (0.00, 0.00, 0.00), (1.00, 1.00, 0.80)),
 }
 # In object mode, where it is not selected: it recedes behind what is of the surface.
-_NET = {"net": Ink("Control net", (0.50, 0.44, 0.56), (0.66, 0.62, 0.72))}
+_NET = {"net": Ink("Control net", (0.58, 0.50, 0.68), (0.66, 0.62, 0.72))}
 # Combs stand out from the hull: these can be told from light and dark alike.
 _COMBS = {
     "station": Ink("Stations", (0.85, 0.20, 0.58)),
@@ -49,8 +49,8 @@ _COMBS = {
 # Of combs; told apart by their shapes too.
 _MARKS = {
     "inflection": Ink("Inflections", (0.80, 0.15, 0.00), (1.00, 0.75, 0.20)),
-    "maximum": Ink("Most bent", (0.00, 0.35, 0.45), (0.35, 0.95, 0.95)),
-    "minimum": Ink("Least bent", (0.40, 0.40, 0.45), (0.75, 0.75, 0.80)),
+    "maximum": Ink("Most bent", (0.00, 0.20, 0.45), (0.35, 0.95, 0.95)),
+    "minimum": Ink("Least bent", (0.40, 0.05, 0.45), (0.96, 0.66, 1.00)),
 }
 # Of the control mesh in edit mode; away from the orange of what is selected.
 _TAGS = {
