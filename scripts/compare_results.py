@@ -162,13 +162,11 @@ def main():
     before, *others = (json.loads(Path(path).read_text(encoding="ascii")) for path in given.rest)
     if given.only:
         before = {key: row for key, row in before.items() if key.split(": ")[1] in given.only}
-    if others:
-        after = others[0]
-    else:
-        from results import RENAMED
+    from results import RENAMED
 
-        samples = list(dict.fromkeys(key.split(": ")[0] for key in before))
-        after = {renamed(key, RENAMED): row for key, row in computed(samples, given.only).items()}
+    samples = list(dict.fromkeys(key.split(": ")[0] for key in before))
+    after = others[0] if others else computed(samples, given.only)
+    after = {renamed(key, RENAMED): row for key, row in after.items()}
     sys.exit(1 if compare(before, after) else 0)
 
 

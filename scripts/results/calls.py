@@ -8,7 +8,11 @@ import numpy as np
 
 # Functions, arguments and results that have got another name: the present one of each earlier one,
 # so that modules before and after the change can be compared. Reports tell the earlier names.
-RENAMED = {}
+RENAMED = {
+    "immersed_draught": "immersed_draft",
+    "flooding_heel": "downflooding_heel",
+    "has_openings": "can_flood",
+}
 
 SEED = 20261122
 PLACES = 500
