@@ -20,7 +20,7 @@
 #include <map>
 #include <utility>
 
-#include "conversion/groups.h"
+#include "mesh/groups.h"
 #include "conversion/patches/edge_uses.h"
 #include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
@@ -322,7 +322,7 @@ class ShapeMaker {
   conversion::EdgeUses uses_;
   BRep_Builder builder_;
   double size_;
-  conversion::Groups vertex_groups_, parts_;
+  mesh::Groups vertex_groups_, parts_;
   std::vector<TopoDS_Vertex> vertices_;
   std::vector<MadeEdge> edges_;
   std::vector<int> first_, faces_of_;  // of each edge

@@ -6,7 +6,7 @@
 #include <cassert>
 
 #include "conversion/blocks/block_places.h"
-#include "conversion/groups.h"
+#include "mesh/groups.h"
 
 namespace hull::conversion {
 namespace {
@@ -276,7 +276,7 @@ BlockLayout::BlockLayout(const surface::LimitSurface& surface) {
 
 int least_block_count(const surface::LimitSurface& surface) {
   const mesh::Topology& cells = surface.cells();
-  Groups groups(cells.face_count());
+  mesh::Groups groups(cells.face_count());
   for (int h = 0; h < cells.half_edge_count(); ++h) {
     if (!cells.is_crease(h)) groups.join(h / 4, cells.twin(h) / 4);
   }

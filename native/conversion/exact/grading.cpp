@@ -10,7 +10,7 @@
 #include "conversion/blocks/block_places.h"
 #include "conversion/exact/corner_grading.h"
 #include "conversion/exact/exact_patches.h"
-#include "conversion/groups.h"
+#include "mesh/groups.h"
 
 namespace hull::conversion {
 namespace {
@@ -197,7 +197,7 @@ class Grader {
   const BlockLayout& layout_;
   const ExactOptions& options_;
   CornerLimits limits_;
-  Groups groups_;  // of irregular vertices with one grading
+  mesh::Groups groups_;  // of irregular vertices with one grading
   std::vector<char> is_irregular_;
   std::vector<int> last_;  // of groups, the most halvings
   std::vector<Grading> of_group_;

@@ -8,7 +8,7 @@ namespace hull::conversion {
 EdgeUses::EdgeUses(const PatchSet& set)
     : set_(set), uses_(set.edge_count), collapsed_(set.edge_count, false) {
   const double tolerance = kNoLength * set.size();
-  Groups groups(set.vertex_count);
+  mesh::Groups groups(set.vertex_count);
   for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {
       for (int i = 0; i < static_cast<int>(set.sides[p][k].size()); ++i) {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "conversion/groups.h"
 #include "conversion/patches/patch_set.h"
+#include "mesh/groups.h"
 
 namespace hull::conversion {
 

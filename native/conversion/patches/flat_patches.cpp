@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "conversion/groups.h"
+#include "mesh/groups.h"
 #include "mesh/tolerances.h"
 
 namespace hull::conversion {
@@ -79,7 +79,7 @@ std::array<int, 2> folded_sides(const BSplinePatch& patch, double tolerance) {
 
 // Joins what lies beyond the folded sides of a flat patch. REQUIRES: their edges match.
 void close_gap(const std::array<PatchSide, 4>& sides, const std::array<int, 2>& folded,
-               Groups& edges, Groups& vertices) {
+               mesh::Groups& edges, mesh::Groups& vertices) {
   const PatchSide &one = sides[folded[0]], &two = sides[folded[1]];
   for (std::size_t i = 0; i < one.size(); ++i) {
     const SideEdge& opposite = two[two.size() - 1 - i];
@@ -94,7 +94,7 @@ void close_gap(const std::array<PatchSide, 4>& sides, const std::array<int, 2>& 
 }
 
 // Gives joined vertices one number, and one point: that of the patch first met.
-void unify_vertices(PatchSet& set, Groups& vertices) {
+void unify_vertices(PatchSet& set, mesh::Groups& vertices) {
   std::vector<int> first_corner(set.vertex_count, -1);
   const auto point = [&](int p, int k) -> Vector3d& {
     return set.patches[p].control_points[set.patches[p].side_index(k, 0)];
@@ -116,7 +116,7 @@ void unify_vertices(PatchSet& set, Groups& vertices) {
 
 // Gives joined edges one number. Where they are whole sides of alike patches they get one curve bit
 // for bit, that of the patch first met; otherwise they must lie together as they are.
-void unify_edges(PatchSet& set, Groups& edges) {
+void unify_edges(PatchSet& set, mesh::Groups& edges) {
   struct Use {
     int patch = -1, side = -1;
     SideEdge part;
@@ -174,7 +174,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
       again = match_edges(all, p, b, a) || again;
     }
   }
-  Groups vertices(all.vertex_count), edges(all.edge_count);
+  mesh::Groups vertices(all.vertex_count), edges(all.edge_count);
   for (int p = 0; p < count; ++p) {
     if (folded[p][0] >= 0) close_gap(all.sides[p], folded[p], edges, vertices);
   }

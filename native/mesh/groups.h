@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace hull::conversion {
+namespace hull::mesh {
 
 // Disjoint sets of the numbers 0 ... count - 1, each alone at first.
 class Groups {
@@ -22,4 +22,4 @@ class Groups {
   std::vector<int> parent_;
 };
 
-}  // namespace hull::conversion
+}  // namespace hull::mesh
