@@ -32,6 +32,7 @@ void bind_patch_set(pybind11::module_& module);
 void bind_quality_report(pybind11::module_& module);
 void bind_pull(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
+void bind_reshape(pybind11::module_& module);
 void bind_bilge_arc(pybind11::module_& module);
 void bind_knuckles(pybind11::module_& module);
 

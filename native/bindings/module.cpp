@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, module) {
   bind_quality_report(module);
   bind_pull(module);
   bind_fit(module);
+  bind_reshape(module);
   bind_bilge_arc(module);
   bind_knuckles(module);
   refuse_unmade_instances(module);

@@ -80,16 +80,25 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
   return energy;
 }
 
-void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
-                    const std::vector<Vector3d>& values, double factor, FitEquations& equations) {
+void visit_thin_plate_forms(
+    const surface::LimitSurface& surface, const surface::PieceWeights& pieces, double factor,
+    const std::function<void(const std::vector<int>&, const Eigen::MatrixXd&)>& visit) {
   for (int i = 0; i < pieces.piece_count(); ++i) {
     const std::vector<int>& which = pieces.piece(i).points;
     const Points points = some_of(surface.mesh().points(), which);
     Eigen::MatrixXd form = Eigen::MatrixXd::Zero(points.rows(), points.rows());
     for_each_place(pieces, i, points,
                    [&](const auto& rows) { form += factor * rows.transpose() * rows; });
-    equations.add_scalar(which, form, -form * some_of(values, which));
+    visit(which, form);
   }
+}
+
+void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
+                    const std::vector<Vector3d>& values, double factor, FitEquations& equations) {
+  visit_thin_plate_forms(surface, pieces, factor,
+                         [&](const auto& which, const Eigen::MatrixXd& form) {
+                           equations.add_scalar(which, form, -form * some_of(values, which));
+                         });
 }
 
 }  // namespace hull::modelling

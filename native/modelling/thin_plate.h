@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "modelling/fit_equations.h"
@@ -23,5 +25,11 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
 // Adds `factor` times that energy to the equations for what is added to the values.
 void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations);
+
+// Calls visit(control points, their quadratic form) for each piece: `factor` times the energy is
+// the sum of valuesᵀ · form · values.
+void visit_thin_plate_forms(
+    const surface::LimitSurface& surface, const surface::PieceWeights& pieces, double factor,
+    const std::function<void(const std::vector<int>&, const Eigen::MatrixXd&)>& visit);
 
 }  // namespace hull::modelling

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/reshape/reshape.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "modelling/thin_plate.h"
+
+namespace hull::modelling {
+namespace {
+
+// Of the mean of the diagonal, added to it: where no place tells of a point it stays. Refinement
+// takes away what this does elsewhere.
+constexpr double kRegularisation = 1e-11;
+// Each step of refinement leaves rounding and a small part of what the one before left.
+constexpr int kMostSteps = 12;
+constexpr double kStagnates = 0.3;
+// Of conditions' rows of unit length: less is left of one that others, or the limits, make up.
+constexpr double kDependent = 1e-12;
+
+Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& vectors) {
+  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(vectors.size()), 3);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = vectors[i].transpose();
+  return rows;
+}
+
+// Moves of points one after the other, as rows.
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> as_rows(
+    const Eigen::VectorXd& moves) {
+  return {moves.data(), moves.size() / 3, 3};
+}
+
+Eigen::VectorXd flat(const Eigen::MatrixX3d& rows) {
+  Eigen::VectorXd moves(3 * rows.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) moves.segment<3>(3 * i) = rows.row(i).transpose();
+  return moves;
+}
+
+// The same matrix for x, y and z.
+Eigen::SparseMatrix<double> thrice(const Eigen::SparseMatrix<double>& matrix) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * static_cast<std::size_t>(matrix.nonZeros()));
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, column); it; ++it) {
+      for (int axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(3 * it.row() + axis, 3 * it.col() + axis, it.value());
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> result(3 * matrix.rows(), 3 * matrix.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+void check_count(std::size_t have, std::size_t want, const char* what) {
+  if (have == want) return;
+  throw std::invalid_argument("There must be " + std::to_string(want) + " " + what + ", not " +
+                              std::to_string(have) + ".");
+}
+
+}  // namespace
+
+Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& options)
+    : points_(surface.mesh().points()),
+      places_(surface),
+      space_(options.limits, static_cast<int>(points_.size())) {
+  if (!(places_.total_area() > 0.0)) {
+    throw std::invalid_argument("The surface has no area: no shift of it can be wanted.");
+  }
+  shares_.resize(places_.count());
+  for (int k = 0; k < places_.count(); ++k) shares_[k] = places_.area(k) / places_.total_area();
+  const auto size = static_cast<Eigen::Index>(points_.size());
+  stiff_.resize(size, size);
+  if (!(options.stiffness >= 0.0) || !std::isfinite(options.stiffness)) {
+    throw std::invalid_argument("The stiffness must be 0 or more.");
+  }
+  if (options.stiffness > 0.0) add_stiffness(surface, options.stiffness);
+  take_conditions(options.conditions);
+  factor();
+}
+
+void Reshape::add_stiffness(const surface::LimitSurface& surface, double stiffness) {
+  const double factor = std::pow(stiffness * surface.mesh().size(), 2);
+  std::vector<Eigen::Triplet<double>> entries;
+  visit_thin_plate_forms(surface, surface::PieceWeights(surface), factor,
+                         [&](const std::vector<int>& points, const Eigen::MatrixXd& form) {
+                           for (Eigen::Index i = 0; i < form.rows(); ++i) {
+                             for (Eigen::Index j = 0; j < form.cols(); ++j) {
+                               entries.emplace_back(points[i], points[j], form(i, j));
+                             }
+                           }
+                         });
+  stiff_.setFromTriplets(entries.begin(), entries.end());
+}
+
+void Reshape::take_conditions(const std::vector<MoveCondition>& conditions) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const MoveCondition& condition = conditions[i];
+    const std::string name = "Condition " + std::to_string(i);
+    check_count(condition.slopes.size(), condition.points.size(), "slopes of a condition");
+    for (std::size_t k = 0; k < condition.points.size(); ++k) {
+      const int point = condition.points[k];
+      if (point < 0 || point >= static_cast<int>(points_.size())) {
+        throw std::invalid_argument(name + " has the control point " + std::to_string(point) +
+                                    ", but these are 0 to " + std::to_string(points_.size() - 1) +
+                                    ".");
+      }
+      if (!condition.slopes[k].allFinite()) {
+        throw std::invalid_argument(name + " has a slope that is no number.");
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(static_cast<int>(i), 3 * point + axis, condition.slopes[k][axis]);
+      }
+    }
+  }
+  conditions_.resize(static_cast<Eigen::Index>(conditions.size()),
+                     3 * static_cast<Eigen::Index>(points_.size()));
+  conditions_.setFromTriplets(entries.begin(), entries.end());
+}
+
+void Reshape::factor() {
+  if (space_.size() == 0 && conditions_.rows() > 0) {
+    throw std::invalid_argument("No control point may move, so no condition can be met.");
+  }
+  if (space_.size() == 0) return;
+  const SurfacePlaces::Rows& rows = places_.rows();
+  const Sparse mass = rows.transpose() * shares_.asDiagonal() * rows;
+  Sparse matrix = space_.basis().transpose() * (thrice(mass + stiff_) * space_.basis());
+  const double mean = matrix.diagonal().sum() / static_cast<double>(matrix.rows());
+  Sparse identity(matrix.rows(), matrix.cols());
+  identity.setIdentity();
+  matrix += kRegularisation * mean * identity;
+  factors_.compute(matrix);
+  if (factors_.info() != Eigen::Success) {
+    throw std::invalid_argument("The surface is so uneven that no shift of it can be computed.");
+  }
+  if (conditions_.rows() == 0) return;
+  const Eigen::MatrixXd free = Eigen::MatrixXd(conditions_ * space_.basis());
+  const Eigen::VectorXd full = Eigen::MatrixXd(conditions_).rowwise().norm();
+  Eigen::MatrixXd unit = free;
+  for (Eigen::Index i = 0; i < free.rows(); ++i) unit.row(i) /= full[i] > 0.0 ? full[i] : 1.0;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> independence(unit.transpose());
+  const auto diagonal = independence.matrixR().diagonal().cwiseAbs();
+  if (free.rows() > free.cols() || !(diagonal.minCoeff() > kDependent)) {
+    throw std::invalid_argument(
+        "The conditions depend on one another, or on points that may not move: leave some out.");
+  }
+  conditioned_ = factors_.solve(free.transpose());
+  condition_factors_.compute(free * conditioned_);
+}
+
+Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const Points& shifts) const {
+  const Points now = as_rows(moves);
+  const Points left = shares_.asDiagonal() * (shifts - places_.rows() * now);
+  return space_.basis().transpose() * flat(places_.rows().transpose() * left - stiff_ * now);
+}
+
+Eigen::VectorXd Reshape::step(const Eigen::VectorXd& descent,
+                              const Eigen::VectorXd& missing) const {
+  Eigen::VectorXd step = factors_.solve(descent);
+  if (conditions_.rows() == 0) return step;
+  const Eigen::VectorXd met = conditions_ * (space_.basis() * step);
+  return step + conditioned_ * condition_factors_.solve(missing - met);
+}
+
+Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
+                        const std::vector<Vector3d>& prescribed,
+                        const std::vector<double>& values) const {
+  check_count(shifts.size(), static_cast<std::size_t>(places_.count()), "wanted shifts");
+  check_count(values.size(), static_cast<std::size_t>(conditions_.rows()), "values of conditions");
+  const Points wanted = rows_of(shifts);
+  const auto wished = Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+  Eigen::VectorXd moves = space_.particular(prescribed);
+  if (!wanted.allFinite() || !wished.allFinite() || !moves.allFinite()) {
+    throw std::invalid_argument("A wanted shift is no number.");
+  }
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMostSteps && space_.size() > 0; ++k) {
+    const Eigen::VectorXd missing = wished - conditions_ * moves;
+    const Eigen::VectorXd more = space_.basis() * step(descent(moves, wanted), missing);
+    const double length = more.cwiseAbs().maxCoeff();
+    if (k > 0 && !(length < kStagnates * before)) break;
+    moves += more;
+    before = length;
+    if (length == 0.0) break;
+  }
+  return outcome(moves, wanted);
+}
+
+Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const Points& shifts) const {
+  const Points now = as_rows(moves);
+  const Eigen::VectorXd left = (shifts - places_.rows() * now).rowwise().norm();
+  Reshaped result;
+  result.rms = std::sqrt(shares_.dot(left.cwiseAbs2()));
+  Eigen::Index place = -1;
+  result.largest = left.maxCoeff(&place);
+  result.largest_place = static_cast<int>(place);
+  std::vector<Vector3d> points = points_;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    result.moves.emplace_back(moves.segment<3>(3 * static_cast<Eigen::Index>(i)));
+    points[i] += result.moves.back();
+  }
+  result.folded_place = places_.first_fold(points);
+  return result;
+}
+
+}  // namespace hull::modelling
