@@ -20,10 +20,10 @@
 #include <map>
 #include <utility>
 
-#include "mesh/groups.h"
 #include "conversion/patches/edge_uses.h"
 #include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
+#include "mesh/groups.h"
 #include "mesh/tolerances.h"
 
 namespace hull::exchange {
