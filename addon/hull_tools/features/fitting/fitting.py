@@ -11,7 +11,7 @@ from ...bridge import limits, native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays, mesh_points
-from ...bridge.objects import hull_objects
+from ...bridge.objects import hull_mesh, hull_objects
 from ..constraints import held_points, point_locks
 from ..conversion import conversions
 from ..hull import hull_state
@@ -64,13 +64,13 @@ class Fitting(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         conversions.clear_way(obj)
         self._name, self.scale = obj.name, units.metres_per_unit(scene)
-        data = mesh_arrays.read_mesh(obj.data)
-        self._before = _digests(data)
-        control = mesh_arrays.control_arrays(data, self.scale, hull_objects.excluded_slots(obj))
+        found = hull_mesh.read(obj)
+        self._before = _digests(found)
+        control = found.control(self.scale)
         self._ids = control.vertex_ids
         hull_native = native.require()
         surface = hull_native.LimitSurface(
-            hull_native.ControlMesh(*control.arguments()), obj.hull.scheme
+            hull_native.ControlMesh(*control.arguments()), found.scheme
         )
         targets, options, self._faces_alone = _arguments(obj, surface, control, self.scale)
         self._targets = targets
@@ -90,7 +90,7 @@ class Fitting(jobs.JobTask):
         obj = scene.objects.get(self._name)
         if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
             raise ValueError(_CHANGED)
-        if _digests(mesh_arrays.read_mesh(obj.data)) != self._before:
+        if _digests(hull_mesh.read(obj)) != self._before:
             raise ValueError(_CHANGED)
         mesh_points.write(obj.data, self._ids, fit.points / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
@@ -111,8 +111,8 @@ class Fitting(jobs.JobTask):
         return report
 
 
-def _digests(data):
-    return data.topology_digest(), data.points_digest()
+def _digests(found):
+    return found.topology, found.points_digest
 
 
 def _arguments(obj, surface, control, scale):

@@ -6,8 +6,8 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender import units
-from ...bridge.mesh import mesh_arrays, mesh_check, mesh_points
-from ...bridge.objects import hull_objects
+from ...bridge.mesh import mesh_check, mesh_points
+from ...bridge.objects import hull_mesh
 
 # A limit is drawn by its own point by a half or so; this many steps leave a thousandth.
 _STEPS = 12
@@ -19,9 +19,9 @@ def put_limits_on(surface, obj, scene, indices):
     Points that are not of the shell stay, and all do where the mesh has errors.
     """
     scale = units.metres_per_unit(scene)
-    data = mesh_arrays.read_mesh(obj.data)
-    control = mesh_arrays.control_arrays(data, scale, hull_objects.excluded_slots(obj))
-    _, mesh = mesh_check.check_control_mesh(data, control, obj.hull.half)
+    found = hull_mesh.read(obj)
+    control = found.control(scale)
+    _, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
     own = np.flatnonzero(np.isin(control.vertex_ids, indices))
     if mesh is None or not len(own):
         return

@@ -14,8 +14,8 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender import units
-from ...bridge.mesh import mesh_arrays, mesh_points
-from ...bridge.objects import hull_objects
+from ...bridge.mesh import mesh_points
+from ...bridge.objects import hull_mesh
 from ..constraints import point_locks
 from ..hull import hull_state
 from . import bilge_sections
@@ -75,8 +75,8 @@ def round_selected(obj, scene, radius, move_borders):
 
 def _control(obj, scene):
     """(metres per unit, ControlArrays, hull_native.ControlMesh)."""
-    data, scale = mesh_arrays.read_mesh(obj.data), units.metres_per_unit(scene)
-    control = mesh_arrays.control_arrays(data, scale, hull_objects.excluded_slots(obj))
+    scale = units.metres_per_unit(scene)
+    control = hull_mesh.read(obj).control(scale)
     return scale, control, native.require().ControlMesh(*control.arguments())
 
 

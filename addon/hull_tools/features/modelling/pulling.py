@@ -13,9 +13,9 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender import units
-from ...bridge.mesh import mesh_arrays, mesh_points
+from ...bridge.mesh import mesh_points
 from ...bridge.mesh.single_rounding import rounded
-from ...bridge.objects import hull_objects
+from ...bridge.objects import hull_mesh
 from ..constraints import held_points, point_locks
 from ..lines import lines
 
@@ -62,13 +62,13 @@ class SurfacePull:
         hull_native = native.require()
         self.obj, self.is_half = obj, obj.hull.half
         self.scale = units.metres_per_unit(scene)
-        data = mesh_arrays.read_mesh(obj.data)
-        control = mesh_arrays.control_arrays(data, self.scale, hull_objects.excluded_slots(obj))
+        found = hull_mesh.read(obj)
+        control = found.control(self.scale)
         mesh = hull_native.ControlMesh(*control.arguments())
-        self.surface = hull_native.LimitSurface(mesh, obj.hull.scheme)
+        self.surface = hull_native.LimitSurface(mesh, found.scheme)
         self._tree = hull_native.SurfaceTree(self.surface)
         self._ids = control.vertex_ids
-        self._start = data.points.astype(np.float64)
+        self._start = found.data.points.astype(np.float64)
         self._moved = np.empty(0, dtype=np.int64)
         self._is_crease = (mesh.vertex_kinds > 0) & hold_creases
         self._is_locked = np.isin(self._ids, point_locks.locked_points(obj.data))

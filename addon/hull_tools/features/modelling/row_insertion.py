@@ -13,8 +13,8 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender import blender_versions, units
-from ...bridge.mesh import mesh_arrays, mesh_points
-from ...bridge.objects import hull_objects
+from ...bridge.mesh import mesh_points
+from ...bridge.objects import hull_mesh
 from ..constraints import held_points, point_locks
 from ..hull import hull_state
 from ..lines import lines
@@ -56,8 +56,7 @@ def insert_rows(obj, scene):
     bm.normal_update()
     bmesh.update_edit_mesh(obj.data)
     scale = units.metres_per_unit(scene)
-    data = mesh_arrays.read_mesh(obj.data)
-    control = mesh_arrays.control_arrays(data, scale, hull_objects.excluded_slots(obj))
+    control = hull_mesh.read(obj).control(scale)
     surface = native.require().LimitSurface(
         native.require().ControlMesh(*control.arguments()), old.scheme
     )
