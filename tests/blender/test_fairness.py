@@ -305,6 +305,21 @@ def test_the_legend_says_what_the_colours_mean():
     assert legend.legend_of(None) is None
 
 
+def test_the_legend_is_of_the_colours_that_are_left_when_the_mesh_has_errors():
+    hull, legend = round_hull(), part("overlays.legend")
+    hull.hull.fairness.colours = "GAUSSIAN"
+    update()
+    face = hull.data.polygons[0]
+    hull.data.polygons[1].vertices = face.vertices[:]
+    hull.data.update()
+    update()
+    assert state_of(hull).status
+    for setting in ("NONE", "SLOPE"):
+        hull.hull.fairness.colours = setting
+        update()
+        assert legend.legend_of(hull).title == "Gaussian curvature"
+
+
 def level_lines(hull):
     return state_of(hull).fairness.level_lines
 

@@ -30,6 +30,10 @@ def put(hull, path, value):
     hull.update_tag(refresh={"DATA"})
 
 
+def refreshed_status(hull):
+    return part("features.hull.hull_state").refresh(hull, bpy.context.scene).status
+
+
 def refreshed(hull):
     """The HullState after an update that has an end."""
     start = time.process_time()
@@ -63,6 +67,24 @@ def test_samples_below_one_show_the_surface_too(hull):
     put(hull, "samples", -5)
     refreshed(hull)
     assert len(hull.hull.surface_object.data.polygons) == 2 * state_of(hull).ship.surface.cell_count
+
+
+def test_a_mesh_too_fine_for_its_surface_is_refused(hull):
+    """Such as a surface object's own, which somebody gives to the hull."""
+    put(hull, "samples", 32)
+    refreshed(hull)
+    control, shown = hull.data, hull.hull.surface_object
+    before = len(shown.data.polygons)
+    hull.data = shown.data.copy()
+    bpy.context.view_layer.update()
+    assert "too fine" in state_of(hull).status
+    assert len(hull.hull.surface_object.data.polygons) == before
+    # Nor is a part of it shown where there was nothing before.
+    part("features.hull.hull_state").forget_all()
+    assert "too fine" in refreshed_status(hull) and state_of(hull).ship.surface is None
+    hull.data = control
+    bpy.context.view_layer.update()
+    assert not state_of(hull).status
 
 
 HYDROSTATICS = [

@@ -14,7 +14,7 @@ _ROUNDING = 1e-6  # rad: Blender keeps angles in single precision
 GREATEST_HEEL = pi + _ROUNDING
 
 # Faces of a surface object, both sides. Blender takes 10 µs and 1.4 kB for each, most of it for the
-# normals of its corners, while the window waits.
+# normals of its corners, while the window waits. A control mesh whose surface has more is refused.
 MOST_SHOWN_FACES = 200_000
 MOST_SAMPLES = 32
 # Faces of a control mesh that was subdivided, which takes Blender 0.1 ms for each.

@@ -19,23 +19,20 @@ _FONT = 0
 _TEXT_MM = 2.5
 _GAP = 12.0  # dots to the region's border, at a scale of 1
 
-_made = (None, "", None)  # of the last time: scale, title, LegendArrays
+_made = (None, None)  # of the last time: scale, LegendArrays
 
 
 def legend_of(hull):
     """The LegendArrays of the colours that a hull's surface has, None when it has none."""
     global _made
     state = hull_state.state_of(hull) if hull is not None else None
-    if state is None or state.shown.colour_scale is None:
+    scale = None if state is None else state.shown.colour_scale
+    if scale is None:
         return None
-    title = colours.TITLES[hull.hull.fairness.colours]
-    if _made[0] is not state.shown.colour_scale or _made[1] != title:
-        _made = (
-            state.shown.colour_scale,
-            title,
-            legend_arrays.arrays_of(state.shown.colour_scale, title),
-        )
-    return _made[2]
+    if _made[0] is not scale:
+        title = colours.TITLES[state.shown.colour_field]
+        _made = (scale, legend_arrays.arrays_of(scale, title))
+    return _made[1]
 
 
 def _draw():

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....hull_io.mending import ACROSS
-from .. import native
+from .. import limits, native
 from ..counts import counted, counted_are
 from . import mesh_arrays
 
@@ -48,7 +48,10 @@ def check_control_mesh(data, control, half):
     `data` is the MeshData that the ControlArrays `control` were taken from.
     """
     hull_native = native.require()
-    problems = [_from_native(found, control) for found in _native_problems(hull_native, control)]
+    problems = _size_errors(control, half)
+    if not problems:
+        found_problems = _native_problems(hull_native, control)
+        problems = [_from_native(found, control) for found in found_problems]
     problems += _shell_errors(control) + _tag_warnings(data)
     if any(problem.severity == "error" for problem in problems):
         return MeshCheck(len(control.points), 0, len(control.face_sizes), 0, tuple(problems)), None
@@ -64,6 +67,26 @@ def check_control_mesh(data, control, half):
         tuple(problems),
     )
     return check, mesh
+
+
+def is_too_fine(control, half):
+    """Whether not even the coarsest picture of the surface of a mesh could be shown: each corner of
+    a face is a cell of the surface, and a cell has a face at least."""
+    return _least_shown(control, half) > limits.MOST_SHOWN_FACES
+
+
+def _least_shown(control, half):
+    return len(control.face_vertices) * (1 + half)
+
+
+def _size_errors(control, half):
+    if not is_too_fine(control, half):
+        return []
+    message = (
+        f"The mesh is too fine: its surface would have {_least_shown(control, half)} faces, more "
+        f"than the {limits.MOST_SHOWN_FACES} that can be shown. Use a coarser one"
+    )
+    return [Problem("error", "mesh", (), message)]
 
 
 def _native_problems(hull_native, control):

@@ -58,7 +58,8 @@ class LiveShip:
             control = found.control(scale)
         self.check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
         is_whole = mesh is not None
-        if not is_whole and (self.surface is None or self.is_part):
+        can_be_parted = not mesh_check.is_too_fine(control, found.half)
+        if not is_whole and can_be_parted and (self.surface is None or self.is_part):
             control, mesh = valid_part.valid_part(control)
         if mesh is None:
             return

@@ -18,13 +18,13 @@ FIELDS = {
     "MINIMUM": "minimum",
     "SLOPE": "slope",
 }
-# For a legend.
+# For a legend, by field.
 TITLES = {
-    "GAUSSIAN": "Gaussian curvature",
-    "MEAN": "Mean curvature",
-    "MAXIMUM": "Maximum curvature",
-    "MINIMUM": "Minimum curvature",
-    "SLOPE": "Slope",
+    "gaussian": "Gaussian curvature",
+    "mean": "Mean curvature",
+    "maximum": "Maximum curvature",
+    "minimum": "Minimum curvature",
+    "slope": "Slope",
 }
 _PART_INSIDE = 0.98  # of the surface, of a range that is not given
 

@@ -45,11 +45,13 @@ class _Left:
 
 class ShownSurface:
     """points: the hull_native.ShownPoints of the surface, None before they are shown. colour_scale:
-    the hull_native.ColourScale of the surface object's colours, None when it has none."""
+    the hull_native.ColourScale of the surface object's colours, None when it has none.
+    colour_field: what they are of, which the setting may have left while the mesh has errors."""
 
     def __init__(self):
         self.points = None
         self.colour_scale = None
+        self.colour_field = ""
         self._surface = None
         self._points_key = None
         self._stamp = None  # of the faces of `points`, see _Writer.stamp
@@ -135,6 +137,7 @@ class ShownSurface:
             self._write_normals(writer, place)
         if are_colours_due:
             self.colour_scale = writer.write_colours(choice)
+            self.colour_field = "" if choice is None else choice[0]
             left.colours = colours_key
 
     def remarks(self, obj):
