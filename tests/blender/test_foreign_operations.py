@@ -16,7 +16,8 @@ STEPS = int(os.environ.get("HULL_FOREIGN_STEPS", 2000))
 SEED = int(os.environ.get("HULL_FOREIGN_SEED", 20261122))
 IN_WINDOW = os.environ.get("HULL_FOREIGN_WINDOW") == "1"
 # Small: it is drawn after each step.
-HOW = ["--window-geometry", "0", "0", "640", "480", "-noaudio"] if IN_WINDOW else ["--background"]
+WINDOW = ("--window-geometry", "0", "0", "800", "600", "-noaudio", "--enable-event-simulate")
+HOW = WINDOW if IN_WINDOW else ("--background",)
 # Where Blender itself crashes a session ends early, and another one takes its place.
 MOST_CRASHES = 2 + STEPS // 400
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs one session in a Blender of its own, which it may bring down.
 
-blender [--background] --python run.py -- SEED STEPS FOLDER
+blender --background|--enable-event-simulate --python run.py -- SEED STEPS FOLDER
 
 FOLDER/steps.txt tells each step before and after it is done, FOLDER/python.txt what Python was at
 when Blender crashed, FOLDER/finding.txt what was found. The exit code is 3 then.
@@ -20,11 +20,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
-from foreign_operations.view import in_view  # noqa: E402
+from foreign_operations.view import in_view, open_sidebar  # noqa: E402
 
 LONGEST_STEP_SECONDS = 300
 # In a window, between two steps: work for pauses is done in the longest of these.
 PAUSES_SECONDS = (0.0, 0.0, 0.0, 0.5)
+EVENT_SECONDS = 0.1
 
 
 class Listening:
@@ -90,11 +91,12 @@ class Run:
 
 
 class InWindow:
-    """`advance` is a timer: between a step and its judgement Blender handles events and draws."""
+    """`advance` is a timer: between a step and its judgement Blender handles events, and draws the
+    view and the panels."""
 
     def __init__(self, *arguments):
         self._arguments, self._run, self._done = arguments, None, ""
-        self._chance = random.Random(arguments[0])
+        self._chance, self._events = random.Random(arguments[0]), None
         # Drawn by the processor, smoothing takes longer than all else.
         bpy.context.preferences.system.viewport_aa = "OFF"
 
@@ -104,11 +106,15 @@ class InWindow:
         except Exception:
             traceback.print_exc()
             os._exit(1)
-        return self._chance.choice(PAUSES_SECONDS)
+        return EVENT_SECONDS if self._events else self._chance.choice(PAUSES_SECONDS)
 
     def _advance(self):
         if self._run is None:
             self._run = Run(*self._arguments)
+        elif self._events is None:  # what was loaded has been drawn
+            self._events = open_sidebar()
+        elif self._events:
+            self._events.pop(0)()
         elif self._done:
             self._run.judge(self._done)
             self._done = ""

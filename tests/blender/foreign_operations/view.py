@@ -1,17 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The context in which operators are called."""
+"""Where operators are called: in the 3D view where there is a window, in no view where not."""
 
+import sys
 from contextlib import nullcontext
+from pathlib import Path
 
 import bpy
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "window"))
+
+from window import Window  # noqa: E402
+
 
 def in_view():
-    """That of a 3D view where there is a window, to be used by `with`: a timer has none of its own.
-    A file that is loaded brings another window, which has to be entered anew."""
-    if bpy.app.background:
-        return nullcontext()
-    window = bpy.context.window_manager.windows[0]
-    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
-    region = next(region for region in area.regions if region.type == "WINDOW")
-    return bpy.context.temp_override(window=window, area=area, region=region)
+    """The context of the 3D view, to be used by `with`: a timer has none of its own. A file that is
+    loaded brings another window, which has to be entered anew."""
+    return nullcontext() if bpy.app.background else Window().in_view()
+
+
+def open_sidebar():
+    """What is to be done, one after the other with Blender's own work between, until the sidebar
+    shows the panels."""
+    window = Window()
+    window.open_sidebar()
+    return window.actions
