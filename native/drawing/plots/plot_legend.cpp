@@ -17,9 +17,22 @@ namespace {
 
 constexpr double kSize = 2.5;
 constexpr double kColumnSpace = 5.0;
+// To how much of their size texts are made smaller for a further column, rather than left out.
+constexpr double kLeastShare = 0.8;
 
-double entry_width(const LegendEntry& entry) {
-  return entry.width + kSignGap + text_size(entry.text, kSize, false).width;
+// share: of the text's usual size.
+double entry_width(const LegendEntry& entry, double share = 1.0) {
+  return entry.width + kSignGap + share * text_size(entry.text, kSize, false).width;
+}
+
+double widest_entry(const std::vector<LegendEntry>& entries, double share = 1.0) {
+  double widest = 0.0;
+  for (const LegendEntry& entry : entries) widest = std::max(widest, entry_width(entry, share));
+  return widest;
+}
+
+int columns_of(double column_width, double width) {
+  return static_cast<int>((width + kColumnSpace) / (column_width + kColumnSpace));
 }
 
 void put(SheetBuilder& builder, const std::string& text, const Vector2d& place, double width) {
@@ -56,11 +69,12 @@ void draw_sign(SheetBuilder& builder, const LegendEntry& entry, const Vector2d& 
 PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_rows)
     : entries_(std::move(entries)), column_width_(width) {
   if (entries_.empty()) return;
-  double widest = 0.0;
-  for (const LegendEntry& entry : entries_) widest = std::max(widest, entry_width(entry));
+  const double widest = widest_entry(entries_);
   const int count = static_cast<int>(entries_.size());
-  const int fitting = static_cast<int>((width + kColumnSpace) / (widest + kColumnSpace));
-  columns_ = std::clamp(fitting, 1, count);
+  columns_ = std::clamp(columns_of(widest, width), 1, count);
+  if (columns_ * most_rows < count) {
+    columns_ = std::clamp(columns_of(widest_entry(entries_, kLeastShare), width), columns_, count);
+  }
   rows_ = (count + columns_ - 1) / columns_;
   if (rows_ > most_rows) {
     rows_ = most_rows;

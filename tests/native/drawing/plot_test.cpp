@@ -257,6 +257,27 @@ TEST(Plot, ManyNamesEndInACount) {
   }
 }
 
+// Six names in four rows: two columns hold them when they are a little smaller.
+TEST(Plot, NamesAreMadeSmallerRatherThanLeftOut) {
+  const PlotPage card{93.75, 66.0, 3.0};
+  Plot plot = empty_plot();
+  for (int i = 0; i < 6; ++i) {
+    plot.curves.push_back(sampled("area 30° to 4" + std::to_string(i) + "°: 0.094 m·rad", 0.0, 1.0,
+                                  [](double x) { return x; }));
+  }
+  const PlotSheet sheet = lay_out_plot(plot, card);
+  expect_good_layout(sheet, card);
+  int names = 0;
+  for (const Label& label : sheet.labels) {
+    EXPECT_EQ(label.text.find("more"), std::string::npos);
+    EXPECT_EQ(label.text.find("…"), std::string::npos) << label.text;
+    if (label.text.find("area 30°") == std::string::npos) continue;
+    ++names;
+    EXPECT_GE(label.size, 0.8 * 2.5 - 1e-9);
+  }
+  EXPECT_GE(names, 6);
+}
+
 TEST(Plot, RefusesWhatCannotBeDrawn) {
   const auto refused = [](const auto& spoil) {
     Plot plot = righting_levers();
