@@ -4,6 +4,7 @@ dialog."""
 
 from ..bridge.blender import units
 from ..features.conversion import conversions, patches, worst_spots
+from ..features.exchange import step_size
 from ..features.hull import hull_state
 from .shared import field_or, label_value, label_wrapped, text_field
 
@@ -56,6 +57,9 @@ def draw_report(layout, context, hull):
     if is_current:
         for text in patches.warnings(quality, patches.asked_of(hull.hull.export)):
             label_wrapped(layout, context, text, icon="ERROR")
+        large = step_size.warning(hull, outcome.converted)
+        if large:
+            label_wrapped(layout, context, large, icon="INFO")
     column = layout.column(align=True)
     column.active = is_current
     column.scale_y = 0.8

@@ -54,7 +54,8 @@ class HullExport(bpy.types.PropertyGroup):
             ("EXACT", "Exact", "Few large patches that are the surface itself but for vanishing "
              "squares at irregular points"),
             ("PER_CELL", "One a cell", "One patch for each cell of the control mesh, an "
-             "approximation near irregular points: for comparison"),
+             "approximation near irregular points: for meshes of many triangles, whose exact "
+             "patches make large files"),
         ),
         update=_choice_changed,
     )  # fmt: skip

@@ -39,10 +39,12 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Converted:
-    """patches: hull_native.PatchSet; quality: the hull_native.QualityReport of their distances."""
+    """patches: hull_native.PatchSet; quality: the hull_native.QualityReport of their distances;
+    cell_count: of the surface."""
 
     patches: object
     quality: object
+    cell_count: int
 
 
 def choice_of(settings):
@@ -76,7 +78,7 @@ def convert(surface, choice, progress):
     quality = hull_native.measure_quality(
         surface, found, progress=lambda share: progress(_SHARE_OF_CONVERSION + rest * share)
     )
-    return Converted(found, quality)
+    return Converted(found, quality, surface.cell_count)
 
 
 def asked_of(settings):

@@ -8,7 +8,7 @@ from ...bridge.background import jobs
 from ...bridge.mesh import mesh_check
 from ..conversion import conversions
 from ..hull import hull_state
-from . import cad_curves
+from . import cad_curves, step_size
 
 STEP, IGES = "STEP", "IGES"
 
@@ -128,7 +128,7 @@ def _options(obj, file_format):
     options = {
         "name": obj.name,
         "unit": settings.unit,
-        "mirrored": obj.hull.half and settings.extent in cad_curves.BOTH_SIDES,
+        "mirrored": step_size.is_mirrored(obj),
         "solid": settings.extent in _SOLIDS,
     }
     return {**options, "schema": settings.schema} if file_format == STEP else options
