@@ -10,6 +10,7 @@
 #include "bindings/arrays.h"
 #include "bindings/classes.h"
 #include "bindings/move_limits.h"
+#include "modelling/reshape/square_ties.h"
 
 namespace hull::bindings {
 namespace {
@@ -165,6 +166,21 @@ void bind_reshape(py::module_& module) {
            "The Reshaped for shifts (k, 3), m, wanted at positions; prescribed (p, 3), m: moves of "
            "these points; values: of the conditions. ValueError where counts differ, and where the "
            "limits contradict the prescribed moves.");
+  module.def(
+      "square_ties",
+      [](const surface::LimitSurface& surface) {
+        std::vector<std::array<int, 2>> tied;
+        std::vector<Vector3d> directions;
+        for (const modelling::TiedPoint& tie : modelling::square_ties(surface)) {
+          tied.push_back({tie.point, tie.leader});
+          directions.push_back(tie.direction);
+        }
+        return py::make_tuple(to_array(tied), to_array(directions));
+      },
+      py::arg("surface"),
+      "What keeps a half hull's surface square to the centre plane where it is so, as tied (t, 2) "
+      "and tied_directions (t, 3) of Reshape: the neighbours of border points of two "
+      "quadrilaterals. Points in the plane are to be held in it besides.");
 }
 
 }  // namespace hull::bindings

@@ -119,6 +119,45 @@ def test_conditions_and_prescribed_moves_hold():
     assert len(points) == len(result.moves)
 
 
+def lean_along_keel(surface):
+    """Largest y of the normals along edges in the centre plane, away from the edges' ends."""
+    largest = 0.0
+    for curve in hn.crease_curves(surface):
+        t = np.linspace(0, curve.edge_count, 7 * curve.edge_count + 1)
+        points = curve.evaluate(t)[0]
+        if np.abs(points[:, 1]).max() > 1e-9 * size_of(surface):
+            continue
+        found = hn.SurfaceTree(surface).closest_points(points)
+        largest = max(largest, np.abs(surface.normals(found.cells, found.uv)[:, 1]).max())
+    return largest
+
+
+def test_a_smooth_keel_stays_smooth():
+    """A tube's half, square to the plane along its border below."""
+    x, angle = np.meshgrid(np.linspace(0, 10, 9), np.linspace(0, np.pi / 2, 6), indexing="ij")
+    y, z = np.sin(angle), -np.cos(angle)
+    z[:, 1] = z[:, 0]
+    points = np.stack([x, y, z], -1).reshape(-1, 3)
+    a = (np.arange(8)[:, None] * 6 + np.arange(5)).ravel()
+    faces = np.stack([a, a + 6, a + 7, a + 1], 1)
+    surface = hn.LimitSurface(hn.ControlMesh(points, [4] * len(faces), faces.ravel()))
+    tied, directions = hn.square_ties(surface)
+    assert len(tied) == len(directions) == 2 * 7
+    keel = np.flatnonzero(points[:, 1] == 0.0)
+    limits = {
+        "held_points": keel,
+        "held_normals": np.tile([0.0, 1.0, 0.0], (len(keel), 1)),
+        "locked": np.flatnonzero((points[:, 0] < 1) | (points[:, 0] > 9)),
+    }
+    lean = []
+    for with_ties in ({"tied": tied, "tied_directions": directions}, {}):
+        reshape = hn.Reshape(surface, **limits, **with_ties)
+        p = reshape.positions
+        shifts = 0.2 * np.stack([np.sin(p[:, 1]), np.cos(p[:, 2]), np.sin(2 * p[:, 1])], 1)
+        lean.append(lean_along_keel(moved(surface, reshape.solve(shifts))))
+    assert lean_along_keel(surface) < 1e-12 and lean[0] < 1e-12 < 1e-2 < lean[1]
+
+
 def test_what_is_wrong_is_said():
     surface = surface_of("coaster")
     count = len(surface.mesh.points)

@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "modelling/reshape/square_ties.h"
 #include "modelling/thin_plate.h"
 #include "surface/refined_mesh.h"
 #include "test_meshes.h"
@@ -297,6 +298,66 @@ TEST(Reshape, ResidualFallsWithSubdivision) {
     EXPECT_GT(before, 3.0 * now);
     before = now;
   }
+}
+
+// Half an ellipsoid-like shell: square to y = 0 along its border there.
+surface::LimitSurface half_shell() {
+  mesh::MeshArrays mesh = testing::grid(10, 6);
+  for (auto& p : mesh.points) {
+    const double along = 0.3 + 0.24 * p.x(), around = 0.5 * p.y();
+    // The row next to the border straight beside it.
+    const double angle = std::max(0.0, around - 0.5);
+    p = {-5.0 * std::cos(along), 2.0 * std::min(around, 0.5) + std::sin(angle),
+         -std::sin(along) * std::cos(angle)};
+  }
+  return surface::LimitSurface(mesh::ControlMesh(mesh));
+}
+
+double largest_lean(const surface::LimitSurface& surface) {
+  double largest = 0.0;
+  const mesh::Topology& cells = surface.cells();
+  for (int h = 0; h < cells.half_edge_count(); ++h) {
+    if (cells.twin(h) >= 0) continue;
+    const double u[] = {0.3, 1.0, 0.6, 0.0}, v[] = {0.0, 0.3, 1.0, 0.6};
+    if (std::abs(surface.position(h / 4, u[h % 4], v[h % 4]).y()) > 1e-9) continue;
+    largest = std::max(largest, std::abs(surface.normal(h / 4, u[h % 4], v[h % 4]).y()));
+  }
+  return largest;
+}
+
+TEST(Reshape, KeepsSurfacesSquareToTheCentrePlane) {
+  surface::LimitSurface surface = half_shell();
+  ASSERT_LT(largest_lean(surface), 1e-12);
+  ReshapeOptions options;
+  options.limits.tied = square_ties(surface);
+  // Two for each of the nine border points between the ends.
+  ASSERT_EQ(options.limits.tied.size(), 18u);
+  const std::vector<Vector3d>& points = surface.mesh().points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].y() == 0.0) {
+      options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitY()});
+    }
+  }
+  const auto field = [](const Vector3d& p) {
+    return Vector3d(0.2 * std::sin(p.x() + p.y()), 0.2 * std::cos(p.z()),
+                    0.2 * std::sin(2.0 * p.y() - p.x()));
+  };
+  const auto lean_with = [&](const ReshapeOptions& with) {
+    const Reshape reshape(surface, with);
+    surface::LimitSurface shifted = surface;
+    shifted.set_points(moved_points(surface, reshape.solve(shifts_at(reshape.places(), field))));
+    return largest_lean(shifted);
+  };
+  // But for the ends, whose border turns off the plane: there the last half of the last edge is
+  // ruled by the corner as well.
+  ReshapeOptions with_ends = options;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(points[i].x()) > 4.0)
+      with_ends.limits.limits.locked.push_back(static_cast<int>(i));
+  }
+  EXPECT_LT(lean_with(with_ends), 1e-12);
+  with_ends.limits.tied.clear();
+  EXPECT_GT(lean_with(with_ends), 1e-2);
 }
 
 TEST(Reshape, TellsFolds) {
