@@ -26,11 +26,15 @@ def _update():
         return f"refused: {error}"
 
 
-def _joins_its_parent():
-    """Blender takes the active object's parent away then even when it goes on to refuse, and tells
-    nobody."""
+def _is_half_done(name):
+    """Whether Blender would take a selected object's parent away and then refuse, telling nobody:
+    where it is asked to join an object to its parent, or to make it a parent of its own."""
+    if name not in ("object.join", "object.parent_set", "object.parent_no_inverse_set"):
+        return False
     parent = bpy.context.view_layer.objects.active.parent
-    return parent is not None and parent.select_get()
+    while parent is not None and not parent.select_get():
+        parent = parent.parent
+    return parent is not None
 
 
 class Session:
@@ -90,9 +94,7 @@ class Session:
     def operator(self):
         for name in operators.by_chance(self.mode(), self.random):
             self.tell(f"poll {name}")
-            if operators.can_be_called(name) and not (
-                name == "object.join" and _joins_its_parent()
-            ):
+            if operators.can_be_called(name) and not _is_half_done(name):
                 break
         arguments = operators.arguments_by_chance(name, self.random)
         self.tell(f"{name} {arguments}")
