@@ -1,41 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/freedom.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include "modelling/complement.h"
 
 namespace hull::modelling {
 namespace {
 
-// Two held directions of a point closer than this (sine of their angle) are one.
-constexpr double kSameDirection = 1e-9;
-
 Freedom freedom_across(const std::vector<Vector3d>& normals) {
-  std::array<Vector3d, 3> held;
-  int held_count = 0;
-  const auto rest_of = [&](Vector3d v) {
-    // Twice: once leaves rounding of what was nearly parallel.
-    for (int pass = 0; pass < 2; ++pass) {
-      for (int i = 0; i < held_count; ++i) v -= held[i].dot(v) * held[i];
-    }
-    return v;
-  };
-  for (const Vector3d& normal : normals) {
-    const Vector3d rest = rest_of(normal.normalized());
-    if (held_count < 3 && rest.norm() > kSameDirection) held[held_count++] = rest.normalized();
-  }
-  Freedom freedom{{}, 3 - held_count};
-  for (int k = 0; k < freedom.count; ++k) {
-    // Of the axes' rests the longest, so that axes stay axes where planes are square to them.
-    Vector3d best = Vector3d::Zero();
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d rest = rest_of(Vector3d::Unit(axis));
-      if (rest.norm() > best.norm() + 1e-12) best = rest;
-    }
-    freedom.directions[k] = held[held_count++] = best.normalized();
-  }
+  const std::vector<Vector3d> free = complement(normals, 3);
+  Freedom freedom{{}, static_cast<int>(free.size())};
+  std::ranges::copy(free, freedom.directions.begin());
   return freedom;
 }
+
+}  // namespace
 
 void check_point(int point, int count, const char* what) {
   if (point >= 0 && point < count) return;
@@ -43,8 +25,6 @@ void check_point(int point, int count, const char* what) {
                               ", but the control points are 0 to " + std::to_string(count - 1) +
                               ".");
 }
-
-}  // namespace
 
 std::vector<Freedom> freedoms_within(const MoveLimits& limits, int point_count) {
   std::vector<std::vector<Vector3d>> held(point_count);

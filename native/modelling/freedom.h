@@ -27,6 +27,9 @@ struct Freedom {
   int count;
 };
 
+// Throws std::invalid_argument, naming what the point is meant to be, unless it is one of `count`.
+void check_point(int point, int count, const char* what);
+
 // What each of `point_count` control points may do within the limits: axes stay axes where planes
 // are square to them. Throws std::invalid_argument for points or normals that are none.
 std::vector<Freedom> freedoms_within(const MoveLimits& limits, int point_count);

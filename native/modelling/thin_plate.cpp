@@ -2,17 +2,15 @@
 #include "modelling/thin_plate.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
+
+#include "modelling/gauss_rule.h"
 
 namespace hull::modelling {
 namespace {
 
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-// Gauss's points and weights on [0, 1].
-constexpr std::array<double, 3> kGauss = {0.1127016653792583, 0.5, 0.8872983346207417};
-constexpr std::array<double, 3> kWeights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 // sine of the angle between the sides of a piece: below, it has no area to speak of
 constexpr double kNoArea = 1e-6;
 
@@ -57,10 +55,11 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const surface::PieceWeight
 template <class Visit>
 void for_each_place(const surface::PieceWeights& pieces, int piece, const Points& points,
                     const Visit& visit) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const auto rows = bending_rows(pieces.jet({piece, kGauss[i], kGauss[j]}), points,
-                                     kWeights[i] * kWeights[j]);
+  const auto& [count, places, weights] = kThreePoints;
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      const auto rows =
+          bending_rows(pieces.jet({piece, places[i], places[j]}), points, weights[i] * weights[j]);
       if (rows.cols() > 0) visit(rows);
     }
   }

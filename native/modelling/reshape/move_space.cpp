@@ -8,49 +8,13 @@
 #include <string>
 
 #include "mesh/groups.h"
+#include "modelling/complement.h"
 
 namespace hull::modelling {
 namespace {
 
-// Of rows of unit length: less is left of one that others make up.
-constexpr double kDependent = 1e-9;
 // Of the prescribed moves: what contradictory limits leave is never near this.
 constexpr double kMet = 1e-10;
-
-// Orthonormal columns that are square to all rows, along the axes where they can be.
-Eigen::MatrixXd complement(const Eigen::MatrixXd& rows) {
-  const Eigen::Index size = rows.cols();
-  Eigen::MatrixXd found(size, size);  // first what spans the rows
-  Eigen::Index count = 0;
-  const auto rest_of = [&](Eigen::VectorXd v) {
-    // Twice: once leaves rounding of what was nearly dependent.
-    for (int pass = 0; pass < 2; ++pass) {
-      for (Eigen::Index k = 0; k < count; ++k) v -= found.col(k).dot(v) * found.col(k);
-    }
-    return v;
-  };
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const Eigen::VectorXd rest = rest_of(rows.row(i).normalized().transpose());
-    if (count < size && rest.norm() > kDependent) found.col(count++) = rest.normalized();
-  }
-  const Eigen::Index held = count;
-  while (count < size) {
-    Eigen::VectorXd best = Eigen::VectorXd::Zero(size);
-    for (Eigen::Index axis = 0; axis < size; ++axis) {
-      const Eigen::VectorXd rest = rest_of(Eigen::VectorXd::Unit(size, axis));
-      if (rest.norm() > best.norm() + 1e-12) best = rest;
-    }
-    found.col(count++) = best.normalized();
-  }
-  return found.rightCols(size - held);
-}
-
-void check_point(int point, int count, const char* what) {
-  if (point >= 0 && point < count) return;
-  throw std::invalid_argument(std::string("A ") + what + " point is " + std::to_string(point) +
-                              ", but the control points are 0 to " + std::to_string(count - 1) +
-                              ".");
-}
 
 void check(const ReshapeLimits& limits, int count) {
   for (int point : limits.prescribed) check_point(point, count, "prescribed");
@@ -76,25 +40,26 @@ class GroupRows {
 
   // `told`: the coordinate among prescribed moves that is its value; -1: zero.
   void add(int point, const Vector3d& direction, int told = -1) {
-    rows_.emplace_back(Eigen::RowVectorXd::Zero(3 * static_cast<Eigen::Index>(first_.size())));
+    rows_.emplace_back(Eigen::VectorXd::Zero(size()));
     told_.push_back(told);
     add_to_last(point, direction);
   }
   void add_to_last(int point, const Vector3d& direction) {
-    rows_.back().segment<3>(first_.at(point)) += direction.transpose();
+    rows_.back().segment<3>(first_.at(point)) += direction;
   }
 
   const std::vector<int>& told() const { return told_; }
+  const std::vector<Eigen::VectorXd>& rows() const { return rows_; }
+  Eigen::Index size() const { return 3 * static_cast<Eigen::Index>(first_.size()); }
   Eigen::MatrixXd matrix() const {
-    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows_.size()),
-                           3 * static_cast<Eigen::Index>(first_.size()));
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.row(i) = rows_[i];
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows_.size()), size());
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.row(i) = rows_[i].transpose();
     return matrix;
   }
 
  private:
   std::map<int, Eigen::Index> first_;  // of the points' columns
-  std::vector<Eigen::RowVectorXd> rows_;
+  std::vector<Eigen::VectorXd> rows_;
   std::vector<int> told_;
 };
 
@@ -158,13 +123,14 @@ class MoveSpace::Builder {
       rows.add(tied.point, unit);
       rows.add_to_last(tied.leader, -unit);
     }
-    const Eigen::MatrixXd matrix = rows.matrix(), free = complement(matrix);
-    for (Eigen::Index column = 0; column < free.cols(); ++column, ++columns_) {
-      for (Eigen::Index i = 0; i < free.rows(); ++i) {
-        add_entry(points[i / 3], static_cast<int>(i % 3), free(i, column));
+    for (const Eigen::VectorXd& free : complement(rows.rows(), rows.size())) {
+      for (Eigen::Index i = 0; i < free.size(); ++i) {
+        add_entry(points[i / 3], static_cast<int>(i % 3), free[i]);
       }
+      ++columns_;
     }
     if (std::ranges::all_of(rows.told(), [](int c) { return c < 0; })) return;
+    const Eigen::MatrixXd matrix = rows.matrix();
     space_.told_groups_.push_back(
         {points, matrix, rows.told(), matrix.completeOrthogonalDecomposition().pseudoInverse()});
   }
@@ -172,10 +138,10 @@ class MoveSpace::Builder {
   // What a point may not do alone: all that is square to what it may.
   void add_held(int point, GroupRows& rows) const {
     const Freedom& freedom = alone_[point];
-    Eigen::MatrixXd free(freedom.count, 3);
-    for (int k = 0; k < freedom.count; ++k) free.row(k) = freedom.directions[k].transpose();
-    const Eigen::MatrixXd held = complement(free);
-    for (Eigen::Index k = 0; k < held.cols(); ++k) rows.add(point, held.col(k));
+    const auto* first = freedom.directions.data();
+    for (const Vector3d& held : complement<Vector3d>({first, first + freedom.count}, 3)) {
+      rows.add(point, held);
+    }
   }
 
   void add_entry(int point, int axis, double value) {

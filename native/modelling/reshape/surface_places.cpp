@@ -7,19 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "modelling/gauss_rule.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling {
 namespace {
-
-// Gauss's rule on [0, 1] with so many points.
-struct GaussRule {
-  int count;
-  std::array<double, 3> points, weights;
-};
-constexpr GaussRule kThree{
-    3, {0.1127016653792583, 0.5, 0.8872983346207417}, {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}};
-constexpr GaussRule kTwo{2, {0.2113248654051871, 0.7886751345948129, 0.0}, {0.5, 0.5, 0.0}};
 
 // Of the sine of the angle between the sides of a piece: below, it has no area to speak of.
 constexpr double kNoArea = 1e-9;
@@ -55,7 +47,7 @@ class SurfacePlaces::Builder {
   void add_node(const surface::SurfaceNode& node, const Eigen::Vector2d& begin, double size) {
     switch (node.kind) {
       case surface::SurfaceNode::Kind::kLeaf:
-        add_piece(kThree);
+        add_piece(kThreePoints);
         return;
       case surface::SurfaceNode::Kind::kCorner:
         add_corner(node, begin, size);
@@ -75,7 +67,7 @@ class SurfacePlaces::Builder {
     double before = 0.0, area = 0.0;
     for (int ring = 0; ring < surface::kPlainRings; ++ring) {
       before = std::exchange(area, 0.0);
-      for (int k = 0; k < segments; ++k) area += add_piece(kTwo);
+      for (int k = 0; k < segments; ++k) area += add_piece(kTwoPoints);
     }
     const double decay = before > 0.0 ? std::min(area / before, kSlowestDecay) : 0.0;
     const bool right = node.turn == 1 || node.turn == 2, above = node.turn >= 2;
