@@ -1,25 +1,36 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds while a hull's points are moved, put into effect in its mesh: flats stay flat, and the
-border of a half hull stays on the centre plane.
+"""What holds while a hull's points are moved, put into effect in its mesh: flats stay flat, kept
+points in their stations, waterlines and buttocks, and the border of a half hull on the centre
+plane.
 
 This comes first after an edit, and is the one step of what follows it that writes the mesh.
 """
 
 from dataclasses import dataclass, field
 
+from ...bridge.counts import counted_are
 from ...bridge.objects import hull_mesh
-from . import centre_keeping, flat_keeping
+from . import centre_keeping, flat_keeping, plane_keeping
 
 _IN_FLATS = "Points stay in their flats: Release under Shape frees them."
+_IN_PLANES = (
+    "Points stay in their stations, waterlines or buttocks: Free under Edges and Points lets them "
+    "go."
+)
+_CONTRADICTED = (
+    "{} kept in a plane that does not meet their flat, which counts: free them, or release the "
+    "flat."
+)
 _ON_CENTRE = "Points stay on the centre plane: Keep on centre, switched off, frees them."
 
 
 @dataclass
 class Keeping:
-    """flats: what flat_keeping has seen of the hull. held: what points were kept from in the last
-    edit that moved any, for the user, or ""."""
+    """flats, planes: what flat_keeping and plane_keeping have seen of the hull. held: what points
+    were kept from in the last edit that moved any, for the user, or ""."""
 
     flats: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)
+    planes: plane_keeping.Memory = field(default_factory=plane_keeping.Memory)
     held: str = ""
     _held_at: tuple = ()
 
@@ -27,10 +38,17 @@ class Keeping:
         """Brings points back that may not leave their place; returns the HullMesh with them there.
 
         before: the flotation.live_ship.LiveShip of the hull as it was. is_by_hand: points were
-        dragged; those that undo or numbers have placed may leave the centre plane.
+        dragged; those that undo or numbers have placed may leave the centre plane, and their
+        stations, waterlines and buttocks go along with them.
         """
         held = [_IN_FLATS] if flat_keeping.keep(obj, self.flats) else []
         found = hull_mesh.read(obj)
+        kept = plane_keeping.kept(obj, found.data, self.planes, is_by_hand)
+        if kept is not found.data:
+            found = found.with_points(kept)
+            held.append(_IN_PLANES)
+        if self.planes.contradicted:
+            held.append(_CONTRADICTED.format(counted_are(self.planes.contradicted, "point")))
         if is_by_hand and _keeps_centre(obj, found, before):
             border = before.surface.mesh.border_edges
             kept = centre_keeping.kept(obj, found.data, before.source.control, border)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a hull's control points may do while a tool moves them: the one place that tools ask.
 
-Locked points stay; those of flats and on the centre plane of a half hull stay in their planes.
+Locked points stay; those of flats, on the centre plane of a half hull, and kept in stations,
+waterlines or buttocks stay in their planes.
 """
 
 from dataclasses import dataclass

@@ -14,9 +14,10 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender import units
+from ...bridge.counts import counted_are
 from ...bridge.mesh import mesh_points
 from ...bridge.objects import hull_mesh
-from ..constraints import point_locks
+from ..constraints import kept_points, point_locks
 from ..hull import hull_state
 from . import bilge_sections
 from .bilge_sections import beyond, corner_of, in_plane, sections_of
@@ -65,7 +66,7 @@ def round_selected(obj, scene, radius, move_borders):
         for index, (y, z) in zip(indices, moved):
             places[index] = (control.points[index, 0], y, z)
         rounded.append((section, corner, arc))
-    _refuse_locked(obj, control, places)
+    _refuse_held(obj, control, places)
     indices = np.array(list(places))
     points = np.array(list(places.values())) / scale
     mesh_points.write(obj.data, control.vertex_ids[indices], points)
@@ -109,10 +110,18 @@ def _arc(count, angle, moves, outer_bottom, outer_side):
     )
 
 
-def _refuse_locked(obj, control, places):
+def _refuse_held(obj, control, places):
     locked = np.intersect1d(control.vertex_ids[list(places)], point_locks.locked_points(obj.data))
     if len(locked):
         raise ValueError(f"{len(locked)} points of the bilge are locked: unlock them first")
+    kept = kept_points.read(obj.data)
+    across = np.union1d(kept.along(1), kept.along(2))
+    held = np.intersect1d(control.vertex_ids[list(places)], across)
+    if len(held):
+        raise ValueError(
+            f"In the bilge {counted_are(len(held), 'point')} kept in a buttock or waterline: free "
+            "them first"
+        )
 
 
 def _outcome(surface, control, section, corner, arc):

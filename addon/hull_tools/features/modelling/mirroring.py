@@ -5,7 +5,7 @@ A half hull's borders in the centre plane are creases of the whole one, so that 
 stay the same.
 
 Points nearer to the centre plane than a millionth of the hull's size are put on it, and are shared
-by both sides. Tags, layers, marks and flat regions come along.
+by both sides. Tags, layers, marks, flat regions and the planes of kept points come along.
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from ...bridge.blender import blender_versions
 from ...bridge.counts import counted
 from ...bridge.mesh import mesh_check, mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user, editing
-from ..constraints import flat_marks, flats, planes
+from ..constraints import flat_marks, flats, kept_points, planes
 from ..hull import hull_state
 
 # Points of both sides that are nearer than this part of the hull's size are alike.
@@ -94,6 +94,7 @@ def to_port(obj, scene):
     with editing(obj.data) as bm:
         for vertex in bm.verts:
             vertex.co.y = -vertex.co.y
+        kept_points.mirror(bm, bm.verts)
         bmesh.ops.reverse_faces(bm, faces=bm.faces)
     _mirror_planes(obj)
     hull_state.follow_edit(obj, scene)
@@ -107,7 +108,7 @@ def put_centre_line_on_plane(obj, scene):
     points = mesh_points.read(obj.data)[indices]
     points[:, 1] = 0.0
     mesh_points.write(obj.data, indices, points)
-    hull_state.follow_edit(obj, scene)
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
     return len(indices)
 
 
@@ -144,9 +145,10 @@ def _add_other_side(bm, numbers):
     shared = [vertex for vertex in vertices if vertex.co.y == 0.0]
     made = bmesh.ops.duplicate(bm, geom=[*vertices, *edges, *faces])
     new_faces = [part for part in made["geom"] if isinstance(part, bmesh.types.BMFace)]
-    for part in made["geom"]:
-        if isinstance(part, bmesh.types.BMVert):
-            part.co.y = -part.co.y
+    new_vertices = [part for part in made["geom"] if isinstance(part, bmesh.types.BMVert)]
+    for vertex in new_vertices:
+        vertex.co.y = -vertex.co.y
+    kept_points.mirror(bm, new_vertices)
     layer = bm.faces.layers.int.get(flat_marks.ATTRIBUTE)
     if layer is not None:
         for face in new_faces:
@@ -192,6 +194,7 @@ def _leave(bm, sign):
     if sign < 0.0:
         for vertex in bm.verts:
             vertex.co.y = -vertex.co.y
+        kept_points.mirror(bm, bm.verts)
         bmesh.ops.reverse_faces(bm, faces=bm.faces)
     borders = [edge for edge in keel if edge.is_boundary]
     smooth_edges = sum(edge[edge_layer] < 1.0 for edge in borders)
