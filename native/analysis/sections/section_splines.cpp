@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "analysis/arithmetic/tridiagonal.h"
 
 namespace hull::analysis {
 namespace {
@@ -70,22 +73,6 @@ Course course_of(const SectionCurve& curve, const SmoothStretch& stretch, const 
   return course;
 }
 
-// Thomas' algorithm; the diagonal dominates.
-std::vector<Vector3d> solve(const std::vector<double>& below, std::vector<double> diagonal,
-                            const std::vector<double>& above, std::vector<Vector3d> right) {
-  const std::size_t n = diagonal.size();
-  for (std::size_t i = 1; i < n; ++i) {
-    const double factor = below[i] / diagonal[i - 1];
-    diagonal[i] -= factor * above[i - 1];
-    right[i] -= factor * right[i - 1];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) right[i] -= above[i] * right[i + 1];
-    right[i] /= diagonal[i];
-  }
-  return right;
-}
-
 // Derivatives at the nodes of the twice continuously differentiable cubic spline through some of
 // the course's points: with the course's tangents at the ends, or periodic.
 std::vector<Vector3d> slopes(const Course& course, const std::vector<std::size_t>& nodes) {
@@ -96,7 +83,8 @@ std::vector<Vector3d> slopes(const Course& course, const std::vector<std::size_t
     return Vector3d(3.0 / (h * h) * (course.points[nodes[i + 1]] - course.points[nodes[i]]));
   };
   const std::size_t count = course.closed ? n : n + 1;
-  std::vector<double> below(count, 0.0), diagonal(count, 1.0), above(count, 0.0);
+  Tridiagonal rows{std::vector<double>(count, 0.0), std::vector<double>(count, 1.0),
+                   std::vector<double>(count, 0.0)};
   std::vector<Vector3d> right(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!course.closed && (i == 0 || i == n)) {
@@ -104,24 +92,13 @@ std::vector<Vector3d> slopes(const Course& course, const std::vector<std::size_t
       continue;
     }
     const std::size_t before = i > 0 ? i - 1 : n - 1;
-    below[i] = 1.0 / width(before);
-    above[i] = 1.0 / width(i);
-    diagonal[i] = 2.0 * (below[i] + above[i]);
+    rows.below[i] = 1.0 / width(before);
+    rows.above[i] = 1.0 / width(i);
+    rows.diagonal[i] = 2.0 * (rows.below[i] + rows.above[i]);
     right[i] = rise(before) + rise(i);
   }
-  if (!course.closed) return solve(below, diagonal, above, right);
-  // The corners of the cyclic matrix are a product of two vectors (Sherman and Morrison 1950).
-  const double corner = below[0], other = above[n - 1], shift = -diagonal[0];
-  diagonal[0] -= shift;
-  diagonal[n - 1] -= corner * other / shift;
-  std::vector<Vector3d> u(n, Vector3d::Zero());
-  u[0].x() = shift;
-  u[n - 1].x() = other;
-  std::vector<Vector3d> m = solve(below, diagonal, above, right);
-  const std::vector<Vector3d> z = solve(below, diagonal, above, u);
-  const double ratio = corner / shift;
-  const Vector3d share = (m[0] + ratio * m[n - 1]) / (1.0 + z[0].x() + ratio * z[n - 1].x());
-  for (std::size_t i = 0; i < n; ++i) m[i] -= z[i].x() * share;
+  if (!course.closed) return rows.solve(std::move(right));
+  std::vector<Vector3d> m = rows.solve_cyclic(std::move(right));
   m.push_back(m.front());
   return m;
 }
