@@ -33,6 +33,7 @@ void bind_quality_report(pybind11::module_& module);
 void bind_pull(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
 void bind_reshape(pybind11::module_& module);
+void bind_shape_fields(pybind11::module_& module);
 void bind_bilge_arc(pybind11::module_& module);
 void bind_knuckles(pybind11::module_& module);
 

@@ -32,6 +32,7 @@ PYBIND11_MODULE(_core, module) {
   bind_pull(module);
   bind_fit(module);
   bind_reshape(module);
+  bind_shape_fields(module);
   bind_bilge_arc(module);
   bind_knuckles(module);
   refuse_unmade_instances(module);

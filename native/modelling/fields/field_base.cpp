@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/fields/field_base.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace hull::modelling {
+namespace {
+
+BaseFoot foot_at(const Vector3d& p, const Vector3d& closest, double distance) {
+  const Vector3d from = p - closest;
+  const Vector3d slope = distance > 0.0 ? Vector3d(from / distance) : Vector3d::Zero().eval();
+  return {distance, slope, 0.0, Vector3d::Zero()};
+}
+
+class PointBase final : public FieldBase {
+ public:
+  explicit PointBase(const Vector3d& point) : point_(point) {}
+  BaseFoot foot(const Vector3d& p) const override {
+    return foot_at(p, point_, (p - point_).norm());
+  }
+  bool is_in_centre_plane(double near) const override { return std::abs(point_.y()) <= near; }
+
+ private:
+  Vector3d point_;
+};
+
+class PlaneBase final : public FieldBase {
+ public:
+  PlaneBase(const Vector3d& point, const Vector3d& normal) : point_(point), normal_(normal) {}
+  BaseFoot foot(const Vector3d& p) const override {
+    const double height = (p - point_).dot(normal_);
+    return {std::abs(height), height < 0.0 ? Vector3d(-normal_) : normal_, 0.0, Vector3d::Zero()};
+  }
+  bool is_in_centre_plane(double near) const override {
+    return std::abs(normal_.x()) + std::abs(normal_.z()) == 0.0 && std::abs(point_.y()) <= near;
+  }
+
+ private:
+  Vector3d point_, normal_;
+};
+
+class CurveBase final : public FieldBase {
+ public:
+  explicit CurveBase(FieldCurve curve) : curve_(std::move(curve)) {}
+  BaseFoot foot(const Vector3d& p) const override {
+    const CurveFoot found = curve_.foot(p);
+    BaseFoot foot = foot_at(p, found.point, found.distance);
+    foot.length = found.length;
+    foot.length_slope = found.length_slope;
+    return foot;
+  }
+  bool is_in_centre_plane(double near) const override {
+    for (const FieldCurve::Arc& arc : curve_.arcs()) {
+      for (const Vector3d& point : arc) {
+        if (!(std::abs(point.y()) <= near)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  FieldCurve curve_;
+};
+
+}  // namespace
+
+std::shared_ptr<const FieldBase> point_base(const Vector3d& point) {
+  if (!point.allFinite()) throw std::invalid_argument("The base's point is no number.");
+  return std::make_shared<PointBase>(point);
+}
+
+std::shared_ptr<const FieldBase> plane_base(const Vector3d& point, const Vector3d& normal) {
+  if (!point.allFinite()) throw std::invalid_argument("The base's point is no number.");
+  if (!normal.allFinite() || normal.isZero(0.0)) {
+    throw std::invalid_argument("The normal of the base's plane has no length.");
+  }
+  return std::make_shared<PlaneBase>(point, normal.stableNormalized());
+}
+
+std::shared_ptr<const FieldBase> curve_base(FieldCurve curve) {
+  return std::make_shared<CurveBase>(std::move(curve));
+}
+
+}  // namespace hull::modelling

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "mesh/vectors.h"
+#include "modelling/fields/field_curve.h"
+
+namespace hull::modelling {
+
+// Where a field is based: what it is at a point of space.
+struct BaseFoot {
+  double distance;          // m, to the closest point of the base
+  Vector3d distance_slope;  // by the point: a unit vector, or zero on the base itself
+  double length;            // along the base, m; 0 where that is no curve
+  Vector3d length_slope;    // by the point
+};
+
+// The base of a field: a point, a curve or a plane. None need be on the hull.
+//
+// Where several points of a base are the closest the distance has a kink and what varies along the
+// base may jump: keep the extent below the distance at which that begins.
+class FieldBase {
+ public:
+  virtual ~FieldBase() = default;
+
+  virtual BaseFoot foot(const Vector3d& p) const = 0;
+  // Whether all of it is in the centre plane, within `near`, m.
+  virtual bool is_in_centre_plane(double near) const = 0;
+};
+
+// Throws std::invalid_argument for what is no number.
+std::shared_ptr<const FieldBase> point_base(const Vector3d& point);
+// The plane through a point, square to a normal of any length but zero.
+std::shared_ptr<const FieldBase> plane_base(const Vector3d& point, const Vector3d& normal);
+std::shared_ptr<const FieldBase> curve_base(FieldCurve curve);
+
+}  // namespace hull::modelling

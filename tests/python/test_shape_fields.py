@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shape fields in plain Python, alone and brought into hulls."""
+
+from pathlib import Path
+
+import hull_io
+import hull_native as hn
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SEED = 20261124
+
+
+def surface_of(name):
+    shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
+    return hn.LimitSurface(
+        hn.ControlMesh(
+            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
+        )
+    )
+
+
+def fields_on(surface):
+    """A bulge in the side, and all creases protected."""
+    low, high = surface.mesh.points.min(axis=0), surface.mesh.points.max(axis=0)
+    size = high - low
+    centre = low + size * [0.6, 1.0, 0.5]
+    fields = [hn.ShapeField.at_point(centre, (0, 0.05 * size[1], 0), extent=0.3 * size[0])]
+    for crease in hn.crease_curves(surface):
+        if crease.kind == "crease":
+            curve = hn.FieldCurve.of_crease(crease)
+            fields.append(
+                hn.ShapeField.along(curve, extent=0.1 * size[0], falloff=0.7, protects=True)
+            )
+    return fields
+
+
+@pytest.mark.parametrize("name", ["coaster", "naval_vessel", "sailing_yacht"])
+def test_gradients_are_those_of_differences(name):
+    surface = surface_of(name)
+    fields = hn.ShapeFields(fields_on(surface), mirrored=True)
+    random = np.random.default_rng([SEED, len(name)])
+    points = hn.Reshape(surface).positions
+    points = points[random.choice(len(points), 400, replace=False)]
+    size = np.ptp(surface.mesh.points, axis=0).max()
+    shifts, gradients = fields.at(points)
+    assert np.abs(shifts).max() > 1e-3 * size * 0.05
+    step = 1e-6 * size
+    away = np.ones(len(points), dtype=bool)
+    found = np.empty_like(gradients)
+    for axis, unit in enumerate(np.eye(3)):
+        near, far = (
+            (fields.at(points + k * step * unit)[0] - fields.at(points - k * step * unit)[0])
+            / (2 * k * step)
+            for k in (1, 2)
+        )
+        found[:, :, axis] = near
+        # Where the closest point jumps, between two creases, there is no gradient.
+        away &= np.abs(near - far).max(axis=1) < 1e-8
+    assert away.mean() > 0.9
+    np.testing.assert_allclose(gradients[away], found[away], atol=1e-7)
+
+
+@pytest.mark.parametrize("name", ["coaster", "naval_vessel", "sailing_yacht"])
+def test_protected_creases_stay_and_what_is_far_does(name):
+    surface = surface_of(name)
+    fields = hn.ShapeFields(fields_on(surface), mirrored=True)
+    size = np.ptp(surface.mesh.points, axis=0).max()
+    for crease in hn.crease_curves(surface):
+        if crease.kind != "crease":
+            continue
+        (points,) = crease.evaluate(np.linspace(0, crease.edge_count, 40))
+        # The distance from the base is rounded, and the intensity left there goes by its square.
+        assert np.abs(fields.at(points)[0]).max() < 1e-20 * size
+    places = hn.Reshape(surface).positions
+    far = fields.deltas(0, places) >= 1
+    assert far.any()
+    assert not fields.at(places)[0][far].any()
+
+
+def test_the_hull_follows_the_field():
+    surface = surface_of("coaster")
+    fields = hn.ShapeFields(fields_on(surface)[:1], mirrored=True)
+    largest = []
+    for _ in range(2):
+        reshape = hn.Reshape(surface)
+        shifts, gradients = fields.at(reshape.positions)
+        assert (np.linalg.det(np.eye(3) + gradients) > 0).all()
+        result = reshape.solve(shifts)
+        assert result.folded_place is None
+        largest.append(result.rms)
+        surface = hn.LimitSurface(surface.refined_mesh(), surface.scheme)
+    assert largest[1] < largest[0] / 3  # the same field on the mesh subdivided once
+
+
+def test_a_curve_becomes_another():
+    stem = [(10, 0, z) for z in (8.0, 6.0, 4.0, 2.0, 0.0)]
+    bulb = [(10 + 2 * np.sin(np.pi * (6 - z) / 6) ** 2 * (z < 6), 0, z) for _, _, z in stem]
+    curve, other = hn.FieldCurve(stem), hn.FieldCurve(bulb)
+    fields = hn.ShapeFields([hn.ShapeField.to_curve(curve, other, extent=5)], mirrored=True)
+    points = curve.points_at(np.linspace(0, curve.length, 50))
+    shifts, _ = fields.at(points)
+    assert other.distances(points + shifts).max() < 1e-12
+
+
+def test_quantities_vary_along_a_curve():
+    curve = hn.FieldCurve([(0, 5, 0), (10, 5, 0)])
+    field = hn.ShapeField.along(
+        curve,
+        ([0, 5, 10], [(0, 1, 0), (0, 2, 0), (0, 1, 0)]),
+        extent=([0, 10], [4, 2]),
+        falloff=0.6,
+    )
+    shifts, _ = hn.ShapeFields([field]).at([(0, 5, 0), (5, 5, 0), (10, 5, 0), (10, 5, 2.5)])
+    np.testing.assert_allclose(shifts[:, 1], [1, 2, 1, 0], atol=1e-14)
+
+
+def test_what_is_wrong_is_said():
+    at = hn.ShapeField.at_point
+    with pytest.raises(ValueError, match="Field 0: the extent must be positive"):
+        hn.ShapeFields([at((0, 0, 0), extent=-1)])
+    with pytest.raises(ValueError, match="falloff must be from 0 to 1"):
+        hn.ShapeFields([at((0, 0, 0), extent=1, falloff=2)])
+    with pytest.raises(ValueError, match="letters x, y and z"):
+        at((0, 0, 0), extent=1, axes="xw")
+    with pytest.raises(ValueError, match="blend is"):
+        hn.ShapeFields([], blend="both")
+    with pytest.raises(ValueError, match="two points"):
+        hn.FieldCurve([(0, 0, 0)])
+    with pytest.raises(ValueError, match="There is no field 1"):
+        hn.ShapeFields([at((0, 0, 0), extent=1)]).deltas(1, [(0, 0, 0)])
+    with pytest.raises(ValueError, match="constant, or a tuple"):
+        at((0, 0, 0), extent=(1, 2, 3))
