@@ -85,7 +85,8 @@ def test_the_report_is_of_the_hull_and_settings_as_they_are():
         ("matched_knots", True, False),
         ("most_control_points", 500, 0),
         ("bezier", True, False),
-        ("conversion", "PER_CELL", "EXACT"),
+        ("conversion", "PER_CELL", "AUTOMATIC"),
+        ("conversion", "EXACT", "AUTOMATIC"),
     ):
         setattr(hull.hull.export, name, value)
         assert outcome_of(hull) == (first, False), name
@@ -197,7 +198,7 @@ def test_what_is_not_kept_is_warned_of():
     Quality.largest_gap = 1e-6
     distance, angle, gaps = patches.warnings(Quality, asked)
     assert "0.01 mm" in distance and "0.02°" in angle and "gaps" in gaps
-    text, warns = patches.summary(Quality, asked)
+    text, warns = patches.summary(patches.Converted(None, Quality, 4, True), asked)
     assert warns and "0.02 mm" in text and text.endswith(gaps)
 
 
@@ -270,7 +271,7 @@ def test_progress_never_goes_back():
     hull = add_hull()
     patches = part("features.conversion.patches")
     source = state_of(hull).ship.source
-    for conversion in ("EXACT", "PER_CELL"):
+    for conversion in ("AUTOMATIC", "EXACT", "PER_CELL"):
         hull.hull.export.conversion = conversion
         shares.clear()
         patches.convert(source.new_surface(), patches.choice_of(hull.hull.export), shares.append)
@@ -445,54 +446,3 @@ def test_without_a_hull_there_is_nothing_to_convert():
     make_active(bpy.context.object)
     assert not bpy.ops.hull.convert.poll()
     assert not bpy.ops.hull.cancel_task.poll()
-
-
-def sheet_of_triangles(n):
-    """Half a hull of 2 n² triangles."""
-    s, t = (a.ravel() for a in np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1)))
-    y = 10 * np.sin(np.pi * (0.05 + 0.9 * s)) * np.sqrt(0.01 + t)
-    points = np.stack([100 * s, np.where(t > 0, y, 0.0), 10 * t**2], 1)
-    a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-    faces = np.concatenate(
-        [np.stack([a, a + 1, a + n + 2], 1), np.stack([a, a + n + 2, a + n + 1], 1)]
-    )
-    return points, faces
-
-
-def test_large_files_of_triangles_are_foretold(tmp_path):
-    points, faces = sheet_of_triangles(9)
-    mesh = bpy.data.meshes.new("Triangles")
-    mesh.from_pydata(points.tolist(), [], faces.tolist())
-    hull = bpy.data.objects.new("Triangles", mesh)
-    bpy.context.collection.objects.link(hull)
-    make_active(hull)
-    assert bpy.ops.hull.make_hull(half=True) == {"FINISHED"}
-    settings = hull.hull.export
-
-    def said():
-        assert bpy.ops.hull.convert() == {"FINISHED"}
-        outcome, _ = outcome_of(hull)
-        return part("features.exchange.step_size").warning(hull, outcome.converted)
-
-    def sizes():
-        found = []
-        for conversion in ("EXACT", "PER_CELL"):
-            settings.conversion = conversion
-            path = tmp_path / f"{conversion}.step"
-            assert bpy.ops.hull.export_step(filepath=str(path)) == {"FINISHED"}
-            found.append(path.stat().st_size / 1e6)
-        return found
-
-    settings.extent = "HALF"
-    assert said() == ""
-    settings.extent = "BOTH"
-    exact, per_cell = (float(text.split()[-1]) for text in said().split(" MB")[:2])
-    assert [exact, per_cell] == pytest.approx(sizes(), rel=0.15)
-    assert settings.conversion == "PER_CELL" and said() == ""
-
-
-def test_usual_files_are_not_remarked_on():
-    hull = add_hull()
-    bpy.ops.hull.convert()
-    outcome, _ = outcome_of(hull)
-    assert part("features.exchange.step_size").warning(hull, outcome.converted) == ""

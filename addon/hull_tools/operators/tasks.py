@@ -85,5 +85,5 @@ class PatchOperator(TaskOperator):
 
     def outcome(self, result, scene):
         converted, text = self.converted(result)
-        summary, warns = patches.summary(converted.quality, self._asked)
+        summary, warns = patches.summary(converted, self._asked)
         return text + summary, warns

@@ -22,7 +22,7 @@ def draw_choice(layout, settings):
     column.prop(settings, "seam_angle")
     if not settings.seam_angle:
         label_value(column, "As tolerance", units.format_small_angle(asked.seam_angle))
-    if settings.conversion == patches.EXACT:
+    if settings.conversion != patches.PER_CELL:
         column = layout.column(align=True)
         column.prop(settings, "matched_knots")
         column.prop(settings, "bezier")
@@ -57,13 +57,13 @@ def draw_report(layout, context, hull):
     if is_current:
         for text in patches.warnings(quality, patches.asked_of(hull.hull.export)):
             label_wrapped(layout, context, text, icon="ERROR")
-        large = step_size.warning(hull, outcome.converted)
-        if large:
-            label_wrapped(layout, context, large, icon="INFO")
+        remark = step_size.remark(hull, outcome.converted)
+        if remark:
+            label_wrapped(layout, context, remark, icon="INFO")
     column = layout.column(align=True)
     column.active = is_current
     column.scale_y = 0.8
-    for name, value in patches.rows(quality):
+    for name, value in patches.rows(outcome.converted):
         label_value(column, name, value)
     return is_current
 

@@ -50,13 +50,16 @@ class HullExport(bpy.types.PropertyGroup):
     conversion: EnumProperty(
         name="Conversion",
         description="How the surface becomes B-spline patches",
+        # Files keep the numbers.
         items=(
+            ("AUTOMATIC", "Automatic", "Exact patches, or one a cell where exact ones make a file "
+             "of more than twice the size, as of meshes of triangles", 2),
             ("EXACT", "Exact", "Few large patches that are the surface itself but for vanishing "
-             "squares at irregular points"),
+             "squares at irregular points", 0),
             ("PER_CELL", "One a cell", "One patch for each cell of the control mesh, an "
-             "approximation near irregular points: for meshes of many triangles, whose exact "
-             "patches make large files"),
+             "approximation near irregular points", 1),
         ),
+        default="AUTOMATIC",
         update=_choice_changed,
     )  # fmt: skip
     control_points: IntProperty(

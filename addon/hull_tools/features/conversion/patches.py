@@ -7,8 +7,12 @@ from math import radians, sqrt
 from ...bridge import native
 from ...bridge.blender import units
 from ..flotation.afloat import as_typed_angle
+from . import file_sizes
 
-EXACT, PER_CELL = "EXACT", "PER_CELL"
+AUTOMATIC, EXACT, PER_CELL = "AUTOMATIC", "EXACT", "PER_CELL"
+
+# Options that ask for patches of a certain kind.
+_FOR_OTHER_SYSTEMS = ("matched_knots", "most_control_points", "bezier")
 
 # Of the time that conversion and measuring take together.
 _SHARE_OF_CONVERSION = 0.2
@@ -23,7 +27,8 @@ _NO_GAP = 1e-12
 
 @dataclass(frozen=True)
 class Choice:
-    """A way of conversion: EXACT or PER_CELL, with those of its options that are not as usual."""
+    """A way of conversion: AUTOMATIC, EXACT or PER_CELL, with those of its options that are not as
+    usual."""
 
     conversion: str
     options: tuple
@@ -40,11 +45,14 @@ class Asked:
 @dataclass(frozen=True, eq=False)
 class Converted:
     """patches: hull_native.PatchSet; quality: the hull_native.QualityReport of their distances;
-    cell_count: of the surface."""
+    cell_count: of the surface; is_exact: whether they are exact patches and not one a cell;
+    spared_control_points: how many exact ones would have, where AUTOMATIC did not take them."""
 
     patches: object
     quality: object
     cell_count: int
+    is_exact: bool
+    spared_control_points: int = 0
 
 
 def choice_of(settings):
@@ -58,27 +66,40 @@ def choice_of(settings):
         "most_control_points": settings.most_control_points,
         "bezier": settings.bezier,
     }
-    return Choice(EXACT, tuple((name, value) for name, value in options.items() if value))
+    # Who asks for patches of a certain kind has a system that needs them.
+    is_free = not any(options[name] for name in _FOR_OTHER_SYSTEMS)
+    conversion = AUTOMATIC if settings.conversion == AUTOMATIC and is_free else EXACT
+    return Choice(conversion, tuple((name, value) for name, value in options.items() if value))
 
 
 def convert(surface, choice, progress):
     """The Converted of a hull_native.LimitSurface. For any thread.
 
+    AUTOMATIC takes exact patches, or one a cell where exact ones make a file that is too large
+    (file_sizes).
+
     progress: a function of the share that is done; what it raises ends the work.
     """
-    hull_native = native.require()
-    options = dict(choice.options)
-    if choice.conversion == PER_CELL:
-        found = hull_native.fit_per_cell(surface, **options)
-    else:
-        found = hull_native.exact_patches(
-            surface, **options, progress=lambda share: progress(_SHARE_OF_CONVERSION * share)
-        )
+    found, is_exact, spared = _patches(
+        surface, choice, lambda share: progress(_SHARE_OF_CONVERSION * share)
+    )
     rest = 1.0 - _SHARE_OF_CONVERSION
-    quality = hull_native.measure_quality(
+    quality = native.require().measure_quality(
         surface, found, progress=lambda share: progress(_SHARE_OF_CONVERSION + rest * share)
     )
-    return Converted(found, quality, surface.cell_count)
+    return Converted(found, quality, surface.cell_count, is_exact, spared)
+
+
+def _patches(surface, choice, progress):
+    """(hull_native.PatchSet, and the others that a Converted has)."""
+    hull_native, options = native.require(), dict(choice.options)
+    if choice.conversion == PER_CELL:
+        return hull_native.fit_per_cell(surface, **options), False, 0
+    exact = hull_native.exact_patches(surface, **options, progress=progress)
+    count = sum(exact.control_points(number)[..., 0].size for number in range(exact.patch_count))
+    if choice.conversion == EXACT or not file_sizes.are_cells_better(count, surface.cell_count):
+        return exact, True, 0
+    return hull_native.fit_per_cell(surface), False, count
 
 
 def asked_of(settings):
@@ -101,21 +122,31 @@ def warnings(quality, asked):
     return found
 
 
-def summary(quality, asked):
-    """(one sentence for people, whether it warns) about a quality report."""
+def summary(converted, asked):
+    """(one sentence for people, whether it warns) about a Converted."""
+    quality = converted.quality
     distance = units.format_mm(quality.largest_distance)
     text = (
-        f"{quality.patch_count} patches, distance {distance}, "
+        f"{quality.patch_count} patches{_spared(converted)}, distance {distance}, "
         f"seam angle {units.format_small_angle(quality.largest_seam_angle)}"
     )
     missed = warnings(quality, asked)
     return ". ".join([text, *missed]), bool(missed)
 
 
-def rows(quality):
-    """Pairs (name, value with its unit) of a quality report, for people."""
+def _spared(converted):
+    """Why there is a patch for each cell, though nobody asked for that."""
+    if not converted.spared_control_points:
+        return ""
+    return f", one a cell for {converted.spared_control_points} control points of exact ones"
+
+
+def rows(converted):
+    """Pairs (name, value with its unit) of a Converted, for people."""
+    quality = converted.quality
     patch_count = f"{quality.patch_count}, least {quality.theoretical_patch_count}"
     return (
+        ("Conversion", "exact" if converted.is_exact else "one a cell"),
         ("Distance", units.format_mm(quality.largest_distance)),
         ("Of length", f"{quality.largest_distance_per_length:.2g}"),
         ("RMS", units.format_mm(quality.rms_distance)),

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How large a hull's STEP file will be, where another conversion makes a much smaller one."""
+"""How large a hull's STEP file will be, where another conversion makes a much smaller one or was
+taken for that."""
 
-from ..conversion import patches
+from ..conversion import file_sizes
 from . import cad_curves
 
-# Bytes for each control point, measured: of exact patches, and of small ones.
-_EXACT, _PER_CELL = 90, 100
-_FEWEST_IN_CELL = 25  # control points, as the conversion has by default
 _LARGE = 10e6
 _WORTH_IT = 0.5  # of the size: less is not worth another conversion
 
@@ -16,17 +14,22 @@ def is_mirrored(hull):
     return hull.hull.half and hull.hull.export.extent in cad_curves.BOTH_SIDES
 
 
-def warning(hull, converted):
-    """A sentence about the file of a hull's exact patches (patches.Converted), or "": those of
+def remark(hull, converted):
+    """A sentence about the file of a hull's patches (patches.Converted), or "": exact patches of
     triangles have very many control points."""
     sides = 2 if is_mirrored(hull) else 1
-    now = sides * _EXACT * converted.quality.control_point_count
-    per_cell = sides * _PER_CELL * _FEWEST_IN_CELL * converted.cell_count
-    is_chosen = hull.hull.export.conversion == patches.PER_CELL
-    if is_chosen or now < _LARGE or per_cell > _WORTH_IT * now:
+    per_cell = sides * file_sizes.of_cells(converted.cell_count)
+    if converted.spared_control_points:
+        exact = sides * file_sizes.of_exact(converted.spared_control_points)
+        return (
+            f"One patch a cell was taken: about {_megabytes(per_cell)} as STEP, where exact ones "
+            f"make about {_megabytes(exact)}. Exact makes these"
+        )
+    exact = sides * file_sizes.of_exact(converted.quality.control_point_count)
+    if not converted.is_exact or exact < _LARGE or per_cell > _WORTH_IT * exact:
         return ""
     return (
-        f"About {_megabytes(now)} as STEP, for there are many triangles or irregular points. "
+        f"About {_megabytes(exact)} as STEP, for there are many triangles or irregular points. "
         f"One a cell makes about {_megabytes(per_cell)}, with larger angles between patches"
     )
 
