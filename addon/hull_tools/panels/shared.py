@@ -27,12 +27,14 @@ class HullPanel(HullTab):
         return hull_objects.hull_of(context.object) is not None
 
 
-def label_wrapped(layout, context, text, icon="NONE"):
-    """A text as labels of one line each, the icon before the first."""
+def label_wrapped(layout, context, text, icon="NONE", rows=0):
+    """A text as labels of one line each, the icon before the first; as many lines as `rows` at
+    least, where nothing below is to move with it."""
     width = context.region.width / context.preferences.system.ui_scale
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for line in textwrap.wrap(text, max(8, int((width - _MARGINS) / _LETTER))):
+    lines = textwrap.wrap(text, max(8, int((width - _MARGINS) / _LETTER)))
+    for line in lines + [""] * (rows - len(lines)):
         column.label(text=line, icon=icon)
         icon = "NONE" if icon == "NONE" else "BLANK1"
 
@@ -81,9 +83,9 @@ def export_buttons(layout, analysis):
         row.operator("hull.export_plot", text="Plot", icon="EXPORT").analysis = analysis
 
 
-def latest_result(layout, context, name, heading):
+def latest_result(layout, context, name, heading, rows=0):
     """(the result of an analysis, where to show it) below a heading, pale while a newer one is
-    computed; (None, there) and what is to be said instead."""
+    computed; (None, there) and what is to be said instead, in as many lines as `rows` at least."""
     hull = hull_objects.hull_of(context.object)
     outcome, is_current = live_analyses.latest(hull, context.scene, name)
     layout.label(text=heading if is_current else f"{heading}: computing …")
@@ -92,7 +94,7 @@ def latest_result(layout, context, name, heading):
     if outcome is None:
         return None, place
     if outcome.result is None:
-        label_wrapped(place, context, outcome.message, icon="INFO")
+        label_wrapped(place, context, outcome.message, "INFO", rows)
     return outcome.result, place
 
 

@@ -22,15 +22,19 @@ from .shared import (
     text_field,
 )
 
+_LEVER_ROWS = 8  # beside the areas
+_EQUILIBRIUM_ROWS = 6
+_MESSAGE_ROWS = 2  # of a load that floats
+
 
 def _degrees(angle):
     return f"{degrees(angle):.4g}°"
 
 
-def _levers(context):
-    """The last Outcome of righting levers of the hull at hand, or None."""
+def _outcome(context, name):
+    """The last Outcome of an analysis of the hull at hand, or None."""
     hull = hull_objects.hull_of(context.object)
-    return live_analyses.latest(hull, context.scene, "righting_levers")[0]
+    return live_analyses.latest(hull, context.scene, name)[0]
 
 
 class HULL_PT_stability(HullPanel, bpy.types.Panel):
@@ -42,9 +46,11 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         loading = hull_objects.hull_of(context.object).hull.loading
         self._draw_load(layout, loading)
         layout.separator()
-        result, place = latest_result(layout, context, "righting_levers", "Righting levers")
-        if result is not None or not _levers(context):
-            self._draw_levers(place, context, loading, result)
+        areas = righting_levers.intervals(afloat.as_typed_angle(loading.heel_greatest))
+        rows = _LEVER_ROWS + len(areas)
+        result, place = latest_result(layout, context, "righting_levers", "Righting levers", rows)
+        if result is not None or not _outcome(context, "righting_levers"):
+            self._draw_levers(place, context, areas, result)
         export_buttons(layout, "righting_levers")
 
     def _draw_load(self, layout, loading):
@@ -61,12 +67,11 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         column.prop(loading, "heel_greatest", text="Heels to")
         column.prop(loading, "heel_step")
 
-    def _draw_levers(self, layout, context, loading, result):
+    def _draw_levers(self, layout, context, areas, result):
         """The numbers; before they are there a dash for each, lest what is below moves then."""
         if result is None:
             found = load = None
-            spans = righting_levers.intervals(afloat.as_typed_angle(loading.heel_greatest))
-            areas = [(start, end, None) for start, end in spans]
+            areas = [(*ends, None) for ends in areas]
         else:
             found, load, areas = result.levers, result.load, result.areas()
         column = layout.column(align=True)
@@ -101,12 +106,18 @@ class HULL_PT_levers(HullPanel, bpy.types.Panel):
     bl_order = 0
 
     def draw(self, context):
-        result, place = latest_result(self.layout, context, "righting_levers", "GZ over heel")
-        if result is None:
+        heels = righting_levers.heels_of(hull_objects.hull_of(context.object).hull.loading)
+        result, place = latest_result(
+            self.layout, context, "righting_levers", "GZ over heel", len(heels)
+        )
+        if result is None and _outcome(context, "righting_levers"):
             return
+        levers = [None] * len(heels)
+        if result is not None:
+            heels, levers = result.levers.heels, result.levers.levers
         column = place.column(align=True)
         column.scale_y = 0.8
-        for heel, lever in zip(result.levers.heels, result.levers.levers):
+        for heel, lever in zip(heels, levers):
             label_value(column, _degrees(heel), format_value(context.scene, lever, "m"))
 
 
@@ -171,30 +182,33 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("mass_t", "lcg", "tcg", "vcg"):
             column.prop(case, name)
-        equilibria, place = latest_result(layout, context, "load_cases", "Equilibrium")
-        if equilibria is None:
-            return
+        rows = _MESSAGE_ROWS + _EQUILIBRIUM_ROWS
+        equilibria, place = latest_result(layout, context, "load_cases", "Equilibrium", rows)
         index = loading.active_load_case
-        if index < len(equilibria):
+        if equilibria is not None and index < len(equilibria):
             self._draw_equilibrium(place, context, equilibria[index])
+        elif equilibria is not None or not _outcome(context, "load_cases"):
+            label_wrapped(place, context, "", rows=rows)
         export_buttons(layout, "load_cases")
 
     def _draw_equilibrium(self, layout, context, found):
-        label_wrapped(
-            layout, context, found.message or "Floats, stable", icon=_equilibrium_icon(found)
-        )
+        """In as many lines, whatever became of the load, lest what is below moves."""
+        text, icon = found.message or "Floats, stable", _equilibrium_icon(found)
         if found.draft_mean is None:
+            label_wrapped(layout, context, text, icon, _MESSAGE_ROWS + _EQUILIBRIUM_ROWS)
             return
+        label_wrapped(layout, context, text, icon, _MESSAGE_ROWS)
         column = layout.column(align=True)
         column.scale_y = 0.8
-        for name, value, unit in (
-            ("Mean draft", found.draft_mean, "m"),
-            ("Draft aft", found.draft_aft, "m"),
-            ("Draft forward", found.draft_forward, "m"),
-            ("Trim", found.trim_m, "m"),
-            ("Heel", found.heel, "deg"),
-            ("GM", found.gm, "m"),
+        for name, attribute, unit in (
+            ("Mean draft", "draft_mean", "m"),
+            ("Draft aft", "draft_aft", "m"),
+            ("Draft forward", "draft_forward", "m"),
+            ("Trim", "trim_m", "m"),
+            ("Heel", "heel", "deg"),
+            ("GM", "gm", "m"),
         ):
+            value = getattr(found, attribute)
             label_value(column, name, format_value(context.scene, value, unit))
 
 
@@ -222,7 +236,7 @@ class HULL_PT_stability_remarks(HullPanel, bpy.types.Panel):
     bl_order = 6
 
     def draw(self, context):
-        outcome = _levers(context)
+        outcome = _outcome(context, "righting_levers")
         result = outcome.result if outcome else None
         remarks = tuple(result.remarks()) if result else ()
         for remark in remarks:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Righting levers over the heel, with what is read from the curve."""
 
+import contextlib
 from dataclasses import dataclass
 from math import degrees, radians
 
@@ -49,9 +50,19 @@ class Result:
 
 
 def inputs(settings, metres_per_unit):
-    loading = settings.loading
-    heels = stepped(0.0, loads.greatest_heel(loading), as_typed_angle(loading.heel_step), "heels")
+    heels = _heels(settings.loading)
     return Inputs(loads.load_inputs(settings, metres_per_unit), heels, intervals(heels[-1]))
+
+
+def heels_of(loading):
+    """In rad, of an Object.hull.loading; none where its settings are refused."""
+    with contextlib.suppress(ValueError):
+        return _heels(loading)
+    return ()
+
+
+def _heels(loading):
+    return stepped(0.0, loads.greatest_heel(loading), as_typed_angle(loading.heel_step), "heels")
 
 
 def intervals(last_heel):
