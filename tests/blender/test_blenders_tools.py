@@ -249,6 +249,31 @@ def test_a_hull_that_follows_itself_is_refused_at_once():
     assert not state_of(hull).status and not state_of(other).status
 
 
+def test_a_hull_held_by_three_points_is_refused():
+    """Upright now, it is turned when one of them moves, and Blender may tell of that too late."""
+    bearer, hull, child = add_hull("bearer"), add_hull("hull"), add_hull("child")
+    bearer.data.vertices.add(3)
+    for vertex, place in zip(bearer.data.vertices[-3:], ((0, 0, 0), (0, 1, 0), (0, 0, 1))):
+        vertex.co = place
+    hull.parent, child.parent = bearer, hull
+    for kind, is_refused in (("VERTEX_3", True), ("VERTEX", False), ("OBJECT", False)):
+        hull.parent_type = kind
+        hull.parent_vertices = [len(bearer.data.vertices) - 3 + i for i in range(3)]
+        bpy.context.view_layer.update()
+        for one in (hull, child):
+            assert ('"hull" is turned by three points of "bearer"' in state_of(one).status) == (
+                is_refused
+            ), (kind, one.name)
+    hull.parent_type = "VERTEX_3"
+    bpy.context.view_layer.update()
+    # What the message says is the remedy.
+    make_active(hull)
+    bpy.ops.object.parent_clear(type="CLEAR_KEEP_TRANSFORM")
+    bpy.ops.object.transform_apply(location=False)
+    bpy.context.view_layer.update()
+    assert not state_of(hull).status
+
+
 def test_shape_keys_are_refused():
     hull = add_hull()
     hull.shape_key_add(name="Basis")

@@ -49,7 +49,7 @@ def refusal(obj):
     keys = obj.data.shape_keys
     if keys is not None and len(keys.key_blocks) > 1:
         return f'"{obj.name}" has shape keys, and a hull has one shape: remove them first'
-    return _following_itself(obj) or _turned(obj)
+    return _following_itself(obj) or _turned_by_points(obj) or _turned(obj)
 
 
 def has_shape_keys(obj):
@@ -87,6 +87,19 @@ def _followed(obj):
     acting = (constraint for constraint in obj.constraints if not constraint.mute)
     followed = [obj.parent, *(getattr(constraint, "target", None) for constraint in acting)]
     return [other for other in followed if other is not None]
+
+
+def _turned_by_points(obj):
+    """That three points of a mesh hold an object, or one that it is parented to; "" when none do.
+    They turn it whenever one of them moves, and Blender may tell of the one and not the other."""
+    while obj.parent is not None:
+        if obj.parent_type == "VERTEX_3":
+            return (
+                f'"{obj.name}" is turned by three points of "{obj.parent.name}": clear its parent '
+                "and keep the transform (Alt P), or make it an object's child"
+            )
+        obj = obj.parent
+    return ""
 
 
 def _turned(obj):
