@@ -5,7 +5,15 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import HALF_BREADTH, LENGTH, add_hull, mesh_points, part, state_of
+from addon_under_test import (
+    HALF_BREADTH,
+    LENGTH,
+    add_hull,
+    make_active,
+    mesh_points,
+    part,
+    state_of,
+)
 from edited_hulls import faces_in
 
 NUMBERS = ("displaced_volume", "wetted_surface", "waterplane_area", "lcb", "kb", "kmt", "lcf")
@@ -168,6 +176,77 @@ def test_faces_across_are_refused_or_cut():
     assert bpy.ops.hull.make_half(cut=True) == {"FINISHED"}
     assert numbers(hull) == pytest.approx(before, rel=ALIKE)
     assert len(hull.data.polygons) == 4
+
+
+def whole_of_two_sides(over=0.0):
+    """A box of two sides that are no one mesh; each reaches over the centre plane so far."""
+    hull = add_hull()
+
+    def add_starboard(bm):
+        for vertex in bm.verts:
+            vertex.co.y = vertex.co.y or -over
+        made = bmesh.ops.duplicate(bm, geom=[*bm.verts, *bm.edges, *bm.faces])["geom"]
+        faces = [part for part in made if isinstance(part, bmesh.types.BMFace)]
+        for vertex in {vertex for face in faces for vertex in face.verts}:
+            vertex.co.y = -vertex.co.y
+        bmesh.ops.reverse_faces(bm, faces=faces)
+
+    hull.hull.half = False
+    edit(hull, add_starboard)
+    return hull
+
+
+@pytest.mark.parametrize("side", ["PORT", "STARBOARD"])
+def test_sides_that_overlap_leave_no_slivers(side):
+    over = 0.01
+    hull = whole_of_two_sides(over)
+    assert len(hull.data.polygons) == 8
+    with pytest.raises(RuntimeError, match="3 faces reach across"):
+        bpy.ops.hull.make_half(side=side)
+    made = part("features.modelling.mirroring").to_half(hull, bpy.context.scene, side, cut=True)
+    assert made.overlap == pytest.approx(over)
+    assert len(hull.data.polygons) == 4 and len(hull.data.vertices) == 8
+    y = mesh_points(hull)[:, 1]
+    assert y.min() == 0.0 and y.max() == HALF_BREADTH
+    assert state_of(hull).status == "" and state_of(hull).ship.check.problems == ()
+
+
+def test_the_centre_line_of_two_sides_is_joined():
+    joined, hull = add_hull("joined"), whole_of_two_sides()
+    make_active(joined)
+    assert bpy.ops.hull.make_whole() == {"FINISHED"}
+    (problem,) = state_of(hull).ship.check.problems
+    assert (problem.severity, problem.remedy, problem.kind) == ("warning", "JOIN", "vertex")
+    assert problem.message.startswith("4 points of the centre line are there twice")
+    assert len(problem.elements) == 8
+    make_active(hull)
+    assert bpy.ops.hull.join_centre_line() == {"FINISHED"}
+    assert state_of(hull).ship.check.problems == ()
+    assert len(hull.data.vertices) == 12
+    for attribute in ("vertices", "edges", "polygons"):
+        assert len(getattr(hull.data, attribute)) == len(getattr(joined.data, attribute))
+    assert numbers(hull) == pytest.approx(numbers(joined), rel=ALIKE)
+    creases = part("bridge.blender.blender_versions").edge_creases
+    assert np.array_equal(np.sort(creases(hull.data)), np.sort(creases(joined.data)))
+    with pytest.raises(RuntimeError, match="there twice"):
+        bpy.ops.hull.join_centre_line()
+
+
+def test_a_half_of_two_sides_leaves_nothing_of_the_other():
+    hull = whole_of_two_sides()
+    assert bpy.ops.hull.make_half() == {"FINISHED"}
+    assert (len(hull.data.polygons), len(hull.data.vertices), len(hull.data.edges)) == (4, 8, 11)
+
+
+def test_borders_that_meet_no_other_are_no_slit():
+    """Neither an open deck and the ends of a whole hull are named, nor a side without the other."""
+    hull = add_hull()
+    bpy.ops.hull.make_whole()
+    assert state_of(hull).ship.check.problems == ()
+    other = whole_of_two_sides()
+    edit(other, lambda bm: bmesh.ops.delete(bm, geom=list(bm.faces)[4:], context="FACES"))
+    remedies = [problem.remedy for problem in state_of(other).ship.check.problems]
+    assert "JOIN" not in remedies
 
 
 def test_what_differs_is_told():

@@ -8,7 +8,7 @@ from bpy.props import EnumProperty
 from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..features.hull import hull_state, plausible
-from ..features.modelling import mirroring, parting
+from ..features.modelling import centre_line, mirroring, parting
 from .shared import HullOperator, in_object_mode
 
 
@@ -71,6 +71,18 @@ class HULL_OT_put_on_centre_plane(bpy.types.Operator, HullOperator):
         self.report({"INFO"}, f"{counted(count, 'point')} put on the centre plane")
 
 
+class HULL_OT_join_centre_line(bpy.types.Operator, HullOperator):
+    """Join the sides of a whole hull along the centre line, where each has points of its own at the
+    same places. Nothing moves; the joined edges become creases"""
+
+    bl_idname = "hull.join_centre_line"
+    bl_label = "Join Centre Line"
+
+    def run_on(self, hull, context):
+        count = centre_line.join(hull, context.scene)
+        self.report({"INFO"}, f"{counted(count, 'point')} of the centre line joined")
+
+
 class HULL_OT_count_sides(bpy.types.Operator, HullOperator):
     """Count the hull as what is modelled of it"""
 
@@ -128,6 +140,7 @@ CLASSES = (
     HULL_OT_set_aside,
     HULL_OT_mirror_to_port,
     HULL_OT_put_on_centre_plane,
+    HULL_OT_join_centre_line,
     HULL_OT_count_sides,
     HULL_OT_take_from_surface,
 )

@@ -61,6 +61,9 @@ class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
             metres = made.difference * units.metres_per_unit(scene)
             apart = units.format_value(scene, metres, "m")
             notes.append(f"the sides were not alike: points differed by up to {apart}")
+        if made.overlap:
+            far = units.format_value(scene, made.overlap * units.metres_per_unit(scene), "m")
+            notes.append(f"the other side, which went, reached up to {far} across the centre plane")
         if made.smooth_edges:
             notes.append(
                 f"{made.smooth_edges} edges in the centre plane were smooth and are borders now: "

@@ -8,6 +8,7 @@ _MENDING = {
     "SPLIT": ("hull.split", "hull.set_aside"),
     "PORT": ("hull.mirror_to_port",),
     "CENTRE": ("hull.put_on_centre_plane",),
+    "JOIN": ("hull.join_centre_line",),
 }
 
 _COUNTING = {"WHOLE": "Count as Whole", "HALF": "Count as Half"}

@@ -9,6 +9,7 @@ from ....hull_io.mending import ACROSS
 from .. import limits, native
 from ..counts import counted, counted_are
 from . import mesh_arrays
+from . import slits as slits_of_mesh
 
 # What the native check says of what Split mends.
 _TO_SPLIT = ("more than two faces", "share no edge there")
@@ -19,7 +20,7 @@ class Problem:
     """severity "error" or "warning"; kind "mesh", "vertex", "edge" or "face".
 
     elements are Blender's indices: vertices, faces, or for edges pairs of vertices. remedy: what
-    mends it, "SPLIT", "PORT", "CENTRE" or "".
+    mends it, "SPLIT", "PORT", "CENTRE", "JOIN" or "".
     """
 
     severity: str
@@ -57,8 +58,7 @@ def check_control_mesh(data, control, half):
         return MeshCheck(len(control.points), 0, len(control.face_sizes), 0, tuple(problems)), None
     mesh = hull_native.ControlMesh(*control.arguments())
     problems += _side_warnings(control, half)
-    if half:
-        problems += _centre_line_warnings(mesh, control)
+    problems += _centre_line_warnings(mesh, control) if half else _slit_warnings(control)
     check = MeshCheck(
         mesh.vertex_count,
         mesh.edge_count,
@@ -161,6 +161,32 @@ def _centre_line_warnings(mesh, control):
     )
     elements = tuple(control.vertex_ids[near].tolist())
     return [Problem("warning", "vertex", elements, message, "CENTRE")]
+
+
+def slits(control):
+    """(k, 2) pairs of points of a whole hull's centre line that are to become one for its two sides
+    to be joined there, as numbers of the control arrays."""
+    points = control.points
+    return slits_of_mesh.pairs(
+        points,
+        control.face_sizes,
+        control.face_vertices,
+        on_centre_plane(points),
+        _dust(points),
+    )
+
+
+def _slit_warnings(control):
+    found = slits(control)
+    if not len(found):
+        return []
+    kept = len(np.unique(found[:, 0]))
+    message = (
+        f"{counted(kept, 'point')} of the centre line {'is' if kept == 1 else 'are'} there twice, "
+        "so that the two sides are not joined: join them"
+    )
+    elements = tuple(control.vertex_ids[np.unique(found)].tolist())
+    return [Problem("warning", "vertex", elements, message, "JOIN")]
 
 
 def _dust(points):

@@ -25,6 +25,10 @@ from ..hull import hull_state
 # Points of both sides that are nearer than this part of the hull's size are alike.
 ALIKE = 1e-5
 
+# A connected part of the mesh that reaches across the centre plane by less than this share of its
+# reach to the one side belongs to that side.
+_ACROSS_A_LITTLE = 0.1
+
 # The sides by the sign of y.
 SIDES = {"PORT": 1.0, "STARBOARD": -1.0}
 
@@ -33,10 +37,12 @@ SIDES = {"PORT": 1.0, "STARBOARD": -1.0}
 class HalfMade:
     """difference: how far, in Blender's units, a point of the side that went was from the mirror
     image of this one, at most. smooth_edges: how many edges in the centre plane were no crease, so
-    that the surface is another there."""
+    that the surface is another there. overlap: how far the side that went reached across the centre
+    plane, where it was a part of its own, at most."""
 
     difference: float
     smooth_edges: int
+    overlap: float
 
 
 def to_whole(obj, scene):
@@ -68,15 +74,17 @@ def to_half(obj, scene, side="PORT", cut=False):
     """Leaves one of SIDES of a whole hull, turned to port; returns a HalfMade.
 
     cut: whether faces that reach across the centre plane are cut there, which changes the surface;
-    else ValueError for such.
+    else ValueError for such. What belongs to the other side goes whole, for what a cut would leave
+    of it are slivers.
     """
     if obj.hull.half:
         raise ValueError("The hull is a half already")
     check_single_user(obj.data)
     with editing(obj.data) as bm:
         _put_on_centre_plane(bm)
-        _cut_at_centre_plane(bm, cut)
-        made = _leave(bm, SIDES[side])
+        going = _parts_of_other_side(bm, SIDES[side])
+        _cut_at_centre_plane(bm, cut, going)
+        made = _leave(bm, SIDES[side], going)
     if side == "STARBOARD":
         _mirror_planes(obj)
     flats.clear_unused(obj)
@@ -161,11 +169,36 @@ def _add_other_side(bm, numbers):
         bm.edges.get(pair)[edge_layer] = 1.0
 
 
-def _cut_at_centre_plane(bm, cut):
+def _parts_of_other_side(bm, sign):
+    """The vertices of the connected parts of a mesh that belong to the other side than `sign`."""
+    found, seen = set(), set()
+    for vertex in bm.verts:
+        if vertex in seen:
+            continue
+        part = _connected(vertex)
+        seen |= part
+        reaches = [sign * one.co.y for one in part]
+        if min(reaches) < 0.0 and max(reaches) < -_ACROSS_A_LITTLE * min(reaches):
+            found |= part
+    return found
+
+
+def _connected(vertex):
+    part, left = {vertex}, [vertex]
+    while left:
+        at = left.pop()
+        others = {edge.other_vert(at) for edge in at.link_edges} - part
+        part |= others
+        left += others
+    return part
+
+
+def _cut_at_centre_plane(bm, cut, going):
     across = [
         face
         for face in bm.faces
-        if min(vertex.co.y for vertex in face.verts)
+        if face.verts[0] not in going
+        and min(vertex.co.y for vertex in face.verts)
         < 0.0
         < max(vertex.co.y for vertex in face.verts)
     ]
@@ -182,10 +215,11 @@ def _cut_at_centre_plane(bm, cut):
         _put_on_centre_plane(bm)
 
 
-def _leave(bm, sign):
+def _leave(bm, sign, going):
     """Removes the other side and turns this one to port; returns a HalfMade."""
     edge_layer, _ = blender_versions.ensure_crease_layers(bm)
-    others = [vertex for vertex in bm.verts if sign * vertex.co.y < 0.0]
+    others = [vertex for vertex in bm.verts if sign * vertex.co.y < 0.0 or vertex in going]
+    overlap = max((sign * vertex.co.y for vertex in going), default=0.0)
     if all(vertex.co.y == 0.0 for vertex in set(bm.verts).difference(others)):
         raise ValueError("There is nothing on that side: choose the other")
     difference = _furthest_from_image(bm, others)
@@ -200,7 +234,7 @@ def _leave(bm, sign):
     smooth_edges = sum(edge[edge_layer] < 1.0 for edge in borders)
     for edge in borders:
         edge[edge_layer] = 0.0  # a border is a crease by itself
-    return HalfMade(difference, smooth_edges)
+    return HalfMade(difference, smooth_edges, max(overlap, 0.0))
 
 
 def _is_on_centre_plane(part):
