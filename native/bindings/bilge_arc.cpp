@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
-// One function per class or group of functions, each in a file of its own.
+// One function per class or group of functions, each in a file of its own. The module alone
+// includes this, so that one more leaves the others as they are.
 namespace hull::bindings {
 
 void bind_tolerances(pybind11::module_& module);

@@ -4,7 +4,6 @@
 #include <pybind11/stl.h>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "mesh/centre_plane.h"
 
 namespace hull::bindings {

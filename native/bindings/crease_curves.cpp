@@ -7,7 +7,6 @@
 #include <string>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/places.h"
 #include "surface/parallel_for.h"
 

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/planes.h"
 
 namespace hull::bindings {

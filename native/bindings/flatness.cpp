@@ -9,7 +9,6 @@
 
 #include "analysis/fairness/flat_regions.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/planes.h"
 #include "mesh/tolerances.h"
 

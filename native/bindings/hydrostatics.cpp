@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/hydrostatics/hydrostatics.h"
 
+#include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 

@@ -6,7 +6,6 @@
 
 #include "analysis/fairness/knuckle_angles.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/move_limits.h"
 #include "modelling/knuckle_setting.h"
 

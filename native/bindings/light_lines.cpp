@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/places.h"
 #include "surface/parallel_for.h"
 #include "surface/refined_mesh.h"

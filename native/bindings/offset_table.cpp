@@ -4,7 +4,6 @@
 #include <pybind11/stl.h>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {

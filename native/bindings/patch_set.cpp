@@ -5,7 +5,6 @@
 #include <string>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/progress.h"
 #include "conversion/exact/exact_conversion.h"
 #include "conversion/per_cell/per_cell.h"

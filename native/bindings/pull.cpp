@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/move_limits.h"
 #include "bindings/places.h"
 #include "surface/pieces/point_weights.h"

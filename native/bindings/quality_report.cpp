@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/progress.h"
 #include "conversion/quality/measure_quality.h"
 

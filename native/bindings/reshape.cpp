@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/move_limits.h"
 #include "modelling/reshape/square_ties.h"
 

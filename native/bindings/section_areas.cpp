@@ -5,7 +5,6 @@
 
 #include "analysis/stations/bonjean.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "analysis/sections/section_splines.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/planes.h"
 
 namespace hull::bindings {

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "modelling/fields/field_curve.h"
 #include "surface/creases/crease_curves.h"
 

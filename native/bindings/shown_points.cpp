@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 namespace {

@@ -7,7 +7,6 @@
 #include "analysis/stability/cross_curves.h"
 #include "analysis/stability/righting_levers.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/loads.h"
 #include "bindings/progress.h"
 

@@ -7,7 +7,6 @@
 
 #include "analysis/stability/weather_criterion.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/loads.h"
 
 namespace hull::bindings {

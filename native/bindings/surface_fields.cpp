@@ -9,7 +9,6 @@
 
 #include "analysis/fairness/colour_scale.h"
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "bindings/places.h"
 
 namespace hull::bindings {

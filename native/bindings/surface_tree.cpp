@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 #include "surface/queries/closest_point.h"
 #include "surface/queries/ray_hits.h"
 

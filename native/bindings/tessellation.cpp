@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "bindings/arrays.h"
-#include "bindings/classes.h"
 
 namespace hull::bindings {
 

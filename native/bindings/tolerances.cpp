@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tolerances.h"
 
-#include "bindings/classes.h"
+#include <pybind11/pybind11.h>
 
 namespace hull::bindings {
 
