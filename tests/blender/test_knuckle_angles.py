@@ -45,6 +45,31 @@ def test_a_box_has_right_angles(tmp_path):
     assert part("features.fairness.knuckle_angles").plot(found, "box") is not None
 
 
+def plotted(hull, chosen=slice(None)):
+    """Laid out: names of curves, texts, and how much of the diagram's width the widest takes."""
+    angles, native = part("features.fairness.knuckle_angles"), part("bridge.native").require()
+    plot = angles.plot(knuckles_of(hull)[chosen], hull.name)
+    sheet = native.lay_out_plot(plot, width_mm=200, height_mm=150)
+    left, _, right, _ = sheet.diagram
+    widths = [np.ptp(points[:, 0]) for points, *_ in sheet.strokes if len(points) > 4]
+    return plot.curve_names, [label["text"] for label in sheet.labels], max(widths) / (right - left)
+
+
+def test_knuckles_across_the_ship_are_drawn_over_their_length():
+    """Over x they would be upright lines: a box has three of them, and two along her."""
+    hull = add_hull()
+    found = knuckles_of(hull)
+    assert [one.is_across for one in found] == [False] + 4 * [True]
+    assert [one.reach[0] == one.reach[1] for one in found] == [False] + 4 * [True]
+    names, said, width = plotted(hull, slice(1, None))
+    assert names == ["1", "2", "3", "4"] and "Along the knuckle [m]" in said and width > 0.5
+    names, said, _ = plotted(hull, slice(1))
+    assert names == ["1"] and "x from the after perpendicular [m]" in said
+    names, said, _ = plotted(hull)
+    assert names == ["1 over x", "2 over s", "3 over s", "4 over s", "5 over s"]
+    assert "x: from the after perpendicular, s: along the knuckle" in said
+
+
 def test_a_chine_gets_one_angle_along_its_length():
     hull = planing_boat()
     chine = chine_edges(hull)

@@ -10,6 +10,7 @@ from ...bridge import native
 IS_LIVE = True
 
 _SAMPLES = 8  # of a control edge
+_ALONG = 0.5  # of its length: a knuckle that reaches less in x runs across
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,11 @@ class Knuckle:
     def reach(self):
         """(least, greatest) x of it, m."""
         return self.positions[:, 0].min(), self.positions[:, 0].max()
+
+    @property
+    def is_across(self):
+        """Whether it runs across the ship rather than along her."""
+        return np.ptp(self.positions[:, 0]) < _ALONG * self.length
 
 
 def of_surface(surface):
@@ -91,12 +97,31 @@ def rows(result):
 
 
 def plot(result, name):
-    plot = native.require().Plot("Angles of knuckles", [name])
-    plot.add_x_axis("x from the after perpendicular", "m")
+    """Over x; over the length along them for knuckles that run across the ship, where a step in x
+    may be the whole knuckle."""
+    known = [(f"{number}", one) for number, one in enumerate(result, 1) if _is_drawn(one)]
+    groups = [
+        ("x", "x from the after perpendicular", [one for one in known if not one[1].is_across]),
+        ("s", "Along the knuckle", [one for one in known if one[1].is_across]),
+    ]
+    groups = [group for group in groups if group[2]] or groups[:1]
+    is_mixed = len(groups) > 1
+    note = ["x: from the after perpendicular, s: along the knuckle"] if is_mixed else []
+    plot = native.require().Plot("Angles of knuckles", [name, *note])
     plot.set_y_axis("Angle of the knuckle", "°", from_zero=False)
-    for place, one in enumerate(result):
-        is_known = np.isfinite(one.angles)
-        if np.count_nonzero(is_known) > 1:
-            x, angles = one.positions[is_known, 0], np.degrees(one.angles[is_known])
-            plot.add_curve(f"{place + 1}", x, angles)
+    for symbol, label, knuckles in groups:
+        axis = plot.add_x_axis(label, "m")
+        for number, one in knuckles:
+            is_known = np.isfinite(one.angles)
+            places = one.arc_lengths if symbol == "s" else one.positions[:, 0]
+            plot.add_curve(
+                f"{number} over {symbol}" if is_mixed else number,
+                places[is_known],
+                np.degrees(one.angles[is_known]),
+                x_axis=axis,
+            )
     return plot
+
+
+def _is_drawn(one):
+    return np.count_nonzero(np.isfinite(one.angles)) > 1
