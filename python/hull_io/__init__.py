@@ -9,7 +9,9 @@ from .hull_data import (
     LINE_KINDS,
     Afloat,
     CutPlane,
+    Flat,
     HullData,
+    Kept,
     Layer,
     LineChoice,
     Load,
@@ -24,14 +26,17 @@ from .hull_data import (
 )
 from .hull_file import read_hull_file, write_hull_file
 from .reading import read_hull, stored_sections
+from .scaling import scaled, to_dimensions
 from .stl import read_stl
 
 __all__ = [
     "LINE_KINDS",
     "Afloat",
     "CutPlane",
+    "Flat",
     "HullData",
     "HullFileError",
+    "Kept",
     "Layer",
     "LineChoice",
     "Load",
@@ -44,8 +49,10 @@ __all__ = [
     "read_hull",
     "read_hull_file",
     "read_stl",
+    "scaled",
     "shell_arrays",
     "shell_face_indices",
     "stored_sections",
+    "to_dimensions",
     "write_hull_file",
 ]

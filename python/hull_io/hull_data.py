@@ -122,6 +122,19 @@ class Flat:
     offset: float
 
 
+# The planes that points are kept in, as hull files name them, across x, y and z.
+KEPT_IN = ("stations", "buttocks", "waterlines")
+
+
+@dataclass
+class Kept:
+    """Points, by index, that stay in their station (at their x), buttock (y), waterline (z)."""
+
+    stations: list = field(default_factory=list)
+    buttocks: list = field(default_factory=list)
+    waterlines: list = field(default_factory=list)
+
+
 # The kinds of lines that can be shown, as hull files name them.
 LINE_KINDS = (
     "stations",
@@ -164,7 +177,8 @@ class HullData:
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
-    creases, the edges that are marked so. flats: Flat, no face in two. lines: a LineChoice, None
+    creases, the edges that are marked so. flats: Flat, no face in two. locked: point indices that
+    tools do not move; kept: those that they move in a plane only. lines: a LineChoice, None
     where the file does not say. units: the file's own unit of length, "m" or "ft". source: where
     the hull comes from. notes: what the reader had to mend, one sentence each, for the user.
     """
@@ -181,6 +195,8 @@ class HullData:
     scheme: str = "biermann"
     deck_edge: list = field(default_factory=list)
     flats: list = field(default_factory=list)
+    locked: list = field(default_factory=list)
+    kept: Kept = field(default_factory=Kept)
     afloat: Afloat = field(default_factory=Afloat)
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)

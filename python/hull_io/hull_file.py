@@ -9,7 +9,7 @@
      "face_layers": [layer, ...],
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
-     "lines": as hull_lines tells,
+     "locked" and "kept" as hull_points tells, "lines" as hull_lines tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind"}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
@@ -23,7 +23,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import hull_flats, hull_lines, hull_loading
+from . import hull_flats, hull_lines, hull_loading, hull_points
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .cleanup import creases_of_faces
@@ -42,6 +42,7 @@ OPTIONAL = (
     "scheme",
     "deck_edge",
     hull_flats.KEY,
+    *hull_points.KEYS,
     hull_lines.KEY,
     *hull_loading.KEYS,
 )
@@ -76,6 +77,7 @@ def parse_hull_file(data, file_name):
         scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
         flats=hull_flats.parsed(check, content, len(faces)),
+        **hull_points.parsed(check, content, len(points)),
         lines=hull_lines.parsed(check, content),
         **hull_loading.parsed(check, content),
         units="m",
@@ -226,6 +228,7 @@ def write_hull_file(data, path):
         f'"scheme": {json.dumps(data.scheme)}',
         _rows("deck_edge", [[int(a), int(b)] for a, b in data.deck_edge]),
         *(_entry(key, value) for key, value in hull_flats.entries(data).items()),
+        *(_entry(key, value) for key, value in hull_points.entries(data).items()),
         *(_entry(key, value) for key, value in hull_lines.entries(data).items()),
         *(_entry(key, value) for key, value in hull_loading.entries(data).items()),
     ]

@@ -6,7 +6,7 @@ anything: nothing is done unseen.
 """
 
 from .cleanup import listed
-from .hull_data import shell_face_indices
+from .hull_data import KEPT_IN, shell_face_indices
 from .orientation import turn_outwards
 from .splitting import split, standing_parts
 
@@ -34,6 +34,9 @@ def part_shell(data):
     data.creases = made.carried_edges(data.creases)
     data.deck_edge = made.carried_edges(data.deck_edge)
     data.corners = made.carried_points(data.corners)
+    data.locked = made.carried_points(data.locked)
+    for name in KEPT_IN:
+        setattr(data.kept, name, made.carried_points(getattr(data.kept, name)))
 
 
 def _parted(data, made, standing):

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .hull_data import edge_key, face_edges
+from .hull_data import KEPT_IN, edge_key, face_edges
 
 # Points nearer to the centre plane than this part of the hull's size, the diagonal of its box, are
 # shared by both sides: hull_native.tolerances.ON_CENTRE_PLANE.
@@ -60,7 +60,9 @@ def mirror_faces(data, face_indices):
         if frozenset(other_side) not in known:
             data.faces.append(other_side)
             data.face_layers.append(data.face_layers[index])
-    data.corners = sorted({*data.corners, *(image[p] for p in data.corners if p in image)})
+    for group, name in ((data, "corners"), (data, "locked"), *((data.kept, k) for k in KEPT_IN)):
+        points = getattr(group, name)
+        setattr(group, name, sorted({*points, *(image[p] for p in points if p in image)}))
     data.creases = sorted(creases)
     data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])
 

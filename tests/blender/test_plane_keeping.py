@@ -363,3 +363,59 @@ def test_a_bilge_of_kept_points_is_not_rounded():
     with pytest.raises(RuntimeError, match="1 point is kept in a buttock or waterline"):
         bpy.ops.hull.round_bilge(radius=2.25)
     assert np.array_equal(points(hull), before)
+
+
+def select_points(hull, indices):
+    part("bridge.mesh.selection").select(bpy.context, hull, "vertex", indices)
+
+
+def test_points_are_kept_selected_and_freed_by_operators(hull):
+    station = [at(2, j) for j in range(5)]
+    select_points(hull, station)
+    assert bpy.ops.hull.keep_points(plane="STATION") == {"FINISHED"}
+    select_points(hull, [at(2, 1), at(3, 1)])
+    bpy.ops.hull.keep_points(plane="WATERLINE")
+    found = {index: axes for index, (axes, _) in kept(hull).items()}
+    assert found == {**dict.fromkeys(station, "x"), at(2, 1): "xz", at(3, 1): "z"}
+    selected = part("bridge.mesh.selection").selected
+    bpy.ops.hull.select_kept(plane="WATERLINE")
+    assert sorted(selected(hull, "vertex")) == [at(2, 1), at(3, 1)]
+    bpy.ops.hull.free_points(plane="STATION")
+    bpy.ops.hull.select_kept()
+    assert sorted(selected(hull, "vertex")) == sorted([*station, at(3, 1)])
+    assert kept(hull)[at(2, 1)][0] == "z"
+    bpy.ops.mesh.select_all(action="DESELECT")
+    for name in ("keep_points", "free_points"):
+        with pytest.raises(RuntimeError, match="Select the points first"):
+            getattr(bpy.ops.hull, name)()
+    bpy.ops.hull.free_points(everything=True)
+    assert kept(hull) == {}
+    with pytest.raises(RuntimeError, match="No point is kept so"):
+        bpy.ops.hull.select_kept(plane="BUTTOCK")
+
+
+def test_all_points_are_kept_in_their_stations_in_both_modes(hull):
+    bpy.ops.hull.keep_all_points(plane="WATERLINE")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.hull.keep_all_points()
+    assert [axes for axes, _ in kept(hull).values()] == ["xz"] * len(points(hull))
+
+
+def test_hull_files_have_kept_and_locked_points(hull, tmp_path):
+    keep(hull, [at(2, 2), at(3, 2)], X)
+    keep(hull, [at(3, 2)], Y, Z)
+    select_points(hull, [at(4, 1)])
+    bpy.ops.hull.lock_points()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    before, path = kept(hull), str(tmp_path / "kept.hull.json")
+    assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
+    again = bpy.context.object
+    assert again != hull and kept(again) == before
+    locks = part("features.constraints.point_locks").locked_points(again.data)
+    assert locks.tolist() == [at(4, 1)]
+    make_active(again)
+    edit(again)
+    there = points(again)
+    move(again, [at(3, 2)], (0.5, 0.5, 0.5))
+    assert np.array_equal(points(again), there)

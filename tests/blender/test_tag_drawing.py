@@ -197,7 +197,7 @@ def test_borders_on_the_centre_plane_of_a_half_hull_are_fine():
     "switch, missing",
     [("show_border", "border"), ("show_deck_edge", "deck_edge"), ("show_irregular", "irregular"),
      ("show_odd_faces", "odd_face"), ("show_problems", "problem"), ("show_flats", "flat"),
-     ("show_locked", "locked")],
+     ("show_locked", "locked"), ("show_kept", "kept")],
 )  # fmt: skip
 def test_each_switch_takes_its_kind_away(switch, missing):
     hull = grid_hull()
@@ -211,9 +211,11 @@ def test_each_switch_takes_its_kind_away(switch, missing):
     bpy.ops.hull.mark_deck_edge()
     part("features.constraints.flats").mark(hull, [12], (0.0, 1.0, 0.0, 1.0))
     bpy.ops.hull.lock_points()
+    bpy.ops.hull.keep_points(plane="BUTTOCK")
     before = counts(drawing_of(hull))
     assert set(before) == {
-        "knuckle", "border", "deck_edge", "irregular", "odd_face", "problem", "flat", "locked"
+        "knuckle", "border", "deck_edge", "irregular", "odd_face", "problem", "flat", "locked",
+        "kept",
     }  # fmt: skip
     setattr(hull.hull.tags, switch, False)
     after = counts(drawing_of(hull))
@@ -234,6 +236,23 @@ def test_locks_are_where_their_points_are():
     locked = points[part("features.hull.tags").locked_points(hull, tags)]
     assert {tuple(point) for point in locked} == {place, (10.0, 0.0, 3.0)}
     assert counts(drawing_of(hull))["locked"] == 2 * 4
+
+
+def test_kept_points_have_strokes_as_their_planes_run_in_the_body_plan(arrays):
+    hull = grid_hull()
+    edit(hull)
+    select(hull, "vertex", [at(1, 1), at(2, 2)])
+    bpy.ops.hull.keep_points(plane="STATION")
+    select(hull, "vertex", [at(2, 2), at(3, 2), at(3, 3)])
+    bpy.ops.hull.keep_points(plane="WATERLINE")
+    assert counts(drawing_of(hull))["kept"] == (2 + 3) * 2
+    strokes = {name: arrays.OUTLINES[name].reshape(-1, 2, 2) for name in
+               ("station", "waterline", "buttock")}  # fmt: skip
+    along = {name: np.ptp(ends, axis=1) for name, ends in strokes.items()}
+    assert (along["station"] == (0.0, 0.9)).all() and (along["waterline"] == (0.9, 0.0)).all()
+    assert (along["buttock"] > 0.5).all()
+    places = [np.sort(np.abs(ends.mean(axis=1)), axis=0) for ends in strokes.values()]
+    assert len({place.tobytes() for place in places}) == 3  # none covers another
 
 
 def test_corners_darts_and_knuckles_have_switches():

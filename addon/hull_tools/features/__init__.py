@@ -6,7 +6,7 @@ raises ValueError with a message to show. Classes of Blender's (settings, operat
 elsewhere, and Blender's data are read and written by the bridge.
 
 Each subject uses itself, those above it and the bridge, nothing else:
-  constraints     what holds while points are moved: flats, the centre plane, locked points
+  constraints     what holds while points are moved: flats, the centre plane, points held
   flotation       how the hull lies in the water, and its hydrostatics
   surface         the surface as an object to look at: its mesh, exact normals, colours, materials
   lines           sections and other lines, places of the lines plan, the table of offsets
@@ -19,6 +19,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   exchange        files for other programs: hull file, lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
+  dimensions      hulls scaled to main dimensions, with all that belongs to them
   studio          a studio around the hull, for pictures of it
 
 What is to come has its place, as a folder of its own: resistance after stability (an analysis

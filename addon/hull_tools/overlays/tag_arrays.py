@@ -78,12 +78,21 @@ def _pins():
     return np.stack([corners, 0.45 * corners], axis=1).reshape(-1, 2)
 
 
+def _bars():
+    """Of each plane that points are kept in a pair of strokes beside a place, as its lines run in
+    the body plan: stations upright, waterlines level, buttocks slanted."""
+    upright = np.array([(-1.0, -0.45), (-1.0, 0.45), (1.0, -0.45), (1.0, 0.45)])
+    slant = np.sqrt(0.5) * np.array([(1.0, 1.0), (-1.0, 1.0)])
+    return {"station": upright, "waterline": upright[:, ::-1], "buttock": upright @ slant}
+
+
 # Segments (2 k, 2) of outlines around a place, for radius 1.
 OUTLINES = {
     "square": _closed([(-1, -1), (1, -1), (1, 1), (-1, 1)]),
     "diamond": _closed([(0, -1.4), (1.4, 0), (0, 1.4), (-1.4, 0)]),
     "ring": _closed(_circle()),
     "pins": _pins(),
+    **_bars(),
 }
 
 

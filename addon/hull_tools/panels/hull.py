@@ -5,6 +5,7 @@ import bpy
 
 from ..bridge import native
 from ..bridge.objects import hull_objects
+from ..features.dimensions import dimensions
 from ..features.hull import hull_state
 from .doubts import draw_doubts, draw_mending
 from .shared import HullPanel, HullTab, label_value, label_wrapped
@@ -51,14 +52,26 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         if hull_objects.is_turned(hull):
             button = layout.operator("object.transform_apply", text="Apply", icon="CHECKMARK")
             button.location = False
+        self._draw_scale(context, hull)
         draw_doubts(layout, context, state)
         for remark in (*state.remarks, *([state.keeping.held] if state.keeping.held else [])):
             label_wrapped(layout, context, remark, icon="INFO")
+
+    def _draw_scale(self, context, hull):
+        """That Blender scaled the hull, and the button that lets all else follow."""
+        factors, scale = dimensions.unapplied(hull), dimensions.noticed(hull)
+        if factors is None and scale is None:
+            return
+        box = self.layout.box()
+        text = dimensions.text_of(factors or scale.factors)
+        label_wrapped(box, context, f"{text}: particulars, drafts and the like may follow", "INFO")
+        box.operator("hull.follow_scale", icon="FULLSCREEN_ENTER")
 
     def _draw_particulars(self, layout, settings):
         column = layout.column(align=True)
         for name in ("length_pp", "beam", "depth", "draft"):
             column.prop(settings, name)
+        layout.operator("hull.set_dimensions", text="Scale to Dimensions …")
         layout.prop(settings, "water_density")
         row = layout.row(align=True)
         row.prop(settings, "half")
@@ -100,6 +113,7 @@ def _draw_in_object_menu(self, context):
     if hull is None:
         return
     self.layout.separator()
+    self.layout.operator("hull.set_dimensions")
     self.layout.operator("hull.make_whole" if hull.hull.half else "hull.make_half")
     self.layout.operator("hull.turn_outwards")
 

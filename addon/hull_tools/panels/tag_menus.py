@@ -23,7 +23,29 @@ class HULL_MT_pie(bpy.types.Menu):
         pie.operator("hull.select_chains")
         pie.operator("hull.mark_deck_edge")
         pie.menu("HULL_MT_select")
-        pie.operator_menu_enum("hull.make_flat", "kind")
+        pie.menu("HULL_MT_keep")
+
+
+class HULL_MT_keep(bpy.types.Menu):
+    """Keep faces flat, and points in planes or where they are"""
+
+    bl_label = "Keep"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_menu_enum("hull.make_flat", "kind")
+        layout.operator("hull.release_flat")
+        layout.separator()
+        _draw_keeping(layout)
+        layout.separator()
+        layout.operator("hull.lock_points")
+        layout.operator("hull.unlock_points")
+
+
+def _draw_keeping(layout):
+    layout.operator_menu_enum("hull.keep_points", "plane")
+    layout.operator_menu_enum("hull.keep_all_points", "plane", text="Keep All Points")
+    layout.operator("hull.free_points")
 
 
 class HULL_MT_select(bpy.types.Menu):
@@ -37,6 +59,7 @@ class HULL_MT_select(bpy.types.Menu):
         layout.operator("hull.select_chains")
         layout.operator_menu_enum("hull.select_points", "kind")
         layout.operator("hull.select_locked")
+        layout.operator_menu_enum("hull.select_kept", "plane")
         layout.operator("hull.select_odd_faces")
         layout.operator("hull.select_flat")
         layout.operator("hull.select_problems")
@@ -51,6 +74,7 @@ def _draw_point_operators(layout):
     layout.operator("hull.reduce_valence")
     layout.operator("hull.lock_points")
     layout.operator("hull.unlock_points")
+    _draw_keeping(layout)
 
 
 def _draw_edge_operators(layout):
@@ -104,7 +128,7 @@ def _appended(draw):
     return draw_in_menu
 
 
-CLASSES = (HULL_MT_pie, HULL_MT_select)
+CLASSES = (HULL_MT_pie, HULL_MT_keep, HULL_MT_select)
 
 # By the name of Blender's menu or panel.
 DRAWN_IN = {

@@ -16,7 +16,8 @@ _SHOWN = {
     "show_darts": ("points", ("dart",)),
     "show_irregular": ("points", ("irregular",)),
 }
-_SWITCHES = (*_SHOWN, "show_odd_faces", "show_flats", "show_locked", "show_problems")
+_SWITCHES = (*_SHOWN, "show_odd_faces", "show_flats", "show_locked", "show_kept",
+             "show_problems")  # fmt: skip
 
 
 class HULL_PT_tags(HullTab, bpy.types.Panel):
@@ -40,6 +41,18 @@ class HULL_PT_tags(HullTab, bpy.types.Panel):
         row.operator("hull.mark_deck_edge", text="Deck Edge", icon="MARKER")
         row.operator("hull.select_deck_edge", text="", icon="RESTRICT_SELECT_OFF")
         row.operator("hull.clear_deck_edge", text="", icon="X")
+        self._draw_keeping()
+
+    def _draw_keeping(self):
+        self.layout.label(text="Keep points in their")
+        column = self.layout.column(align=True)
+        row = column.row(align=True)
+        for plane in ("STATION", "WATERLINE", "BUTTOCK"):
+            row.operator("hull.keep_points", text=plane.capitalize()).plane = plane
+        column.operator("hull.keep_all_points").plane = "STATION"
+        row = column.row(align=True)
+        row.operator("hull.free_points", text="Free")
+        row.operator("hull.select_kept", text="", icon="RESTRICT_SELECT_OFF")
 
 
 class TagSubpanel(HullTab):

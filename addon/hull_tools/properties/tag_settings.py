@@ -30,6 +30,11 @@ class HullTags(bpy.types.PropertyGroup):
     show_odd_faces: _shown("Not quads", "Faces that have not four corners, with their number")
     show_flats: _shown("Kept flat", "Faces that are tagged to stay in a plane")
     show_locked: _shown("Locked points", "Points that stay when the surface is pulled")
+    show_kept: _shown(
+        "Kept points",
+        "Points that stay in a plane: an upright bar for the station, a level one for the "
+        "waterline, a slanted one for the buttock",
+    )
     show_problems: _shown("Problems", "What the mesh check found, in red")
 
 

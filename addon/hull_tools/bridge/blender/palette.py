@@ -61,6 +61,7 @@ _TAGS = {
     "irregular": Ink("Irregular points", (0.48, 0.30, 0.95)),
     "odd_face": Ink("Not quads", (0.80, 0.58, 0.00)),
     "locked": Ink("Locked", (0.10, 0.10, 0.14)),
+    "kept": Ink("Kept in planes", (0.05, 0.36, 0.86)),
     "flat": Ink("Kept flat", (0.10, 0.65, 0.45)),
     "problem": Ink("Problems", (0.92, 0.06, 0.06)),
 }

@@ -27,6 +27,18 @@ def locked_points(mesh):
     return np.flatnonzero(values)
 
 
+def write(mesh, indices):
+    """Locks points (k,) of a Blender mesh that is not in edit mode."""
+    if not len(indices):
+        return
+    attribute = mesh.attributes.get(ATTRIBUTE)
+    if attribute is None:
+        attribute = mesh.attributes.new(ATTRIBUTE, "INT", "POINT")
+    values = np.zeros(len(mesh.vertices), dtype=np.int32)
+    values[indices] = 1
+    attribute.data.foreach_set("value", values)
+
+
 def set_selected(obj, is_locked):
     """Locks the points that are selected in edit mode, or frees them; returns how many changed.
 

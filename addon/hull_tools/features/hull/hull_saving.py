@@ -4,11 +4,11 @@
 import numpy as np
 from mathutils import Color
 
-from ....hull_io.hull_data import Flat, HullData, Layer, Particulars
+from ....hull_io.hull_data import KEPT_IN, Flat, HullData, Kept, Layer, Particulars
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays
 from ...bridge.objects import hull_objects
-from ..constraints import flats
+from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
 
@@ -41,6 +41,8 @@ def hull_data(obj, scene):
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
         flats=_flats(obj, scale),
+        locked=point_locks.locked_points(obj.data).tolist(),
+        kept=_kept(obj.data),
         source=settings.source,
         lines=line_data.take_lines(settings.lines, scale),
         **loading_data.take_loading(settings, scale),
@@ -60,6 +62,11 @@ def _flats(obj, scale):
         )
         for region in flats.regions(obj)
     ]
+
+
+def _kept(mesh):
+    found = kept_points.read(mesh)
+    return Kept(**{name: found.along(axis).tolist() for axis, name in enumerate(KEPT_IN)})
 
 
 def _layers(obj):

@@ -21,6 +21,7 @@ from ..flotation.live_hydrostatics import LiveHydrostatics
 from ..flotation.live_ship import LiveShip
 from ..lines.live_lines import LiveLines
 from ..surface.shown_surface import ShownSurface
+from .noticed_scale import NoticedScale
 from .plausible import Plausible
 
 _states = {}
@@ -44,6 +45,7 @@ class HullState:
     shown: ShownSurface = field(default_factory=ShownSurface)
     hydrostatics: LiveHydrostatics = field(default_factory=LiveHydrostatics)
     plausible: Plausible = field(default_factory=Plausible)
+    scaling: NoticedScale = field(default_factory=NoticedScale)
     lines: LiveLines = field(default_factory=LiveLines)
     fairness: LiveFairness = field(default_factory=LiveFairness)
     _kept: dict = field(default_factory=dict)
@@ -116,6 +118,7 @@ def _follow(obj, scene, state, found):
     """Each subject follows those before it."""
     scale = units.metres_per_unit(scene)
     state.remarks = hull_objects.remarks(obj)
+    state.scaling.follow(obj.hull, found.data.points)
     if state.ship.follow(found, scale):
         state.shown.follow(obj, state.ship, scale)
     if state.ship.check.errors:

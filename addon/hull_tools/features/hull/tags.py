@@ -10,7 +10,7 @@ from ...bridge import native
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays
 from ...bridge.objects import hull_objects
-from ..constraints import flat_marks, point_locks
+from ..constraints import flat_marks, kept_points, point_locks
 from . import hull_state
 
 EDGE_KINDS = ("knuckle", "border", "deck_edge")
@@ -99,6 +99,14 @@ def locked_points(obj, tags):
     """(k,) the control points of `tags` that are locked."""
     points = _control_points(point_locks.locked_points(obj.data), tags)
     return points[points >= 0]
+
+
+def kept_points_of(obj, tags):
+    """Of the axes x, y and z, (k,) the control points of `tags` that are kept along them: in their
+    stations, buttocks and waterlines."""
+    found = kept_points.read(obj.data)
+    points = (_control_points(found.along(axis), tags) for axis in range(3))
+    return [part[part >= 0] for part in points]
 
 
 def _control_points(vertices, tags):

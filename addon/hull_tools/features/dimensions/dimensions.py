@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A hull brought to main dimensions by scaling, and scales that were applied by Blender followed."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....hull_io import scaling
+from ...bridge.blender import units
+from ...bridge.blender.units import as_typed
+from ...bridge.mesh import mesh_points
+from ...bridge.mesh.mesh_editing import check_single_user
+from ...bridge.objects import hull_objects
+from ..hull import hull_state
+from . import following
+
+# Scales nearer to one are the rounding of single precision.
+_NOTICED = 1e-5
+
+
+@dataclass(frozen=True)
+class Dimensions:
+    """Of a hull, in m. Lpp, beam, draft and depth are its particulars; length, breadth and height
+    are the extents of its surface, the height from z = 0; None without a surface."""
+
+    length_pp: float
+    beam: float
+    draft: float
+    depth: float
+    length: object = None
+    breadth: object = None
+    height: object = None
+
+
+def present(obj, scene):
+    """The Dimensions of a hull as it is."""
+    scale, settings = units.metres_per_unit(scene), obj.hull
+    given = [
+        as_typed(getattr(settings, name)) * scale
+        for name in ("length_pp", "beam", "draft", "depth")
+    ]
+    state = hull_state.state_of(obj)
+    extents = None if state is None else state.plausible.extents
+    if extents is None:
+        return Dimensions(*given)
+    return Dimensions(*given, extents.length, extents.beam(settings.half), extents.high[2])
+
+
+def set_dimensions(obj, scene, *, length=None, beam=None, draft=None, depth=None, of_surface=False):
+    """Scales a hull to dimensions in m, and with it all that belongs to it; None of one that stays,
+    or follows. Returns the three factors.
+
+    With a depth heights go by that, and a draft is where the hull floats; else they go by the
+    draft. of_surface: length, beam and depth are extents of the surface, not particulars.
+    ValueError where that cannot be: nothing changes then.
+    """
+    now = present(obj, scene)
+    if of_surface:
+        if now.length is None:
+            raise ValueError("The hull has no surface to be measured: look at Mesh Check")
+        now = Dimensions(now.length, now.breadth, now.draft, now.height)
+    if draft is not None:
+        scaling.factors(Dimensions(1.0, 1.0, 1.0, 1.0), draft=draft)
+    factors = scaling.factors(now, length, beam, draft, depth)
+    scale_hull(obj, scene, factors)
+    exact = {"draft": draft}
+    if not of_surface:
+        exact.update(length_pp=length, beam=beam, depth=depth)
+    for name, value in exact.items():
+        if value is not None:
+            setattr(obj.hull, name, value / units.metres_per_unit(scene))
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
+    return factors
+
+
+def scale_hull(obj, scene, factors):
+    """Multiplies x, y and z of a hull's points by three factors, and all that belongs to it
+    follows. ValueError as hull_io.scaling.Scale."""
+    scale = scaling.Scale(tuple(map(float, factors)))
+    check_single_user(obj.data)
+    points = mesh_points.read(obj.data)
+    mesh_points.write(obj.data, np.arange(len(points)), scale.points(points))
+    following.follow(obj, scale, scale)
+    _forget_scale(obj)
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
+
+
+def _forget_scale(obj):
+    state = hull_state.state_of(obj)
+    if state is not None:
+        state.scaling.forget()
+
+
+def unapplied(obj):
+    """The three factors by which an object is scaled in Blender and nothing else; None where it is
+    not, or is turned or mirrored too."""
+    factors = np.array(obj.matrix_basis.to_3x3())
+    diagonal = np.diag(factors)
+    if np.abs(factors - np.diag(diagonal)).max() > _NOTICED or diagonal.min() <= 0.0:
+        return None
+    return None if np.abs(diagonal - 1.0).max() <= _NOTICED else tuple(diagonal.tolist())
+
+
+def noticed(obj):
+    """The hull_io.scaling.Scale in Blender's units by which the mesh of a hull was scaled in Blender
+    since its particulars were as they are; None without."""
+    state = hull_state.state_of(obj)
+    return None if state is None else state.scaling.noticed()
+
+
+def text_of(factors):
+    """Three factors as a sentence about the hull."""
+    words = ("lengthwise", "in breadth", "in height")
+    if np.ptp(factors) <= _NOTICED:
+        return f"The hull was scaled by {factors[0]:.6g}"
+    parts = [
+        f"{factor:.6g} {word}"
+        for factor, word in zip(factors, words)
+        if abs(factor - 1.0) > _NOTICED
+    ]
+    return f"The hull was scaled by {' and '.join(parts)}"
+
+
+def follow_scale(obj, scene):
+    """Lets all that belongs to a hull follow a scale that Blender gave it, applied or not; returns
+    the factors. ValueError where there is none."""
+    factors = unapplied(obj)
+    if factors is not None:
+        _apply(obj, scene, factors)
+        return factors
+    scale = noticed(obj)
+    if scale is None:
+        raise ValueError("The hull was not scaled since its particulars were given")
+    metres = units.metres_per_unit(scene)
+    metric = scaling.Scale(scale.factors, tuple(metres * part for part in scale.shift))
+    following.follow(obj, scale, metric)
+    _forget_scale(obj)
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
+    return scale.factors
+
+
+def _apply(obj, scene, factors):
+    """Takes the scale of an object into its mesh, and all that belongs to the hull follows."""
+    reason = hull_objects.locked(obj)
+    if reason:
+        raise ValueError(reason)
+    check_single_user(obj.data)
+    obj.scale = obj.delta_scale = (1.0, 1.0, 1.0)
+    scale_hull(obj, scene, factors)

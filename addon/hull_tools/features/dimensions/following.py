@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What of a hull's settings follows when the hull is scaled: Object.hull, by hull_io.scaling."""
+
+from ....hull_io.scaling import CHANGES
+from ..constraints import flats
+
+# How each number and text of Object.hull follows, by its place, as CHANGES names it; what is in
+# metres whatever the scene's units, as lists of positions, too.
+FOLLOWING = {
+    "length_pp": "x",
+    "beam": "y",
+    "draft": "at z",
+    "depth": "at z",
+    "trim": "z",
+    "lines.stations": "stations",
+    "lines.frame_spacing": "x",
+    "lines.waterline_spacing": "z",
+    "lines.waterlines": "list z",
+    "lines.buttock_spacing": "y",
+    "lines.buttocks": "list y",
+    "lines.diagonals": "diagonals",
+    "lines.planes.normal": "normal",
+    "lines.planes.point": "point",
+    "fairness.comb_step": "x",
+    "loading.mass_t": "volume",
+    "loading.kg": "at z",
+    "loading.lcg": "at x",
+    "loading.least_t": "volume",
+    "loading.greatest_t": "volume",
+    "loading.downflooding_points.position": "point",
+    "loading.load_cases.mass_t": "volume",
+    "loading.load_cases.lcg": "at x",
+    "loading.load_cases.tcg": "at y",
+    "loading.load_cases.vcg": "at z",
+    "wind.areas.area": "profile",
+    "wind.areas.z": "at z",
+    "wind.lever": "z",
+    "wind.keel_area": "profile",
+    "table.draft_from": "at z",
+    "table.draft_to": "at z",
+    "table.draft_step": "z",
+    "studio.boot_top_height": "z",
+}
+# Planes of flats: their normals and offsets go together.
+PLANES = frozenset(("flats.normal", "flats.offset"))
+# What stays: no lengths of the hull, or of what it is compared with. Trims of tables are asked for
+# as such; the reach of a fit is measured from its target, which stays; a roll period is measured.
+STAYING = frozenset(
+    """source water_density heel lines.width fairness.comb_factor fairness.colour_limit
+    fairness.line_direction fairness.light_direction fairness.reflection_spacing
+    fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
+    loading.heel_greatest loading.heel_step wind.pressure wind.roll_period table.trims plots.size
+    plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
+    export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
+    studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach""".split()
+)
+# Zero stands for something that follows by itself.
+_ZERO_IS_NONE = frozenset("""draft depth loading.kg table.draft_from table.draft_to""".split())
+
+
+def follow(obj, scale, metric):
+    """Gives a hull's settings what a hull_io.scaling.Scale in Blender's units makes of them;
+    metric: the same Scale in metres."""
+    for path, change in FOLLOWING.items():
+        is_in_metres = path in ("lines.stations", "lines.waterlines", "lines.buttocks",
+                                "lines.diagonals")  # fmt: skip
+        own = metric if is_in_metres else scale
+        _follow(obj.hull, path.split("."), change, own, path in _ZERO_IS_NONE)
+    for entry in obj.hull.flats:
+        normal, offset = scale.plane(*_plane(entry))
+        flats.store_plane(obj, entry.region, (*normal, offset))
+
+
+def _plane(entry):
+    plane = flats.plane_of(entry)
+    return plane[:3], plane[3]
+
+
+def _follow(group, names, change, scale, zero_is_none):
+    name, *rest = names
+    if rest:
+        part = getattr(group, name)
+        is_list = group.bl_rna.properties[name].type == "COLLECTION"
+        for each in part if is_list else (part,):
+            _follow(each, rest, change, scale, zero_is_none)
+        return
+    value = getattr(group, name)
+    is_vector = not isinstance(value, str) and hasattr(value, "__len__")
+    value = tuple(value) if is_vector else value
+    if zero_is_none and value == 0.0:
+        return
+    changed = CHANGES[change](scale, group, value)
+    if changed != value:
+        setattr(group, name, changed)

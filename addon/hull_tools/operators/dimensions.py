@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls scaled to main dimensions, with all that belongs to them."""
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty
+
+from ..bridge.blender import units
+from ..bridge.objects import hull_objects
+from ..features.dimensions import dimensions
+from .shared import BaseOperator, HullOperator, can_change, in_object_mode, native_is_there
+
+
+def _dimension(name, description):
+    return FloatProperty(
+        name=name,
+        description=description,
+        min=0.0,
+        unit="LENGTH",
+        subtype="DISTANCE",
+        precision=5,
+        options={"SKIP_SAVE"},
+    )
+
+
+def _of_another_kind(settings, context):
+    """Numbers of the other kind would scale the hull by what the two kinds differ."""
+    settings.length = settings.beam = settings.depth = 0.0
+
+
+class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
+    """Scale the hull to main dimensions: drafts, loads, openings, flats, lines and all else that
+    belongs to it follow"""
+
+    bl_idname = "hull.set_dimensions"
+    bl_label = "Set Dimensions"
+
+    needs = (*HullOperator.needs, in_object_mode)
+
+    measured: EnumProperty(
+        name="Measured",
+        description="What length, beam and depth are",
+        options={"SKIP_SAVE"},
+        items=(
+            ("PARTICULARS", "Particulars", "Lpp, beam and depth, as the panel Hull has them"),
+            ("SURFACE", "Surface", "From end to end of the surface, from side to side, and its "
+             "highest point above the base line"),
+        ),
+        update=_of_another_kind,
+    )  # fmt: skip
+    length: _dimension("Length", "That the hull is to have; 0: as it is")
+    beam: _dimension("Beam", "That the hull is to have; 0: as it is")
+    draft: _dimension("Draft", "At which the hull is to float; 0: in proportion to the heights")
+    depth: _dimension(
+        "Depth", "That heights are scaled to; 0: heights are in proportion to the draft"
+    )
+
+    def invoke(self, context, event):
+        return self.reporting(self._open, context)
+
+    def _open(self, context):
+        scale = units.metres_per_unit(context.scene)
+        now = dimensions.present(hull_objects.hull_of(context.object), context.scene)
+        self.length, self.beam = now.length_pp / scale, now.beam / scale
+        self.draft = now.draft / scale
+        return context.window_manager.invoke_props_dialog(self, width=320)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "measured")
+        is_surface = self.measured == "SURFACE"
+        column = layout.column(align=True)
+        column.prop(self, "length", text="Length" if is_surface else "Lpp")
+        column.prop(self, "beam")
+        column.prop(self, "draft")
+        column.prop(self, "depth")
+        row = layout.row()
+        row.active = False
+        row.label(text="0: as it is, or in proportion")
+
+    def run_on(self, hull, context):
+        scale = units.metres_per_unit(context.scene)
+        wanted = {
+            name: units.as_typed(getattr(self, name)) * scale or None
+            for name in ("length", "beam", "draft", "depth")
+        }
+        factors = dimensions.set_dimensions(
+            hull, context.scene, **wanted, of_surface=self.measured == "SURFACE"
+        )
+        self.report({"INFO"}, _report(factors, "Scaled by"))
+
+
+def _report(factors, begin):
+    x, y, z = factors
+    return f"{begin} {x:.6g} × {y:.6g} × {z:.6g}: volume and masses × {x * y * z:.6g}"
+
+
+def _was_scaled(cls, context):
+    hull = hull_objects.hull_of(context.object)
+    if hull is None:
+        cls.poll_message_set("Select a hull first")
+        return False
+    if dimensions.unapplied(hull) is None and dimensions.noticed(hull) is None:
+        cls.poll_message_set("The hull was not scaled since its particulars were given")
+        return False
+    return True
+
+
+class HULL_OT_follow_scale(bpy.types.Operator, BaseOperator):
+    """Let particulars, drafts, loads, openings, flats and lines follow the scale that the hull was
+    given by Blender's own tools; a scale that is not applied yet is applied"""
+
+    bl_idname = "hull.follow_scale"
+    bl_label = "Let Dimensions Follow"
+
+    needs = (native_is_there, _was_scaled, can_change, in_object_mode)
+
+    def run(self, context):
+        hull = hull_objects.hull_of(context.object)
+        factors = dimensions.follow_scale(hull, context.scene)
+        self.report({"INFO"}, _report(factors, "All followed the scale"))
+
+
+CLASSES = (HULL_OT_set_dimensions, HULL_OT_follow_scale)

@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls brought to other main dimensions: x, y and z multiplied by a factor each.
+
+The surface of a mesh that is scaled is the scaled surface, exactly: displaced volume grows by the
+product of the three factors, and centres move as points do. What belongs to a hull follows, by
+FOLLOWING: particulars and trim, loads (masses in proportion to the volume), openings, wind areas,
+flats, lines. What is in STAYING stays: counts, the density, heel, pressure and period.
+"""
+
+from copy import deepcopy
+from dataclasses import dataclass
+from math import atan, degrees, isfinite, radians, tan
+
+import numpy as np
+
+# No dimension becomes so many times as large, or so many times as small.
+LARGEST_FACTOR = 1000.0
+
+# How each length of a HullData follows, by its place; see Scale.
+FOLLOWING = {
+    "points": "point",
+    "particulars.length_pp": "x",
+    "particulars.beam": "y",
+    "particulars.draft": "at z",
+    "particulars.depth": "at z",
+    "flats.normal": "plane",
+    "afloat.trim_m": "z",
+    "load.mass_t": "volume",
+    "load.kg": "at z",
+    "load.lcg": "at x",
+    "load_cases.mass_t": "volume",
+    "load_cases.lcg": "at x",
+    "load_cases.tcg": "at y",
+    "load_cases.vcg": "at z",
+    "openings.position": "point",
+    "wind.areas.area": "profile",
+    "wind.areas.z": "at z",
+    "wind.lever": "z",
+    "wind.keel_area": "profile",
+    "lines.waterline_spacing": "z",
+    "lines.buttock_spacing": "y",
+    "lines.frame_spacing": "x",
+    "lines.stations": "stations",
+    "lines.waterlines": "list z",
+    "lines.buttocks": "list y",
+    "lines.diagonals": "diagonals",
+    "lines.planes.normal": "normal",
+    "lines.planes.point": "point",
+}  # an offset of a flat goes with its normal
+
+# What stays: no lengths, or not the hull's.
+STAYING = frozenset(
+    """name faces creases corners half layers.name layers.in_hydrostatics layers.colour face_layers
+    particulars.water_density scheme deck_edge flats.faces flats.offset locked kept.stations
+    kept.buttocks kept.waterlines afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
+    load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
+    wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
+    lines.planes.shown units source notes""".split()
+)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """x, y and z of every place become factor times it plus shift.
+
+    ValueError for factors that are no numbers above zero, or beyond LARGEST_FACTOR.
+    """
+
+    factors: tuple
+    shift: tuple = (0.0, 0.0, 0.0)
+
+    def __post_init__(self):
+        for axis, factor in zip("xyz", self.factors):
+            if not (isfinite(factor) and 1.0 / LARGEST_FACTOR <= factor <= LARGEST_FACTOR):
+                raise ValueError(
+                    f"The hull cannot become {factor:.6g} times as large along {axis}: give a "
+                    "dimension nearer to what it has"
+                )
+
+    def points(self, points):
+        """(…, 3) places."""
+        return np.asarray(points, dtype=np.float64) * self.factors + self.shift
+
+    def plane(self, normal, offset):
+        """(normal (3,) of length 1, offset) of the plane normal · place = offset, one of length 1
+        too; planes across an axis stay so exactly."""
+        normal = np.asarray(normal, dtype=np.float64)
+        across = np.flatnonzero(normal)
+        if len(across) == 1:
+            axis = across[0]
+            return normal, offset * self.factors[axis] + self.shift[axis] * normal[axis]
+        turned = normal / self.factors
+        length = np.linalg.norm(turned)
+        turned = turned / length
+        return turned, offset / length + turned @ self.shift
+
+    def normal(self, normal):
+        """(3,) as long as before."""
+        normal = np.asarray(normal, dtype=np.float64)
+        turned = normal / self.factors
+        length = np.linalg.norm(turned)
+        return turned if length == 0.0 else turned * (np.linalg.norm(normal) / length)
+
+    def length(self, axis, value):
+        return value * self.factors[axis]
+
+    def place(self, axis, value):
+        return value * self.factors[axis] + self.shift[axis]
+
+    def volume(self, value):
+        x, y, z = self.factors
+        return value * x * y * z
+
+    def profile(self, value):
+        """An area seen from the side."""
+        return value * self.factors[0] * self.factors[2]
+
+    def listed(self, axis, text):
+        """A text of places as number_lists reads it; the third number of a range is its step."""
+
+        def changed(word):
+            parts = [float(part) for part in word.replace(",", ".").split(":")]
+            moved = [self.place(axis, part) for part in parts[:2]]
+            moved += [self.length(axis, part) for part in parts[2:]]
+            return ":".join(map(_shown, moved))
+
+        try:
+            return " ".join(map(changed, text.replace(";", " ").split()))
+        except ValueError:
+            return text  # nobody can read it: it is told where it is used
+
+    def diagonals(self, text):
+        """A text of heights and angles as number_lists reads it; each plane goes along."""
+
+        def changed(word):
+            height, angle_deg = map(float, word.replace(",", ".").split("/"))
+            slope = tan(radians(angle_deg)) * self.factors[2] / self.factors[1]
+            if abs(angle_deg) < 90.0:
+                angle_deg = degrees(atan(slope))
+            return f"{_shown(self.place(2, height))}/{_shown(angle_deg)}"
+
+        try:
+            return " ".join(map(changed, text.replace(";", " ").split()))
+        except ValueError:
+            return text
+
+
+def _shown(value):
+    """A number as text, with nine digits at most."""
+    return f"{value:.9g}"
+
+
+# By the names that FOLLOWING has: (Scale, what holds the value, the value) → the new value. What is
+# counted from the mesh's zero is "at" a place, and is shifted too.
+CHANGES = {
+    "point": lambda scale, holder, value: _like(value, scale.points(value)),
+    "normal": lambda scale, holder, value: _like(value, scale.normal(value)),
+    "x": lambda scale, holder, value: scale.length(0, value),
+    "y": lambda scale, holder, value: scale.length(1, value),
+    "z": lambda scale, holder, value: scale.length(2, value),
+    "at x": lambda scale, holder, value: scale.place(0, value),
+    "at y": lambda scale, holder, value: scale.place(1, value),
+    "at z": lambda scale, holder, value: scale.place(2, value),
+    "volume": lambda scale, holder, value: scale.volume(value),
+    "profile": lambda scale, holder, value: scale.profile(value),
+    "list y": lambda scale, holder, value: scale.listed(1, value),
+    "list z": lambda scale, holder, value: scale.listed(2, value),
+    "diagonals": lambda scale, holder, value: scale.diagonals(value),
+    "stations": lambda scale, holder, value: (
+        scale.listed(0, value) if holder.stations_in.lower() == "metres" else value
+    ),
+}
+
+
+def _like(value, array):
+    return array if isinstance(value, np.ndarray) else tuple(array.tolist())
+
+
+def scaled(data, factors):
+    """A new HullData: this one with x, y and z multiplied by factors (3,), and with it all that
+    belongs to the hull."""
+    scale, made = Scale(tuple(map(float, factors))), deepcopy(data)
+    for path, change in FOLLOWING.items():
+        _follow(made, path.split("."), change, scale)
+    return made
+
+
+def _follow(holder, names, change, scale):
+    name, *rest = names
+    value = getattr(holder, name)
+    if rest:
+        for part in value if isinstance(value, list) else [value]:
+            if part is not None:
+                _follow(part, rest, change, scale)
+    elif change == "plane":
+        normal, holder.offset = scale.plane(value, holder.offset)
+        holder.normal = tuple(normal.tolist())
+    elif value is not None:
+        setattr(holder, name, CHANGES[change](scale, holder, value))
+
+
+def factors(present, length=None, beam=None, draft=None, depth=None):
+    """(3,) by what a hull is to be scaled to have these dimensions; None of one that follows.
+
+    present: has length_pp, beam, draft and depth, as the hull has them now. Heights go by the depth
+    where one is given, else by the draft. ValueError for a dimension of which there is no present
+    one, or that is not above zero.
+    """
+    return (
+        _factor("Lpp", present.length_pp, length),
+        _factor("beam", present.beam, beam),
+        _factor("draft", present.draft, draft)
+        if depth is None
+        else _factor("depth", present.depth, depth),
+    )
+
+
+def _factor(name, present, wanted):
+    if wanted is None:
+        return 1.0
+    if not (isfinite(wanted) and wanted > 0.0):
+        raise ValueError(f"A {name} of {wanted:.6g} m cannot be: give one above zero")
+    if not present > 0.0:
+        raise ValueError(f"The hull has no {name} that it could be scaled by: give it one first")
+    return wanted / present
+
+
+def to_dimensions(data, *, length_pp=None, beam=None, draft=None, depth=None):
+    """A new HullData: this one scaled to main dimensions in m, and with it all that belongs to the
+    hull; what is None follows, or stays. With a depth heights go by that, and a draft is where the
+    hull floats; else they go by the draft. ValueError as factors and Scale."""
+    if draft is not None:
+        _factor("draft", 1.0, draft)
+    made = scaled(data, factors(data.particulars, length_pp, beam, draft, depth))
+    given = {"length_pp": length_pp, "beam": beam, "draft": draft, "depth": depth}
+    for name, value in given.items():
+        if value is not None:
+            setattr(made.particulars, name, float(value))
+    return made
