@@ -227,8 +227,8 @@ def _scaled(window):
     window.open_sidebar()
     yield
     window.look(hull, _OVER_THE_BOW, is_perspective=True)
-    window.space.region_3d.view_distance /= 1.5
-    window.space.region_3d.view_location.z -= 0.1 * hull.dimensions.x
+    window.space.region_3d.view_distance /= 1.1
+    window.space.region_3d.view_location.z -= 0.12 * hull.dimensions.x
     yield
     settings = hull.hull
     with window.in_view():
@@ -242,29 +242,11 @@ def _scaled(window):
     yield
 
 
-def _kept(window):
-    """A hull whose points are kept in their stations, and some in waterlines and buttocks."""
-    hull = yield from _new_hull(window, closer=2.2)
-    with window.in_view():
-        bpy.ops.object.mode_set(mode="EDIT")
-        bpy.ops.hull.keep_all_points("EXEC_DEFAULT", True)
-        bpy.ops.mesh.select_all(action="DESELECT")
-    points = edited_points(hull)
-    kept_points = part("features.constraints.kept_points")
-    high = np.flatnonzero(points[:, 2] > 0.9 * points[:, 2].max())
-    kept_points.set_axes(hull.data, high, (2,), True)
-    forward = np.flatnonzero((points[:, 0] > 0.7 * points[:, 0].max()) & (points[:, 1] > 0.0))
-    kept_points.set_axes(hull.data, forward, (1,), True)
-    bpy.context.view_layer.update()
-    yield
-
-
 _NUMBERS = hull_panels(
     "hydrostatics", "hydrostatics_displacement", "hydrostatics_centres", "hydrostatics_stability"
 )
 VIEWS = {
     "dimensions": View(_scaled, hull_panels("hull")),
-    "kept-points": View(_kept, hull_panels("tags", "shape")),
     "first-hull/added": View(_added, hull_panels("hull", "surface")),
     "first-hull/edited": View(_edited, _NUMBERS),
     "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),

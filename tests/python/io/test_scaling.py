@@ -158,9 +158,9 @@ def test_what_belongs_to_the_hull_follows():
     assert plane.point == (120.0, 0.0, 0.0)
     assert np.linalg.norm(plane.normal) == pytest.approx(np.sqrt(2.0))
     assert plane.normal[0] / plane.normal[1] == pytest.approx(1.5)
-    # Three points of the plane before are in it now.
-    assert [np.dot(plane.normal, np.multiply(p, (2.0, 3.0, 4.0)) - plane.point)
-            for p in ((60, 0, 5), (50, 10, 0), (55, 5, 1))] == pytest.approx([0, 0, 0], abs=1e-12)  # fmt: skip
+    for point in ((60, 0, 5), (50, 10, 0), (55, 5, 1)):  # of the plane before
+        there = np.multiply(point, (2.0, 3.0, 4.0)) - plane.point
+        assert np.dot(plane.normal, there) == pytest.approx(0.0, abs=1e-12)
     data.lines.stations_in = "frames"
     assert hull_io.scaled(data, (2.0, 3.0, 4.0)).lines.stations == "1 3:9:2"
     assert data.load.mass_t == 1000.0  # the hull given stays

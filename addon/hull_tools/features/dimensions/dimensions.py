@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A hull brought to main dimensions by scaling, and scales that were applied by Blender followed."""
+"""A hull brought to main dimensions by scaling; scales that Blender applied followed."""
 
 from dataclasses import dataclass
 
@@ -102,7 +102,7 @@ def unapplied(obj):
 
 
 def noticed(obj):
-    """The hull_io.scaling.Scale in Blender's units by which the mesh of a hull was scaled in Blender
+    """The hull_io.scaling.Scale in Blender's units by which Blender scaled the mesh of a hull
     since its particulars were as they are; None without."""
     state = hull_state.state_of(obj)
     return None if state is None else state.scaling.noticed()
