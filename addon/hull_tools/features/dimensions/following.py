@@ -54,6 +54,8 @@ STAYING = frozenset(
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach""".split()
 )
+# Groups of which all stays: hulls as they were.
+STAYING_GROUPS = frozenset(("variants",))
 # Zero stands for something that follows by itself.
 _ZERO_IS_NONE = frozenset("""draft depth loading.kg table.draft_from table.draft_to""".split())
 
