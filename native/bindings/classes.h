@@ -19,6 +19,7 @@ void bind_surface_tree(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
 void bind_hull_body(pybind11::module_& module);
 void bind_hydrostatics(pybind11::module_& module);
+void bind_form_numbers(pybind11::module_& module);
 void bind_section_areas(pybind11::module_& module);
 void bind_equilibrium(pybind11::module_& module);
 void bind_stability(pybind11::module_& module);
@@ -35,6 +36,7 @@ void bind_pull(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
 void bind_reshape(pybind11::module_& module);
 void bind_shape_fields(pybind11::module_& module);
+void bind_targets(pybind11::module_& module);
 void bind_bilge_arc(pybind11::module_& module);
 void bind_knuckles(pybind11::module_& module);
 

@@ -7,18 +7,19 @@
 #include <string>
 
 #include "bindings/arrays.h"
+#include "bindings/openings.h"
 
 namespace hull::bindings {
 
 namespace py = pybind11;
-
-namespace {
 
 analysis::Openings openings_from(const std::string& name) {
   if (name == "closed") return analysis::Openings::kClosed;
   if (name == "open") return analysis::Openings::kOpen;
   throw std::invalid_argument("openings is \"closed\" or \"open\", not \"" + name + "\".");
 }
+
+namespace {
 
 void bind_immersion(py::module_& module) {
   using I = analysis::Immersion;

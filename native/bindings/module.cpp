@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   bind_hull_body(module);
   bind_hydrostatics(module);
   bind_section_areas(module);
+  bind_form_numbers(module);
   bind_equilibrium(module);
   bind_stability(module);
   bind_stability_criteria(module);
@@ -33,6 +34,7 @@ PYBIND11_MODULE(_core, module) {
   bind_fit(module);
   bind_reshape(module);
   bind_shape_fields(module);
+  bind_targets(module);
   bind_bilge_arc(module);
   bind_knuckles(module);
   refuse_unmade_instances(module);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "analysis/hydrostatics/extents.h"
+#include "analysis/hydrostatics/hydrostatics_check.h"
 #include "analysis/stations/largest_section.h"
 #include "analysis/stations/profile_area.h"
 #include "analysis/stations/station_cutter.h"
@@ -73,33 +74,6 @@ FormCoefficients coefficients(const Hydrostatics& p, double length, double beam,
   c.waterplane = ratio(p.waterplane_area, length * beam);
   c.vertical_prismatic = ratio(p.displaced_volume, p.waterplane_area * draft);
   return c;
-}
-
-void check(const FloatingPosition& position, const ProjectDimensions& project,
-           double water_density) {
-  const auto finite = [](double value, const char* name) {
-    if (!std::isfinite(value)) {
-      throw std::invalid_argument(std::string("The ") + name + " must be a finite number.");
-    }
-  };
-  finite(position.draft, "draft");
-  finite(position.trim, "trim");
-  finite(position.heel, "heel");
-  finite(position.draft_at, "place where the draft is measured");
-  if (!(std::abs(position.trim) < 0.5 * std::numbers::pi)) {
-    throw std::invalid_argument("The trim must be less than 90 degrees (pi / 2 rad), not " +
-                                std::to_string(position.trim) + " rad.");
-  }
-  for (double length : {project.length_pp, project.beam, project.draft}) {
-    if (!(length >= 0.0) || !std::isfinite(length)) {
-      throw std::invalid_argument("Length, beam and design draft must be positive, not " +
-                                  std::to_string(length) + " m; leave out what is not known.");
-    }
-  }
-  if (!(water_density > 0.0) || !std::isfinite(water_density)) {
-    throw std::invalid_argument("The water's density must be positive, not " +
-                                std::to_string(water_density) + " t/m3.");
-  }
 }
 
 void take_buoyancy(const Immersion& immersion, double water_density, Hydrostatics& p) {
@@ -173,9 +147,36 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
 
 }  // namespace
 
+void check_hydrostatics(const FloatingPosition& position, const ProjectDimensions& project,
+                        double water_density) {
+  const auto finite = [](double value, const char* name) {
+    if (!std::isfinite(value)) {
+      throw std::invalid_argument(std::string("The ") + name + " must be a finite number.");
+    }
+  };
+  finite(position.draft, "draft");
+  finite(position.trim, "trim");
+  finite(position.heel, "heel");
+  finite(position.draft_at, "place where the draft is measured");
+  if (!(std::abs(position.trim) < 0.5 * std::numbers::pi)) {
+    throw std::invalid_argument("The trim must be less than 90 degrees (pi / 2 rad), not " +
+                                std::to_string(position.trim) + " rad.");
+  }
+  for (double length : {project.length_pp, project.beam, project.draft}) {
+    if (!(length >= 0.0) || !std::isfinite(length)) {
+      throw std::invalid_argument("Length, beam and design draft must be positive, not " +
+                                  std::to_string(length) + " m; leave out what is not known.");
+    }
+  }
+  if (!(water_density > 0.0) || !std::isfinite(water_density)) {
+    throw std::invalid_argument("The water's density must be positive, not " +
+                                std::to_string(water_density) + " t/m3.");
+  }
+}
+
 Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
                           const ProjectDimensions& project, double water_density) {
-  check(position, project, water_density);
+  check_hydrostatics(position, project, water_density);
   Hydrostatics p;
   p.position = position;
   p.draft = position.draft;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/immersion/border_centroid.h"
 #include "mesh/tolerances.h"
 
 namespace hull::analysis {
@@ -59,20 +60,6 @@ Extent extent_of(const Spans& spans) {
   return extent;
 }
 
-// Centroid of the loop's curve, by length of its control polygons.
-Vector3d centroid(const BorderLoop& loop) {
-  Vector3d moment = Vector3d::Zero();
-  double length = 0.0;
-  for (const Cubic& c : loop.spans) {
-    for (int i = 0; i < 3; ++i) {
-      const double l = (c[i + 1] - c[i]).norm();
-      moment += 0.5 * l * (c[i] + c[i + 1]);
-      length += l;
-    }
-  }
-  return length > 0.0 ? Vector3d(moment / length) : loop.spans[0][0];
-}
-
 Cubic bspline_from_bezier(const Cubic& b) {
   return {6.0 * b[0] - 7.0 * b[1] + 2.0 * b[2], 2.0 * b[1] - b[2], 2.0 * b[2] - b[1],
           2.0 * b[1] - 7.0 * b[2] + 6.0 * b[3]};
@@ -102,6 +89,19 @@ bool is_transverse(const Extent& extent, double size) {
 
 }  // namespace
 
+Vector3d border_centroid(const std::vector<std::array<Vector3d, 4>>& spans) {
+  Vector3d moment = Vector3d::Zero();
+  double length = 0.0;
+  for (const Cubic& c : spans) {
+    for (int i = 0; i < 3; ++i) {
+      const double l = (c[i + 1] - c[i]).norm();
+      moment += 0.5 * l * (c[i] + c[i + 1]);
+      length += l;
+    }
+  }
+  return length > 0.0 ? Vector3d(moment / length) : spans[0][0];
+}
+
 std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
                                           const std::vector<BorderEdge>& edges, bool mirrored) {
   const double size = surface.mesh().size();
@@ -112,7 +112,7 @@ std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
     const bool at_centre = mirrored && extent.low.y() <= kOnCentrePlane * size;
     const bool across =
         at_centre || std::abs(area_on_centre_plane(loop)) <= kNoArea * diagonal * diagonal;
-    const Vector3d apex = centroid(loop);
+    const Vector3d apex = border_centroid(loop.spans);
     const double y = at_centre ? 0.0 : apex.y();
     for (std::size_t i = 0; i < loop.spans.size(); ++i) {
       const Cubic& border = loop.spans[i];

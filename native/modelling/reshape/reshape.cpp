@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "modelling/thin_plate.h"
+#include "modelling/reshape/move_energy.h"
 
 namespace hull::modelling {
 namespace {
@@ -41,22 +41,6 @@ Eigen::VectorXd flat(const Eigen::MatrixX3d& rows) {
   return moves;
 }
 
-// The same matrix for x, y and z.
-Eigen::SparseMatrix<double> thrice(const Eigen::SparseMatrix<double>& matrix) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * static_cast<std::size_t>(matrix.nonZeros()));
-  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
-    for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, column); it; ++it) {
-      for (int axis = 0; axis < 3; ++axis) {
-        entries.emplace_back(3 * it.row() + axis, 3 * it.col() + axis, it.value());
-      }
-    }
-  }
-  Eigen::SparseMatrix<double> result(3 * matrix.rows(), 3 * matrix.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
 void check_count(std::size_t have, std::size_t want, const char* what) {
   if (have == want) return;
   throw std::invalid_argument("There must be " + std::to_string(want) + " " + what + ", not " +
@@ -86,16 +70,7 @@ Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& opt
 
 void Reshape::add_stiffness(const surface::LimitSurface& surface, double stiffness) {
   const double factor = std::pow(stiffness * surface.mesh().size(), 2);
-  std::vector<Eigen::Triplet<double>> entries;
-  visit_thin_plate_forms(surface, surface::PieceWeights(surface), factor,
-                         [&](const std::vector<int>& points, const Eigen::MatrixXd& form) {
-                           for (Eigen::Index i = 0; i < form.rows(); ++i) {
-                             for (Eigen::Index j = 0; j < form.cols(); ++j) {
-                               entries.emplace_back(points[i], points[j], form(i, j));
-                             }
-                           }
-                         });
-  stiff_.setFromTriplets(entries.begin(), entries.end());
+  stiff_ = thin_plate_form(surface, factor);
 }
 
 void Reshape::take_conditions(const std::vector<MoveCondition>& conditions) {
@@ -129,9 +104,8 @@ void Reshape::factor() {
     throw std::invalid_argument("No control point may move, so no condition can be met.");
   }
   if (space_.size() == 0) return;
-  const SurfacePlaces::Rows& rows = places_.rows();
-  const Sparse mass = rows.transpose() * shares_.asDiagonal() * rows;
-  Sparse matrix = space_.basis().transpose() * (thrice(mass + stiff_) * space_.basis());
+  const Sparse mass = mean_square_form(places_);
+  Sparse matrix = space_.basis().transpose() * (for_all_axes(mass + stiff_) * space_.basis());
   const double mean = matrix.diagonal().sum() / static_cast<double>(matrix.rows());
   Sparse identity(matrix.rows(), matrix.cols());
   identity.setIdentity();

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/derivatives/surface_adjoint.h"
+
+#include <array>
+
+#include "analysis/sections/border_edges.h"
+#include "surface/pieces/point_weights.h"
+
+namespace hull::analysis {
+namespace {
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+template <class Weights>
+void add_entries(int row, const Weights& weights, double factor, Entries& entries) {
+  for (const surface::PointWeight& w : weights) {
+    entries.emplace_back(row, w.point, factor * w.weight);
+  }
+}
+
+// Bézier points of a cubic from its places at 0, 1/3, 2/3 and 1, as border_edges() has them.
+constexpr double kBezierFromPlaces[4][4] = {{1.0, 0.0, 0.0, 0.0},
+                                            {-5.0 / 6.0, 3.0, -1.5, 1.0 / 3.0},
+                                            {1.0 / 3.0, -1.5, 3.0, -5.0 / 6.0},
+                                            {0.0, 0.0, 0.0, 1.0}};
+
+Eigen::Vector2d on_side(int side, double t) {
+  switch (side) {
+    case 0:
+      return {t, 0.0};
+    case 1:
+      return {1.0, t};
+    case 2:
+      return {1.0 - t, 1.0};
+    default:
+      return {0.0, 1.0 - t};
+  }
+}
+
+// What fill_ghosts() does to points, run through backwards: derivatives by ghosts become those by
+// the points that they are reflections of.
+void take_back_ghosts(PointColumns& by_points, const std::array<int, 16>& present) {
+  const auto missing = [&present](int index) { return present[index] == surface::kNoPoint; };
+  const auto take_back = [&by_points](int from, int step) {
+    by_points.row(from + step) += 2.0 * by_points.row(from);
+    by_points.row(from + 2 * step) -= by_points.row(from);
+    by_points.row(from).setZero();
+  };
+  const bool west = missing(4), east = missing(7), south = missing(1), north = missing(13);
+  for (int column = 3; column >= 0; --column) {
+    if (north) take_back(12 + column, -4);
+    if (south) take_back(column, 4);
+  }
+  for (int row = (north ? 3 : 4) - 1; row >= (south ? 1 : 0); --row) {
+    if (east) take_back(4 * row + 3, -1);
+    if (west) take_back(4 * row, 1);
+  }
+}
+
+}  // namespace
+
+SurfaceAdjoint::SurfaceAdjoint(const surface::LimitSurface& surface) : surface_(&surface) {
+  const surface::SurfaceLayout& layout = surface.layout();
+  const auto points = static_cast<Eigen::Index>(surface.mesh().points().size());
+  const int refined = layout.cells().vertex_count() +
+                      static_cast<int>(layout.second_half_edges().size()) +
+                      static_cast<int>(layout.third_half_edges().size());
+  std::vector<char> used(refined, 0);
+  for (int leaf = 0; leaf < layout.leaf_count(); ++leaf) {
+    for (int point : layout.leaf_points(leaf)) {
+      if (point != surface::kNoPoint) used[point] = 1;
+    }
+  }
+  for (int corner = 0; corner < layout.corner_count(); ++corner) {
+    for (int point : layout.corner_points(corner)) used[point] = 1;
+  }
+  surface::PointWeights weights(surface);
+  Entries entries;
+  for (int point = 0; point < refined; ++point) {
+    if (used[point]) add_entries(point, weights.refined(point).entries(), 1.0, entries);
+  }
+  refined_.resize(refined, points);
+  refined_.setFromTriplets(entries.begin(), entries.end());
+
+  entries.clear();
+  const std::vector<BorderEdge> edges = border_edges(surface);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (int place = 0; place < 4; ++place) {
+      const int side = edges[i].half_edge % 4;
+      const Eigen::Vector2d uv = on_side(side, place == 3 ? 1.0 : place / 3.0);
+      const auto row = weights.at(edges[i].half_edge / 4, uv.x(), uv.y());
+      for (int k = 0; k < 4; ++k) {
+        const double factor = kBezierFromPlaces[k][place];
+        if (factor != 0.0) add_entries(4 * static_cast<int>(i) + k, row, factor, entries);
+      }
+    }
+  }
+  border_.resize(4 * static_cast<Eigen::Index>(edges.size()), points);
+  border_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Gradient SurfaceAdjoint::at(int cell, const Eigen::Vector2d& uv, const Vector3d& direction) const {
+  Gradient gradient = Gradient::Zero(point_count(), 3);
+  surface::PointWeights weights(*surface_);
+  for (const surface::PointWeight& w : weights.at(cell, uv.x(), uv.y())) {
+    gradient.row(w.point) = w.weight * direction.transpose();
+  }
+  return gradient;
+}
+
+SurfaceAdjoint::Sum::Sum(const SurfaceAdjoint& adjoint, int numbers)
+    : adjoint_(adjoint),
+      refined_(PointColumns::Zero(adjoint.refined_.rows(), 3 * numbers)),
+      border_(PointColumns::Zero(adjoint.border_.rows(), 3 * numbers)) {}
+
+void SurfaceAdjoint::Sum::add_leaf(int leaf, PointColumns by_points) {
+  const std::array<int, 16>& points = adjoint_.surface_->layout().leaf_points(leaf);
+  take_back_ghosts(by_points, points);
+  for (int i = 0; i < 16; ++i) {
+    if (points[i] != surface::kNoPoint) refined_.row(points[i]) += by_points.row(i);
+  }
+}
+
+void SurfaceAdjoint::Sum::add_corner(int corner, const PointColumns& by_points) {
+  const std::vector<int>& points = adjoint_.surface_->layout().corner_points(corner);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    refined_.row(points[i]) += by_points.row(static_cast<Eigen::Index>(i));
+  }
+}
+
+void SurfaceAdjoint::Sum::add_border(int edge, const PointColumns& by_points) {
+  border_.middleRows(4 * static_cast<Eigen::Index>(edge), 4) += by_points;
+}
+
+PointColumns SurfaceAdjoint::Sum::by_control_points() const {
+  return adjoint_.refined_.transpose() * refined_ + adjoint_.border_.transpose() * border_;
+}
+
+}  // namespace hull::analysis

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Derivatives of a half hull's numbers by its control points, and five targets that it is brought
+// to, at 140 and at some 1000 points. One thread.
+#include <benchmark/benchmark.h>
+
+#include "benchmarks/half_hull.h"
+#include "modelling/targets/targets.h"
+
+namespace {
+
+using hull::analysis::FormNumber;
+using hull::surface::LimitSurface;
+
+constexpr hull::analysis::FloatingPosition kAfloat{6.0, 0.0, 0.0, 50.0};
+constexpr hull::analysis::ProjectDimensions kProject{100.0, 18.0, 6.0};
+
+// `refine` 1: 140 points; 3: 1120.
+LimitSurface surface_of(benchmark::State& state) {
+  const int refine = static_cast<int>(state.range(0));
+  LimitSurface surface{hull::mesh::ControlMesh(hull::benchmarks::half_hull(refine))};
+  state.counters["points"] = static_cast<double>(surface.mesh().points().size());
+  return surface;
+}
+
+void BM_Derivatives(benchmark::State& state) {
+  const LimitSurface surface = surface_of(state);
+  const hull::analysis::HullBody body(surface, true);
+  const hull::analysis::BodyDerivatives derivatives(body);
+  const hull::analysis::Immersion immersion = body.immersion(water_plane(kAfloat));
+  for (auto _ : state) benchmark::DoNotOptimize(derivatives.immersion(immersion));
+}
+BENCHMARK(BM_Derivatives)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+
+void BM_FiveTargets(benchmark::State& state) {
+  const LimitSurface surface = surface_of(state);
+  hull::modelling::TargetOptions options;
+  options.water.position = kAfloat;
+  options.water.project = kProject;
+  for (std::size_t i = 0; i < surface.mesh().points().size(); ++i) {
+    if (surface.mesh().points()[i].y() != 0.0) continue;
+    options.limits.limits.held.push_back({static_cast<int>(i), hull::Vector3d::UnitY()});
+  }
+  const hull::analysis::HullBody body(surface, true);
+  const hull::analysis::BodyDerivatives derivatives(body);
+  hull::analysis::FormNumbers now(derivatives, kAfloat, kProject);
+  std::vector<hull::modelling::FormTarget> targets;
+  const auto want = [&](FormNumber number, double factor) {
+    hull::modelling::FormTarget target;
+    target.number = number;
+    target.low = target.high = factor * now.value(number);
+    targets.push_back(target);
+  };
+  want(FormNumber::kDisplacedVolume, 1.04);
+  want(FormNumber::kLcb, 0.99);
+  want(FormNumber::kProjectMidship, 1.005);
+  want(FormNumber::kWaterplaneArea, 1.02);
+  want(FormNumber::kKmTransverse, 1.01);
+  for (auto _ : state) {
+    const auto reached = hull::modelling::reach_targets(surface, targets, options);
+    state.counters["steps"] = reached.iterations;
+    if (reached.status != hull::modelling::TargetStatus::kMet) state.SkipWithError("not met");
+  }
+}
+BENCHMARK(BM_FiveTargets)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "analysis/derivatives/form_numbers.h"
+
+namespace hull::modelling {
+
+// A number of the hull's form that is to lie within bounds: equal ones ask for one value.
+struct FormTarget {
+  // What is asked for: a number of Hydrostatics, or the area of the station at x = `station`.
+  analysis::FormNumber number = analysis::FormNumber::kDisplacedVolume;
+  bool is_section = false;
+  double station = 0.0;
+
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  // Where not all targets can be met those of more weight are rather met.
+  double weight = 1.0;
+};
+
+// Limits of a factor by which a main dimension is scaled: 1 and 1 for one that stays.
+struct ScaleBounds {
+  double low = 1.0, high = 1.0;
+  bool is_free() const { return low < high; }
+};
+
+}  // namespace hull::modelling
