@@ -83,6 +83,14 @@ def _with_fit(hull):
         bpy.ops.hull.fit()
 
 
+def _with_variants(hull):
+    """Two, the first of them as it is behind the hull."""
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
+        bpy.ops.hull.keep_variant(name="Fuller bow", note="Cb + 0.01")
+    hull.hull.variants.active, hull.hull.variants.show_ghost = 0, True
+
+
 def _with_studio(hull):
     part("features.studio").make(hull, bpy.context.scene)
 
@@ -96,6 +104,7 @@ PANELS = {
     "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
+    "panels/variants": PanelShot(hull_panels("variants", "comparison"), _with_variants),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs

@@ -59,7 +59,7 @@ def test_the_measure_itself():
     assert lab((1.0, 0.0, 0.0)) == pytest.approx([53.24, 80.09, 67.20], abs=0.05)
 
 
-@pytest.mark.parametrize("group", ["lines", "net", "combs", "marks", "tags"])
+@pytest.mark.parametrize("group", ["lines", "ghost", "net", "combs", "marks", "tags"])
 def test_inks_can_be_told_from_their_grounds(palette, group):
     least = RECEDING if group == "net" else AT_A_GLANCE
     for kind, ink in palette.GROUPS[group][1].items():
@@ -79,3 +79,12 @@ def test_marks_can_be_told_from_one_another_and_from_the_lines_they_are_on(palet
         for other in [marks[name] for name in kinds[place + 1 :]] + [lines["station"]]:
             assert difference(marks[kind].on_light, other.on_light) >= AT_A_GLANCE, kind
             assert difference(marks[kind].on_dark, other.on_dark) >= AT_A_GLANCE, kind
+
+
+def test_the_ghost_can_be_told_from_whatever_is_drawn_with_it(palette):
+    ghost = palette.GROUPS["ghost"][1]["ghost"]
+    for name in ("lines", "combs", "marks", "tags"):
+        for kind, ink in palette.GROUPS[name][1].items():
+            assert difference(ghost.on_light, ink.on_light) >= AT_A_GLANCE, (name, kind)
+            if ink.on_dark is not None:
+                assert difference(ghost.on_light, ink.on_dark) >= AT_A_GLANCE, (name, kind)

@@ -34,6 +34,8 @@ DIVISIONS = (2, 32)  # of a cell's side, where light lines are searched
 MOST_TABLE_ROWS = 1000
 DISPLACEMENTS = (2, 50)  # of cross curves
 MOST_LOADING_ENTRIES = of_files.MAX_LOADING_ENTRIES
+# Kept of one hull, each with a mesh of its own.
+MOST_VARIANTS = 200
 
 FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
 GREATEST_FAIRNESS, GREATEST_STIFFNESS = 0.1 + _ROUNDING, 10.0

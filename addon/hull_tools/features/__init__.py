@@ -14,7 +14,8 @@ Each subject uses itself, those above it and the bridge, nothing else:
   hull            a hull as a whole: made, brought up to date, its tags, saved
   curves_of_form  tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
   stability       righting levers, cross curves, load cases, criteria
-  analyses        all tables and plots of the two above, computed when they are looked at
+  variants        hulls that were kept, and the hull beside another one: ghost, differences
+  analyses        all tables and plots of those above, computed when they are looked at
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        files for other programs: hull file, lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape

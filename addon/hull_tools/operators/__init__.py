@@ -30,6 +30,7 @@ from . import (
     sides,
     studio,
     tag_mesh,
+    variants,
 )
 
 _CLASSES = (
@@ -58,6 +59,7 @@ _CLASSES = (
     *loading_lists.CLASSES,
     *lines.CLASSES,
     *fairness.CLASSES,
+    *variants.CLASSES,
     *studio.CLASSES,
 )
 

@@ -16,9 +16,9 @@ from . import line_arrays
 from .view import Handler, hulls_in_view
 
 # Times the width that is set.
-_WIDTHS = {"draft": 1.6, "feature": 1.3, "plane": 1.6, "reflection": 1.3, "silhouette": 2.0}
+WIDTHS = {"draft": 1.6, "feature": 1.3, "plane": 1.6, "reflection": 1.3, "silhouette": 2.0}
 _TEETH_WIDTH, _TEETH_ALPHA = 0.7, 0.55
-_HIDDEN_ALPHA = 0.25  # of combs behind the surface
+HIDDEN_ALPHA = 0.25  # of combs behind the surface
 
 _batches = weakref.WeakKeyDictionary()  # by group: GPUBatch, None where there is nothing to draw
 _comb_batches = weakref.WeakKeyDictionary()  # by CombGroup: (scale, teeth, outline)
@@ -30,16 +30,16 @@ def _draw():
         groups = [*state.lines.groups.values(), *state.fairness.level_lines.values()]
         if not groups and not state.fairness.combs:
             continue
-        pen, palette = _Pen(shown), preferences.colours("lines", shown.is_on_light)
+        pen, palette = Pen(shown), preferences.colours("lines", shown.is_on_light)
         in_front = shown.hull.hull.lines.in_front
-        with _depth_test("NONE" if in_front else "LESS_EQUAL"):
+        with depth_test("NONE" if in_front else "LESS_EQUAL"):
             for group in groups:
                 colour = (*palette[group.kind], 1.0)
-                pen.draw(group, _batch_of(group, pen.shader), _WIDTHS.get(group.kind, 1.0), colour)
+                pen.draw(group, batch_of(group, pen.shader), WIDTHS.get(group.kind, 1.0), colour)
             _draw_combs(shown, pen, 1.0)
         if not in_front:
-            with _depth_test("GREATER"):
-                _draw_combs(shown, pen, _HIDDEN_ALPHA)
+            with depth_test("GREATER"):
+                _draw_combs(shown, pen, HIDDEN_ALPHA)
 
 
 def _draw_combs(shown, pen, alpha):
@@ -53,7 +53,8 @@ def _draw_combs(shown, pen, alpha):
 
 
 @contextmanager
-def _depth_test(mode):
+def depth_test(mode):
+    """Draws what passes the test, as gpu.state names it, before what is there."""
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set(mode)
     yield
@@ -61,11 +62,11 @@ def _depth_test(mode):
     gpu.state.blend_set("NONE")
 
 
-class _Pen:
-    """Draws the lines of one hull."""
+class Pen:
+    """Draws the lines of one hull, the nearer to the eye the higher the layer."""
 
-    def __init__(self, shown):
-        self._shown = shown
+    def __init__(self, shown, layer=1):
+        self._shown, self._layer = shown, layer
         context = shown.context
         self._width = shown.hull.hull.lines.width * context.preferences.system.pixel_size
         self._viewport = gpu.state.viewport_get()[2:]
@@ -80,11 +81,12 @@ class _Pen:
         self.shader.uniform_float("lineWidth", self._width * width)
         for is_image in (False, True) if group.is_mirrored else (False,):
             with gpu.matrix.push_pop():
-                gpu.matrix.load_matrix(self._shown.to_view(is_image))
+                gpu.matrix.load_matrix(self._shown.to_view(is_image, self._layer))
                 batch.draw(self.shader)
 
 
-def _batch_of(group, shader):
+def batch_of(group, shader):
+    """The lines of a group on the graphics card; None where there are none."""
     if group not in _batches:
         _batches[group] = batch_of_strokes(line_arrays.strokes_of(group.polylines), shader)
     return _batches[group]

@@ -21,10 +21,11 @@ from . import (
     studio,
     tag_menus,
     tags,
+    variants,
 )
 
 # Panels stand in the sidebar in this order, which is that of the work: hull, surface, lines, shape,
-# fairness, hydrostatics, stability, output.
+# variants, fairness, hydrostatics, stability, output.
 _CLASSES = (
     *add_menu.CLASSES,
     *hull.CLASSES,
@@ -35,6 +36,7 @@ _CLASSES = (
     *shape.CLASSES,
     *pull.CLASSES,
     *fit.CLASSES,
+    *variants.CLASSES,
     *fairness.CLASSES,
     *hydrostatics.CLASSES,
     *stability.CLASSES,

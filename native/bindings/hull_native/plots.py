@@ -32,11 +32,12 @@ _FAIR_PARTS = 8
 
 
 def sectional_area_plot(
-    x, area, *, title="Sectional area curve", subtitles=(), lcb=None, length_pp=None
+    x, area, *, title="Sectional area curve", subtitles=(), lcb=None, length_pp=None, others=()
 ):
     """Areas (n,) in m² of the immersed sections at x (n,) in m.
 
-    lcb (m) marks the centre of buoyancy; length_pp (m) both perpendiculars and midship.
+    lcb (m) marks the centre of buoyancy; length_pp (m) both perpendiculars and midship. others:
+    triples (name, x, area) of curves that are drawn dashed beside it, such as another hull's.
     """
     x, area = _same_length(x, area, "x", "area")
     plot = Plot(title, list(subtitles))
@@ -45,6 +46,8 @@ def sectional_area_plot(
     curve = plot.add_curve("Sectional area", x, area)
     if x.size > 1:
         plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")
+    for name, other_x, other_area in others:
+        plot.add_curve(name, *_same_length(other_x, other_area, "x", "area"), style="dashed")
     top = _maximum(x, area)
     if top is not None:
         level = x[area >= (1.0 - _LEVEL) * top[1]]

@@ -35,6 +35,8 @@ _LINES = {
     "reflection": Ink("Reflection lines", (0.08, 0.08, 0.30), (0.92, 0.95, 1.00)),
     "silhouette": Ink("Silhouette", (0.00, 0.00, 0.00), (1.00, 1.00, 0.80)),
 }
+# Of the hull that a hull is compared with: all of its lines.
+_GHOST = {"ghost": Ink("Ghost", (1.00, 0.10, 1.00))}
 # In object mode, where it is not selected: it recedes behind what is of the surface.
 _NET = {"net": Ink("Control net", (0.58, 0.50, 0.68), (0.66, 0.62, 0.72))}
 # Combs stand out from the hull: these can be told from light and dark alike.
@@ -69,6 +71,7 @@ _TAGS = {
 # By name: (title in the preferences, {kind: Ink}).
 GROUPS = {
     "lines": ("Lines", _LINES),
+    "ghost": ("Other hull", _GHOST),
     "net": ("Control net", _NET),
     "combs": ("Combs", _COMBS),
     "marks": ("Marks of combs", _MARKS),

@@ -7,14 +7,15 @@ Each module of ANALYSES is one analysis:
   compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread, and
                   tells the ship's progress where it may take seconds
   header, rows    (result) → its table: names with units, and rows of numbers and texts
-  plot            (result, name of the hull) → hull_native.Plot; absent where nothing is drawn
+  plot            (result, name of the hull) → hull_native.Plot; absent where nothing is drawn.
+                  Those of DRAWN_BESIDE take the beside.Curves of other hulls, too
 What a user can get wrong raises ValueError in `inputs` and `compute`.
 """
 
 from dataclasses import dataclass, field
 
 from ...bridge.blender import units
-from ..curves_of_form import bonjean_curves, hydrostatic_table, sectional_areas
+from ..curves_of_form import beside, bonjean_curves, hydrostatic_table, sectional_areas
 from ..fairness import knuckle_angles
 from ..hull import hull_state
 from ..lines import offset_table
@@ -68,6 +69,7 @@ WORDS = {
 }
 
 _UNPLOTTED = ("criteria", "load_cases", "offset_table")
+DRAWN_BESIDE = ("sectional_areas",)
 PLOTTED = {name: module for name, module in ANALYSES.items() if name not in _UNPLOTTED}
 
 
@@ -96,6 +98,17 @@ def key_of(obj, scene, name):
     wrong."""
     scale = units.metres_per_unit(scene)
     return (hull_state.state_of(obj).ship.key, ANALYSES[name].inputs(obj.hull, scale))
+
+
+def others_beside(state, name):
+    """The beside.Curves that the plot of an analysis has beside the hull's own."""
+    return state.of(beside.Beside).of(name) if name in DRAWN_BESIDE else ()
+
+
+def plot_of(name, result, title, others=()):
+    """The hull_native.Plot of a result; others: others_beside. ValueError when it cannot be
+    drawn."""
+    return PLOTTED[name].plot(result, title, *([others] if others else []))
 
 
 def last_outcome(obj, scene, name):

@@ -15,13 +15,14 @@ from ...bridge.blender import redraw
 from ...bridge.objects import hull_objects
 from .. import analyses
 from ..hull import hull_state
+from ..variants import ghosts
 
 # A pause this long in the changes, and the numbers are made.
 _PAUSE_SECONDS = 0.2
 _LOOK_SECONDS = 0.05  # between looks at what is wanted, and at what the thread has made
 
 _asked = {}  # (identity of a HullState, analysis): the key_of that the thread was given last
-_plot_cache = {}  # analysis: (result, hull's name, plot)
+_plot_cache = {}  # analysis: (what the plot is of, the plot, what it was made from)
 
 
 @dataclass(frozen=True)
@@ -101,13 +102,16 @@ def _plots_of(obj, scene, name):
         outcome, is_current = latest(obj, scene, name)
     if outcome is None or outcome.result is None:
         return []
-    result, hull_name, plot = _plot_cache.get(name, (None, "", None))
-    if result is not outcome.result or hull_name != obj.name:
+    others = analyses.others_beside(hull_state.state_of(obj), name)
+    drawn = (id(outcome.result), obj.name, *map(id, others))
+    known, plot, _ = _plot_cache.get(name, (None, None, None))
+    if known != drawn:
         try:
-            plot = analyses.ANALYSES[name].plot(outcome.result, obj.name)
+            plot = analyses.plot_of(name, outcome.result, obj.name, others)
         except ValueError:
             return []  # nothing of it can be drawn
-        _plot_cache[name] = (outcome.result, obj.name, plot)
+        # Kept, so that their identities stay theirs.
+        _plot_cache[name] = (drawn, plot, (outcome.result, others))
     return [Shown(plot, is_current)]
 
 
@@ -163,13 +167,19 @@ def take_finished():
         if _asked.get((id(state), name)) == key:
             del _asked[id(state), name]
     if finished:
-        active = bpy.context.view_layer.objects.active
-        show_plots(hull_objects.hull_of(active), bpy.context.scene)
+        _show_plots_of_active()
         redraw.redraw()
     return bool(finished)
 
 
+def _show_plots_of_active():
+    active = bpy.context.view_layer.objects.active
+    show_plots(hull_objects.hull_of(active), bpy.context.scene)
+
+
 def _look():
+    if ghosts.follow_asked():
+        _show_plots_of_active()
     follow_wanted()
     take_finished()
     return True
@@ -188,6 +198,7 @@ def stop():
     """Forgets what is on its way, and all plots; when this returns nothing is computed."""
     _looks.stop()
     worker.stop()
+    ghosts.forget()
     _asked.clear()
     _plot_cache.clear()
     _put_on_view(Plots())

@@ -111,8 +111,14 @@ def release(obj, faces):
 
 
 def new_number(obj):
-    """A number that no region has, here or in another hull, so that hulls can be joined."""
-    used = {entry.region for other in bpy.data.objects for entry in other.hull.flats}
+    """A number that no region has, here, in another hull or in a variant of one, so that hulls can
+    be joined."""
+    used = {
+        entry.region
+        for other in bpy.data.objects
+        for ship in (other.hull, *other.hull.variants.kept)
+        for entry in ship.flats
+    }
     flat = flat_marks.read(obj.data)
     if flat is not None:
         used.update(flat.regions.tolist())

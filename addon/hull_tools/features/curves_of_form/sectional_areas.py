@@ -118,7 +118,8 @@ def rows(result):
     ).tolist()
 
 
-def plot(result, name):
+def plot(result, name, others=()):
+    """others: beside.Curves of other hulls."""
     where, found = result.where, result.areas
     at = f"{name}, draft {where.draft:.3f} m"
     if where.trim_m:
@@ -132,4 +133,5 @@ def plot(result, name):
         subtitles=[at],
         lcb=result.hydrostatics.lcb,
         length_pp=where.length_pp or None,
+        others=[(curve.name, curve.x, curve.y) for curve in others],
     )

@@ -91,4 +91,6 @@ class Plot(AnalysisFile):
     """On paper; SVG, PDF or PNG by the file name's ending."""
 
     def write(self, result, path):
-        native.require().write_plot(analyses.PLOTTED[self._name].plot(result, self._title), path)
+        others = analyses.others_beside(self.state, self._name)
+        plot = analyses.plot_of(self._name, result, self._title, others)
+        native.require().write_plot(plot, path)

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The hull that a hull is compared with: one of its variants, or another hull object. Both lie on
+one another by their own origins, as if they were one object."""
+
+from dataclasses import dataclass, field
+
+from ...bridge.blender import units
+from ...bridge.mesh import mesh_check
+from ...bridge.objects import hull_mesh, hull_objects
+from ..flotation import ship
+from ..hull import hull_state
+from . import kept_hulls
+
+
+@dataclass(frozen=True)
+class Other:
+    """key: equal where surface and body are. source: flotation.ship.ShipSource, for any thread."""
+
+    name: str
+    key: tuple
+    source: ship.ShipSource = field(compare=False)
+
+
+@dataclass
+class _Known:
+    """The source that was made last, so that what was made of it is found again."""
+
+    key: tuple = None
+    source: object = None
+
+
+def of(obj, scene):
+    """The Other of a hull; ValueError with the remedy where there is none, or it has no surface."""
+    variants = obj.hull.variants
+    if variants.compared_with == "HULL":
+        return _object(obj, variants.other_hull, scene)
+    entry = kept_hulls.chosen(obj)
+    if entry is None:
+        raise ValueError("Keep the hull as a variant first, or compare it with another hull")
+    return _variant(obj, entry, scene)
+
+
+def settings_of(obj):
+    """The Object.hull of another hull, or the variant, which is of the same form: of a hull that
+    has an Other. Not to be kept: Blender may move it in memory."""
+    variants = obj.hull.variants
+    if variants.compared_with == "HULL":
+        return variants.other_hull.hull
+    return kept_hulls.chosen(obj)
+
+
+def _object(obj, other, scene):
+    if other is None or not hull_objects.is_hull(other) or other == obj:
+        raise ValueError("Choose the other hull first")
+    if other.name not in scene.objects or scene.objects[other.name] != other:
+        raise ValueError(f'"{other.name}" is not in this scene any longer: choose another hull')
+    state = hull_state.state_of(other) or hull_state.refresh(other, scene)
+    if state.refusal or state.ship.source is None:
+        raise ValueError(state.refusal or f'"{other.name}" has no surface: {state.status}')
+    return Other(other.name, state.ship.key, state.ship.source)
+
+
+def _variant(obj, entry, scene):
+    found = hull_mesh.read(kept_hulls.as_hull(obj, entry))
+    scale = units.metres_per_unit(scene)
+    key = (found.topology_key, found.points_digest, scale, found.openings,
+           found.data.deck_edges.tobytes())  # fmt: skip
+    known = hull_state.state_of(obj).of(_Known)
+    if known.key != key:
+        control = found.control(scale)
+        check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
+        if mesh is None:
+            raise ValueError(f'"{entry.name}" has no surface: {check.errors[0].message}')
+        known.key, known.source = key, ship.source_of(found, control)
+    return Other(entry.name, key, known.source)
