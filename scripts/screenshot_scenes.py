@@ -87,7 +87,8 @@ def _with_variants(hull):
     """Two, the first of them as it is behind the hull."""
     with bpy.context.temp_override(object=hull, active_object=hull):
         bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
-        bpy.ops.hull.keep_variant(name="Fuller bow", note="Cb + 0.01")
+        bpy.ops.hull.keep_variant(name="Second", note="to be forgotten")
+    _fuller_forward(hull)
     hull.hull.variants.active, hull.hull.variants.show_ghost = 0, True
 
 
@@ -104,7 +105,11 @@ PANELS = {
     "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
-    "panels/variants": PanelShot(hull_panels("variants", "comparison"), _with_variants),
+    "panels/variants": PanelShot(
+        hull_panels("variants", "comparison", "differences", "distances"),
+        _with_variants,
+        analyses=("differences",),
+    ),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs
@@ -219,6 +224,51 @@ def _measured(window):
     yield
 
 
+def _fuller_forward(hull):
+    """Gives the fore body of a hull up to a sixth more breadth."""
+    length = hull.dimensions.x
+    for vertex in hull.data.vertices:
+        along = min(max(vertex.co.x / length - 0.5, 0.0) / 0.3, 1.0)
+        vertex.co.y *= 1.0 + along**2 / 6.0
+    hull.data.update()
+    bpy.context.view_layer.update()
+
+
+def _ghost(window):
+    hull = yield from _new_hull(window)
+    window.space.overlay.show_floor = False
+    with window.in_view():
+        bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
+    window.space.region_3d.view_location.z += 0.17 * hull.dimensions.x
+    _fuller_forward(hull)
+    hull.hull.lines.show_buttocks = hull.hull.lines.show_waterlines = False
+    hull.hull.plots.sectional_areas, hull.hull.plots.corner = True, "TOP_LEFT"
+    hull.hull.variants.show_ghost = True
+    bpy.context.view_layer.update()
+    yield lambda: _has_ghost(hull)
+    yield
+
+
+def _distances(window):
+    hull = yield from _new_hull(window)
+    window.space.overlay.show_floor = False
+    with window.in_view():
+        bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
+    _fuller_forward(hull)
+    lines = hull.hull.lines
+    lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
+    hull.hull.fairness.colours = "DISTANCE"
+    bpy.context.view_layer.update()
+    yield lambda: part("features.hull.hull_state").state_of(hull).shown.distances is not None
+    yield lambda: _are_known(hull, ("differences",))
+    yield
+
+
+def _has_ghost(hull):
+    ghosts = part("features.variants.ghosts")
+    return bool(part("features.hull.hull_state").state_of(hull).of(ghosts.Ghost).groups)
+
+
 def _plan(window, path):
     """The lines plan of the new hull, as the button writes it."""
     yield from _new_hull(window)
@@ -260,6 +310,8 @@ VIEWS = {
     "first-hull/edited": View(_edited, _NUMBERS),
     "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),
     "first-hull/judged": View(_judged, hull_panels("fairness", "combs")),
+    "variants/ghost": View(_ghost, hull_panels("variants", "comparison")),
+    "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),
     "first-hull/measured": View(_measured, (*_NUMBERS, "HULL_PT_plots")),
 }
 

@@ -15,19 +15,25 @@ namespace hull::bindings {
 namespace {
 
 constexpr std::pair<const char*, analysis::FieldKind> kKinds[] = {
-    {"gaussian", analysis::FieldKind::kGaussian},
-    {"mean", analysis::FieldKind::kMean},
-    {"maximum", analysis::FieldKind::kMaximum},
-    {"minimum", analysis::FieldKind::kMinimum},
-    {"slope", analysis::FieldKind::kSlope}};
+    {"gaussian", analysis::FieldKind::kGaussian}, {"mean", analysis::FieldKind::kMean},
+    {"maximum", analysis::FieldKind::kMaximum},   {"minimum", analysis::FieldKind::kMinimum},
+    {"slope", analysis::FieldKind::kSlope},       {"distance", analysis::FieldKind::kDistance}};
 
 analysis::FieldKind kind_from(const std::string& name) {
   for (const auto& [known, kind] : kKinds) {
     if (name == known) return kind;
   }
   throw std::invalid_argument(
-      "kind is \"gaussian\", \"mean\", \"maximum\", \"minimum\" or \"slope\", not \"" + name +
-      "\".");
+      "kind is \"gaussian\", \"mean\", \"maximum\", \"minimum\", \"slope\" or, of a colour scale, "
+      "\"distance\", not \"" +
+      name + "\".");
+}
+
+// Of those that are of one surface alone.
+analysis::FieldKind computed_kind_from(const std::string& name) {
+  const analysis::FieldKind kind = kind_from(name);
+  if (kind != analysis::FieldKind::kDistance) return kind;
+  throw std::invalid_argument("A distance is that of two surfaces: see surface_distances().");
 }
 
 analysis::ColourScale::Mapping mapping_from(const std::string& name) {
@@ -77,11 +83,11 @@ std::vector<Value> of_ticks(const analysis::ColourScale& scale,
 void bind_scale(py::module_& module) {
   py::class_<analysis::ColourScale>(
       module, "ColourScale",
-      "From values of a field to colours, and to a legend. Curvatures are blue "
+      "From values of a field to colours, and to a legend. Curvatures and distances are blue "
       "below zero, nearly white at zero and orange above; slopes go from dark "
       "to light. Both can be read with any common colour blindness.")
       .def_property_readonly("low", &analysis::ColourScale::low,
-                             "The value at position 0: 1/m², 1/m or rad.")
+                             "The value at position 0: 1/m², 1/m, rad or m.")
       .def_property_readonly("high", &analysis::ColourScale::high, "The value at position 1.")
       .def_property_readonly("signed", &analysis::ColourScale::is_signed,
                              "Whether 0 is in the middle and the range as wide to both sides.")
@@ -92,7 +98,7 @@ void bind_scale(py::module_& module) {
                                           : "logarithmic";
                              })
       .def_property_readonly("unit", &analysis::ColourScale::unit,
-                             "Of the legend: \"1/m²\", \"1/m\", \"°\".")
+                             "Of the legend: \"1/m²\", \"1/m\", \"°\", \"mm\".")
       .def(
           "normalised",
           [](const analysis::ColourScale& s, const DoubleArray& array) {
@@ -148,7 +154,7 @@ void bind_surface_fields(py::module_& module) {
       "surface_field",
       [](const surface::LimitSurface& surface, const surface::Tessellation& tessellation,
          const std::string& kind, const std::optional<DoubleArray>& direction) {
-        const analysis::FieldKind field = kind_from(kind);
+        const analysis::FieldKind field = computed_kind_from(kind);
         const Vector3d along = slope_direction(direction);
         for (const int cell : tessellation.normal_cells) {
           if (cell < surface.cell_count()) continue;
@@ -175,7 +181,7 @@ void bind_surface_fields(py::module_& module) {
       "surface_field_at",
       [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
          const std::string& kind, const std::optional<DoubleArray>& direction) {
-        const analysis::FieldKind field = kind_from(kind);
+        const analysis::FieldKind field = computed_kind_from(kind);
         const Vector3d along = slope_direction(direction);
         const Places places = places_from(surface, cells, uv);
         std::vector<double> values;
@@ -196,16 +202,18 @@ void bind_surface_fields(py::module_& module) {
       },
       py::arg("tessellation"),
       "The area (l,) in m² that each of the tessellation's normals stands for.");
-  module.def("colour_scale", &scale_from, py::arg("values"), py::kw_only(), py::arg("kind"),
-             py::arg("weights") = py::none(), py::arg("mapping") = "linear",
-             py::arg("percentile") = 0.98, py::arg("limits") = py::none(),
-             "A ColourScale for values (k,) of a surface_field() of that kind. Its range is what "
-             "the part `percentile` of the area stays within, by weights (k,), see "
-             "field_weights(); or limits: (low, high), in 1/m², 1/m or rad. Curvatures: as wide to "
-             "both sides of 0.\n\n"
-             "mapping: \"linear\", or \"logarithmic\": to both signs, nearly linear below 1/1000 "
-             "of the range. ValueError for unknown names, weights of another length, a percentile "
-             "outside of (0, 1], limits that do not rise.");
+  module.def(
+      "colour_scale", &scale_from, py::arg("values"), py::kw_only(), py::arg("kind"),
+      py::arg("weights") = py::none(), py::arg("mapping") = "linear", py::arg("percentile") = 0.98,
+      py::arg("limits") = py::none(),
+      "A ColourScale for values (k,) of a surface_field() of that kind, or of kind \"distance\" of "
+      "surface_distances(). Its range is what "
+      "the part `percentile` of the area stays within, by weights (k,), see "
+      "field_weights(); or limits: (low, high), in 1/m², 1/m, rad or m. Curvatures "
+      "and distances: as wide to both sides of 0.\n\n"
+      "mapping: \"linear\", or \"logarithmic\": to both signs, nearly linear below 1/1000 "
+      "of the range. ValueError for unknown names, weights of another length, a percentile "
+      "outside of (0, 1], limits that do not rise.");
 }
 
 }  // namespace hull::bindings

@@ -104,7 +104,7 @@ def test_another_hull_that_goes_is_told():
     make_active(other)
     bpy.ops.object.delete()
     ghost = ghost_of(hull)
-    assert not ghost.groups and '"other" is not in this scene' in ghost.status
+    assert not ghost.groups and '"other" is in no scene' in ghost.status
     bpy.data.objects.remove(other)
     assert "Choose the other hull" in ghost_of(hull).status
     variants.other_hull = hull  # a script may

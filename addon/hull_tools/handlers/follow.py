@@ -10,7 +10,7 @@ from ..features.analyses import live_analyses
 from ..features.conversion import conversions
 from ..features.hull import hull_state, live_normals
 from ..features.surface import colour_views
-from ..features.variants import ghosts
+from ..features.variants import following
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
 _is_following = False
@@ -35,7 +35,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
             if hull.mode == "EDIT":
                 live_normals.ask()
         studio.ask(hulls, scene)
-        ghosts.ask()
+        following.ask()
         live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)
     finally:
         _is_following = False

@@ -6,6 +6,7 @@ from ..features.variants import ghosts
 from .lines import HIDDEN_ALPHA, WIDTHS, Pen, batch_of, depth_test
 from .view import Handler, hulls_in_view
 
+_WIDTH = 0.8  # of theirs
 _LAYER = 0.5  # of to_view: the hull's own lines are nearer
 
 
@@ -26,7 +27,9 @@ def _draw_groups(shown, groups, depth, alpha):
     colour = (*preferences.colour("ghost", "ghost", shown.is_on_light), alpha)
     with depth_test(depth):
         for group in groups:
-            pen.draw(group, batch_of(group, pen.shader), WIDTHS.get(group.kind, 1.0), colour)
+            pen.draw(
+                group, batch_of(group, pen.shader), _WIDTH * WIDTHS.get(group.kind, 1.0), colour
+            )
 
 
 _handler = Handler(_draw, "POST_VIEW")

@@ -42,7 +42,7 @@ class HULL_PT_fairness(HullPanel, bpy.types.Panel):
         choice_below(layout, fairness, "colours")
         if fairness.colours != "NONE":
             column = layout.column(align=True)
-            if fairness.colours != "SLOPE":
+            if fairness.colours not in ("SLOPE", "DISTANCE"):
                 column.prop(fairness, "logarithmic")
             field_or(column, fairness, "colour_limit", "by the hull")
         layout.operator("hull.check_flat", icon="MESH_PLANE")

@@ -3,10 +3,37 @@
 
 import bpy
 
+from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
-from ..features.variants import ghosts, kept_hulls
-from .shared import HullPanel, choice_below, label_wrapped, text_field
+from ..features.variants import distances, ghosts, kept_hulls
+from .shared import (
+    HullPanel,
+    choice_below,
+    export_buttons,
+    field_or,
+    label_value,
+    label_wrapped,
+    latest_result,
+    text_field,
+)
+
+# By what a hull is told from another at a glance: names of quantities, and symbols.
+_KEY_DIFFERENCES = (
+    ("displaced_volume", "∇"),
+    ("displacement_t", "Δ"),
+    ("wetted_surface", "S"),
+    ("waterline_length", "Lwl"),
+    ("waterline_beam", "Bwl"),
+    ("waterplane_area", "Aw"),
+    ("project_block", "Cb"),
+    ("project_prismatic", "Cp"),
+    ("project_midship", "Cm"),
+    ("lcb", "LCB"),
+    ("lcf", "LCF"),
+    ("kb", "KB"),
+    ("kmt", "KMt"),
+)
 
 
 class HULL_UL_variants(bpy.types.UIList):
@@ -31,8 +58,8 @@ class HULL_PT_variants(HullPanel, bpy.types.Panel):
         if entry is not None:
             text_field(layout, entry, "note")
             row = layout.row(align=True)
-            row.operator("hull.go_back_to_variant", icon="LOOP_BACK")
-            row.operator("hull.duplicate_variant", icon="DUPLICATE")
+            row.operator("hull.go_back_to_variant")
+            row.operator("hull.duplicate_variant")
 
 
 class HULL_PT_comparison(HullPanel, bpy.types.Panel):
@@ -55,4 +82,97 @@ class HULL_PT_comparison(HullPanel, bpy.types.Panel):
             label_wrapped(layout, context, status, icon="INFO")
 
 
-CLASSES = (HULL_UL_variants, HULL_PT_variants, HULL_PT_comparison)
+class HULL_PT_differences(HullPanel, bpy.types.Panel):
+    """This hull less the other one: particulars and sectional areas"""
+
+    bl_label = "Differences"
+    bl_parent_id = "HULL_PT_variants"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        variants = hull_objects.hull_of(context.object).hull.variants
+        result, place = latest_result(layout, context, "differences", "This hull less the other")
+        if result is not None:
+            found = result.by[variants.afloat]
+            if found.message:
+                label_wrapped(place, context, found.message, icon="INFO")
+            else:
+                _draw_differences(place.column(align=True), context.scene, found)
+        export_buttons(layout, "differences")
+        layout.label(text="Areas by station")
+        export_buttons(layout, "area_differences")
+
+
+def _draw_differences(column, scene, found):
+    column.scale_y = 0.8
+    for name, symbol in _KEY_DIFFERENCES:
+        row = found.rows[name]
+        text = _signed(scene, row.difference, row.quantity.unit)
+        if row.percent is not None:
+            text += f"  {_with_sign(f'{row.percent:.2f}', row.percent)} %"
+        label_value(column, symbol, text)
+    label_value(column, "Area, most", _signed(scene, found.areas.largest, "m2"))
+    label_value(column, "at x", format_value(scene, found.areas.largest_at, "m"))
+
+
+def _signed(scene, value, unit):
+    return _with_sign(format_value(scene, value, unit), value)
+
+
+def _with_sign(text, value):
+    """A number as text with a plus where it is positive; what is zero but for rounding has no
+    sign."""
+    if value is None:
+        return text
+    digits = text.split(" ")[0].strip("-")
+    if not digits.strip("0.°"):
+        return text.lstrip("-")
+    return f"+{text}" if value > 0.0 else text
+
+
+class HULL_PT_distances(HullPanel, bpy.types.Panel):
+    """How far this hull's surface lies from the other one's"""
+
+    bl_label = "Distances"
+    bl_parent_id = "HULL_PT_variants"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        fairness, state = hull.hull.fairness, hull_state.state_of(hull)
+        choice_below(layout, fairness, "colours")
+        if fairness.colours != distances.COLOURS or state is None:
+            return
+        field_or(layout, fairness, "colour_limit", "by the hull")
+        shown = state.shown
+        if shown.distances is None:
+            text = "computing …" if shown.other is None else shown.other.status
+            label_wrapped(layout, context, text or "The surface is not shown", icon="INFO")
+            return
+        _draw_distances(layout.column(align=True), context.scene, shown.distances)
+
+
+def _draw_distances(column, scene, found):
+    column.scale_y = 0.8
+    for name, value, at in (
+        ("Outside", found.outwards, found.outwards_at),
+        ("Inside", found.inwards, found.inwards_at),
+    ):
+        label_value(column, name, format_value(scene, value, "m"))
+        if at is not None:
+            label_value(column, "at x", format_value(scene, at[0], "m"))
+            label_value(column, "y, z", f"{at[1]:.2f}, {at[2]:.2f} m")
+    label_value(column, "Mean size", format_value(scene, found.mean_size, "m"))
+    label_value(column, "RMS", format_value(scene, found.rms, "m"))
+    label_value(column, "Beyond", f"{100.0 * (1.0 - found.share):.2f} % of area")
+
+
+CLASSES = (
+    HULL_UL_variants,
+    HULL_PT_variants,
+    HULL_PT_comparison,
+    HULL_PT_differences,
+    HULL_PT_distances,
+)

@@ -64,6 +64,8 @@ class HullFairness(bpy.types.PropertyGroup):
             ("MINIMUM", "Minimum curvature", "The lesser principal curvature, 1/m: negative where "
              "the surface is hollow"),
             ("SLOPE", "Slope", "Angle between the normal and the vertical, °"),
+            ("DISTANCE", "Distance", "From the hull that this one is compared with under Variants, "
+             "mm: positive where this one lies outside it. Grey lies beyond its borders"),
         ),
         update=_colours_changed,
     )  # fmt: skip

@@ -43,6 +43,13 @@ std::string label_of(double value) {
   return text;
 }
 
+// From a value to the legend's unit.
+double legend_factor(FieldKind kind) {
+  constexpr double kMillimetres = 1000.0;
+  if (kind == FieldKind::kSlope) return kDegrees;
+  return kind == FieldKind::kDistance ? kMillimetres : 1.0;
+}
+
 }  // namespace
 
 ColourScale::ColourScale(FieldKind kind, Mapping mapping, double low, double high)
@@ -93,6 +100,7 @@ ColourScale ColourScale::fit(const std::vector<double>& values, const std::vecto
 
 std::string ColourScale::unit() const {
   if (kind_ == FieldKind::kSlope) return "°";
+  if (kind_ == FieldKind::kDistance) return "mm";
   return kind_ == FieldKind::kGaussian ? "1/m²" : "1/m";
 }
 
@@ -113,7 +121,7 @@ Colour ColourScale::colour_at(double position) const {
 }
 
 void ColourScale::add_tick(double value, std::vector<Tick>& ticks) const {
-  const double factor = kind_ == FieldKind::kSlope ? kDegrees : 1.0;
+  const double factor = legend_factor(kind_);
   ticks.push_back({value, position(value / factor), label_of(value)});
 }
 
@@ -127,7 +135,7 @@ std::vector<ColourScale::Tick> ColourScale::ticks() const {
     for (int k = kDecades - 1; k >= 0; --k) add_tick(std::pow(10.0, top - k), ticks);
     return ticks;
   }
-  const double factor = kind_ == FieldKind::kSlope ? kDegrees : 1.0;
+  const double factor = legend_factor(kind_);
   const double low = factor * low_, high = factor * high_;
   const double step = round_up((high - low) / kMostSteps);
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0) {

@@ -13,9 +13,9 @@ namespace hull::analysis {
 
 // From values of a field to colours, and back to a legend.
 //
-// Curvatures have a sign: 0 is in the middle of the scale, at position 0.5, and the range is as
-// wide to both sides. A slope runs from its least to its greatest value. Values beyond the range
-// have the colours of its ends.
+// Curvatures and distances have a sign: 0 is in the middle of the scale, at position 0.5, and the
+// range is as wide to both sides. A slope runs from its least to its greatest value. Values beyond
+// the range have the colours of its ends.
 class ColourScale {
  public:
   enum class Mapping {
@@ -40,7 +40,7 @@ class ColourScale {
   double low() const { return low_; }
   double high() const { return high_; }
   bool is_signed() const { return kind_ != FieldKind::kSlope; }
-  // Of the legend: "1/m²", "1/m" or "°".
+  // Of the legend: "1/m²", "1/m", "°", or of distances "mm".
   std::string unit() const;
 
   // In [0, 1]; NaN where the value is.

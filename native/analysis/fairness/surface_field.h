@@ -15,11 +15,13 @@ enum class FieldKind {
   kMean,      // 1/m, as are …
   kMaximum,   // … the larger and …
   kMinimum,   // … the smaller principal curvature
-  kSlope      // angle between the normal and a direction, radians
+  kSlope,     // angle between the normal and a direction, radians
+  kDistance   // from another surface, m, positive outside: only shown, not computed here
 };
 
-// At places of the surface. `direction`, a unit vector, is for the slope only. Curvature at
-// irregular knots is that beside them (see curvature()); NaN where there is no tangent plane.
+// At places of the surface, of any kind but a distance. `direction`, a unit vector, is for the
+// slope only. Curvature at irregular knots is that beside them (see curvature()); NaN where there
+// is no tangent plane.
 std::vector<double> surface_field(const surface::LimitSurface& surface,
                                   const std::vector<int>& cells,
                                   const std::vector<Eigen::Vector2d>& uv, FieldKind kind,

@@ -9,12 +9,18 @@ import importlib
 
 from ._core import *  # noqa: F401,F403
 
-# These need large libraries, which modelling should not have to load.
+# What modelling does not need: the most of it takes large libraries.
 _LATER = {
     "PlaceError": "._exchange",
     "write_step": "._exchange",
     "write_iges": "._exchange",
     "read_cad_report": "._exchange",
+    "ComparedHull": ".comparison",
+    "compare_areas": ".comparison",
+    "compare_hulls": ".comparison",
+    "difference": ".comparison",
+    "DistanceField": ".distances",
+    "surface_distances": ".distances",
     "write_lines_drawing": ".lines_plan",
     "Plot": "._drawing",
     "PlotSheet": "._drawing",

@@ -20,6 +20,7 @@ from ..fairness import knuckle_angles
 from ..hull import hull_state
 from ..lines import offset_table
 from ..stability import criteria, cross_curves, load_cases, righting_levers
+from ..variants import area_differences, differences
 
 ANALYSES = {
     "hydrostatic_table": hydrostatic_table,
@@ -31,6 +32,8 @@ ANALYSES = {
     "load_cases": load_cases,
     "offset_table": offset_table,
     "knuckle_angles": knuckle_angles,
+    "differences": differences,
+    "area_differences": area_differences,
 }
 
 # Of each its name for people, and what it is. Modules run when they are first asked for something:
@@ -66,9 +69,17 @@ WORDS = {
         "Angles of knuckles",
         "The angle between the surface's normals on both sides, along the knuckles",
     ),
+    "differences": (
+        "Differences",
+        "All particulars beside those of the hull that this one is compared with",
+    ),
+    "area_differences": (
+        "Differences of areas",
+        "Sectional areas beside those of the hull that this one is compared with",
+    ),
 }
 
-_UNPLOTTED = ("criteria", "load_cases", "offset_table")
+_UNPLOTTED = ("criteria", "load_cases", "offset_table", "differences", "area_differences")
 DRAWN_BESIDE = ("sectional_areas",)
 PLOTTED = {name: module for name, module in ANALYSES.items() if name not in _UNPLOTTED}
 

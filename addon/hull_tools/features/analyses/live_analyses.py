@@ -15,7 +15,7 @@ from ...bridge.blender import redraw
 from ...bridge.objects import hull_objects
 from .. import analyses
 from ..hull import hull_state
-from ..variants import ghosts
+from ..variants import following
 
 # A pause this long in the changes, and the numbers are made.
 _PAUSE_SECONDS = 0.2
@@ -178,7 +178,7 @@ def _show_plots_of_active():
 
 
 def _look():
-    if ghosts.follow_asked():
+    if following.follow_asked():
         _show_plots_of_active()
     follow_wanted()
     take_finished()
@@ -198,7 +198,7 @@ def stop():
     """Forgets what is on its way, and all plots; when this returns nothing is computed."""
     _looks.stop()
     worker.stop()
-    ghosts.forget()
+    following.forget()
     _asked.clear()
     _plot_cache.clear()
     _put_on_view(Plots())

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface object coloured by curvature or slope: an attribute of its mesh, which the solid view
-and a material show, and the scale that tells what the colours mean."""
+"""The surface object coloured by curvature, slope or distance: an attribute of its mesh, which the
+solid view and a material show, and the scale that tells what the colours mean."""
 
 import numpy as np
 
@@ -17,6 +17,7 @@ FIELDS = {
     "MAXIMUM": "maximum",
     "MINIMUM": "minimum",
     "SLOPE": "slope",
+    "DISTANCE": "distance",
 }
 # For a legend, by field.
 TITLES = {
@@ -25,6 +26,7 @@ TITLES = {
     "maximum": "Maximum curvature",
     "minimum": "Minimum curvature",
     "slope": "Slope",
+    "distance": "Distance",
 }
 _PART_INSIDE = 0.98  # of the surface, of a range that is not given
 
@@ -33,19 +35,19 @@ def wanted(fairness):
     """What decides on the colours; None when there are none."""
     if fairness.colours == "NONE":
         return None
-    is_slope = fairness.colours == "SLOPE"
-    mapping = "logarithmic" if fairness.logarithmic and not is_slope else "linear"
+    is_curvature = fairness.colours not in ("SLOPE", "DISTANCE")
+    mapping = "logarithmic" if fairness.logarithmic and is_curvature else "linear"
     return FIELDS[fairness.colours], mapping, as_typed(fairness.colour_limit)
 
 
-def coloured(surface, tessellation, choice):
-    """(hull_native.ColourScale, sRGB (l, 3) of each of a tessellation's normals)."""
+def coloured(surface, tessellation, choice, values=None):
+    """(hull_native.ColourScale, sRGB (l, 3) of each of a tessellation's normals). values: (l,) of
+    distances, m."""
     hull_native = native.require()
-    kind, mapping, limit = choice
-    values = hull_native.surface_field(surface, tessellation, kind=kind)
-    limits = None
-    if limit > 0.0:
-        limits = (0.0, np.radians(min(limit, 180.0))) if kind == "slope" else (-limit, limit)
+    kind, mapping, limit = choice[:3]
+    if values is None:
+        values = hull_native.surface_field(surface, tessellation, kind=kind)
+    limits = _limits(kind, limit) if limit > 0.0 else None
     scale = hull_native.colour_scale(
         values,
         kind=kind,
@@ -55,6 +57,15 @@ def coloured(surface, tessellation, choice):
         limits=limits,
     )
     return scale, scale.colours(values)
+
+
+def _limits(kind, limit):
+    """(low, high) of a scale by a limit in the legend's unit."""
+    if kind == "slope":
+        return 0.0, np.radians(min(limit, 180.0))
+    if kind == "distance":
+        limit *= 1e-3
+    return -limit, limit
 
 
 def write_colours(shown, corner_colours):

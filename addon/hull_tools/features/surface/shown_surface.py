@@ -46,12 +46,15 @@ class _Left:
 class ShownSurface:
     """points: the hull_native.ShownPoints of the surface, None before they are shown. colour_scale:
     the hull_native.ColourScale of the surface object's colours, None when it has none.
-    colour_field: what they are of, which the setting may have left while the mesh has errors."""
+    colour_field: what they are of, which the setting may have left while the mesh has errors.
+    other: the distances.OtherSurface that distances are from, None while none is wanted; distances:
+    the hull_native.SurfaceDistances that are shown, or None."""
 
     def __init__(self):
         self.points = None
         self.colour_scale = None
         self.colour_field = ""
+        self.other = self.distances = None
         self._surface = None
         self._points_key = None
         self._stamp = None  # of the faces of `points`, see _Writer.stamp
@@ -120,7 +123,7 @@ class ShownSurface:
         self._write_what_is_due(obj, shown, ship.geometry_key, scale)
 
     def _write_what_is_due(self, obj, shown, geometry_key, scale):
-        left, choice = self._left, colours.wanted(obj.hull.fairness)
+        left, choice = self._left, self._choice(obj)
         place = (geometry_key, samples_of(obj, self._surface), shown.name_full)
         are_normals_due = left.normals != place and obj.mode != "EDIT"
         colours_key = (None if choice is None else place, choice)
@@ -129,16 +132,38 @@ class ShownSurface:
         if not (is_due or are_normals_due or are_colours_due):
             return
         writer = self._writer(obj, shown, scale, geometry_key)
+        has_new_faces = False
         if is_due:
             left.normals_digest = None
-            are_normals_due |= writer.write_points(is_known=self.is_known)
+            has_new_faces = writer.write_points(is_known=self.is_known)
             left.place = place
+        are_normals_due |= has_new_faces
+        are_colours_due &= has_new_faces or not self._waits(obj, choice)
         if are_normals_due:
             self._write_normals(writer, place)
         if are_colours_due:
-            self.colour_scale = writer.write_colours(choice)
-            self.colour_field = "" if choice is None else choice[0]
-            left.colours = colours_key
+            self._write_colours(writer, choice, colours_key)
+
+    def _choice(self, obj):
+        """What decides on the colours; None when there are none, as of distances from nothing."""
+        choice = colours.wanted(obj.hull.fairness)
+        if choice is None or choice[0] != "distance":
+            return choice
+        is_there = self.other is not None and self.other.field is not None
+        return (*choice, self.other.key) if is_there else None
+
+    def _waits(self, obj, choice):
+        """Whether colours wait for a pause: distances while the mesh is edited."""
+        return obj.mode == "EDIT" and choice is not None and choice[0] == "distance"
+
+    def _write_colours(self, writer, choice, colours_key):
+        self.distances = None
+        if choice is not None and choice[0] == "distance":
+            self.distances = writer.distances(self.other.field)
+        values = None if self.distances is None else self.distances.values
+        self.colour_scale = writer.write_colours(choice, values)
+        self.colour_field = "" if choice is None else choice[0]
+        self._left.colours = colours_key
 
     def remarks(self, obj):
         """What a user may expect to see and does not, as sentences."""
@@ -156,6 +181,16 @@ class ShownSurface:
         if len(shown.data.loops) > _MOST_AT_A_PAUSE or not self._has_points_left(shown):
             return
         self._write_normals(self._writer(obj, shown, scale, place[0]), place)
+
+    def follow_distances(self, obj, scale):
+        """Colours the surface object by its distances from `other` as it is now, at a pause."""
+        shown, place = shown_objects.surface_of(obj), self._left.place
+        if shown is None or place is None or not self._has_points_left(shown):
+            return
+        choice = self._choice(obj)
+        key = (None if choice is None else place, choice)
+        if self._left.colours != key:
+            self._write_colours(self._writer(obj, shown, scale, place[0]), choice, key)
 
     def _write_normals(self, writer, place):
         self._left.normals_digest, self._left.normals = writer.write_normals(), place
@@ -219,13 +254,17 @@ class _Writer:
         surface_mesh.write_normals(self._shown.data, normals)
         return surface_mesh.normals_digest(self._shown.data)
 
-    def write_colours(self, choice):
-        """Gives the surface object its colours; returns their scale, or None."""
+    def distances(self, field):
+        """hull_native.SurfaceDistances from a hull_native.DistanceField."""
+        return native.require().surface_distances(self._surface, self._tessellation(), field)
+
+    def write_colours(self, choice, values=None):
+        """Gives the surface object its colours; returns their scale, or None. values: distances."""
         if choice is None:
             colours.remove_colours(self._shown)
             return None
         tessellation = self._tessellation()
-        scale, of_normals = colours.coloured(self._surface, tessellation, choice)
+        scale, of_normals = colours.coloured(self._surface, tessellation, choice, values)
         corners = colours.linear(of_normals)[tessellation.normal_indices]
         shared = self._points.shared
         colours.write_colours(self._shown, surface_mesh.both_sides(tessellation, shared, corners))

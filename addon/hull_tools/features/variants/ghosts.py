@@ -6,13 +6,10 @@ points of the hull are moved: at a pause it is looked whether they are still tho
 """
 
 from dataclasses import dataclass, field
-from time import monotonic
 from types import SimpleNamespace
 
-import bpy
-
 from ...bridge import native
-from ...bridge.blender import redraw, units
+from ...bridge.blender import units
 from ...bridge.mesh import moves
 from ..curves_of_form import beside, sectional_areas
 from ..flotation import ship
@@ -20,10 +17,7 @@ from ..hull import hull_state
 from ..lines import lines
 from . import afloat, other_hull
 
-_PAUSE_SECONDS = 0.2
 _ANALYSIS, _WHOSE = "sectional_areas", "ghost"
-
-_due = None  # monotonic seconds of the next look at what ghosts are made of
 
 
 @dataclass
@@ -40,19 +34,19 @@ class Ghost:
 
     def follow(self, obj, scene, state):
         """Brings ghost and curve up to date; returns whether anything is another."""
-        before = self.groups, self.status
+        before, scale = (self.groups, self.status), units.metres_per_unit(scene)
         try:
-            wanted = other_hull.of(obj, scene) if obj.hull.variants.show_ghost else None
+            wanted = other_hull.of(obj, scale) if obj.hull.variants.show_ghost else None
             if wanted is None:
                 self._clear()
             else:
-                self._follow_lines(obj, wanted, units.metres_per_unit(scene))
+                self._follow_lines(obj, wanted, scale)
             self.status = ""
         except ValueError as error:
             wanted = None
             self._clear()
             self.status = str(error)
-        has_other_curve = self._follow_areas(obj, wanted, state, units.metres_per_unit(scene))
+        has_other_curve = self._follow_areas(obj, wanted, state, scale)
         return has_other_curve or (self.groups, self.status) != before
 
     def _clear(self):
@@ -108,35 +102,8 @@ def _cuts(settings, surface, half, scale):
 
 
 def follow(obj, scene):
-    """Brings the ghost of a hull up to date, as a pause does; returns the Ghost."""
+    """Brings the ghost of a hull up to date; returns the Ghost."""
     state = hull_state.state_of(obj) or hull_state.refresh(obj, scene)
     ghost = state.of(Ghost)
     ghost.follow(obj, scene, state)
     return ghost
-
-
-def ask():
-    """Has all ghosts looked after at the next pause; each call puts it off."""
-    global _due
-    _due = monotonic() + _PAUSE_SECONDS
-
-
-def follow_asked():
-    """Looks after the ghosts where that was asked for and the pause is over; returns whether any
-    has changed."""
-    global _due
-    if _due is None or monotonic() < _due:
-        return False
-    _due = None
-    scene, has_changed = bpy.context.scene, False
-    for obj, state in hull_state.known_hulls(bpy.context.view_layer):
-        has_changed |= state.of(Ghost).follow(obj, scene, state)
-    if has_changed:
-        redraw.redraw()
-    return has_changed
-
-
-def forget():
-    """Nothing is asked for any longer."""
-    global _due
-    _due = None

@@ -4,7 +4,6 @@ one another by their own origins, as if they were one object."""
 
 from dataclasses import dataclass, field
 
-from ...bridge.blender import units
 from ...bridge.mesh import mesh_check
 from ...bridge.objects import hull_mesh, hull_objects
 from ..flotation import ship
@@ -29,15 +28,16 @@ class _Known:
     source: object = None
 
 
-def of(obj, scene):
-    """The Other of a hull; ValueError with the remedy where there is none, or it has no surface."""
+def of(obj, scale):
+    """The Other of a hull; scale: metres of Blender's unit. ValueError with the remedy where there
+    is none, or it has no surface."""
     variants = obj.hull.variants
     if variants.compared_with == "HULL":
-        return _object(obj, variants.other_hull, scene)
+        return _object(obj, variants.other_hull)
     entry = kept_hulls.chosen(obj)
     if entry is None:
         raise ValueError("Keep the hull as a variant first, or compare it with another hull")
-    return _variant(obj, entry, scene)
+    return _variant(obj, entry, scale)
 
 
 def settings_of(obj):
@@ -49,20 +49,21 @@ def settings_of(obj):
     return kept_hulls.chosen(obj)
 
 
-def _object(obj, other, scene):
+def _object(obj, other):
     if other is None or not hull_objects.is_hull(other) or other == obj:
         raise ValueError("Choose the other hull first")
-    if other.name not in scene.objects or scene.objects[other.name] != other:
-        raise ValueError(f'"{other.name}" is not in this scene any longer: choose another hull')
-    state = hull_state.state_of(other) or hull_state.refresh(other, scene)
+    if not other.users_scene:
+        raise ValueError(f'"{other.name}" is in no scene any longer: choose another hull')
+    state = hull_state.state_of(other)
+    if state is None:
+        raise ValueError(f'"{other.name}" was not looked at yet: Update Surface and Lines there')
     if state.refusal or state.ship.source is None:
         raise ValueError(state.refusal or f'"{other.name}" has no surface: {state.status}')
     return Other(other.name, state.ship.key, state.ship.source)
 
 
-def _variant(obj, entry, scene):
+def _variant(obj, entry, scale):
     found = hull_mesh.read(kept_hulls.as_hull(obj, entry))
-    scale = units.metres_per_unit(scene)
     key = (found.topology_key, found.points_digest, scale, found.openings,
            found.data.deck_edges.tobytes())  # fmt: skip
     known = hull_state.state_of(obj).of(_Known)
