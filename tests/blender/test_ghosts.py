@@ -179,10 +179,11 @@ def test_its_areas_are_in_the_plot():
     live.show_plots(None, bpy.context.scene)
 
 
-def test_a_ghost_that_does_not_float_has_no_curve():
+@pytest.mark.parametrize("draft", [-5.0, float("nan"), 1e30])
+def test_a_ghost_that_does_not_float_has_no_curve(draft):
     hull = with_ghost()
     hull.hull.plots.sectional_areas = True
-    hull.hull.variants.kept[0].draft = -5.0
+    hull.hull.variants.kept[0].draft = draft
     ghost = ghost_of(hull)
     assert ghost.status == "" and ghost.groups and curves_beside(hull) == ()
 

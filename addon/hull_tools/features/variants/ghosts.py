@@ -64,10 +64,13 @@ class Ghost:
 
     def _follow_areas(self, obj, other, state, scale):
         curves = state.of(beside.Beside)
-        key = None
+        key = where = None
         if other is not None and obj.hull.plots.sectional_areas:
-            where = afloat.of_other(obj, scale)
-            key = other.name, other.key, where
+            try:
+                where = afloat.of_other(obj, scale)
+                key = other.name, other.key, where
+            except ValueError:
+                pass  # no ship lies so; the table of differences says why
         if self._area_key == key:
             return False
         self._area_key = key
