@@ -142,6 +142,36 @@ def test_layout_as_arrays():
     assert {"text", "size", "centre", "half", "angle"} <= set(sheet.labels[0])
 
 
+def all_hydrostatic_curves():
+    """Those that need the main dimensions, too."""
+    data = hull_io.read_hull(ROOT / "samples" / "coaster.hull.json")
+    shell, given = hull_io.shell_arrays(data), data.particulars
+    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    body = hn.HullBody(hn.LimitSurface(hn.ControlMesh(*arrays)), mirrored=True)
+    dimensions = {"length_pp": given.length_pp, "beam": given.beam}
+    return hn.hydrostatic_curves_plot(hn.hydrostatic_table(body, drafts=DRAFTS, **dimensions))
+
+
+@pytest.mark.parametrize("size", [(125.0, 88.0), (188.0, 132.0)])
+def test_the_legend_of_a_card_names_all_curves(size):
+    """Where scales are divisions, curves that share one stand beside one another."""
+    plot = all_hydrostatic_curves()
+    sheet = hn.lay_out_plot(plot, width_mm=size[0], height_mm=size[1])
+    texts = [label["text"] for label in sheet.labels]
+    assert not any("more" in text or "…" in text for text in texts), texts
+    rows = [quantity for quantity in hn.plots.QUANTITIES if quantity.name in plot.curve_names]
+    assert len(rows) == len(plot.curve_names) > 12
+    if "Divisions (div)" not in texts:
+        assert all(any(text.startswith(one.name) for text in texts) for one in rows)
+        return
+    legend = [label["text"] for label in sheet.labels if label["centre"][1] > sheet.diagram[3]]
+    for one in rows:
+        assert any(text.split(":")[0] == one.symbol for text in legend), one.symbol
+    scales = [text for text in legend if "/div" in text]
+    assert len(scales) == len({one.scale for one in rows})
+    assert min(label["size"] for label in sheet.labels) > 1.4
+
+
 def test_equal_plots_are_equal():
     assert righting_levers() == righting_levers()
     assert righting_levers() != righting_levers(gm=1.0)

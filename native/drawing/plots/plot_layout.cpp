@@ -27,6 +27,7 @@ constexpr double kHeadGap = 2.0;
 constexpr double kLegendGap = 1.5;
 constexpr double kPaperMargin = 12.0;
 constexpr double kGreatestPlotSide = 5000.0;
+constexpr double kSharedSign = 4.5;        // mm, of curves that share an entry of the legend
 constexpr double kRightOfFrame = 3.0;      // room for half of the last number
 constexpr double kMostLegendShare = 0.5;   // of the height above the axes
 constexpr double kMostRulersShare = 0.45;  // of the height
@@ -59,31 +60,52 @@ std::string number_text(double value) {
   return text;
 }
 
-// "Δ: 500 t/div from 1000 t".
-std::string division_text(const Plot& plot, const PlotCurve& curve, const AxisScale& scale) {
-  const std::string& unit = plot.x_axes[curve.x_axis].unit;
-  const std::string after = unit.empty() ? "" : " " + unit;
-  const std::string& name = curve.symbol.empty() ? curve.name : curve.symbol;
-  std::string text = name + ": " + number_text(scale.step) + after + "/div";
+// "500 t/div from 1000 t".
+std::string division_text(const PlotAxis& axis, const AxisScale& scale) {
+  const std::string after = axis.unit.empty() ? "" : " " + axis.unit;
+  std::string text = number_text(scale.step) + after + "/div";
   if (scale.low != 0.0) text += " from " + number_text(scale.low) + after;
   return text;
+}
+
+// An entry for each axis, with the signs of its curves: "— S  — Aw: 200 m²/div".
+std::vector<LegendEntry> division_entries(const Plot& plot, const PlotFrame& frame) {
+  std::vector<LegendEntry> entries;
+  for (int axis = 0; axis < static_cast<int>(plot.x_axes.size()); ++axis) {
+    std::vector<LegendEntry> signs;
+    for (int i = 0; i < static_cast<int>(plot.curves.size()); ++i) {
+      const PlotCurve& curve = plot.curves[i];
+      if (curve.x_axis != axis || curve.name.empty()) continue;
+      signs.push_back({LegendSign::kLine, pen_of(plot, i),
+                       curve.symbol.empty() ? curve.name : curve.symbol, kSharedSign});
+    }
+    if (signs.empty()) continue;
+    LegendEntry entry = std::move(signs.back());
+    signs.pop_back();
+    if (signs.empty()) entry.width = LegendEntry{}.width;
+    entry.text += ": " + division_text(plot.x_axes[axis], frame.x_axes[axis]);
+    entry.before = std::move(signs);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::vector<LegendEntry> curve_entries(const Plot& plot) {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < static_cast<int>(plot.curves.size()); ++i) {
+    const PlotCurve& curve = plot.curves[i];
+    if (!curve.name.empty()) entries.push_back({LegendSign::kLine, pen_of(plot, i), curve.name});
+  }
+  // A single curve is what title and axes say.
+  if (entries.size() == 1) entries.clear();
+  return entries;
 }
 
 std::vector<LegendEntry> legend_entries(const Plot& plot, const PlotFrame& frame, AxesKind kind,
                                         const Unlabelled& unlabelled) {
   std::vector<LegendEntry> entries;
-  if (kind != AxesKind::kRulers) {
-    for (int i = 0; i < static_cast<int>(plot.curves.size()); ++i) {
-      const PlotCurve& curve = plot.curves[i];
-      if (curve.name.empty()) continue;
-      const std::string text = kind == AxesKind::kDivisions
-                                   ? division_text(plot, curve, frame.x_axes[curve.x_axis])
-                                   : curve.name;
-      entries.push_back({LegendSign::kLine, pen_of(plot, i), text});
-    }
-    // A single curve is what title and axes say.
-    if (entries.size() == 1 && kind == AxesKind::kSingle) entries.clear();
-  }
+  if (kind == AxesKind::kDivisions) entries = division_entries(plot, frame);
+  if (kind == AxesKind::kSingle) entries = curve_entries(plot);
   for (std::size_t i = 0; i < plot.areas.size(); ++i) {
     if (plot.areas[i].label.empty()) continue;
     const Pen pen{0.0, area_colour(static_cast<int>(i))};

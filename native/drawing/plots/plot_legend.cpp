@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "drawing/paper/text_meter.h"
@@ -20,15 +22,50 @@ constexpr double kColumnSpace = 5.0;
 // To how much of their size texts are made smaller for a further column, rather than left out.
 constexpr double kLeastShare = 0.8;
 
-// share: of the text's usual size.
-double entry_width(const LegendEntry& entry, double share = 1.0) {
-  return entry.width + kSignGap + share * text_size(entry.text, kSize, false).width;
+double text_width(const LegendEntry& entry) { return text_size(entry.text, kSize, false).width; }
+
+// Of the signs of an entry, and the space beside them.
+double signs_width(const LegendEntry& entry) {
+  double width = entry.width + kSignGap;
+  for (const LegendEntry& one : entry.before) width += one.width + 2.0 * kSignGap;
+  return width;
 }
 
-double widest_entry(const std::vector<LegendEntry>& entries, double share = 1.0) {
+double texts_width(const LegendEntry& entry) {
+  double width = text_width(entry);
+  for (const LegendEntry& one : entry.before) width += text_width(one);
+  return width;
+}
+
+// share: of the texts' usual size.
+double entry_width(const LegendEntry& entry, double share = 1.0) {
+  return signs_width(entry) + share * texts_width(entry);
+}
+
+double widest_entry(std::span<const LegendEntry> entries, double share = 1.0) {
   double widest = 0.0;
   for (const LegendEntry& entry : entries) widest = std::max(widest, entry_width(entry, share));
   return widest;
+}
+
+// The widths of columns of so many rows, each as wide as its entries are at the least share.
+std::vector<double> own_widths(std::span<const LegendEntry> entries, int rows) {
+  std::vector<double> widths;
+  for (std::size_t i = 0; i < entries.size(); i += rows) {
+    const std::size_t count = std::min<std::size_t>(rows, entries.size() - i);
+    widths.push_back(widest_entry(entries.subspan(i, count), kLeastShare));
+  }
+  return widths;
+}
+
+// ... with the rest of the width shared out; none where there is not enough.
+std::vector<double> fitted_widths(std::span<const LegendEntry> entries, int rows, double width) {
+  std::vector<double> widths = own_widths(entries, rows);
+  const double gaps = kColumnSpace * static_cast<double>(widths.size() - 1);
+  const double rest = width - gaps - std::accumulate(widths.begin(), widths.end(), 0.0);
+  if (rest < 0.0) return {};
+  for (double& one : widths) one += rest / static_cast<double>(widths.size());
+  return widths;
 }
 
 int columns_of(double column_width, double width) {
@@ -40,6 +77,23 @@ void put(SheetBuilder& builder, const std::string& text, const Vector2d& place, 
   const TextStyle style{.size = fitted.size};
   builder.put_text(fitted.text, style,
                    SheetBuilder::text_box(fitted.text, style, place, Align::kLeft));
+}
+
+// A whole entry in its row, with its texts equally large.
+void draw_entry(SheetBuilder& builder, const LegendEntry& entry, Vector2d place, double width) {
+  const double right = place.x() + width;
+  const double texts = texts_width(entry);
+  const double share = std::min(1.0, (width - signs_width(entry)) / std::max(texts, kSize));
+  for (const LegendEntry& one : entry.before) {
+    draw_sign(builder, one, place);
+    place.x() += one.width + kSignGap;
+    const double room = share * text_width(one);
+    put(builder, one.text, place, room);
+    place.x() += room + kSignGap;
+  }
+  draw_sign(builder, entry, place);
+  place.x() += entry.width + kSignGap;
+  put(builder, entry.text, place, right - place.x());
 }
 
 }  // namespace
@@ -67,43 +121,45 @@ void draw_sign(SheetBuilder& builder, const LegendEntry& entry, const Vector2d& 
 }
 
 PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_rows)
-    : entries_(std::move(entries)), column_width_(width) {
+    : entries_(std::move(entries)) {
   if (entries_.empty()) return;
   const double widest = widest_entry(entries_);
   const int count = static_cast<int>(entries_.size());
-  columns_ = std::clamp(columns_of(widest, width), 1, count);
-  if (columns_ * most_rows < count) {
-    columns_ = std::clamp(columns_of(widest_entry(entries_, kLeastShare), width), columns_, count);
+  int columns = std::clamp(columns_of(widest, width), 1, count);
+  if (columns * most_rows < count) {
+    columns = std::clamp(columns_of(widest_entry(entries_, kLeastShare), width), columns, count);
   }
-  rows_ = (count + columns_ - 1) / columns_;
+  rows_ = (count + columns - 1) / columns;
   if (rows_ > most_rows) {
     rows_ = most_rows;
-    const std::size_t shown = static_cast<std::size_t>(rows_) * columns_ - 1;
+    column_widths_ = fitted_widths(entries_, rows_, width);
+    if (!column_widths_.empty()) return;
+    const std::size_t shown = static_cast<std::size_t>(rows_) * columns - 1;
     left_out_ = entries_.size() - shown;
     entries_.resize(shown);
   } else {
-    columns_ = (count + rows_ - 1) / rows_;  // as even as the rows allow
+    columns = (count + rows_ - 1) / rows_;  // as even as the rows allow
   }
-  column_width_ = columns_ > 1 ? std::min((width + kColumnSpace) / columns_ - kColumnSpace,
-                                          widest + kColumnSpace)
-                               : width;
+  const double own =
+      columns > 1 ? std::min((width + kColumnSpace) / columns - kColumnSpace, widest + kColumnSpace)
+                  : width;
+  column_widths_.assign(columns, own);
 }
 
 void PlotLegend::draw(SheetBuilder& builder, const Vector2d& corner) const {
-  const auto place = [&](std::size_t number) -> Vector2d {
-    const double column = static_cast<double>(number / rows_);
-    const double row = static_cast<double>(number % rows_);
-    return corner + Vector2d(column * (column_width_ + kColumnSpace), (row + 0.5) * kLegendRow);
-  };
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const LegendEntry& entry = entries_[i];
-    draw_sign(builder, entry, place(i));
-    const double taken = entry.width + kSignGap;
-    put(builder, entry.text, place(i) + Vector2d(taken, 0.0), column_width_ - taken);
-  }
-  if (left_out_ > 0) {
-    put(builder, "… and " + std::to_string(left_out_) + " more", place(entries_.size()),
-        column_width_);
+  Vector2d place = corner;
+  for (std::size_t column = 0; column < column_widths_.size(); ++column) {
+    const double width = column_widths_[column];
+    const std::size_t begin = column * rows_;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {
+      const Vector2d at = place + Vector2d(0.0, (static_cast<double>(row) + 0.5) * kLegendRow);
+      const std::size_t number = begin + row;
+      if (number < entries_.size()) draw_entry(builder, entries_[number], at, width);
+      if (number == entries_.size() && left_out_ > 0) {
+        put(builder, "… and " + std::to_string(left_out_) + " more", at, width);
+      }
+    }
+    place.x() += width + kColumnSpace;
   }
 }
 

@@ -17,6 +17,8 @@ struct LegendEntry {
   Pen pen;  // of the line; its colour is that of a dot or swatch
   std::string text;
   double width = 7.0;  // of the sign, mm
+  // What shares the entry, before it: "— S  — Aw: 200 m²/div".
+  std::vector<LegendEntry> before = {};
 };
 
 inline constexpr double kLegendRow = 4.2;
@@ -27,8 +29,9 @@ void draw_sign(SheetBuilder& builder, const LegendEntry& entry, const Eigen::Vec
 
 class PlotLegend {
  public:
-  // Arranged in columns across `width` mm, in at most `most_rows` rows; texts too long for a column
-  // are made smaller or end in an ellipsis, and what has no row is counted in the last one.
+  // Arranged in columns across `width` mm, in at most `most_rows` rows: of one width if that does,
+  // else each as wide as its entries are. Texts too long for a column are made smaller or end in an
+  // ellipsis, and what has no row is counted in the last one.
   PlotLegend(std::vector<LegendEntry> entries, double width, int most_rows);
 
   double height() const { return rows_ * kLegendRow; }
@@ -39,8 +42,8 @@ class PlotLegend {
  private:
   std::vector<LegendEntry> entries_;
   std::size_t left_out_ = 0;
-  int columns_ = 1, rows_ = 0;
-  double column_width_;
+  int rows_ = 0;
+  std::vector<double> column_widths_;
 };
 
 }  // namespace hull::drawing
