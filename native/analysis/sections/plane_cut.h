@@ -31,9 +31,9 @@ struct CutSquare {
   BezierBicubic height;  // over the square; what follows holds after the exchange
 };
 
-// Squares of 2^-kDeepestCut of the piece that are still not simple are given as cut all the same,
+// Squares of 2^-deepest of the piece that are still not simple are given as cut all the same,
 // `swapped` for the better of the two directions: there the surface touches the plane or has a
-// saddle on it.
+// saddle on it. Where it touches along a line there are 2^deepest of them.
 inline constexpr int kDeepestCut = 12;
 
 namespace plane_cut_internal {
@@ -42,10 +42,10 @@ enum class Shape { kBelow, kAbove, kSimple, kSimpleSwapped, kTangled };
 Shape shape_of(const BezierBicubic& height, bool deepest);
 
 template <class Visit>
-void divide(const BezierBicubic& height, double u, double v, double size, int depth,
+void divide(const BezierBicubic& height, double u, double v, double size, int deepest,
             const Visit& visit) {
   using Side = CutSquare::Side;
-  switch (shape_of(height, depth == kDeepestCut)) {
+  switch (shape_of(height, deepest == 0)) {
     case Shape::kBelow:
       return visit(CutSquare{Side::kBelow, u, v, size, false, height});
     case Shape::kAbove:
@@ -59,7 +59,7 @@ void divide(const BezierBicubic& height, double u, double v, double size, int de
   }
   for (int j = 0; j < 2; ++j) {
     for (int i = 0; i < 2; ++i) {
-      divide(height.quarter(i, j), u + 0.5 * size * i, v + 0.5 * size * j, 0.5 * size, depth + 1,
+      divide(height.quarter(i, j), u + 0.5 * size * i, v + 0.5 * size * j, 0.5 * size, deepest - 1,
              visit);
     }
   }
@@ -69,8 +69,8 @@ void divide(const BezierBicubic& height, double u, double v, double size, int de
 
 // Divides a piece into such squares and calls visit(const CutSquare&) for each.
 template <class Visit>
-void cut_piece(const BezierBicubic& height, const Visit& visit) {
-  plane_cut_internal::divide(height, 0.0, 0.0, 1.0, 0, visit);
+void cut_piece(const BezierBicubic& height, const Visit& visit, int deepest = kDeepestCut) {
+  plane_cut_internal::divide(height, 0.0, 0.0, 1.0, deepest, visit);
 }
 
 // Where, along the parameter v of a square, the surface meets the plane, by its height along v at

@@ -10,6 +10,8 @@ namespace hull::analysis {
 namespace {
 
 constexpr int kScanned = 8;  // intervals
+// Of the scan, whose first and last station touch a rounded end along a line.
+constexpr int kDeepestScanned = 6;
 constexpr double kSameArea = 1e-12;
 // Of the range: half of the digits, as the area is flat at its maximum.
 constexpr double kSettled = 1e-8;  // of the area: what a step to the top of a parabola gains
@@ -92,7 +94,7 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   if (!(end > begin)) return {};
   const HullBody& body = cutter.body();
   const double size = body.surface().mesh().size();
-  const ArcRule rough{3, size * size, size},
+  const ArcRule rough{3, size * size, size, kDeepestScanned},
       rule = arc_rule(size, std::max(kSearched, body.tolerance()));
   std::vector<SectionArea> scan;
   for (int i = 0; i <= kScanned; ++i) {

@@ -39,10 +39,12 @@ struct SectionIntegrals {
 };
 
 // How closely an arc is integrated: by how many nodes, and how much its share of the area (m²) and
-// its length (m) may be off, as estimated, before it is halved.
+// its length (m) may be off, as estimated, before it is halved. deepest: how often pieces are
+// halved at most where the section only touches them (plane_cut.h).
 struct ArcRule {
   int nodes;
   double area, length;
+  int deepest = kDeepestCut;
 };
 
 // For a mesh of that size and a body's tolerance (body_rules.h).
@@ -68,7 +70,7 @@ void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& b
 // b = level. What lies in the plane counts as above it.
 template <class Visit>
 void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
-                  const SectionFrame& frame, double level, const Visit& visit);
+                  const SectionFrame& frame, double level, int deepest, const Visit& visit);
 
 namespace section_internal {
 
@@ -115,34 +117,39 @@ void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& b
 // The squares of one piece.
 template <class Visit>
 void for_each_arc_of(const ArcPiece& piece, const SectionFrame& frame, double level,
-                     const Visit& visit) {
+                     const Visit& visit, int deepest = kDeepestCut) {
   const BezierNet& h = piece.h;
   if (lowest(h) >= 0.0 || highest(h) < 0.0) return;
   const surface::BicubicPoints& points = piece.piece.points;
   const BezierNet b = bezier_net(points, frame.up, frame.up.dot(frame.origin));
   if (lowest(b) >= level) return;
   const BezierNet a = bezier_net(points, frame.across, frame.across.dot(frame.origin));
-  cut_piece(BezierBicubic(h), [&](const CutSquare& cut) {
-    if (cut.side != CutSquare::Side::kCut) return;
-    ArcSquare square{restricted(h, cut.u, cut.v, cut.size), restricted(a, cut.u, cut.v, cut.size),
-                     restricted(b, cut.u, cut.v, cut.size), 1.0};
-    if (cut.swapped) {
-      square = {transposed(square.h), transposed(square.a), transposed(square.b), -1.0};
-    }
-    // The section runs along plane normal x surface normal, so that h_v > 0 means towards larger
-    // u; the exchange of u and v turned the surface's normal.
-    double rise = 0.0;
-    for (int i = 0; i < 4; ++i) rise += square.h[12 + i] - square.h[i];
-    if (rise < 0.0) square.sign = -square.sign;
-    visit(square);
-  });
+  cut_piece(
+      BezierBicubic(h),
+      [&](const CutSquare& cut) {
+        if (cut.side != CutSquare::Side::kCut) return;
+        ArcSquare square{restricted(h, cut.u, cut.v, cut.size),
+                         restricted(a, cut.u, cut.v, cut.size),
+                         restricted(b, cut.u, cut.v, cut.size), 1.0};
+        if (cut.swapped) {
+          square = {transposed(square.h), transposed(square.a), transposed(square.b), -1.0};
+        }
+        // The section runs along plane normal x surface normal, so that h_v > 0 means towards
+        // larger u; the exchange of u and v turned the surface's normal.
+        double rise = 0.0;
+        for (int i = 0; i < 4; ++i) rise += square.h[12 + i] - square.h[i];
+        if (rise < 0.0) square.sign = -square.sign;
+        visit(square);
+      },
+      deepest);
 }
 
 template <class Visit>
 void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
-                  const SectionFrame& frame, double level, const Visit& visit) {
-  for_each_arc_piece(surface, boxes, frame, level,
-                     [&](const ArcPiece& piece) { for_each_arc_of(piece, frame, level, visit); });
+                  const SectionFrame& frame, double level, int deepest, const Visit& visit) {
+  for_each_arc_piece(surface, boxes, frame, level, [&](const ArcPiece& piece) {
+    for_each_arc_of(piece, frame, level, visit, deepest);
+  });
 }
 
 }  // namespace hull::analysis

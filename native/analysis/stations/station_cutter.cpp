@@ -82,7 +82,7 @@ SectionOutline::SectionOutline(const surface::LimitSurface& surface, const CellB
                                const SectionFrame& frame, std::vector<ClosingLine> closing,
                                double highest_level, const ArcRule& rule)
     : rule_(rule), closing_(std::move(closing)) {
-  for_each_arc(surface, boxes, frame, highest_level,
+  for_each_arc(surface, boxes, frame, highest_level, rule.deepest,
                [this](const ArcSquare& square) { squares_.push_back(square); });
 }
 
