@@ -86,7 +86,9 @@ def test_random_consistent_sets_are_met(number):
     for (quantity, value), told in zip(wanted, reached.reached):
         got = of_hydrostatics(there, quantity)
         assert got == pytest.approx(value, rel=MET, abs=MET)
-        assert told == pytest.approx(got, rel=1e-11, abs=1e-11)
+        # The moved points are rounded once more here; where a deck's or a transom's edge grazes the
+        # water (the container ship) that alone makes some 1e-9.
+        assert told == pytest.approx(got, rel=MET, abs=MET)
     if sample.half:
         on_plane = centre_limits(sample)["held_points"]
         assert np.all(reached.moves[on_plane, 1] == 0.0)
