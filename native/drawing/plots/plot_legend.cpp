@@ -131,9 +131,11 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
   }
   rows_ = (count + columns - 1) / columns;
   if (rows_ > most_rows) {
+    for (rows_ = 1; rows_ <= most_rows; ++rows_) {  // the fewest rows that do
+      column_widths_ = fitted_widths(entries_, rows_, width);
+      if (!column_widths_.empty()) return;
+    }
     rows_ = most_rows;
-    column_widths_ = fitted_widths(entries_, rows_, width);
-    if (!column_widths_.empty()) return;
     const std::size_t shown = static_cast<std::size_t>(rows_) * columns - 1;
     left_out_ = entries_.size() - shown;
     entries_.resize(shown);
