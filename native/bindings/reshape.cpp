@@ -3,12 +3,15 @@
 
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
 #include "bindings/arrays.h"
 #include "bindings/move_limits.h"
+#include "bindings/surface_places.h"
+#include "modelling/reshape/square_sums.h"
 #include "modelling/reshape/square_ties.h"
 
 namespace hull::bindings {
@@ -16,6 +19,7 @@ namespace {
 
 using modelling::Reshape;
 using modelling::Reshaped;
+using modelling::SurfacePlaces;
 
 // Whoever solves needs the places' positions to know what to wish.
 struct BoundReshaped {
@@ -24,10 +28,11 @@ struct BoundReshaped {
   std::optional<Vector3d> folded_place;
 };
 
-std::vector<modelling::MoveCondition> conditions_from(const py::iterable& conditions) {
+std::vector<modelling::MoveCondition> conditions_from(const py::iterable& conditions,
+                                                      const std::string& what) {
   std::vector<modelling::MoveCondition> result;
   for (const py::handle item : conditions) {
-    const std::string name = "conditions[" + std::to_string(result.size()) + "]";
+    const std::string name = what + "[" + std::to_string(result.size()) + "]";
     try {
       const auto [points, slopes] = item.cast<std::tuple<py::object, DoubleArray>>();
       result.push_back({integers_from(points, (name + "[0]").c_str()),
@@ -39,18 +44,30 @@ std::vector<modelling::MoveCondition> conditions_from(const py::iterable& condit
   return result;
 }
 
-template <class Value, class Get>
-std::vector<Value> of_places(const Reshape& reshape, const Get& get) {
-  std::vector<Value> result;
-  for (int k = 0; k < reshape.places().count(); ++k) result.push_back(get(reshape.places(), k));
-  return result;
+void refuse_folds(const Reshape& reshape, const std::vector<Eigen::Matrix3d>& gradients) {
+  const modelling::SurfacePlaces& places = reshape.places();
+  if (static_cast<int>(gradients.size()) != places.count()) {
+    throw std::invalid_argument("There must be " + std::to_string(places.count()) +
+                                " gradients, not " + std::to_string(gradients.size()) + ".");
+  }
+  const int folded = modelling::first_folded(gradients);
+  if (folded < 0) return;
+  const Vector3d& at = places.position(folded);
+  std::ostringstream text;
+  text << "The wanted shift folds the hull at x " << at.x() << ", y " << at.y() << ", z " << at.z()
+       << " m: ask for less, or for a shift that reaches further.";
+  throw std::invalid_argument(text.str());
 }
 
 BoundReshaped solved(const Reshape& reshape, const DoubleArray& shifts,
-                     const DoubleArray& prescribed, const DoubleArray& values) {
+                     const DoubleArray& prescribed, const DoubleArray& values,
+                     const py::object& gradients) {
   const std::vector<Vector3d> wanted = points_from(shifts, "shifts"),
                               told = points_from(prescribed, "prescribed");
   const std::vector<double> of_conditions = numbers_from(values, "values");
+  if (!gradients.is_none()) {
+    refuse_folds(reshape, matrices_from(DoubleArray(gradients), "gradients"));
+  }
   const py::gil_scoped_release release;
   BoundReshaped bound{reshape.solve(wanted, told, of_conditions), Vector3d::Zero(), {}};
   const Reshaped& result = bound.result;
@@ -96,60 +113,59 @@ void bind_reshape(py::module_& module) {
       "the limits those with the least mean squared residual by area, (1/A) ∫ |shift of the "
       "surface - wanted shift|² dA. Linear least squares, factored once, so that solve() may "
       "follow a slider.")
-      .def(py::init([](const surface::LimitSurface& surface, const py::object& locked,
-                       const py::object& held_points, const DoubleArray& held_normals,
-                       const py::object& tied, const DoubleArray& tied_directions,
-                       const py::object& prescribed, const py::iterable& conditions,
-                       double stiffness) {
-             modelling::ReshapeOptions options;
-             options.limits.limits = limits_from(locked, held_points, held_normals);
-             options.limits.tied = ties_from(tied, tied_directions);
-             options.limits.prescribed = integers_from(prescribed, "prescribed");
-             options.conditions = conditions_from(conditions);
-             options.stiffness = stiffness;
-             const py::gil_scoped_release release;
-             return std::make_unique<Reshape>(surface, options);
-           }),
-           py::arg("surface"), py::kw_only(), py::arg("locked") = py::tuple(),
-           py::arg("held_points") = py::tuple(), py::arg("held_normals") = py::tuple(),
-           py::arg("tied") = py::tuple(), py::arg("tied_directions") = py::tuple(),
-           py::arg("prescribed") = py::tuple(), py::arg("conditions") = py::tuple(),
-           py::arg("stiffness") = 0.0,
-           "locked (l,): control points that stay, bit by bit. held_points (h,), held_normals "
-           "(h, 3): points that move across their normal only; a point may be there several times. "
-           "tied (t, 2), tied_directions (t, 3): points, each with its leader, that move along the "
-           "direction as much as that does. prescribed (p,): points that move as solve() is told. "
-           "conditions: tuples (control points (k,), slopes (k, 3)): sums of slope · move to which "
-           "solve() gives values. stiffness: its square, times the squared size of the mesh, times "
-           "the thin-plate energy of the moves is added to the mean squared residual.\n\n"
-           "The surface is read here and not kept. ValueError for what is none of these, and for "
-           "conditions that depend on one another.")
+      .def(
+          py::init([](const surface::LimitSurface& surface, const py::object& locked,
+                      const py::object& held_points, const DoubleArray& held_normals,
+                      const py::object& tied, const DoubleArray& tied_directions,
+                      const py::object& prescribed, const py::iterable& kept,
+                      const py::iterable& conditions, double stiffness,
+                      const SurfacePlaces* places) {
+            modelling::ReshapeOptions options;
+            options.limits.limits = limits_from(locked, held_points, held_normals);
+            options.limits.tied = ties_from(tied, tied_directions);
+            options.limits.prescribed = integers_from(prescribed, "prescribed");
+            options.limits.kept = conditions_from(kept, "kept");
+            options.conditions = conditions_from(conditions, "conditions");
+            options.stiffness = stiffness;
+            if (places) options.weights = places->weights();
+            const py::gil_scoped_release release;
+            return std::make_unique<Reshape>(surface, options);
+          }),
+          py::arg("surface"), py::kw_only(), py::arg("locked") = py::tuple(),
+          py::arg("held_points") = py::tuple(), py::arg("held_normals") = py::tuple(),
+          py::arg("tied") = py::tuple(), py::arg("tied_directions") = py::tuple(),
+          py::arg("prescribed") = py::tuple(), py::arg("kept") = py::tuple(),
+          py::arg("conditions") = py::tuple(), py::arg("stiffness") = 0.0,
+          py::arg("places") = py::none(),
+          "locked (l,): control points that stay, bit by bit. held_points (h,), held_normals "
+          "(h, 3): points that move across their normal only; a point may be there several times. "
+          "tied (t, 2), tied_directions (t, 3): points, each with its leader, that move along the "
+          "direction as much as that does. prescribed (p,): points that move as solve() is told. "
+          "kept: tuples (control points (k,), slopes (k, 3)): sums of slope · move that stay zero. "
+          "conditions: tuples as these, to whose sums solve() gives values. stiffness: its square, "
+          "times the squared size of the mesh, times the thin-plate energy of the moves is added "
+          "to the mean squared residual. places: the SurfacePlaces of a surface that differs in "
+          "its control points only, by which all is much sooner prepared.\n\n"
+          "The surface is read here and not kept. ValueError for what is none of these, and for "
+          "conditions that depend on one another.")
       .def_property_readonly(
-          "positions",
-          [](const Reshape& r) {
-            return to_array(of_places<Vector3d>(
-                r, [](const auto& places, int k) { return places.position(k); }));
-          },
+          "places", [](const Reshape& r) { return r.places(); },
+          "The SurfacePlaces where shifts are wanted.")
+      .def_property_readonly(
+          "positions", [](const Reshape& r) { return positions(r.places()); },
           "(k, 3), m: the places where shifts are wanted.")
       .def_property_readonly(
-          "cells",
-          [](const Reshape& r) {
-            return to_array(
-                of_places<int>(r, [](const auto& places, int k) { return places.cell(k); }));
-          },
-          "(k,) their cells.")
+          "cells", [](const Reshape& r) { return cells(r.places()); }, "(k,) their cells.")
       .def_property_readonly(
-          "areas",
-          [](const Reshape& r) {
-            return to_array(
-                of_places<double>(r, [](const auto& places, int k) { return places.area(k); }));
-          },
+          "areas", [](const Reshape& r) { return areas(r.places()); },
           "(k,), m²: what each place stands for.")
       .def("solve", &solved, py::arg("shifts"), py::kw_only(), py::arg("prescribed") = py::tuple(),
-           py::arg("values") = py::tuple(),
+           py::arg("values") = py::tuple(), py::arg("gradients") = py::none(),
            "The Reshaped for shifts (k, 3), m, wanted at positions; prescribed (p, 3), m: moves of "
-           "these points; values: of the conditions. ValueError where counts differ, and where the "
-           "limits contradict the prescribed moves.");
+           "these points; values: of the conditions; gradients (k, 3, 3), where they are known: "
+           "derivatives of the shifts' components (rows) by x, y and z. ValueError where counts "
+           "differ, where the limits contradict the prescribed moves, and, with the place, where "
+           "the wanted shift itself folds space, det(1 + gradient) <= 0.");
   module.def(
       "square_ties",
       [](const surface::LimitSurface& surface) {
@@ -165,6 +181,19 @@ void bind_reshape(py::module_& module) {
       "What keeps a half hull's surface square to the centre plane where it is so, as tied (t, 2) "
       "and tied_directions (t, 3) of Reshape: the neighbours of border points of two "
       "quadrilaterals. Points in the plane are to be held in it besides.");
+  module.def(
+      "square_sums",
+      [](const surface::LimitSurface& surface) {
+        py::list sums;
+        for (const modelling::MoveCondition& sum :
+             modelling::square_sums(surface, modelling::square_ties(surface))) {
+          sums.append(py::make_tuple(to_array(sum.points), to_array(sum.slopes)));
+        }
+        return sums;
+      },
+      py::arg("surface"),
+      "What keeps it so, besides square_ties, beside border points in the plane of one, three or "
+      "more faces, of other faces than quadrilaterals, and corners: as kept of Reshape.");
 }
 
 }  // namespace hull::bindings

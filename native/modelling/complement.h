@@ -26,14 +26,18 @@ std::vector<Vector> complement(const std::vector<Vector>& given, Eigen::Index si
     if (!is_full() && rest.norm() > kSameDirection) found.push_back(rest.normalized());
   }
   const auto held = static_cast<std::ptrdiff_t>(found.size());
+  std::vector<Vector> rests;  // of the axes
+  for (Eigen::Index axis = 0; axis < size && !is_full(); ++axis) {
+    rests.push_back(rest_of(Vector::Unit(size, axis)));
+  }
   while (!is_full()) {
-    // Of the axes' rests the longest.
-    Vector best = Vector::Zero(size);
-    for (Eigen::Index axis = 0; axis < size; ++axis) {
-      const Vector rest = rest_of(Vector::Unit(size, axis));
-      if (rest.norm() > best.norm() + 1e-12) best = rest;
+    // The longest, of equal ones the first.
+    const Vector* best = &rests.front();
+    for (const Vector& rest : rests) {
+      if (rest.norm() > best->norm() + 1e-12) best = &rest;
     }
-    found.push_back(best.normalized());
+    found.push_back(rest_of(*best).normalized());
+    for (Vector& rest : rests) rest -= found.back().dot(rest) * found.back();
   }
   return {found.begin() + held, found.end()};
 }

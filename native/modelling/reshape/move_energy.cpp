@@ -10,7 +10,7 @@ namespace hull::modelling {
 Eigen::SparseMatrix<double> mean_square_form(const SurfacePlaces& places) {
   Eigen::VectorXd shares(places.count());
   for (int k = 0; k < places.count(); ++k) shares[k] = places.area(k) / places.total_area();
-  return places.rows().transpose() * shares.asDiagonal() * places.rows();
+  return places.weights()->form(shares);
 }
 
 Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface, double factor) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "mesh/groups.h"
 #include "modelling/complement.h"
@@ -29,131 +30,124 @@ void check(const ReshapeLimits& limits, int count) {
       throw std::invalid_argument("Point " + std::to_string(tied.point) + " is tied to itself.");
     }
   }
+  for (std::size_t i = 0; i < limits.kept.size(); ++i) {
+    check_condition(limits.kept[i], count, ("Kept sum " + std::to_string(i)).c_str());
+  }
 }
 
-// What is asked of the moves of some points, a row each.
-class GroupRows {
- public:
-  explicit GroupRows(const std::vector<int>& points) {
-    for (int point : points) first_.emplace(point, 3 * static_cast<Eigen::Index>(first_.size()));
-  }
-
-  // `told`: the coordinate among prescribed moves that is its value; -1: zero.
-  void add(int point, const Vector3d& direction, int told = -1) {
-    rows_.emplace_back(Eigen::VectorXd::Zero(size()));
-    told_.push_back(told);
-    add_to_last(point, direction);
-  }
-  void add_to_last(int point, const Vector3d& direction) {
-    rows_.back().segment<3>(first_.at(point)) += direction;
-  }
-
-  const std::vector<int>& told() const { return told_; }
-  const std::vector<Eigen::VectorXd>& rows() const { return rows_; }
-  Eigen::Index size() const { return 3 * static_cast<Eigen::Index>(first_.size()); }
-  Eigen::MatrixXd matrix() const {
-    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows_.size()), size());
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.row(i) = rows_[i].transpose();
-    return matrix;
-  }
-
- private:
-  std::map<int, Eigen::Index> first_;  // of the points' columns
-  std::vector<Eigen::VectorXd> rows_;
-  std::vector<int> told_;
-};
-
 }  // namespace
+
+void check_condition(const MoveCondition& condition, int point_count, const char* name) {
+  if (condition.slopes.size() != condition.points.size()) {
+    throw std::invalid_argument(std::string(name) + " has " +
+                                std::to_string(condition.points.size()) + " points, but " +
+                                std::to_string(condition.slopes.size()) + " slopes.");
+  }
+  for (std::size_t k = 0; k < condition.points.size(); ++k) {
+    const int point = condition.points[k];
+    if (point < 0 || point >= point_count) {
+      throw std::invalid_argument(std::string(name) + " has the control point " +
+                                  std::to_string(point) + ", but these are 0 to " +
+                                  std::to_string(point_count - 1) + ".");
+    }
+    if (!condition.slopes[k].allFinite()) {
+      throw std::invalid_argument(std::string(name) + " has a slope that is no number.");
+    }
+  }
+}
 
 class MoveSpace::Builder {
  public:
   Builder(MoveSpace& space, const ReshapeLimits& limits)
-      : space_(space),
-        ties_(limits.tied),
-        alone_(freedoms_within(limits.limits, space.point_count_)),
-        told_(space.point_count_, -1),
-        groups_(space.point_count_),
-        is_grouped_(space.point_count_, 0) {
+      : space_(space), groups_(3 * space.point_count_) {
+    const std::vector<Freedom> alone = freedoms_within(limits.limits, space.point_count_);
+    for (int point = 0; point < space.point_count_; ++point) {
+      // What a point may not do alone: all that is square to what it may.
+      const auto* first = alone[point].directions.data();
+      if (alone[point].count == 3) continue;
+      for (const Vector3d& held : complement<Vector3d>({first, first + alone[point].count}, 3)) {
+        add_row({{point}, {held}});
+      }
+    }
     for (std::size_t i = 0; i < limits.prescribed.size(); ++i) {
-      told_[limits.prescribed[i]] = static_cast<int>(i);
-      is_grouped_[limits.prescribed[i]] = 1;
+      for (int axis = 0; axis < 3; ++axis) {
+        add_row({{limits.prescribed[i]}, {Vector3d::Unit(axis)}}, 3 * static_cast<int>(i) + axis);
+      }
     }
-    for (const TiedPoint& tied : ties_) {
-      groups_.join(tied.point, tied.leader);
-      is_grouped_[tied.point] = is_grouped_[tied.leader] = 1;
+    for (const TiedPoint& tied : limits.tied) {
+      const Vector3d unit = tied.direction.normalized();
+      add_row({{tied.point, tied.leader}, {unit, -unit}});
     }
+    for (const MoveCondition& sum : limits.kept) add_row(sum);
   }
 
   void build() {
-    std::map<int, std::vector<int>> members;
-    for (int point = 0; point < space_.point_count_; ++point) {
-      if (is_grouped_[point]) {
-        members[groups_.find(point)].push_back(point);
+    std::map<int, std::vector<int>> members, own_rows;
+    for (int c = 0; c < 3 * space_.point_count_; ++c) members[groups_.find(c)].push_back(c);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      own_rows[groups_.find(rows_[i].front().first)].push_back(static_cast<int>(i));
+    }
+    for (const auto& [group, coordinates] : members) {
+      const auto own = own_rows.find(group);
+      if (own == own_rows.end()) {
+        entries_.emplace_back(coordinates.front(), columns_++, 1.0);
       } else {
-        add_point(point);
+        add_group(coordinates, own->second);
       }
     }
-    std::map<int, std::vector<TiedPoint>> ties;
-    for (const TiedPoint& tied : ties_) ties[groups_.find(tied.point)].push_back(tied);
-    for (const auto& [group, points] : members) add_group(points, ties[group]);
     space_.basis_.resize(3 * static_cast<Eigen::Index>(space_.point_count_), columns_);
     space_.basis_.setFromTriplets(entries_.begin(), entries_.end());
   }
 
  private:
-  void add_point(int point) {
-    const Freedom& freedom = alone_[point];
-    for (int k = 0; k < freedom.count; ++k, ++columns_) {
+  using Row = std::vector<std::pair<int, double>>;  // coordinates and their slopes, none zero
+
+  // What is asked of moves. `told`: the coordinate among prescribed moves that is its value; -1:
+  // zero.
+  void add_row(const MoveCondition& sum, int told = -1) {
+    Row row;
+    for (std::size_t k = 0; k < sum.points.size(); ++k) {
       for (int axis = 0; axis < 3; ++axis) {
-        add_entry(point, axis, freedom.directions[k][axis]);
+        if (sum.slopes[k][axis] != 0.0) {
+          row.emplace_back(3 * sum.points[k] + axis, sum.slopes[k][axis]);
+        }
       }
     }
+    if (row.empty()) return;
+    for (const auto& [coordinate, slope] : row) groups_.join(row.front().first, coordinate);
+    rows_.push_back(std::move(row));
+    told_.push_back(told);
   }
 
-  void add_group(const std::vector<int>& points, const std::vector<TiedPoint>& ties) {
-    GroupRows rows(points);
-    for (int point : points) {
-      add_held(point, rows);
-      for (int axis = 0; axis < 3 && told_[point] >= 0; ++axis) {
-        rows.add(point, Vector3d::Unit(axis), 3 * told_[point] + axis);
+  void add_group(const std::vector<int>& coordinates, const std::vector<int>& own_rows) {
+    const auto size = static_cast<Eigen::Index>(coordinates.size());
+    Eigen::MatrixXd matrix =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(own_rows.size()), size);
+    std::vector<Eigen::VectorXd> rows;
+    std::vector<int> told;
+    for (int index : own_rows) {
+      const auto i = static_cast<Eigen::Index>(rows.size());
+      for (const auto& [coordinate, slope] : rows_[index]) {
+        matrix(i, std::ranges::lower_bound(coordinates, coordinate) - coordinates.begin()) += slope;
       }
+      rows.emplace_back(matrix.row(i).transpose());
+      told.push_back(told_[index]);
     }
-    for (const TiedPoint& tied : ties) {
-      const Vector3d unit = tied.direction.normalized();
-      rows.add(tied.point, unit);
-      rows.add_to_last(tied.leader, -unit);
-    }
-    for (const Eigen::VectorXd& free : complement(rows.rows(), rows.size())) {
-      for (Eigen::Index i = 0; i < free.size(); ++i) {
-        add_entry(points[i / 3], static_cast<int>(i % 3), free[i]);
+    for (const Eigen::VectorXd& free : complement(rows, size)) {
+      for (Eigen::Index i = 0; i < size; ++i) {
+        if (free[i] != 0.0) entries_.emplace_back(coordinates[i], columns_, free[i]);
       }
       ++columns_;
     }
-    if (std::ranges::all_of(rows.told(), [](int c) { return c < 0; })) return;
-    const Eigen::MatrixXd matrix = rows.matrix();
-    space_.told_groups_.push_back(
-        {points, matrix, rows.told(), matrix.completeOrthogonalDecomposition().pseudoInverse()});
-  }
-
-  // What a point may not do alone: all that is square to what it may.
-  void add_held(int point, GroupRows& rows) const {
-    const Freedom& freedom = alone_[point];
-    const auto* first = freedom.directions.data();
-    for (const Vector3d& held : complement<Vector3d>({first, first + freedom.count}, 3)) {
-      rows.add(point, held);
-    }
-  }
-
-  void add_entry(int point, int axis, double value) {
-    if (value != 0.0) entries_.emplace_back(3 * point + axis, columns_, value);
+    if (std::ranges::all_of(told, [](int c) { return c < 0; })) return;
+    Eigen::MatrixXd inverse = matrix.completeOrthogonalDecomposition().pseudoInverse();
+    space_.told_groups_.push_back({coordinates, std::move(matrix), told, std::move(inverse)});
   }
 
   MoveSpace& space_;
-  const std::vector<TiedPoint>& ties_;
-  const std::vector<Freedom> alone_;
-  std::vector<int> told_;  // index among the prescribed points, or -1
-  mesh::Groups groups_;
-  std::vector<char> is_grouped_;
+  mesh::Groups groups_;  // of coordinates
+  std::vector<Row> rows_;
+  std::vector<int> told_;
   std::vector<Eigen::Triplet<double>> entries_;
   int columns_ = 0;
 };
@@ -173,20 +167,22 @@ Eigen::VectorXd MoveSpace::particular(const std::vector<Vector3d>& prescribed) c
   Eigen::VectorXd moves = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(point_count_));
   for (const Group& group : told_groups_) {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(group.rows.rows());
+    int told = 0;
     for (std::size_t i = 0; i < group.told.size(); ++i) {
       const int c = group.told[i];
-      if (c >= 0) values[static_cast<Eigen::Index>(i)] = prescribed[c / 3][c % 3];
+      if (c < 0) continue;
+      values[static_cast<Eigen::Index>(i)] = prescribed[c / 3][c % 3];
+      told = c / 3;
     }
     const Eigen::VectorXd x = group.inverse * values;
     const double left = (group.rows * x - values).cwiseAbs().maxCoeff();
     if (!(left <= kMet * values.cwiseAbs().maxCoeff())) {
-      throw std::invalid_argument("Point " + std::to_string(group.points.front()) +
+      throw std::invalid_argument("Point " + std::to_string(prescribed_[told]) +
                                   " cannot move as prescribed: it is locked, held in a plane, or "
                                   "tied to one that is.");
     }
-    for (std::size_t k = 0; k < group.points.size(); ++k) {
-      moves.segment<3>(3 * static_cast<Eigen::Index>(group.points[k])) =
-          x.segment<3>(3 * static_cast<Eigen::Index>(k));
+    for (std::size_t k = 0; k < group.coordinates.size(); ++k) {
+      moves[group.coordinates[k]] = x[static_cast<Eigen::Index>(k)];
     }
   }
   for (std::size_t i = 0; i < prescribed_.size(); ++i) {

@@ -14,9 +14,6 @@
 namespace hull::modelling {
 namespace {
 
-// Of the mean of the diagonal, added to it: where no place tells of a point it stays. Refinement
-// takes away what this does elsewhere.
-constexpr double kRegularisation = 1e-11;
 // Each step of refinement leaves rounding and a small part of what the one before left.
 constexpr int kMostSteps = 12;
 constexpr double kStagnates = 0.3;
@@ -51,7 +48,7 @@ void check_count(std::size_t have, std::size_t want, const char* what) {
 
 Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& options)
     : points_(surface.mesh().points()),
-      places_(surface),
+      places_(surface, options.weights ? options.weights : std::make_shared<PlaceWeights>(surface)),
       space_(options.limits, static_cast<int>(points_.size())) {
   if (!(places_.total_area() > 0.0)) {
     throw std::invalid_argument("The surface has no area: no shift of it can be wanted.");
@@ -65,7 +62,12 @@ Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& opt
   }
   if (options.stiffness > 0.0) add_stiffness(surface, options.stiffness);
   take_conditions(options.conditions);
-  factor();
+  if (space_.size() == 0 && conditions_.rows() > 0) {
+    throw std::invalid_argument("No control point may move, so no condition can be met.");
+  }
+  if (space_.size() == 0) return;
+  equations_ = MoveEquations(space_, places_.weights()->form(shares_) + stiff_);
+  if (conditions_.rows() > 0) factor_conditions();
 }
 
 void Reshape::add_stiffness(const surface::LimitSurface& surface, double stiffness) {
@@ -77,18 +79,10 @@ void Reshape::take_conditions(const std::vector<MoveCondition>& conditions) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const MoveCondition& condition = conditions[i];
-    const std::string name = "Condition " + std::to_string(i);
-    check_count(condition.slopes.size(), condition.points.size(), "slopes of a condition");
+    check_condition(condition, static_cast<int>(points_.size()),
+                    ("Condition " + std::to_string(i)).c_str());
     for (std::size_t k = 0; k < condition.points.size(); ++k) {
       const int point = condition.points[k];
-      if (point < 0 || point >= static_cast<int>(points_.size())) {
-        throw std::invalid_argument(name + " has the control point " + std::to_string(point) +
-                                    ", but these are 0 to " + std::to_string(points_.size() - 1) +
-                                    ".");
-      }
-      if (!condition.slopes[k].allFinite()) {
-        throw std::invalid_argument(name + " has a slope that is no number.");
-      }
       for (int axis = 0; axis < 3; ++axis) {
         entries.emplace_back(static_cast<int>(i), 3 * point + axis, condition.slopes[k][axis]);
       }
@@ -99,22 +93,7 @@ void Reshape::take_conditions(const std::vector<MoveCondition>& conditions) {
   conditions_.setFromTriplets(entries.begin(), entries.end());
 }
 
-void Reshape::factor() {
-  if (space_.size() == 0 && conditions_.rows() > 0) {
-    throw std::invalid_argument("No control point may move, so no condition can be met.");
-  }
-  if (space_.size() == 0) return;
-  const Sparse mass = mean_square_form(places_);
-  Sparse matrix = space_.basis().transpose() * (for_all_axes(mass + stiff_) * space_.basis());
-  const double mean = matrix.diagonal().sum() / static_cast<double>(matrix.rows());
-  Sparse identity(matrix.rows(), matrix.cols());
-  identity.setIdentity();
-  matrix += kRegularisation * mean * identity;
-  factors_.compute(matrix);
-  if (factors_.info() != Eigen::Success) {
-    throw std::invalid_argument("The surface is so uneven that no shift of it can be computed.");
-  }
-  if (conditions_.rows() == 0) return;
+void Reshape::factor_conditions() {
   const Eigen::MatrixXd free = Eigen::MatrixXd(conditions_ * space_.basis());
   const Eigen::VectorXd full = Eigen::MatrixXd(conditions_).rowwise().norm();
   Eigen::MatrixXd unit = free;
@@ -125,7 +104,10 @@ void Reshape::factor() {
     throw std::invalid_argument(
         "The conditions depend on one another, or on points that may not move: leave some out.");
   }
-  conditioned_ = factors_.solve(free.transpose());
+  conditioned_.resize(free.cols(), free.rows());
+  for (Eigen::Index i = 0; i < free.rows(); ++i) {
+    conditioned_.col(i) = equations_.solve(free.row(i).transpose());
+  }
   condition_factors_.compute(free * conditioned_);
 }
 
@@ -137,7 +119,7 @@ Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const Points& shi
 
 Eigen::VectorXd Reshape::step(const Eigen::VectorXd& descent,
                               const Eigen::VectorXd& missing) const {
-  Eigen::VectorXd step = factors_.solve(descent);
+  Eigen::VectorXd step = equations_.solve(descent);
   if (conditions_.rows() == 0) return step;
   const Eigen::VectorXd met = conditions_ * (space_.basis() * step);
   return step + conditioned_ * condition_factors_.solve(missing - met);

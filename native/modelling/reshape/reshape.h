@@ -2,27 +2,26 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <memory>
 #include <vector>
 
+#include "modelling/reshape/move_equations.h"
 #include "modelling/reshape/move_space.h"
 #include "modelling/reshape/surface_places.h"
 #include "surface/limit_surface.h"
 
 namespace hull::modelling {
 
-// A sum over moves of control points, Σ slopes[i] · move(points[i]), that is given its value.
-struct MoveCondition {
-  std::vector<int> points;
-  std::vector<Vector3d> slopes;
-};
-
 struct ReshapeOptions {
   ReshapeLimits limits;
-  std::vector<MoveCondition> conditions;
+  std::vector<MoveCondition> conditions;  // sums that are given values
   // What bending costs: this squared, times the mesh's size squared, times the thin-plate energy of
   // the moves (thin_plate.h), is added to the mean squared residual. 0: nothing.
   double stiffness = 0.0;
+  // Of the places where shifts are wanted, made before: these take most of the time. None: three
+  // places a side of a piece.
+  std::shared_ptr<const PlaceWeights> weights = nullptr;
 };
 
 // How a surface comes to lie.
@@ -43,7 +42,8 @@ struct Reshaped {
 // Immutable: solutions are thread-safe.
 class Reshape {
  public:
-  // Throws std::invalid_argument for limits and conditions that are none or depend on one another.
+  // Throws std::invalid_argument for limits and conditions that are none or depend on one another,
+  // and for weights of another surface.
   Reshape(const surface::LimitSurface& surface, const ReshapeOptions& options);
 
   const SurfacePlaces& places() const { return places_; }
@@ -60,7 +60,7 @@ class Reshape {
 
   void add_stiffness(const surface::LimitSurface& surface, double stiffness);
   void take_conditions(const std::vector<MoveCondition>& conditions);
-  void factor();
+  void factor_conditions();
   // By y: half the gradient of what is to be least, downwards.
   Eigen::VectorXd descent(const Eigen::VectorXd& moves, const Points& shifts) const;
   // One step of the problem's Newton method, which is exact but for rounding and regularisation.
@@ -73,8 +73,8 @@ class Reshape {
   Eigen::VectorXd shares_;                                   // of the area, by place
   Sparse stiff_;                                             // points x points
   Eigen::SparseMatrix<double, Eigen::RowMajor> conditions_;  // by moves of all points
-  Eigen::SimplicialLLT<Sparse> factors_;
-  Eigen::MatrixXd conditioned_;  // factors⁻¹ · conditionsᵀ
+  MoveEquations equations_;
+  Eigen::MatrixXd conditioned_;  // equations⁻¹ · conditionsᵀ
   Eigen::LDLT<Eigen::MatrixXd> condition_factors_;
 };
 

@@ -16,7 +16,8 @@ namespace hull::modelling {
 // quadrilaterals its one neighbour off the border is tied to it in x and z, if it is as far ahead
 // and as high. REQUIRES of the caller: points in the plane are held in it.
 //
-// Border points of other numbers of faces are not tied: no single neighbour decides there.
+// Border points of other numbers of faces are not tied: no single neighbour decides there, but
+// square_sums().
 std::vector<TiedPoint> square_ties(const surface::LimitSurface& surface);
 
 }  // namespace hull::modelling

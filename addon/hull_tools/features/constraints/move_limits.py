@@ -33,8 +33,14 @@ class MoveLimits:
     def reshape_arguments(self, surface):
         """As keyword arguments of hull_native.Reshape, with what keeps the hull_native.LimitSurface
         square to the centre plane where it is so."""
-        tied, directions = native.require().square_ties(surface)
-        return {**self.arguments(), "tied": tied, "tied_directions": directions}
+        hull_native = native.require()
+        tied, directions = hull_native.square_ties(surface)
+        return {
+            **self.arguments(),
+            "tied": tied,
+            "tied_directions": directions,
+            "kept": hull_native.square_sums(surface),
+        }
 
 
 def of_hull(obj, vertex_ids, points, size):
