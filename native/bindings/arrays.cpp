@@ -107,22 +107,6 @@ std::vector<Eigen::Vector3d> points_from(const DoubleArray& given, const char* n
   return points;
 }
 
-std::vector<Eigen::Matrix3d> matrices_from(const DoubleArray& given, const char* name) {
-  const DoubleArray::Values array = given.values(name);
-  const bool fits = array.ndim() == 3 && array.shape(1) == 3 && array.shape(2) == 3;
-  if (!fits && array.size() > 0) {
-    throw std::invalid_argument(std::string(name) + " must have shape (n, 3, 3), not " +
-                                shape_of(array) + ".");
-  }
-  std::vector<Eigen::Matrix3d> matrices(static_cast<std::size_t>(array.size() / 9));
-  const double* data = array.data();
-  for (Eigen::Matrix3d& item : matrices) {
-    item = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data);
-    data += 9;
-  }
-  return matrices;
-}
-
 std::vector<double> numbers_from(const DoubleArray& given, const char* name) {
   const DoubleArray::Values array = given.values(name);
   check_shape(array, 0, name);

@@ -36,8 +36,6 @@ class DoubleArray {
 Eigen::Vector3d point_from(const DoubleArray& array, const char* name);
 // (n, 3) -> n points.
 std::vector<Eigen::Vector3d> points_from(const DoubleArray& array, const char* name);
-// (n, 3, 3) -> n matrices.
-std::vector<Eigen::Matrix3d> matrices_from(const DoubleArray& array, const char* name);
 // (n,) -> n numbers.
 std::vector<double> numbers_from(const DoubleArray& array, const char* name);
 // (n, 2) -> n pairs; each number in [0, 1].

@@ -66,7 +66,7 @@ BoundReshaped solved(const Reshape& reshape, const DoubleArray& shifts,
                               told = points_from(prescribed, "prescribed");
   const std::vector<double> of_conditions = numbers_from(values, "values");
   if (!gradients.is_none()) {
-    refuse_folds(reshape, matrices_from(DoubleArray(gradients), "gradients"));
+    refuse_folds(reshape, gradients_from(DoubleArray(gradients)));
   }
   const py::gil_scoped_release release;
   BoundReshaped bound{reshape.solve(wanted, told, of_conditions), Vector3d::Zero(), {}};
@@ -106,6 +106,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_reshape(py::module_& module) {
+  bind_surface_places(module);
   bind_result(module);
   py::class_<Reshape>(
       module, "Reshape",

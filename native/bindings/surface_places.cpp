@@ -2,8 +2,7 @@
 #include "bindings/surface_places.h"
 
 #include <memory>
-
-#include "bindings/classes.h"
+#include <stdexcept>
 
 namespace hull::bindings {
 namespace {
@@ -25,6 +24,21 @@ std::unique_ptr<SurfacePlaces> made(const surface::LimitSurface& surface, int pe
 }
 
 }  // namespace
+
+std::vector<Eigen::Matrix3d> gradients_from(const DoubleArray& given) {
+  const DoubleArray::Values array = given.values("gradients");
+  const bool fits = array.ndim() == 3 && array.shape(1) == 3 && array.shape(2) == 3;
+  if (!fits && array.size() > 0) {
+    throw std::invalid_argument("gradients must have shape (n, 3, 3).");
+  }
+  std::vector<Eigen::Matrix3d> gradients(static_cast<std::size_t>(array.size() / 9));
+  const double* data = array.data();
+  for (Eigen::Matrix3d& item : gradients) {
+    item = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data);
+    data += 9;
+  }
+  return gradients;
+}
 
 py::array_t<double> positions(const SurfacePlaces& places) {
   return to_array(of_places<Vector3d>(places, [&](int k) { return places.position(k); }));
@@ -64,7 +78,7 @@ void bind_surface_places(py::module_& module) {
   module.def(
       "first_folded",
       [](const DoubleArray& gradients) -> py::object {
-        const int folded = modelling::first_folded(matrices_from(gradients, "gradients"));
+        const int folded = modelling::first_folded(gradients_from(gradients));
         return folded < 0 ? py::object(py::none()) : py::int_(folded);
       },
       py::arg("gradients"),

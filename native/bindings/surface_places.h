@@ -6,6 +6,12 @@
 
 namespace hull::bindings {
 
+// Before bind_reshape, which takes them.
+void bind_surface_places(py::module_& module);
+
+// (k, 3, 3) -> k gradients of a shift.
+std::vector<Eigen::Matrix3d> gradients_from(const DoubleArray& array);
+
 // One row, or number, a place.
 py::array_t<double> positions(const modelling::SurfacePlaces& places);
 py::array_t<int> cells(const modelling::SurfacePlaces& places);

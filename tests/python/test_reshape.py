@@ -158,6 +158,210 @@ def test_a_smooth_keel_stays_smooth():
     assert lean_along_keel(surface) < 1e-12 and lean[0] < 1e-12 < 1e-2 < lean[1]
 
 
+def half_hull(name):
+    """A half hull with the faces of a reference mesh, one less where that is closed: half of its
+    border is the keel, along x, and all within two edges of the keel lies in z = 0, so that the
+    surface is square to the centre plane. None where the faces are no disc. With the keel."""
+    mesh = reference_mesh(name)
+    ends = np.cumsum(mesh.face_sizes)
+    faces = [f.tolist() for f in np.split(mesh.face_vertices, ends[:-1])]
+    along = lambda fs: {(f[k - 1], f[k]) for f in fs for k in range(len(f))}  # noqa: E731
+    half_edges = along(faces)
+    if all((b, a) in half_edges for a, b in half_edges):
+        faces = faces[1:]
+        half_edges = along(faces)
+    border = {a: b for a, b in half_edges if (b, a) not in half_edges}
+    loop = [min(border)]
+    while border[loop[-1]] != loop[0]:
+        loop.append(border[loop[-1]])
+    used = sorted({v for f in faces for v in f})
+    edges = {tuple(sorted(e)) for e in half_edges}
+    if len(loop) != len(border) or len(used) - len(edges) + len(faces) != 1 or len(loop) < 4:
+        return None
+    number = {v: i for i, v in enumerate(used)}
+    faces = [[number[v] for v in f] for f in faces]
+    loop, n = [number[v] for v in loop], len(used)
+    count = len(loop) // 2 + 1
+    # By Tutte: inner points at the mean of their neighbours, within a convex border.
+    matrix, right = np.eye(n), np.zeros((n, 2))
+    near = np.zeros((n, n), bool)
+    for a, b in edges:
+        near[number[a], number[b]] = near[number[b], number[a]] = True
+    for i in set(range(n)) - set(loop):
+        matrix[i] -= near[i] / near[i].sum()
+    right[loop[:count], 0] = np.linspace(-1, 1, count)
+    angle = np.linspace(0, np.pi, len(loop) - count + 2)[1:-1]
+    right[loop[count:]] = np.stack([np.cos(angle), np.sin(angle)], 1)
+    plane = np.linalg.solve(matrix, right)
+    keel = loop[:count]
+    reached = np.isin(np.arange(n), keel)
+    for _ in range(2):
+        reached |= near[reached].any(axis=0)
+    z = np.where(reached, 0.0, 0.3 + plane[:, 1])
+    sizes = [len(f) for f in faces]
+    mesh = hn.ControlMesh(np.column_stack([plane, z]), sizes, np.concatenate(faces))
+    return mesh, np.array(keel)
+
+
+def leans(surface, keel):
+    """|y| of the normals along the border's edges whose ends are both inside of the keel."""
+    found = []
+    for curve in hn.crease_curves(surface):
+        vertices = curve.vertices.tolist()
+        vertices += vertices[:1] if curve.closed else []
+        for i, pair in enumerate(zip(vertices, vertices[1:])):
+            if set(pair) <= set(keel[1:-1].tolist()):
+                for place in (curve.left, curve.right):
+                    cells, uv = place(np.linspace(i, i + 1, 13)[1:-1])
+                    is_there = cells >= 0
+                    normals = surface.normals(cells[is_there], uv[is_there])
+                    found.extend(np.abs(normals[:, 1]))
+    return np.array(found)
+
+
+@pytest.mark.parametrize("scheme", ["biermann", "catmull_clark"])
+def test_half_hulls_of_reference_meshes_stay_square_to_the_centre_plane(scheme):
+    seen, worst_without = 0, 0.0
+    for name in MESHES:
+        made = half_hull(name)
+        if made is None:
+            continue
+        mesh, keel = made
+        surface = hn.LimitSurface(mesh, scheme)
+        before = leans(surface, keel)
+        if not len(before):
+            continue
+        assert before.max() < 1e-12, name
+        seen += 1
+        tied, directions = hn.square_ties(surface)
+        held = {
+            "held_points": np.flatnonzero(mesh.points[:, 1] == 0.0),
+            "held_normals": np.tile([0.0, 1.0, 0.0], ((mesh.points[:, 1] == 0.0).sum(), 1)),
+        }
+        limits = {"tied": tied, "tied_directions": directions, "kept": hn.square_sums(surface)}
+        random = np.random.default_rng([SEED, seen])
+        for trial in range(3):
+            for kept in (limits, {}):
+                reshape = hn.Reshape(surface, **held, **kept)
+                shifts = random.normal(0, 0.02, (4, 3)) @ random.normal(size=(3, 3))
+                p = reshape.positions
+                field = np.sin(np.column_stack([np.ones(len(p)), p]) @ shifts * 20) * 0.1
+                now = leans(moved(surface, reshape.solve(field)), keel).max()
+                if kept:
+                    assert now < 1e-12, (name, trial, SEED)
+                else:
+                    worst_without = max(worst_without, now)
+    assert seen >= 6 and worst_without > 1e-3
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_what_is_beyond_the_extent_stays_bit_by_bit(name):
+    surface = surface_of(name)
+    places = hn.SurfacePlaces(surface)
+    centre = places.positions[len(places.positions) // 3]
+    radius = 0.15 * size_of(surface)
+    distance = np.linalg.norm(places.positions - centre, axis=1) / radius
+    shifts = np.clip(1 - distance, 0, None)[:, None] ** 3 * [0.0, 0.01 * radius, 0.02 * radius]
+    beyond = places.points_beyond(shifts)
+    # The rule, by weights had otherwise.
+    found = hn.SurfaceTree(surface).closest_points(places.positions[distance < 1])
+    begin, points, weights = hn.point_weights(surface, found.cells, found.uv)
+    reached = np.unique(points[np.abs(weights) > 1e-12])
+    assert not np.intersect1d(beyond, reached).size
+    assert 0 < len(beyond) < len(surface.mesh.points)
+    result = hn.Reshape(surface, places=places, locked=beyond).solve(shifts)
+    after = surface.mesh.points + result.moves
+    assert (after[beyond] == surface.mesh.points[beyond]).all()
+    assert result.rms < 0.5 * np.sqrt(
+        (places.areas * (shifts**2).sum(1)).sum() / places.areas.sum()
+    )
+    # Where all weights are of points beyond, so does the surface.
+    now = moved(surface, result)
+    far = ~np.isin(np.arange(len(shifts)), np.flatnonzero(distance < 4))
+    if far.any():
+        apart = hn.SurfacePlaces(now, places=places).positions[far] - places.positions[far]
+        assert np.abs(apart).max() < 1e-3 * radius
+
+
+def test_places_serve_all_surfaces_of_a_topology():
+    surface = surface_of("coaster")
+    size = size_of(surface)
+    random = np.random.default_rng(SEED)
+    first = hn.SurfacePlaces(surface)
+    other = hn.LimitSurface(
+        surface.mesh.with_points(surface.mesh.points + random.normal(0, 1e-3 * size, (1, 3)))
+    )
+    again = hn.SurfacePlaces(other, places=first)
+    anew = hn.SurfacePlaces(other)
+    for one, two in ((again, anew), (hn.Reshape(other, places=first).places, anew)):
+        assert (one.positions == two.positions).all() and (one.areas == two.areas).all()
+    assert again.areas.sum() == pytest.approx(first.areas.sum(), rel=1e-9)
+    field = 0.01 * size * np.sin(first.positions / size)
+    results = [hn.Reshape(surface, **given).solve(field) for given in ({}, {"places": first})]
+    assert (results[0].moves == results[1].moves).all()
+    coarse = hn.SurfacePlaces(surface, per_side=2)
+    assert len(coarse.positions) < 0.6 * len(first.positions)
+    assert coarse.areas.sum() == pytest.approx(first.areas.sum(), rel=1e-3)
+    smooth = hn.Reshape(surface, places=coarse).solve(0.01 * size * np.sin(coarse.positions / size))
+    apart = (
+        moved(surface, smooth).tessellate(3).points
+        - moved(surface, results[0]).tessellate(3).points
+    )
+    assert np.abs(apart).max() < 2e-2 * 0.01 * size
+    affine = hn.Reshape(surface, places=coarse).solve(0.1 * coarse.positions)
+    assert affine.largest < 1e-13 * size
+    with pytest.raises(ValueError, match="another surface"):
+        hn.Reshape(surface_of("barge"), places=first)
+    with pytest.raises(ValueError, match="another surface"):
+        hn.SurfacePlaces(hn.LimitSurface(surface.mesh, "catmull_clark"), places=first)
+    with pytest.raises(ValueError, match="2 or 3 places"):
+        hn.SurfacePlaces(surface, per_side=4)
+
+
+def test_shifts_that_fold_space_are_refused_with_the_place():
+    surface = surface_of("coaster")
+    reshape = hn.Reshape(surface)
+    p, size = reshape.positions, size_of(surface)
+    middle, steep = 0.6 * size, 1.2
+    is_bent = p[:, 0] > middle
+    shifts = np.zeros_like(p)
+    shifts[is_bent, 0] = -steep * (p[is_bent, 0] - middle)
+    gradients = np.zeros((len(p), 3, 3))
+    gradients[is_bent, 0, 0] = -steep
+    first = np.flatnonzero(is_bent)[0]
+    assert hn.first_folded(gradients) == first
+    with pytest.raises(ValueError, match=f"folds the hull at x {p[first, 0]:.3g}"):
+        reshape.solve(shifts, gradients=gradients)
+    assert hn.first_folded(0.8 * gradients) is None
+    assert reshape.solve(0.8 * shifts, gradients=0.8 * gradients).folded_place is None
+    gradients[:] = np.nan
+    assert hn.first_folded(gradients) == 0
+    with pytest.raises(ValueError, match="gradients, not"):
+        reshape.solve(shifts, gradients=gradients[1:])
+    with pytest.raises(ValueError, match="shape"):
+        hn.first_folded(np.zeros((4, 3)))
+
+
+def test_kept_sums_stay_zero():
+    surface = surface_of("roro")
+    random = np.random.default_rng(SEED)
+    kept = [([3, 4, 9], random.normal(size=(3, 3))), ([4, 9], random.normal(size=(2, 3)))]
+    kept.append((kept[0][0], 2 * kept[0][1]))  # depends on another
+    reshape = hn.Reshape(surface, kept=kept)
+    size = size_of(surface)
+    shifts = 0.01 * size * random.normal(size=reshape.positions.shape)
+    free, result = hn.Reshape(surface).solve(shifts), reshape.solve(shifts)
+    for points, slopes in kept:
+        assert abs((slopes * result.moves[points]).sum()) < 1e-13 * size
+        assert abs((slopes * free.moves[points]).sum()) > 1e-5 * size
+    assert result.rms > free.rms
+    # The same as conditions of no value, had another way.
+    told = hn.Reshape(surface, conditions=kept[:2]).solve(shifts, values=[0.0, 0.0])
+    assert np.abs(told.moves - result.moves).max() < 1e-9 * size
+    with pytest.raises(ValueError, match=r"Kept sum 0 has the control point -1"):
+        hn.Reshape(surface, kept=[([-1], [(1, 0, 0)])])
+
+
 def test_what_is_wrong_is_said():
     surface = surface_of("coaster")
     count = len(surface.mesh.points)

@@ -2,27 +2,60 @@
 """More control points that keep the surface: rows, and the whole mesh subdivided."""
 
 import bpy
+from bpy.props import FloatProperty
 
 from ..bridge.blender import units
 from ..bridge.counts import counted
-from ..features.modelling import exact_subdivision, row_insertion
+from ..features.modelling import exact_subdivision, row_insertion, row_removal
 from .shared import EditModeOperator, HullOperator
 
 
 class HULL_OT_insert_row(bpy.types.Operator, EditModeOperator):
-    """Insert a row of control points across the selected edges, and place the points around it so
-    that the surface stays as nearly as may be. Blender's own loop cut changes the surface"""
+    """Insert a row of control points across the selected edges, or along a strip of selected faces
+    alone, and place the points around it so that the surface stays as nearly as may be. Blender's
+    own loop cut changes the surface"""
 
     bl_idname = "hull.insert_row"
     bl_label = "Insert Row"
 
     def run_on(self, hull, context):
         found = row_insertion.insert_rows(hull, context.scene)
-        self.report(
-            {"INFO"},
+        text = (
             f"{counted(found.count, 'point')}: the surface changed by "
             f"{units.format_mm(found.change)} at "
-            f"most; a cut alone changes it by {units.format_mm(found.cut_change)}",
+            f"most; a cut alone changes it by {units.format_mm(found.cut_change)}"
+        )
+        if found.ends:
+            text += f". {counted(found.ends, 'face')} beside the row have a point more"
+        self.report({"INFO"}, text)
+
+
+class HULL_OT_remove_row(bpy.types.Operator, EditModeOperator):
+    """Take the selected row of control points away, and place the points around it so that the
+    surface stays as nearly as may be. Where it would change by more than the tolerance all stays as
+    it is"""
+
+    bl_idname = "hull.remove_row"
+    bl_label = "Remove Row"
+
+    tolerance: FloatProperty(
+        name="Tolerance",
+        description="How far the surface may be from where it was, at most",
+        default=0.01,
+        min=0.0,
+        soft_max=1.0,
+        precision=4,
+        subtype="DISTANCE",
+    )
+
+    def run_on(self, hull, context):
+        scale = units.metres_per_unit(context.scene)
+        found = row_removal.remove_row(hull, context.scene, scale * self.tolerance)
+        self.report(
+            {"INFO"},
+            f"{counted(found.count, 'point')} removed: the surface changed by "
+            f"{units.format_mm(found.change)} at most; without placing the others anew by "
+            f"{units.format_mm(found.bare_change)}",
         )
 
 
@@ -45,4 +78,4 @@ class HULL_OT_subdivide_exactly(bpy.types.Operator, HullOperator):
         self.report({"INFO"}, text)
 
 
-CLASSES = (HULL_OT_insert_row, HULL_OT_subdivide_exactly)
+CLASSES = (HULL_OT_insert_row, HULL_OT_remove_row, HULL_OT_subdivide_exactly)

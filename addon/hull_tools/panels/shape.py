@@ -56,7 +56,9 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
         for plane in ("STATION", "WATERLINE", "BUTTOCK"):
             row.operator("hull.put_in_plane", text=plane.capitalize()).plane = plane
         layout.operator("hull.set_coordinates", text="Coordinates …", icon="SPREADSHEET")
-        layout.operator("hull.insert_row", icon="MOD_EDGESPLIT")
+        row = layout.row(align=True)
+        row.operator("hull.insert_row", icon="MOD_EDGESPLIT")
+        row.operator("hull.remove_row")
         layout.operator("hull.subdivide_exactly", icon="MOD_SUBSURF")
         layout.operator("hull.reduce_valence", icon="STICKY_UVS_DISABLE")
 

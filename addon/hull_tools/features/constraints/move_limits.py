@@ -5,7 +5,7 @@ Locked points stay; those of flats, on the centre plane of a half hull, and kept
 waterlines or buttocks stay in their planes.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,6 +21,11 @@ class MoveLimits:
     locked: np.ndarray
     held_points: np.ndarray
     held_normals: np.ndarray
+
+    def with_locked(self, points):
+        """The same where these (k,) stay, too."""
+        points = np.asarray(points, dtype=np.int64)
+        return replace(self, locked=np.union1d(self.locked, points))
 
     def arguments(self):
         """As keyword arguments of hull_native's functions that move control points."""

@@ -12,7 +12,7 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays, mesh_points
 from ...bridge.objects import hull_mesh, hull_objects
-from ..constraints import held_points, point_locks
+from ..constraints import move_limits
 from ..conversion import conversions
 from ..hull import hull_state
 from ..lines import lines
@@ -128,17 +128,13 @@ def _arguments(obj, surface, control, scale):
     limits.within(reach, "Reach in m", 0.0, limits.LONGEST)
     curves = [(line, None, False) for line in target.lines]
     curves += fit_targets.centre_curves(target, hull_native.crease_curves(surface), reach)
-    held, normals = held_points.held_points(obj, control.vertex_ids, control.points, size)
+    moves = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     turned = _turned_as(surface, target, reach)
     alone, faces_alone = coverage.uncovered(control, surface, target.points, turned, reach)
-    locked = np.isin(control.vertex_ids, point_locks.locked_points(obj.data))
-    locked[alone] = True
     options = {
+        **moves.with_locked(alone).arguments(),
         "normals": turned,
         "curves": curves,
-        "locked": np.flatnonzero(locked),
-        "held_points": held,
-        "held_normals": normals,
         "fairness": settings.fairness,
         "stiffness": settings.stiffness,
         "reach": reach,

@@ -8,7 +8,7 @@ import numpy as np
 from ...bridge import native
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, selection
-from ..constraints import held_points, point_locks
+from ..constraints import move_limits
 from ..hull import hull_state, tags
 from ..lines import lines
 
@@ -48,8 +48,8 @@ def set_selected(obj, scene, angle):
     state = hull_state.up_to_date(obj, scene)
     surface, ids = state.ship.surface, state.ship.source.control.vertex_ids
     chosen = _selected_knuckles(obj, state)
-    stays = np.isin(ids, point_locks.locked_points(obj.data)) | (surface.mesh.vertex_kinds > 0)
-    held = held_points.held_points(obj, ids, surface.mesh.points, lines.size_of(surface))
+    limits = move_limits.of_hull(obj, ids, surface.mesh.points, lines.size_of(surface))
+    limits = limits.with_locked(np.flatnonzero(surface.mesh.vertex_kinds > 0))
     hull_native = native.require()
     before = surface.mesh.points
     points, found = before.copy(), []
@@ -61,9 +61,7 @@ def set_selected(obj, scene, angle):
             angle,
             edges=edges,
             tolerance=TOLERANCE,
-            locked=np.flatnonzero(stays),
-            held_points=held[0],
-            held_normals=held[1],
+            **limits.arguments(),
         )
         points[one.points] += one.moves
         found.append(one)

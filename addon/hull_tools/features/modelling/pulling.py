@@ -16,7 +16,7 @@ from ...bridge.blender import units
 from ...bridge.mesh import mesh_points
 from ...bridge.mesh.single_rounding import rounded
 from ...bridge.objects import hull_mesh
-from ..constraints import held_points, point_locks
+from ..constraints import move_limits
 from ..lines import lines
 
 # How many times as far as the surface control points may be moved, to spare creases or at all.
@@ -71,12 +71,14 @@ class SurfacePull:
         self._start = found.data.points.astype(np.float64)
         self._moved = np.empty(0, dtype=np.int64)
         self._is_crease = (mesh.vertex_kinds > 0) & hold_creases
-        self._is_locked = np.isin(self._ids, point_locks.locked_points(obj.data))
-        self._held_points, self._held_normals = held_points.held_points(
+        self._limits = move_limits.of_hull(
             obj, self._ids, control.points, lines.size_of(self.surface)
         )
+        self._is_locked = np.zeros(len(self._ids), dtype=bool)
+        self._is_locked[self._limits.locked] = True
         self._is_free = np.ones((len(self._ids), 3), dtype=bool)
-        np.logical_and.at(self._is_free, self._held_points, self._held_normals == 0.0)
+        held, normals = self._limits.held_points, self._limits.held_normals
+        np.logical_and.at(self._is_free, held, normals == 0.0)
 
     # Taking hold
 
@@ -174,18 +176,18 @@ class SurfacePull:
         target = np.asarray(target, dtype=np.float64)
         if grip.is_image:
             target = lines.mirror_image(target)
-        stays = self._is_locked if grip.moves_creases else self._is_locked | self._is_crease
+        limits = self._limits
+        if not grip.moves_creases:
+            limits = limits.with_locked(np.flatnonzero(self._is_crease))
         try:
             found = native.require().pull_surface(
                 self.surface,
                 [grip.cell],
                 grip.uv[None],
                 target[None],
-                locked=np.flatnonzero(stays),
-                held_points=self._held_points,
-                held_normals=self._held_normals,
                 radius=radius,
                 mirrored=self.is_half,
+                **limits.arguments(),
             )
         except ValueError as error:
             raise ValueError(_UNREACHABLE) from error
