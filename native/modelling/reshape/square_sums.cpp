@@ -30,7 +30,7 @@ using Row = std::map<int, double>;
 class Finder {
  public:
   Finder(const surface::LimitSurface& surface, const std::vector<TiedPoint>& ties)
-      : surface_(surface), t_(surface.mesh().topology()), pieces_(surface) {
+      : surface_(surface), t_(surface.mesh().topology()) {
     for (const TiedPoint& tie : ties) leader_[tie.point] = tie.leader;
   }
 
@@ -39,6 +39,7 @@ class Finder {
     for (int h = 0; h < t_.half_edge_count(); ++h) {
       if (t_.twin(h) >= 0 || !is_in_plane(h) || !is_in_plane(t_.next(h))) continue;
       if (!is_near_irregular(h)) continue;
+      if (!pieces_) pieces_.emplace(surface_);
       const std::vector<Row> own = rows_of(h);
       rows.insert(rows.end(), own.begin(), own.end());
     }
@@ -98,7 +99,7 @@ class Finder {
         for (int k = 0; k < kPlaces; ++k) {
           const double along = 0.5 * end * (1.0 + (k + 0.5) / kPlaces);
           const auto place =
-              half == 0 ? pieces_.find(h, along, 0.0) : pieces_.find(t_.next(h), 0.0, along);
+              half == 0 ? pieces_->find(h, along, 0.0) : pieces_->find(t_.next(h), 0.0, along);
           if (!place) continue;
           std::optional<Row> row = row_at(*place);
           if (!row) return {};
@@ -112,8 +113,8 @@ class Finder {
   // None where the surface is not square to the plane; empty where nothing is asked beside the
   // ties.
   std::optional<Row> row_at(const surface::PieceWeights::Place& place) const {
-    const std::vector<int>& points = pieces_.piece(place.piece).points;
-    const surface::PieceWeights::Jet jet = pieces_.jet(place);
+    const std::vector<int>& points = pieces_->piece(place.piece).points;
+    const surface::PieceWeights::Jet jet = pieces_->jet(place);
     Eigen::Matrix<double, 3, 2> slopes = Eigen::Matrix<double, 3, 2>::Zero();
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
@@ -178,7 +179,7 @@ class Finder {
 
   const surface::LimitSurface& surface_;
   const mesh::Topology& t_;
-  const surface::PieceWeights pieces_;
+  std::optional<surface::PieceWeights> pieces_;  // once they are needed: they take long
   std::map<int, int> leader_;
 };
 
