@@ -11,6 +11,7 @@
 #include "bindings/arrays.h"
 #include "bindings/move_limits.h"
 #include "bindings/surface_places.h"
+#include "modelling/reshape/crease_moves.h"
 #include "modelling/reshape/square_sums.h"
 #include "modelling/reshape/square_ties.h"
 
@@ -195,6 +196,26 @@ void bind_reshape(py::module_& module) {
       py::arg("surface"),
       "What keeps it so, besides square_ties, beside border points in the plane of one, three or "
       "more faces, of other faces than quadrilaterals, and corners: as kept of Reshape.");
+  module.def(
+      "crease_moves",
+      [](const surface::LimitSurface& surface, int crease, const DoubleArray& t,
+         const DoubleArray& shifts) {
+        const std::vector<surface::CreaseCurve> curves = surface::crease_curves(surface);
+        if (crease < 0 || crease >= static_cast<int>(curves.size())) {
+          throw std::invalid_argument("There is no crease " + std::to_string(crease) + " among " +
+                                      std::to_string(curves.size()) + " of the surface.");
+        }
+        const modelling::CreaseMoves found = modelling::crease_moves(
+            surface, curves[crease], numbers_from(t, "t"), points_from(shifts, "shifts"));
+        return py::make_tuple(to_array(found.points), to_array(found.moves), found.distance,
+                              found.t);
+      },
+      py::arg("surface"), py::arg("crease"), py::arg("t"), py::arg("shifts"),
+      "How the control points of one of crease_curves(), by its number, move so that its points "
+      "at t (k,) shift by shifts (k, 3), m, in least squares: (points (p,), moves (p, 3), the "
+      "largest distance left, m, and at which t). Prescribed in a Reshape they bring the crease "
+      "there. A shift that is a spline of the crease's knots is met to rounding; ends that t names "
+      "are met in any case. ValueError for a crease that ends in a dart.");
 }
 
 }  // namespace hull::bindings

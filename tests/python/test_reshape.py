@@ -362,6 +362,77 @@ def test_kept_sums_stay_zero():
         hn.Reshape(surface, kept=[([-1], [(1, 0, 0)])])
 
 
+def creases_to_move(surface):
+    kinds = surface.mesh.vertex_kinds
+    return [
+        (number, curve)
+        for number, curve in enumerate(hn.crease_curves(surface))
+        if curve.edge_count > 3 and (kinds[curve.vertices] != 1).all()
+    ]
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_creases_move_as_told_and_others_stay(name):
+    surface = surface_of(name)
+    size, points = size_of(surface), surface.mesh.points
+    random = np.random.default_rng([SEED, SAMPLES.index(name)])
+    number, curve = max(creases_to_move(surface), key=lambda found: found[1].edge_count)
+    t = np.linspace(0, curve.edge_count, 6 * curve.edge_count + 1)
+    # Of its own spline: the curve of the moved control points says where it is.
+    told = np.zeros_like(points)
+    told[curve.vertices] = 1e-3 * size * random.normal(size=(len(curve.vertices), 3))
+    wanted = hn.LimitSurface(surface.mesh.with_points(points + told))
+    before, after = curve.evaluate(t)[0], hn.crease_curves(wanted)[number].evaluate(t)[0]
+    own, moves, distance, _ = hn.crease_moves(surface, number, t, after - before)
+    assert (own == curve.vertices).all() and distance < 1e-12 * size
+    # A shape that is no spline of its knots: by the best of NumPy from the curve's own points.
+    shifts = 1e-2 * size * np.sin(5 * t)[:, None] * [0.0, 1.0, 0.5]
+    _, _, left, at = hn.crease_moves(surface, number, t, shifts)
+    assert left > 1e-4 * size and at in t
+    others = [c for i, c in enumerate(hn.crease_curves(surface)) if i != number]
+    kept = np.unique(np.concatenate([c.vertices for c in others] + [np.empty(0, int)]).astype(int))
+    kept = np.setdiff1d(kept, own)
+    reshape = hn.Reshape(surface, prescribed=own, locked=kept)
+    result = reshape.solve(np.zeros_like(reshape.positions), prescribed=moves)
+    now = hn.crease_curves(moved(surface, result))
+    assert np.abs(now[number].evaluate(t)[0] - after).max() < 1e-12 * size
+    for one, other in zip(hn.crease_curves(surface), now):
+        if not np.intersect1d(one.vertices, own).size:
+            s = np.linspace(0, one.edge_count, 50)
+            if (surface.mesh.vertex_kinds[one.vertices] != 1).all():
+                assert np.abs(one.evaluate(s)[0] - other.evaluate(s)[0]).max() < 1e-12 * size
+
+
+def test_crease_moves_are_the_least_squares_and_meet_the_ends():
+    surface = surface_of("coaster")
+    number, curve = next(
+        (i, c) for i, c in creases_to_move(surface) if not c.closed and c.edge_count > 4
+    )
+    t = np.linspace(0, curve.edge_count, 5 * curve.edge_count + 1)
+    shifts = np.stack([np.sin(3 * t), np.cos(2 * t), t % 1], 1)
+    points, moves, distance, at = hn.crease_moves(surface, number, t, shifts)
+    assert (moves[0] == shifts[0]).all() and (moves[-1] == shifts[-1]).all()
+    # The curve's basis by unit moves of its control points.
+    basis = np.empty((len(t), len(points)))
+    for k, point in enumerate(points):
+        unit = surface.mesh.points.copy()
+        unit[point, 0] += 1.0
+        unit = hn.LimitSurface(surface.mesh.with_points(unit))
+        one = hn.crease_curves(unit)[number].evaluate(t)[0] - curve.evaluate(t)[0]
+        basis[:, k] = one[:, 0]
+    rest = shifts - basis[:, [0, -1]] @ shifts[[0, -1]]
+    best = np.linalg.lstsq(basis[:, 1:-1], rest, None)[0]
+    assert np.abs(best - moves[1:-1]).max() < 1e-9
+    left = np.linalg.norm(shifts - basis @ moves, axis=1)
+    assert distance == pytest.approx(left.max()) and at == t[left.argmax()]
+    with pytest.raises(ValueError, match="outside of"):
+        hn.crease_moves(surface, number, t + 1, shifts)
+    with pytest.raises(ValueError, match="a shift for each t"):
+        hn.crease_moves(surface, number, t[1:], shifts)
+    with pytest.raises(ValueError, match="no crease 999"):
+        hn.crease_moves(surface, 999, t, shifts)
+
+
 def test_what_is_wrong_is_said():
     surface = surface_of("coaster")
     count = len(surface.mesh.points)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A row of control points taken away, and the control points around fitted to the surface of before:
-the reverse of row_insertion.
+"""A row of control points taken away, and the points around fitted to the surface of before: the
+reverse of row_insertion.
 
 The faces on both sides of the row become one, and so do the edges across it, with their tags. The
 surface changes by what fewer points cannot do; where that is more than is allowed the hull stays as

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/reshape/crease_moves.h"
+
+#include <Eigen/QR>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "surface/pieces/point_weights.h"
+
+namespace hull::modelling {
+namespace {
+
+void check(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
+           const std::vector<double>& t, const std::vector<Vector3d>& shifts) {
+  if (t.size() != shifts.size() || t.empty()) {
+    throw std::invalid_argument("There must be a shift for each t, and one at least: there are " +
+                                std::to_string(shifts.size()) + " for " + std::to_string(t.size()) +
+                                ".");
+  }
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    if (!(t[k] >= 0.0 && t[k] <= curve.edge_count())) {
+      throw std::invalid_argument("t[" + std::to_string(k) + "] is outside of [0, " +
+                                  std::to_string(curve.edge_count()) + "].");
+    }
+    if (!shifts[k].allFinite()) throw std::invalid_argument("A wanted shift is no number.");
+  }
+  for (int vertex : curve.vertices()) {
+    if (surface.mesh().topology().kind(vertex) == mesh::VertexKind::kDart) {
+      throw std::invalid_argument("The crease fades out at point " + std::to_string(vertex) +
+                                  ", where it depends on points beside it: make that a corner.");
+    }
+  }
+}
+
+// A row for each t: weights of the chain's control points.
+Eigen::MatrixXd weights_of(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
+                           const std::vector<double>& t) {
+  std::map<int, Eigen::Index> column;
+  for (int vertex : curve.vertices()) {
+    column.emplace(vertex, static_cast<Eigen::Index>(column.size()));
+  }
+  surface::PointWeights weights(surface);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(t.size()),
+                                               static_cast<Eigen::Index>(column.size()));
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    surface::CellPlace place = curve.left(t[k]);
+    if (place.cell < 0) place = curve.right(t[k]);
+    for (const surface::PointWeight& w : weights.at(place.cell, place.u, place.v)) {
+      const auto own = column.find(w.point);
+      if (own != column.end()) rows(k, own->second) += w.weight;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
+                         const std::vector<double>& t, const std::vector<Vector3d>& shifts) {
+  check(surface, curve, t, shifts);
+  const Eigen::MatrixXd rows = weights_of(surface, curve, t);
+  Eigen::MatrixX3d wanted(rows.rows(), 3);
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) wanted.row(k) = shifts[k].transpose();
+  Eigen::MatrixX3d moves = Eigen::MatrixX3d::Zero(rows.cols(), 3);
+  Eigen::MatrixXd free = rows;
+  for (Eigen::Index k = 0; k < rows.rows() && !curve.closed(); ++k) {
+    const bool is_first = t[k] == 0.0, is_last = t[k] == curve.edge_count();
+    if (!is_first && !is_last) continue;
+    const Eigen::Index end = is_first ? 0 : rows.cols() - 1;
+    moves.row(end) = wanted.row(k);
+    free.col(end).setZero();
+  }
+  const Eigen::MatrixX3d left = wanted - rows * moves;
+  const Eigen::MatrixX3d rest = free.completeOrthogonalDecomposition().solve(left);
+  for (Eigen::Index i = 0; i < moves.rows(); ++i) {
+    if (!free.col(i).isZero(0.0)) moves.row(i) += rest.row(i);
+  }
+  Eigen::Index farthest = 0;
+  CreaseMoves result{curve.vertices(), {}, 0.0, 0.0};
+  result.distance = (wanted - rows * moves).rowwise().norm().maxCoeff(&farthest);
+  result.t = t[farthest];
+  for (Eigen::Index i = 0; i < moves.rows(); ++i) {
+    result.moves.emplace_back(moves.row(i).transpose());
+  }
+  return result;
+}
+
+}  // namespace hull::modelling
