@@ -34,6 +34,7 @@ void bind_patch_set(pybind11::module_& module);
 void bind_quality_report(pybind11::module_& module);
 void bind_pull(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
+void bind_surface_places(pybind11::module_& module);
 void bind_reshape(pybind11::module_& module);
 void bind_shape_fields(pybind11::module_& module);
 void bind_targets(pybind11::module_& module);

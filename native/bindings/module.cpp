@@ -32,6 +32,7 @@ PYBIND11_MODULE(_core, module) {
   bind_quality_report(module);
   bind_pull(module);
   bind_fit(module);
+  bind_surface_places(module);
   bind_reshape(module);
   bind_shape_fields(module);
   bind_targets(module);

@@ -107,7 +107,6 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_reshape(py::module_& module) {
-  bind_surface_places(module);
   bind_result(module);
   py::class_<Reshape>(
       module, "Reshape",

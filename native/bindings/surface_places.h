@@ -6,9 +6,6 @@
 
 namespace hull::bindings {
 
-// Before bind_reshape, which takes them.
-void bind_surface_places(py::module_& module);
-
 // (k, 3, 3) -> k gradients of a shift.
 std::vector<Eigen::Matrix3d> gradients_from(const DoubleArray& array);
 

@@ -178,10 +178,17 @@ def half_hull(name):
     edges = {tuple(sorted(e)) for e in half_edges}
     if len(loop) != len(border) or len(used) - len(edges) + len(faces) != 1 or len(loop) < 4:
         return None
+    # A keel that turns at a point of one face would make that a face without area.
+    owners = np.bincount(np.concatenate(faces), minlength=max(used) + 1)
+    turns = [k for k, v in enumerate(loop) if owners[v] == 1]
+    count = len(loop) // 2 + 1
+    if turns:
+        gaps = np.diff([*turns, turns[0] + len(loop)])
+        first = turns[int(np.argmax(gaps))]
+        loop, count = loop[first:] + loop[:first], min(count, int(gaps.max()) + 1)
     number = {v: i for i, v in enumerate(used)}
     faces = [[number[v] for v in f] for f in faces]
     loop, n = [number[v] for v in loop], len(used)
-    count = len(loop) // 2 + 1
     # By Tutte: inner points at the mean of their neighbours, within a convex border.
     matrix, right = np.eye(n), np.zeros((n, 2))
     near = np.zeros((n, n), bool)
@@ -245,7 +252,7 @@ def test_half_hulls_of_reference_meshes_stay_square_to_the_centre_plane(scheme):
                 reshape = hn.Reshape(surface, **held, **kept)
                 shifts = random.normal(0, 0.02, (4, 3)) @ random.normal(size=(3, 3))
                 p = reshape.positions
-                field = np.sin(np.column_stack([np.ones(len(p)), p]) @ shifts * 20) * 0.1
+                field = np.sin(np.column_stack([np.ones(len(p)), p]) @ shifts * 20) * 0.03
                 now = leans(moved(surface, reshape.solve(field)), keel).max()
                 if kept:
                     assert now < 1e-12, (name, trial, SEED)
@@ -276,11 +283,11 @@ def test_what_is_beyond_the_extent_stays_bit_by_bit(name):
         (places.areas * (shifts**2).sum(1)).sum() / places.areas.sum()
     )
     # Where all weights are of points beyond, so does the surface.
-    now = moved(surface, result)
-    far = ~np.isin(np.arange(len(shifts)), np.flatnonzero(distance < 4))
-    if far.any():
-        apart = hn.SurfacePlaces(now, places=places).positions[far] - places.positions[far]
-        assert np.abs(apart).max() < 1e-3 * radius
+    found = hn.SurfaceTree(surface).closest_points(places.positions)
+    begin, points, _ = hn.point_weights(surface, found.cells, found.uv)
+    reached = np.add.reduceat(~np.isin(points, beyond), begin[:-1])
+    now = hn.SurfacePlaces(moved(surface, result), places=places).positions
+    assert (now == places.positions)[reached == 0].all()
 
 
 def test_places_serve_all_surfaces_of_a_topology():
@@ -330,10 +337,10 @@ def test_shifts_that_fold_space_are_refused_with_the_place():
     gradients[is_bent, 0, 0] = -steep
     first = np.flatnonzero(is_bent)[0]
     assert hn.first_folded(gradients) == first
-    with pytest.raises(ValueError, match=f"folds the hull at x {p[first, 0]:.3g}"):
+    with pytest.raises(ValueError, match=f"folds the hull at x {p[first, 0]:.6g}"):
         reshape.solve(shifts, gradients=gradients)
-    assert hn.first_folded(0.8 * gradients) is None
-    assert reshape.solve(0.8 * shifts, gradients=0.8 * gradients).folded_place is None
+    assert hn.first_folded(0.3 * gradients) is None
+    assert reshape.solve(0.3 * shifts, gradients=0.3 * gradients).folded_place is None
     gradients[:] = np.nan
     assert hn.first_folded(gradients) == 0
     with pytest.raises(ValueError, match="gradients, not"):
