@@ -201,6 +201,12 @@ def half_hull(name):
     right[loop[count:]] = np.stack([np.cos(angle), np.sin(angle)], 1)
     plane = np.linalg.solve(matrix, right)
     keel = loop[:count]
+    # Rows of quadrilaterals come to the keel square, as square_ties wants them.
+    for v in keel:
+        own = [f for f in faces if v in f]
+        inwards = set(np.flatnonzero(near[v])) - set(loop)
+        if len(own) == 2 and all(len(f) == 4 for f in own) and len(inwards) == 1:
+            plane[inwards.pop(), 0] = plane[v, 0]
     reached = np.isin(np.arange(n), keel)
     for _ in range(2):
         reached |= near[reached].any(axis=0)
