@@ -92,6 +92,10 @@ def _with_variants(hull):
     hull.hull.variants.active, hull.hull.variants.show_ghost = 0, True
 
 
+def _with_kept_bow(hull):
+    hull.hull.transform.kept_fore = 4.0
+
+
 def _with_studio(hull):
     part("features.studio").make(hull, bpy.context.scene)
 
@@ -110,6 +114,7 @@ PANELS = {
         _with_variants,
         analyses=("differences",),
     ),
+    "panels/transform": PanelShot(hull_panels("transform"), _with_kept_bow),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs

@@ -11,6 +11,7 @@
 #include "bindings/arrays.h"
 #include "bindings/move_limits.h"
 #include "bindings/surface_places.h"
+#include "bindings/tied_points.h"
 #include "modelling/reshape/crease_moves.h"
 #include "modelling/reshape/square_sums.h"
 #include "modelling/reshape/square_ties.h"

@@ -21,10 +21,11 @@ Each subject uses itself, those above it and the bridge, nothing else:
   fitting         control points moved so that the surface meets a given shape
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
   dimensions      hulls scaled to main dimensions, with all that belongs to them
+  transformation  the whole form changed to given particulars: shifts of sections, lengthening
   studio          a studio around the hull, for pictures of it
 
 What is to come has its place, as a folder of its own: resistance after stability (an analysis
-more); plates after conversion; transformation of the whole form to given particulars, and fields
-that move points by influence, after modelling; networks of curves that make a surface, and morphing
-between hulls and their families, after these; the studio stays last.
+more); plates after conversion; fields that move points by influence after transformation;
+networks of curves that make a surface, and morphing between hulls and their families, after
+these; the studio stays last.
 """

@@ -30,6 +30,7 @@ from . import (
     sides,
     studio,
     tag_mesh,
+    transformation,
     variants,
 )
 
@@ -47,6 +48,7 @@ _CLASSES = (
     *bilge.CLASSES,
     *knuckles.CLASSES,
     *fit.CLASSES,
+    *transformation.CLASSES,
     *lock_points.CLASSES,
     *keep_points.CLASSES,
     *dimensions.CLASSES,

@@ -21,6 +21,7 @@ from . import (
     studio,
     tag_menus,
     tags,
+    transformation,
     variants,
 )
 
@@ -37,6 +38,7 @@ _CLASSES = (
     *pull.CLASSES,
     *fit.CLASSES,
     *variants.CLASSES,
+    *transformation.CLASSES,
     *fairness.CLASSES,
     *hydrostatics.CLASSES,
     *stability.CLASSES,

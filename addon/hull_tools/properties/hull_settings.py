@@ -17,7 +17,9 @@ from . import (
     ship_settings,
     studio_settings,
     tag_settings,
+    transform_settings,
     variant_settings,
+    wind_settings,
 )
 from .shared import changed
 
@@ -65,6 +67,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     studio: PointerProperty(type=studio_settings.HullStudio)
     fit: PointerProperty(type=fit_settings.HullFit)
     variants: PointerProperty(type=variant_settings.HullVariants)
+    transform: PointerProperty(type=transform_settings.HullTransform)
 
 
 CLASSES = (
@@ -72,6 +75,9 @@ CLASSES = (
     *tag_settings.CLASSES,
     *fairness_settings.CLASSES,
     *fit_settings.CLASSES,
+    *transform_settings.CLASSES,
+    *stability_settings.CLASSES,
+    *wind_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,
     *studio_settings.CLASSES,

@@ -29,6 +29,8 @@ class SurfacePlaces {
   int cell(int place) const { return weights_->cell(place); }
   const Vector3d& position(int place) const { return positions_[place]; }  // m
   double area(int place) const { return areas_[place]; }                   // m²
+  // Of length 1; zero at irregular knots and where there is no area.
+  const Vector3d& normal(int place) const { return normals_[place]; }
   double total_area() const { return total_area_; }
   int point_count() const { return static_cast<int>(rows().cols()); }
 

@@ -51,3 +51,15 @@ def active(mesh):
         return None
     bm.verts.index_update()
     return last.index
+
+
+def of_group(mesh, index):
+    """(k,) indices of the points that are of a vertex group, by its index."""
+    if not mesh.is_editmode:
+        chosen = [any(g.group == index for g in vertex.groups) for vertex in mesh.vertices]
+        return np.flatnonzero(chosen)
+    bm = bmesh.from_edit_mesh(mesh)
+    layer = bm.verts.layers.deform.active
+    if layer is None:
+        return np.empty(0, dtype=np.int64)
+    return np.flatnonzero([index in vertex[layer] for vertex in bm.verts])

@@ -40,6 +40,9 @@ FOLLOWING = {
     "table.draft_to": "at z",
     "table.draft_step": "z",
     "studio.boot_top_height": "z",
+    "transform.kept_aft": "x",
+    "transform.kept_fore": "x",
+    "transform.kept_fade": "x",
 }
 # Planes of flats: their normals and offsets go together.
 PLANES = frozenset(("flats.normal", "flats.offset"))
@@ -52,7 +55,8 @@ STAYING = frozenset(
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period table.trims plots.size
     plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
-    studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach""".split()
+    studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach
+    transform.kept_group""".split()
 )
 # Groups of which all stays: hulls as they were.
 STAYING_GROUPS = frozenset(("variants",))

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections shifted along the ship to a wanted displacement and centre of buoyancy."""
+
+from dataclasses import dataclass
+
+from ...bridge import native
+from . import parents
+
+# Of the length between perpendiculars: shorter is no parallel middle body.
+_LEAST_PARALLEL = 1e-3
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """volume: {name of a measure of hull_native.SectionShift.solve: value}, or empty; lcb: x in m
+    or None; part: as SectionShift takes it; parallel: "FREE", "KEEP", or "LENGTH" with
+    parallel_length in m."""
+
+    volume: dict
+    lcb: object = None
+    part: str = "whole"
+    parallel: str = "FREE"
+    parallel_length: float = 0.0
+
+
+@dataclass(frozen=True)
+class Particulars:
+    """What an operator begins with: of the hull as it is. lcb in m, lcb_percent of Lpp forward of
+    midship."""
+
+    block: float
+    prismatic: float
+    volume: float
+    displacement_t: float
+    lcb: float
+    lcb_percent: float
+
+
+@dataclass(frozen=True)
+class Shifted:
+    """result: hull_native.SectionsShifted; before, after: Particulars; length_pp in m."""
+
+    result: object
+    before: Particulars
+    after: Particulars
+
+
+def particulars(obj, scene):
+    """The Particulars of a hull as it is."""
+    return _particulars(parents.of_hull(obj, scene))
+
+
+def parallel_length(obj, scene):
+    """Of the parallel middle body, m; 0: none."""
+    aft, forward = _parallel_body(parents.of_hull(obj, scene))
+    return forward - aft
+
+
+def shift(obj, scene, wanted):
+    """Shifts the sections of a hull to what is Wanted; returns Shifted. ValueError where it is out
+    of reach, with what can be reached: nothing moves then."""
+    parent = parents.of_hull(obj, scene)
+    where, position = parent.where, parent.position()
+    position.pop("draft_at")
+    if not where.length_pp:
+        raise ValueError("Give Lpp first: sections are shifted between the perpendiculars")
+    shift = native.require().SectionShift(
+        parent.body,
+        **position,
+        **{name: value or 0.0 for name, value in where.project().items()},
+        part=wanted.part,
+        **_parallel(parent, wanted),
+        kept_ranges=parent.kept_ranges(),
+        limits=parent.limits(),
+    )
+    before = _particulars(parent)
+    result = shift.solve(**wanted.volume, lcb=wanted.lcb)
+    if not result.converged:
+        raise ValueError("The search did not end: ask for a smaller change, or keep less")
+    state = parent.write(scene, result.moves)
+    found = state.ship.as_it_is().hydrostatics(where)
+    return Shifted(result, before, _of_hydrostatics(found))
+
+
+def _parallel(parent, wanted):
+    if wanted.parallel == "FREE":
+        return {}
+    aft, forward = _parallel_body(parent)
+    if not forward > aft:
+        if wanted.parallel == "KEEP":
+            return {}
+        raise ValueError("There is no parallel middle body: lengthen the hull amidships instead")
+    found = {"parallel": (aft, forward)}
+    if wanted.parallel == "LENGTH":
+        middle, half = 0.5 * (aft + forward), 0.5 * wanted.parallel_length
+        found["parallel_wanted"] = (middle - half, middle + half)
+    return found
+
+
+def _parallel_body(parent):
+    aft, forward = native.require().parallel_body(parent.body, **parent.position())
+    least = _LEAST_PARALLEL * parent.where.length_pp
+    return (aft, forward) if forward - aft > least else (aft, aft)
+
+
+def _particulars(parent):
+    where = parent.where
+    return _of_hydrostatics(
+        native.require().hydrostatics(parent.body, **where.position(), **where.project())
+    )
+
+
+def _of_hydrostatics(found):
+    return Particulars(
+        found.project.block,
+        found.project.prismatic,
+        found.displaced_volume,
+        found.displacement_t,
+        found.lcb,
+        found.lcb_percent,
+    )

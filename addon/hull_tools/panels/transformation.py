@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The whole form changed to given particulars: panel."""
+
+import bpy
+
+from ..bridge.objects import hull_objects
+from .shared import HullPanel, field_or, text_field
+
+
+class HULL_PT_transform(HullPanel, bpy.types.Panel):
+    """Change the whole form to given particulars"""
+
+    bl_label = "Transform"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        column = layout.column(align=True)
+        column.operator("hull.shift_sections", text="Displacement, LCB …", icon="FULLSCREEN_ENTER")
+        column.operator("hull.lengthen", text="Lengthen …")
+        column.operator("hull.inflate_section", text="Inflate Section …")
+        settings = hull.hull.transform
+        column = layout.column(align=True)
+        text_field(column, settings, "kept_group")
+        column.prop(settings, "kept_aft")
+        column.prop(settings, "kept_fore")
+        if settings.kept_aft or settings.kept_fore:
+            field_or(column, settings, "kept_fade", "a tenth of the length")
+
+
+CLASSES = (HULL_PT_transform,)

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/transformation/longitudinal_reshape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "mesh/groups.h"
+#include "mesh/tolerances.h"
+#include "modelling/transformation/smooth_step.h"
+
+namespace hull::modelling {
+namespace {
+
+// Of a normal: beyond, its plane is raked.
+constexpr double kRaked = 1e-9;
+
+ReshapeOptions options_for(const std::vector<Vector3d>& points, const TransformLimits& limits,
+                           const std::vector<int>& rigid) {
+  ReshapeOptions options;
+  options.limits.limits = limits.limits;
+  std::vector<char> is_raked(points.size(), 0);
+  for (const HeldDirection& held : limits.limits.held) {
+    check_point(held.point, static_cast<int>(points.size()), "held");
+    if (std::abs(held.normal.normalized().x()) > kRaked) is_raked[held.point] = 1;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_raked[i]) continue;
+    options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitY()});
+    options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitZ()});
+  }
+  for (const TiedPoint& tied : limits.tied) {
+    // Where neither of the two may leave its height the others say nothing.
+    if (is_raked[tied.point] || is_raked[tied.leader] || tied.direction.x() != 0.0) {
+      options.limits.tied.push_back(tied);
+    }
+  }
+  options.limits.prescribed = rigid;
+  return options;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> plane_ends(const surface::LimitSurface& surface) {
+  const mesh::Topology& t = surface.mesh().topology();
+  const std::vector<Vector3d>& points = surface.mesh().points();
+  mesh::Groups groups(static_cast<int>(points.size()));
+  std::set<int> found;
+  for (int face = 0; face < t.face_count(); ++face) {
+    const int h = t.first_half_edge(face);
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < t.face_size(face); ++k) {
+      low = std::min(low, points[t.origin(h + k)].x());
+      high = std::max(high, points[t.origin(h + k)].x());
+    }
+    if (high - low > kInPlane * surface.mesh().size()) continue;
+    for (int k = 0; k < t.face_size(face); ++k) {
+      found.insert(t.origin(h + k));
+      groups.join(t.origin(h), t.origin(h + k));
+    }
+  }
+  std::map<int, std::vector<int>> members;
+  for (int point : found) members[groups.find(point)].push_back(point);
+  std::vector<std::vector<int>> result;
+  for (auto& [group, own] : members) result.push_back(std::move(own));
+  return result;
+}
+
+struct LongitudinalReshape::Rigid {
+  std::vector<int> points, group_of;
+  std::vector<Group> groups;
+
+  Rigid(const std::vector<Vector3d>& control_points, const TransformLimits& limits) {
+    std::set<int> staying(limits.limits.locked.begin(), limits.limits.locked.end()), known;
+    // Where a flat is across the ship its points stay in it.
+    for (const HeldDirection& one : limits.limits.held) {
+      if (std::abs(one.normal.normalized().x()) > kRaked) staying.insert(one.point);
+    }
+    for (const std::vector<int>& group : limits.rigid) {
+      Group found{INFINITY, -INFINITY};
+      bool stays = group.empty();
+      for (int point : group) {
+        check_point(point, static_cast<int>(control_points.size()), "rigid");
+        found.aft = std::min(found.aft, control_points[point].x());
+        found.forward = std::max(found.forward, control_points[point].x());
+        stays = stays || staying.contains(point);
+      }
+      if (stays) continue;
+      for (int point : group) {
+        if (!known.insert(point).second) continue;
+        points.push_back(point);
+        group_of.push_back(static_cast<int>(groups.size()));
+      }
+      groups.push_back(found);
+    }
+  }
+};
+
+LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
+                                         const TransformLimits& limits)
+    : LongitudinalReshape(surface, limits, Rigid(surface.mesh().points(), limits)) {}
+
+LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
+                                         const TransformLimits& limits, const Rigid& rigid)
+    : groups_(rigid.groups),
+      group_of_(rigid.group_of),
+      reshape_(surface, options_for(surface.mesh().points(), limits, rigid.points)) {}
+
+double LongitudinalReshape::with_groups(const std::function<double(double x)>& shift,
+                                        double x) const {
+  double sum = shift(x);
+  for (const Group& group : groups_) {
+    const double length = group.forward - group.aft;
+    const double nearest = std::clamp(x, group.aft, group.forward);
+    const double distance = std::abs(x - nearest);
+    if (!(distance < 2.0 * length)) continue;
+    sum +=
+        (shift(group.middle()) - shift(nearest)) * (1.0 - smooth_step(distance / (2.0 * length)));
+  }
+  return sum;
+}
+
+Reshaped LongitudinalReshape::solve(const std::function<double(double x)>& shift) const {
+  std::vector<Vector3d> shifts(places().count()), prescribed;
+  for (int k = 0; k < places().count(); ++k) {
+    shifts[k] = {with_groups(shift, places().position(k).x()), 0.0, 0.0};
+  }
+  for (int group : group_of_) prescribed.emplace_back(shift(groups_[group].middle()), 0.0, 0.0);
+  return reshape_.solve(shifts, prescribed);
+}
+
+}  // namespace hull::modelling

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "modelling/reshape/reshape.h"
+
+namespace hull::modelling {
+
+// What stays, and how, while a hull is transformed.
+struct TransformLimits {
+  MoveLimits limits;            // locked points, and points held in planes
+  std::vector<TiedPoint> tied;  // as of square_ties()
+  // Groups of control points that move along the ship as one: transoms in planes that are across
+  // it or raked, bulbs. One with a locked point stays.
+  std::vector<std::vector<int>> rigid;
+};
+
+// The control points of faces in a plane across the ship, as of a transom: a group for each that
+// hangs together.
+std::vector<std::vector<int>> plane_ends(const surface::LimitSurface& surface);
+
+// Reshaping by shifts along the ship alone: control points move along x, but for those held in
+// planes that are raked, which move within these. Rigid groups move by what is wanted in their
+// middle, and sections along a group with them: the shift goes over to what is wanted elsewhere
+// within twice its length. Immutable.
+class LongitudinalReshape {
+ public:
+  // Throws std::invalid_argument as Reshape does.
+  LongitudinalReshape(const surface::LimitSurface& surface, const TransformLimits& limits);
+
+  // `shift`: wanted of a place at x, m.
+  Reshaped solve(const std::function<double(double x)>& shift) const;
+
+  const SurfacePlaces& places() const { return reshape_.places(); }
+
+ private:
+  struct Group {
+    double aft, forward;  // x, m
+    double middle() const { return 0.5 * (aft + forward); }
+  };
+  struct Rigid;
+
+  LongitudinalReshape(const surface::LimitSurface& surface, const TransformLimits& limits,
+                      const Rigid& rigid);
+  double with_groups(const std::function<double(double x)>& shift, double x) const;
+
+  std::vector<Group> groups_;
+  std::vector<int> group_of_;  // of each prescribed point
+  Reshape reshape_;
+};
+
+}  // namespace hull::modelling
