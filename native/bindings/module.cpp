@@ -37,6 +37,7 @@ PYBIND11_MODULE(_core, module) {
   bind_shape_fields(module);
   bind_targets(module);
   bind_transformation(module);
+  bind_fairing(module);
   bind_bilge_arc(module);
   bind_knuckles(module);
   refuse_unmade_instances(module);

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace hull::bindings {
 
@@ -31,6 +32,22 @@ std::vector<modelling::TiedPoint> ties_from(const py::object& tied, const Double
   std::vector<modelling::TiedPoint> result;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     result.push_back({pairs[i][0], pairs[i][1], vectors[i]});
+  }
+  return result;
+}
+
+std::vector<modelling::MoveCondition> conditions_from(const py::iterable& conditions,
+                                                      const std::string& what) {
+  std::vector<modelling::MoveCondition> result;
+  for (const py::handle item : conditions) {
+    const std::string name = what + "[" + std::to_string(result.size()) + "]";
+    try {
+      const auto [points, slopes] = item.cast<std::tuple<py::object, DoubleArray>>();
+      result.push_back({integers_from(points, (name + "[0]").c_str()),
+                        points_from(slopes, (name + "[1]").c_str())});
+    } catch (const py::cast_error&) {
+      throw std::invalid_argument(name + " must be (control points (k,), slopes (k, 3)).");
+    }
   }
   return result;
 }

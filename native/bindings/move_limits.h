@@ -3,7 +3,7 @@
 
 #include "bindings/arrays.h"
 #include "modelling/freedom.h"
-#include "modelling/reshape/move_space.h"
+#include "modelling/reshape/reshape.h"
 
 namespace hull::bindings {
 
@@ -13,5 +13,8 @@ modelling::MoveLimits limits_from(const py::object& locked, const py::object& he
 
 // tied (t, 2), points with their leaders, and tied_directions (t, 3).
 std::vector<modelling::TiedPoint> ties_from(const py::object& tied, const DoubleArray& directions);
+// Tuples (control points (k,), slopes (k, 3)); `what` names them in messages.
+std::vector<modelling::MoveCondition> conditions_from(const py::iterable& conditions,
+                                                      const std::string& what);
 
 }  // namespace hull::bindings

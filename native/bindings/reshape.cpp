@@ -6,12 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
 #include "bindings/arrays.h"
 #include "bindings/move_limits.h"
 #include "bindings/surface_places.h"
-#include "bindings/tied_points.h"
 #include "modelling/reshape/crease_moves.h"
 #include "modelling/reshape/square_sums.h"
 #include "modelling/reshape/square_ties.h"
@@ -29,22 +27,6 @@ struct BoundReshaped {
   Vector3d largest_place;
   std::optional<Vector3d> folded_place;
 };
-
-std::vector<modelling::MoveCondition> conditions_from(const py::iterable& conditions,
-                                                      const std::string& what) {
-  std::vector<modelling::MoveCondition> result;
-  for (const py::handle item : conditions) {
-    const std::string name = what + "[" + std::to_string(result.size()) + "]";
-    try {
-      const auto [points, slopes] = item.cast<std::tuple<py::object, DoubleArray>>();
-      result.push_back({integers_from(points, (name + "[0]").c_str()),
-                        points_from(slopes, (name + "[1]").c_str())});
-    } catch (const py::cast_error&) {
-      throw std::invalid_argument(name + " must be (control points (k,), slopes (k, 3)).");
-    }
-  }
-  return result;
-}
 
 void refuse_folds(const Reshape& reshape, const std::vector<Eigen::Matrix3d>& gradients) {
   const modelling::SurfacePlaces& places = reshape.places();

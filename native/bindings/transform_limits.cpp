@@ -4,7 +4,6 @@
 #include <string>
 
 #include "bindings/move_limits.h"
-#include "bindings/tied_points.h"
 
 namespace hull::bindings {
 

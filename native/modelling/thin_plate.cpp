@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 
 #include "modelling/gauss_rule.h"
 
@@ -22,11 +23,14 @@ Points some_of(const std::vector<Vector3d>& values, const std::vector<int>& whic
   return some;
 }
 
+enum class Bending { kAll, kLengthwise };
+
 // Rows of weights whose products with the points are the components of the second derivatives in
 // orthonormal directions of the tangent plane, times the square root of dA: the energy is the sum
-// of their squares. The mixed one counts twice, by its factor. Empty where there is no area.
-Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const surface::PieceWeights::Jet& jet,
-                                                      const Points& points, double weight) {
+// of their squares. The mixed one counts twice, by its factor. Lengthwise: one row, the second
+// derivative along the part of the x axis in the tangent plane. Empty where there is no area.
+Eigen::MatrixXd bending_rows(const surface::PieceWeights::Jet& jet, const Points& points,
+                             double weight, Bending bending) {
   const Vector3d s = points.transpose() * jet.ds, t = points.transpose() * jet.dt;
   const double area = s.cross(t).norm();
   if (!(area > kNoArea * s.norm() * t.norm())) return {};
@@ -40,11 +44,17 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const surface::PieceWeight
     return second - symbols[0] * jet.ds - symbols[1] * jet.dt;
   };
   const Eigen::VectorXd ss = covariant(jet.dss), st = covariant(jet.dst), tt = covariant(jet.dtt);
+  const double root = std::sqrt(weight * area);
+  if (bending == Bending::kLengthwise) {
+    const Eigen::Vector2d along = inverse * Eigen::Vector2d(s.x(), t.x());
+    return root *
+           (along[0] * along[0] * ss + 2.0 * along[0] * along[1] * st + along[1] * along[1] * tt)
+               .transpose();
+  }
   // (s, t) per metre along e1 ∥ s and e2 square to it.
   const double a = 1.0 / s.norm();
   const double c = s.norm() / area, b = -s.dot(t) / (s.norm() * area);
-  const double root = std::sqrt(weight * area);
-  Eigen::Matrix<double, 3, Eigen::Dynamic> rows(3, points.rows());
+  Eigen::MatrixXd rows(3, points.rows());
   rows.row(0) = root * a * a * ss.transpose();
   rows.row(1) = root * std::sqrt(2.0) * (a * b * ss + a * c * st).transpose();
   rows.row(2) = root * (b * b * ss + 2.0 * b * c * st + c * c * tt).transpose();
@@ -54,14 +64,28 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> bending_rows(const surface::PieceWeight
 // Calls visit(rows) for each place of the quadrature on a piece.
 template <class Visit>
 void for_each_place(const surface::PieceWeights& pieces, int piece, const Points& points,
-                    const Visit& visit) {
+                    const Visit& visit, Bending bending = Bending::kAll) {
   const auto& [count, places, weights] = kThreePoints;
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {
-      const auto rows =
-          bending_rows(pieces.jet({piece, places[i], places[j]}), points, weights[i] * weights[j]);
+      const auto rows = bending_rows(pieces.jet({piece, places[i], places[j]}), points,
+                                     weights[i] * weights[j], bending);
       if (rows.cols() > 0) visit(rows);
     }
+  }
+}
+
+void visit_forms(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
+                 const std::vector<int>& some, double factor, const VisitForm& visit,
+                 Bending bending) {
+  for (int i : some) {
+    const std::vector<int>& which = pieces.piece(i).points;
+    const Points points = some_of(surface.mesh().points(), which);
+    Eigen::MatrixXd form = Eigen::MatrixXd::Zero(points.rows(), points.rows());
+    for_each_place(
+        pieces, i, points, [&](const auto& rows) { form += factor * rows.transpose() * rows; },
+        bending);
+    visit(which, form);
   }
 }
 
@@ -79,17 +103,24 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
   return energy;
 }
 
-void visit_thin_plate_forms(
-    const surface::LimitSurface& surface, const surface::PieceWeights& pieces, double factor,
-    const std::function<void(const std::vector<int>&, const Eigen::MatrixXd&)>& visit) {
-  for (int i = 0; i < pieces.piece_count(); ++i) {
-    const std::vector<int>& which = pieces.piece(i).points;
-    const Points points = some_of(surface.mesh().points(), which);
-    Eigen::MatrixXd form = Eigen::MatrixXd::Zero(points.rows(), points.rows());
-    for_each_place(pieces, i, points,
-                   [&](const auto& rows) { form += factor * rows.transpose() * rows; });
-    visit(which, form);
-  }
+void visit_thin_plate_forms(const surface::LimitSurface& surface,
+                            const surface::PieceWeights& pieces, const std::vector<int>& some,
+                            double factor, const VisitForm& visit) {
+  visit_forms(surface, pieces, some, factor, visit, Bending::kAll);
+}
+
+void visit_lengthwise_forms(const surface::LimitSurface& surface,
+                            const surface::PieceWeights& pieces, const std::vector<int>& some,
+                            const VisitForm& visit) {
+  visit_forms(surface, pieces, some, 1.0, visit, Bending::kLengthwise);
+}
+
+void visit_thin_plate_forms(const surface::LimitSurface& surface,
+                            const surface::PieceWeights& pieces, double factor,
+                            const VisitForm& visit) {
+  std::vector<int> all(pieces.piece_count());
+  std::iota(all.begin(), all.end(), 0);
+  visit_thin_plate_forms(surface, pieces, all, factor, visit);
 }
 
 void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,

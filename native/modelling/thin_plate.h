@@ -26,10 +26,24 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
 void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations);
 
+// Is told control points and their quadratic form.
+using VisitForm = std::function<void(const std::vector<int>&, const Eigen::MatrixXd&)>;
+
 // Calls visit(control points, their quadratic form) for each piece: `factor` times the energy is
 // the sum of valuesᵀ · form · values.
-void visit_thin_plate_forms(
-    const surface::LimitSurface& surface, const surface::PieceWeights& pieces, double factor,
-    const std::function<void(const std::vector<int>&, const Eigen::MatrixXd&)>& visit);
+void visit_thin_plate_forms(const surface::LimitSurface& surface,
+                            const surface::PieceWeights& pieces, double factor,
+                            const VisitForm& visit);
+// The same for some pieces.
+void visit_thin_plate_forms(const surface::LimitSurface& surface,
+                            const surface::PieceWeights& pieces, const std::vector<int>& some,
+                            double factor, const VisitForm& visit);
+
+// The same, for some pieces, of what bends along the ship alone: ∫ |second derivative along d|² dA,
+// d the part of the x axis along the surface (shorter than 1 where that looks ahead or aback). Of
+// the surface's places it is ∫ h(d, d)² dA, h the second fundamental form.
+void visit_lengthwise_forms(const surface::LimitSurface& surface,
+                            const surface::PieceWeights& pieces, const std::vector<int>& some,
+                            const VisitForm& visit);
 
 }  // namespace hull::modelling

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modelling/fairing/fair_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "modelling/fairing/bounded_minimum.h"
+#include "modelling/fairing/fair_limits.h"
+#include "modelling/thin_plate.h"
+
+namespace hull::modelling {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// Damping, of the mean of the normal equations' diagonal over that of the mass.
+constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-12, kMostDamping = 1e9;
+// Of the energy: steps that gain less, this many in a row, end the descent.
+constexpr double kNoGain = 1e-9;
+constexpr int kIdleSteps = 2;
+
+Sparse thrice(const Triplets& entries, Eigen::Index rows, Eigen::Index columns) {
+  Triplets all;
+  all.reserve(3 * entries.size());
+  for (const auto& entry : entries) {
+    for (int axis = 0; axis < 3; ++axis) {
+      all.emplace_back(3 * entry.row() + axis, 3 * entry.col() + axis, entry.value());
+    }
+  }
+  Sparse result(3 * rows, 3 * columns);
+  result.setFromTriplets(all.begin(), all.end());
+  return result;
+}
+
+}  // namespace
+
+// What is prepared once: everything but the deviation.
+class FairRegion::Problem {
+ public:
+  Problem(const surface::LimitSurface& surface, const FairOptions& options)
+      : most_steps_(options.most_steps),
+        energy_(options.energy),
+        points_(surface.mesh().points()),
+        places_(surface),
+        weights_(surface),
+        space_(fair_limits(surface, options), static_cast<int>(points_.size())),
+        conditions_(conditions_from(options.conditions, static_cast<int>(points_.size()))) {
+    if (space_.size() == 0) {
+      throw std::invalid_argument(
+          "None of the chosen points may move: they are locked, or of creases or borders that are "
+          "kept.");
+    }
+    find_moving();
+    find_region();
+    if (energy_ == FairEnergy::kCurvature || energy_ == FairEnergy::kVariation) {
+      geometric_.emplace(weights_, pieces_, energy_);
+    } else {
+      take_quadratic(surface);
+    }
+    minimum_.emplace(mass(), Sparse(conditions_ * space_.basis()));
+  }
+
+  const SurfacePlaces& places() const { return places_; }
+  const std::vector<int>& region() const { return region_; }
+  double area() const { return area_; }
+
+  Faired solve(double deviation, double largest, const std::vector<double>& values,
+               const surface::Progress& progress) const;
+
+ private:
+  using Result = BoundedMinimum::Result;
+
+  void find_moving();
+  void find_region();
+  void take_quadratic(const surface::LimitSurface& surface);
+  Sparse mass() const;
+  Sparse by_freedom(const Triplets& entries) const;
+
+  Result descend(const Eigen::VectorXd& values, double deviation, double largest,
+                 const surface::Progress& progress, Faired& faired) const;
+  // Normal equations of the geometric energy about control points: by freedom.
+  void linearise(const std::vector<Vector3d>& points, Sparse& h, Eigen::VectorXd& g) const;
+  double energy_at(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd shifts(const Eigen::VectorXd& x) const;
+  double excess(const Eigen::VectorXd& x, double largest) const {
+    return std::isfinite(largest) ? shifts(x).maxCoeff() / largest : 0.0;
+  }
+  std::vector<Vector3d> moved(const Eigen::VectorXd& x) const;
+
+  int most_steps_;
+  FairEnergy energy_;
+  std::vector<Vector3d> points_;
+  SurfacePlaces places_;
+  surface::PieceWeights weights_;
+  MoveSpace space_;
+  Sparse conditions_;
+  std::vector<char> may_move_;  // of each control point
+  std::vector<int> region_, pieces_;
+  double area_ = 0.0;
+  Sparse h_;             // of quadratic energies, by freedom
+  Eigen::VectorXd g_;    // half its gradient
+  double constant_ = 0;  // the energy without moves
+  std::optional<SurfaceEnergy> geometric_;
+  std::optional<BoundedMinimum> minimum_;
+};
+
+void FairRegion::Problem::find_moving() {
+  may_move_.assign(points_.size(), 0);
+  const Sparse& basis = space_.basis();
+  for (Eigen::Index column = 0; column < basis.outerSize(); ++column) {
+    for (Sparse::InnerIterator it(basis, column); it; ++it) may_move_[it.row() / 3] = 1;
+  }
+}
+
+void FairRegion::Problem::find_region() {
+  const auto moves = [&](int point) { return may_move_[point] != 0; };
+  for (int place = 0; place < places_.count(); ++place) {
+    bool is_in = false;
+    for (SurfacePlaces::Rows::InnerIterator it(places_.rows(), place); it && !is_in; ++it) {
+      is_in = it.value() != 0.0 && moves(static_cast<int>(it.col()));
+    }
+    if (!is_in) continue;
+    region_.push_back(place);
+    area_ += places_.area(place);
+  }
+  if (!(area_ > 0.0)) {
+    throw std::invalid_argument("The surface has no area around the chosen points.");
+  }
+  for (int piece = 0; piece < weights_.piece_count(); ++piece) {
+    if (std::ranges::any_of(weights_.piece(piece).points, moves)) pieces_.push_back(piece);
+  }
+}
+
+Sparse FairRegion::Problem::by_freedom(const Triplets& entries) const {
+  const auto size = static_cast<Eigen::Index>(points_.size());
+  const Sparse full = thrice(entries, size, size);
+  return space_.basis().transpose() * (full * space_.basis());
+}
+
+Sparse FairRegion::Problem::mass() const {
+  Triplets entries;
+  for (int place : region_) {
+    const double share = places_.area(place) / area_;
+    for (SurfacePlaces::Rows::InnerIterator a(places_.rows(), place); a; ++a) {
+      if (!may_move_[a.col()]) continue;
+      for (SurfacePlaces::Rows::InnerIterator b(places_.rows(), place); b; ++b) {
+        if (may_move_[b.col()]) {
+          entries.emplace_back(a.col(), b.col(), share * a.value() * b.value());
+        }
+      }
+    }
+  }
+  return by_freedom(entries);
+}
+
+void FairRegion::Problem::take_quadratic(const surface::LimitSurface& surface) {
+  Triplets entries;
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(points_.size()));
+  const VisitForm take = [&](const std::vector<int>& which, const Eigen::MatrixXd& form) {
+    for (Eigen::Index i = 0; i < form.rows(); ++i) {
+      for (Eigen::Index j = 0; j < form.cols(); ++j) {
+        gradient.segment<3>(3 * which[i]) += form(i, j) * points_[which[j]];
+        constant_ += form(i, j) * points_[which[i]].dot(points_[which[j]]);
+        if (may_move_[which[i]] && may_move_[which[j]]) {
+          entries.emplace_back(which[i], which[j], form(i, j));
+        }
+      }
+    }
+  };
+  if (energy_ == FairEnergy::kLengthwise) {
+    visit_lengthwise_forms(surface, weights_, pieces_, take);
+  } else {
+    visit_thin_plate_forms(surface, weights_, pieces_, 1.0, take);
+  }
+  h_ = by_freedom(entries);
+  g_ = space_.basis().transpose() * gradient;
+}
+
+std::vector<Vector3d> FairRegion::Problem::moved(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd moves = space_.basis() * x;
+  std::vector<Vector3d> points = points_;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] += moves.segment<3>(3 * static_cast<Eigen::Index>(i));
+  }
+  return points;
+}
+
+Eigen::VectorXd FairRegion::Problem::shifts(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd moves = space_.basis() * x;
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(
+      moves.data(), moves.size() / 3, 3);
+  return (places_.rows() * rows).rowwise().norm();
+}
+
+double FairRegion::Problem::energy_at(const Eigen::VectorXd& x) const {
+  if (geometric_) return geometric_->value(moved(x));
+  return constant_ + x.dot(h_ * x) + 2.0 * g_.dot(x);
+}
+
+void FairRegion::Problem::linearise(const std::vector<Vector3d>& points, Sparse& h,
+                                    Eigen::VectorXd& g) const {
+  const SurfaceEnergy::Normal normal = geometric_->normal(points, may_move_);
+  h = space_.basis().transpose() * (normal.matrix * space_.basis());
+  g = space_.basis().transpose() * normal.gradient;
+}
+
+BoundedMinimum::Result FairRegion::Problem::descend(const Eigen::VectorXd& values, double deviation,
+                                                    double largest,
+                                                    const surface::Progress& progress,
+                                                    Faired& faired) const {
+  const Sparse weights = mass();
+  Result now{minimum_->shortest(values), 0.0, 0.0, false};
+  double energy = energy_at(now.x), damping = kFirstDamping;
+  int idle = 0;
+  for (; faired.steps < most_steps_ && idle < kIdleSteps; ++faired.steps) {
+    surface::tell(progress, faired.steps, most_steps_);
+    Sparse h;
+    Eigen::VectorXd g;
+    linearise(moved(now.x), h, g);
+    const double unit = h.diagonal().sum() / weights.diagonal().sum();
+    double gain = 0.0;
+    for (; damping <= kMostDamping; damping *= 10.0) {
+      const Sparse damped = h + damping * unit * weights;
+      Result next = minimum_->solve(damped, g - damped * now.x, values, deviation,
+                                    [&](const Eigen::VectorXd& x) { return excess(x, largest); });
+      const double after = energy_at(next.x);
+      if (!(after < energy)) continue;
+      gain = energy - after;
+      now = std::move(next);
+      energy = after;
+      damping = std::max(kLeastDamping, 0.1 * damping);
+      break;
+    }
+    if (damping > kMostDamping) damping = kFirstDamping;
+    idle = gain > kNoGain * energy ? 0 : idle + 1;
+  }
+  surface::tell(progress, 1.0, 1.0);
+  faired.settled = idle >= kIdleSteps;
+  return now;
+}
+
+Faired FairRegion::Problem::solve(double deviation, double largest,
+                                  const std::vector<double>& values,
+                                  const surface::Progress& progress) const {
+  if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
+    throw std::invalid_argument("The deviation must not be negative, nor infinite.");
+  }
+  if (!(largest > 0.0)) throw std::invalid_argument("The largest shift must be above zero.");
+  if (static_cast<Eigen::Index>(values.size()) != conditions_.rows()) {
+    throw std::invalid_argument("There must be " + std::to_string(conditions_.rows()) +
+                                " values of conditions, not " + std::to_string(values.size()) +
+                                ".");
+  }
+  const auto wished = Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (!wished.allFinite()) throw std::invalid_argument("A condition's value is no number.");
+  Faired faired{};
+  faired.settled = true;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(space_.size());
+  faired.energy_before = energy_at(none);
+  Result found{none, 0.0, 0.0, true};
+  if (deviation > 0.0) {
+    found = geometric_ ? descend(wished, deviation, largest, progress, faired)
+                       : minimum_->solve(h_, g_, wished, deviation, [&](const Eigen::VectorXd& x) {
+                           return excess(x, largest);
+                         });
+  }
+  faired.energy_after = energy_at(found.x);
+  const Eigen::VectorXd far = shifts(found.x);
+  Eigen::Index place = -1;
+  faired.largest = far.maxCoeff(&place);
+  faired.largest_place = faired.largest > 0.0 ? static_cast<int>(place) : -1;
+  for (int k : region_) faired.rms += places_.area(k) / area_ * far[k] * far[k];
+  faired.rms = std::sqrt(faired.rms);
+  faired.bound = !found.is_bound                         ? Faired::Bound::kNothing
+                 : faired.rms < deviation * (1.0 - 1e-6) ? Faired::Bound::kLargest
+                                                         : Faired::Bound::kDeviation;
+  const Eigen::VectorXd moves = space_.basis() * found.x;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    faired.moves.emplace_back(moves.segment<3>(3 * static_cast<Eigen::Index>(i)));
+  }
+  faired.folded_place = places_.first_fold(moved(found.x));
+  return faired;
+}
+
+FairRegion::FairRegion(const surface::LimitSurface& surface, const FairOptions& options)
+    : problem_(std::make_unique<Problem>(surface, options)) {}
+FairRegion::~FairRegion() = default;
+FairRegion::FairRegion(FairRegion&&) noexcept = default;
+
+const SurfacePlaces& FairRegion::places() const { return problem_->places(); }
+const std::vector<int>& FairRegion::region() const { return problem_->region(); }
+double FairRegion::area() const { return problem_->area(); }
+
+Faired FairRegion::solve(double deviation, double largest, const std::vector<double>& values,
+                         const surface::Progress& progress) const {
+  return problem_->solve(deviation, largest, values, progress);
+}
+
+}  // namespace hull::modelling

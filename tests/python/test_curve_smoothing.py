@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Smooth curves through points: the deviation asked for is met, as FITPACK meets it; the least
+squares spline is FITPACK's; the balance is that of a dense solution with NumPy."""
+
+import hull_native as hn
+import numpy as np
+import pytest
+from scipy import interpolate
+
+SEED = 20261123
+
+
+def noisy(count=60, noise=0.02, dimensions=2):
+    random = np.random.default_rng(SEED)
+    t = np.sort(np.concatenate([[0.0, 10.0], random.uniform(0.0, 10.0, count - 2)]))
+    curve = np.stack([t, 2.0 * np.sin(t), np.cos(0.5 * t)], axis=1)[:, :dimensions]
+    return t, curve + random.normal(0.0, noise, curve.shape)
+
+
+def design(knots, t, order=0):
+    """(n, k - 4) by SciPy: the splines at parameters, or a derivative."""
+    count = len(knots) - 4
+    splines = [interpolate.BSpline(knots, unit, 3) for unit in np.eye(count)]
+    return np.stack([spline.derivative(order)(t) if order else spline(t) for spline in splines], 1)
+
+
+@pytest.mark.parametrize("deviation", [0.01, 0.02, 0.05, 0.3])
+def test_the_deviation_is_met_as_fitpack_meets_it(deviation):
+    t, points = noisy()
+    weights = np.random.default_rng(SEED).uniform(0.5, 2.0, len(t))
+    wanted = deviation**2 * weights.sum()
+    curve = hn.smooth_curve(points, deviation, parameters=t, weights=weights)
+    error = (weights[:, None] * (curve.evaluate(t) - points) ** 2).sum()
+    assert curve.error == pytest.approx(error, rel=1e-9)
+    assert error == pytest.approx(wanted, rel=2e-9)
+    # FITPACK squares weights, and stops within a thousandth.
+    spline, _ = interpolate.splprep(points.T, w=np.sqrt(weights), u=t, s=wanted)
+    theirs = np.stack(interpolate.splev(t, spline), axis=1)
+    assert (weights[:, None] * (theirs - points) ** 2).sum() == pytest.approx(error, rel=1e-3)
+
+
+def test_the_balance_is_that_of_a_dense_solution():
+    t, points = noisy()
+    curve = hn.smooth_curve(points, 0.03, parameters=t)
+    knots = np.array(curve.knots)
+    inner = knots[4:-4]
+    splines = interpolate.BSpline(knots, np.eye(len(knots) - 4), 3).derivative(3)
+    middles = 0.5 * (np.unique(knots)[1:] + np.unique(knots)[:-1])
+    jumps = np.diff(splines(middles), axis=0)
+    assert len(jumps) == len(inner)
+    rows = design(knots, t)
+    left = jumps.T @ jumps + curve.p * rows.T @ rows
+    wanted = np.linalg.solve(left, curve.p * rows.T @ points)
+    np.testing.assert_allclose(curve.coefficients, wanted, atol=1e-7)
+
+
+def test_without_need_of_a_balance_it_is_the_least_squares_cubic():
+    t, points = noisy()
+    curve = hn.smooth_curve(points, 100.0, parameters=t)
+    assert len(curve.knots) == 8 and curve.error < 1e4 * len(t) and np.isinf(curve.p)
+    cubic = np.stack([np.polyval(np.polyfit(t, column, 3), t) for column in points.T], axis=1)
+    np.testing.assert_allclose(curve.evaluate(t), cubic, atol=1e-9)
+
+
+def test_no_deviation_interpolates():
+    t, points = noisy(dimensions=3)
+    curve = hn.smooth_curve(points, 0.0, parameters=t)
+    np.testing.assert_allclose(curve.evaluate(t), points, atol=1e-12)
+    # The spline without knots at the second and last but one point is one alone.
+    theirs = interpolate.make_interp_spline(t, points, 3)
+    between = np.linspace(0.0, 10.0, 301)
+    for order in range(3):
+        mine = curve.evaluate(between, order)
+        np.testing.assert_allclose(mine, theirs(between, order), rtol=1e-8, atol=1e-7)
+
+
+def test_ends_are_met():
+    t, points = noisy()
+    start, end = [[0.0, 0.1], [1.0, 2.5]], [[10.0, -1.0], [1.0, -1.5]]
+    curve = hn.smooth_curve(points, 0.05, parameters=t, start=start, end=end)
+    for given, at in ((start, 0.0), (end, 10.0)):
+        for order, value in enumerate(given):
+            np.testing.assert_allclose(curve.evaluate([at], order)[0], value, atol=1e-9)
+    assert curve.error == pytest.approx(0.05**2 * len(t), rel=2e-9)
+
+
+def test_chords_are_the_parameters_unless_given():
+    _, points = noisy()
+    t = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    mine = hn.smooth_curve(points, 0.02)
+    np.testing.assert_array_equal(mine.knots, hn.smooth_curve(points, 0.02, parameters=t).knots)
+
+
+@pytest.mark.parametrize(
+    "points, options, words",
+    [
+        (np.zeros((3, 2)), {}, "four points"),
+        (np.zeros((5, 2)), {}, "same place"),
+        (np.full((5, 2), np.nan), {}, "no place"),
+        (np.eye(5), {"deviation": -1.0}, "must not be negative"),
+        (np.eye(5), {"deviation": np.nan}, "must not be negative"),
+        (np.eye(5), {"parameters": [0, 1, 2, 2, 3]}, "out of order"),
+        (np.eye(5), {"parameters": [0, 1]}, "as many parameters"),
+        (np.eye(5), {"weights": [1, 1, 0, 1, 1]}, "above zero"),
+        (np.eye(5), {"start": [[1.0]]}, "coordinates"),
+    ],
+)
+def test_nonsense_is_refused(points, options, words):
+    options = {"deviation": 0.1, **options}
+    with pytest.raises(ValueError, match=words):
+        hn.smooth_curve(points, **options)
