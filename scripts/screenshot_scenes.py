@@ -96,6 +96,19 @@ def _with_kept_bow(hull):
     hull.hull.transform.kept_fore = 4.0
 
 
+def _with_dent_faired(hull):
+    """A dent of one point in the fore body, faired out."""
+    mesh_points, fairing = part("bridge.mesh.mesh_points"), part("features.fairing.region_fairing")
+    bpy.ops.object.mode_set(mode="EDIT")
+    points = mesh_points.read(hull.data)
+    point = np.abs(points - (67.9, 6.1, 4.9)).sum(axis=1).argmin(keepdims=True)
+    mesh_points.write(hull.data, point, points[point] - (0.0, 0.052, 0.0))
+    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    part("bridge.mesh.selection").select(bpy.context, hull, "vertex", point.tolist())
+    fairing.fair_selected(hull, bpy.context.scene, fairing.Asked(7.5e-3))
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def _with_studio(hull):
     part("features.studio").make(hull, bpy.context.scene)
 
@@ -115,6 +128,7 @@ PANELS = {
         analyses=("differences",),
     ),
     "panels/transform": PanelShot(hull_panels("transform"), _with_kept_bow),
+    "panels/fair": PanelShot(hull_panels("fair"), _with_dent_faired, in_edit_mode=True),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs

@@ -19,6 +19,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        files for other programs: hull file, lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape
+  fairing         chosen control points moved so that the surface is fair, within a deviation
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
   dimensions      hulls scaled to main dimensions, with all that belongs to them
   transformation  the whole form changed to given particulars: shifts of sections, lengthening

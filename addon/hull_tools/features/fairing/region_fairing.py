@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface faired around the control points that are selected in edit mode.
+
+How far it may shift is asked for, and met: hull_native.FairRegion. What is prepared for it is
+remembered, so that another deviation in the redo panel costs next to nothing.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...bridge import limits, native
+from ...bridge.background import jobs
+from ...bridge.blender import units
+from ...bridge.counts import counted
+from ...bridge.mesh import mesh_points
+from ...bridge.objects import hull_mesh, hull_objects
+from ..constraints import move_limits
+from ..conversion import conversions
+from ..hull import hull_state
+from ..lines import lines
+from . import local_marks
+
+# As hull_native.FairRegion names them, in capitals.
+ENERGIES = ("LENGTHWISE", "THIN_PLATE", "CURVATURE", "VARIATION")
+_CHANGED = "The hull was changed meanwhile, and stays as it is: fair it again"
+_prepared = {}  # the last one only, by its key
+
+
+@dataclass(frozen=True)
+class Asked:
+    """deviation, largest: m; largest 0: any. energy: of ENERGIES."""
+
+    deviation: float
+    largest: float = 0.0
+    energy: str = ENERGIES[0]
+    keep_stations: bool = True
+    keep_creases: bool = True
+    along_normals: bool = True
+    refuse_more: bool = False
+
+    def checked(self):
+        limits.within(self.deviation, "Deviation in m", 0.0, limits.LONGEST)
+        limits.within(self.largest, "Largest in m", 0.0, limits.LONGEST)
+        return self
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """What came of it. key: the geometry of the hull it gave; rms, largest: m, of the surface's
+    shift; bound: see hull_native.Faired; before, after: Marks around the points."""
+
+    key: object
+    count: int
+    rms: float
+    largest: float
+    bound: str
+    gain: float
+    settled: bool
+    before: local_marks.Marks
+    after: local_marks.Marks
+
+    @property
+    def has_more_marks(self):
+        return self.after.is_more_than(self.before)
+
+
+@dataclass
+class LastFairing:
+    """The Report of the last fairing of a hull, or None."""
+
+    report: object = None
+
+
+class _Start:
+    """A hull as it is before it is faired, and what is prepared for that."""
+
+    def __init__(self, obj, scene, asked):
+        self.asked, self.state = asked.checked(), hull_state.up_to_date(obj, scene)
+        self.name, self.scale = obj.name, units.metres_per_unit(scene)
+        self.found = hull_mesh.read(obj)
+        self.control = self.found.control(self.scale)
+        self.chosen = np.flatnonzero(
+            np.isin(self.control.vertex_ids, mesh_points.selected(obj.data))
+        )
+        if not len(self.chosen):
+            raise ValueError("Select the control points that are to move first")
+        hull_native = native.require()
+        mesh = hull_native.ControlMesh(*self.control.arguments())
+        self.surface = hull_native.LimitSurface(mesh, self.found.scheme)
+        self.size = lines.size_of(self.surface)
+        self.limits = move_limits.of_hull(
+            obj, self.control.vertex_ids, self.control.points, self.size
+        )
+
+    def region(self):
+        """hull_native.FairRegion, that of the last time where nothing but the deviation differs."""
+        asked, held = self.asked, self.limits
+        key = (
+            self.found.topology_key,
+            self.found.points_digest,
+            self.scale,
+            self.chosen.tobytes(),
+            held.locked.tobytes(),
+            held.held_points.tobytes(),
+            held.held_normals.tobytes(),
+            (asked.energy, asked.keep_stations, asked.keep_creases, asked.along_normals),
+        )
+        if key not in _prepared:
+            region = native.require().FairRegion(
+                self.surface,
+                self.chosen,
+                energy=asked.energy.lower(),
+                keep_stations=asked.keep_stations,
+                keep_creases=asked.keep_creases,
+                along_normals=asked.along_normals,
+                **held.reshape_arguments(self.surface),
+            )
+            _prepared.clear()
+            _prepared[key] = region
+        return _prepared[key]
+
+    def solve(self, progress=None):
+        """(hull_native.Faired, Marks before, Marks after)."""
+        region = self.region()
+        largest = self.asked.largest or np.inf
+        faired = region.solve(self.asked.deviation, largest=largest, progress=progress)
+        if faired.folded_place is not None:
+            place = ", ".join(f"{x:.2f}" for x in faired.folded_place)
+            raise ValueError(
+                f"The surface would be turned over at ({place}) m: give a smaller deviation"
+            )
+        box = local_marks.around(self.control.points[self.chosen])
+        moved = native.require().LimitSurface(
+            self.surface.mesh.with_points(self.control.points + faired.moves), self.found.scheme
+        )
+        before = local_marks.count(self.surface, box, self.size)
+        after = local_marks.count(moved, box, self.size)
+        if self.asked.refuse_more and after.is_more_than(before):
+            raise ValueError(f"Refused, since there would be more marks: {_marks(before, after)}")
+        return faired, before, after
+
+    def write(self, obj, scene, faired, before, after):
+        """Moves the points; returns the Report. Coordinates that do not move stay bit by bit."""
+        is_moved = faired.moves.any(axis=1)
+        indices = self.control.vertex_ids[is_moved]
+        points = self.found.data.points[indices].astype(np.float64)
+        mesh_points.write(obj.data, indices, points + faired.moves[is_moved] / self.scale)
+        state = hull_state.follow_edit(obj, scene, is_by_hand=False)
+        report = state.of(LastFairing).report = Report(
+            state.ship.geometry_key,
+            int(np.count_nonzero(is_moved)),
+            faired.rms,
+            faired.largest,
+            faired.bound,
+            1.0 - faired.energy_after / faired.energy_before if faired.energy_before else 0.0,
+            faired.settled,
+            before,
+            after,
+        )
+        return report
+
+
+def fair_selected(obj, scene, asked):
+    """Fairs a hull in edit mode around its selected points, as Asked; returns the Report.
+
+    ValueError where that cannot be: nothing moves then.
+    """
+    start = _Start(obj, scene, asked)
+    return start.write(obj, scene, *start.solve())
+
+
+class Fairing(jobs.JobTask):
+    """The same as a task; see features.conversion.conversions."""
+
+    text = "Fairing"
+
+    def __init__(self, obj, scene, asked):
+        self._start = _Start(obj, scene, asked)
+        self.state = self._start.state
+        conversions.clear_way(obj)
+        self._job = jobs.Job(self._start.solve)
+        conversions.watch(self)
+
+    def result(self):
+        """What write() takes, which is waited for; raises what went wrong."""
+        return self._job.result()
+
+    def write(self, scene):
+        """Moves the hull's control points; returns the Report. ValueError when the hull is no
+        longer what was faired."""
+        solved = self.result()
+        start, obj = self._start, scene.objects.get(self._start.name)
+        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
+            raise ValueError(_CHANGED)
+        found = hull_mesh.read(obj)
+        if (found.topology, found.points_digest) != (
+            start.found.topology,
+            start.found.points_digest,
+        ):
+            raise ValueError(_CHANGED)
+        return start.write(obj, scene, *solved)
+
+
+def last_report(obj):
+    """(the Report of a hull's last fairing or None, whether the hull is as that made it)."""
+    state = hull_state.state_of(obj)
+    report = None if state is None else state.of(LastFairing).report
+    return report, report is not None and state.ship.geometry_key == report.key
+
+
+def rows(report):
+    """Pairs (name, value) of what a panel shows of a Report."""
+    before, after = report.before, report.after
+    return [
+        ("Points moved", str(report.count)),
+        ("RMS shift", units.format_mm(report.rms)),
+        ("Largest shift", units.format_mm(report.largest)),
+        ("Inflections", f"{before.inflections} → {after.inflections}"),
+        ("Extrema", f"{before.extrema} → {after.extrema}"),
+    ]
+
+
+def _marks(before, after):
+    return (
+        f"inflections {before.inflections} → {after.inflections}, "
+        f"extrema of curvature {before.extrema} → {after.extrema}"
+    )
+
+
+_BOUNDS = {
+    "deviation": "",
+    "largest": ", as far as the largest shift lets",
+    "nothing": ": as fair as these points can make it",
+}
+
+
+def summary(report):
+    """A Report as a sentence."""
+    text = (
+        f"{counted(report.count, 'point')} moved, surface shifted by "
+        f"{units.format_mm(report.rms)} RMS, {units.format_mm(report.largest)} at most"
+        f"{_BOUNDS[report.bound]}; {_marks(report.before, report.after)}"
+    )
+    if report.has_more_marks:
+        text = f"More marks than before. {text}"
+    return text if report.settled else f"{text}. It may get fairer still: fair again"

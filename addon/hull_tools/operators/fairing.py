@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface faired around the selected control points."""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
+
+from ..bridge.blender import units
+from ..features.fairing import region_fairing
+from .shared import EditModeOperator
+from .tasks import TaskOperator
+
+
+class _Settings:
+    """What both operators ask for."""
+
+    deviation_mm: FloatProperty(
+        name="Deviation (mm)",
+        description="Root of the mean square by which the surface around the points shifts",
+        default=5.0,
+        min=0.0,
+        max=1e5,
+        soft_max=100.0,
+        precision=2,
+    )
+    largest_mm: FloatProperty(
+        name="Largest (mm)",
+        description="The surface shifts nowhere by more; 0: by any",
+        min=0.0,
+        max=1e5,
+        soft_max=100.0,
+        precision=2,
+    )
+    keep_stations: BoolProperty(
+        name="Keep stations", description="Points stay at their x", default=True
+    )
+    keep_creases: BoolProperty(
+        name="Hold creases",
+        description="Points of creases and borders stay",
+        default=True,
+    )
+    along_normals: BoolProperty(
+        name="Along normals",
+        description="Points move across the surface, and do not slide along it",
+        default=True,
+    )
+    refuse_more: BoolProperty(
+        name="Refuse more marks",
+        description="Nothing moves if there were more inflections or extrema of curvature then",
+    )
+
+    def asked(self, energy):
+        return region_fairing.Asked(
+            1e-3 * units.as_typed(self.deviation_mm),
+            1e-3 * units.as_typed(self.largest_mm),
+            energy,
+            self.keep_stations,
+            self.keep_creases,
+            self.along_normals,
+            self.refuse_more,
+        )
+
+
+class HULL_OT_fair_region(bpy.types.Operator, _Settings, EditModeOperator):
+    """Move the selected points so that the surface around them bends as little as can be, within
+    a deviation. Locked points stay, flats stay flat"""
+
+    bl_idname = "hull.fair_region"
+    bl_label = "Fair Region"
+
+    energy: EnumProperty(
+        name="Least",
+        description="What is made the least",
+        items=(
+            ("LENGTHWISE", "Bend along the ship", "Sections keep their own bend, as bilges"),
+            ("THIN_PLATE", "Bend all ways", "Flatter in sections, too"),
+        ),
+    )
+
+    def run_on(self, hull, context):
+        asked = self.asked(self.energy)
+        report = region_fairing.fair_selected(hull, context.scene, asked)
+        text = region_fairing.summary(report)
+        self.report({"WARNING" if report.has_more_marks else "INFO"}, text)
+
+
+class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
+    """The same by the surface's own curvature, which takes longer: as little of it as can be, or
+    as even as can be"""
+
+    bl_idname = "hull.fair_curvature"
+    bl_label = "Fair Curvature"
+    bl_options = {"REGISTER", "UNDO"}
+
+    needs = EditModeOperator.needs
+
+    energy: EnumProperty(
+        name="Least",
+        description="What is made the least",
+        items=(
+            ("VARIATION", "Variation", "Changes of curvature: spheres and cylinders stay"),
+            ("CURVATURE", "Curvature", "Curvature itself: flatter all in all"),
+        ),
+    )
+
+    def begin(self, hull, scene):
+        return region_fairing.Fairing(hull, scene, self.asked(self.energy))
+
+    def outcome(self, result, scene):
+        report = self._task.write(scene)
+        return region_fairing.summary(report), report.has_more_marks or not report.settled
+
+
+CLASSES = (HULL_OT_fair_region, HULL_OT_fair_curvature)

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fair Region and Fair Curvature: a dent goes, what is to stay does, and both are told."""
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import mesh_points, part, state_of
+from edited_hulls import edit, find, select
+
+DENT = 0.052  # 4 per mille of the coaster's beam
+PLACE = (67.9, 6.1, 4.9)
+
+
+def dented():
+    """(the coaster in edit mode with a dent selected, the surface without it, the point)."""
+    bpy.ops.hull.load_sample(name="coaster")
+    hull = bpy.context.view_layer.objects.active
+    hull = part("bridge.objects.hull_objects").hull_of(hull)
+    before = state_of(hull).ship.source.new_surface()
+    edit(hull)
+    point = find(hull, *PLACE)
+    places = part("bridge.mesh.mesh_points").read(hull.data, [point])
+    places[0, 1] -= DENT
+    part("bridge.mesh.mesh_points").write(hull.data, [point], places)
+    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    select(hull, "vertex", [point])
+    return hull, before, point
+
+
+def distance(hull, surface):
+    native = part("bridge.native").require()
+    points = state_of(hull).ship.surface.tessellate(6).points
+    return float(
+        np.sqrt((native.SurfaceTree(surface).closest_points(points).distances ** 2).mean())
+    )
+
+
+def coordinates(hull):
+    return part("bridge.mesh.mesh_points").read(hull.data)
+
+
+@pytest.mark.parametrize("operator", ["fair_region", "fair_curvature"])
+def test_a_dent_is_faired_out(operator):
+    hull, before, point = dented()
+    start, dent = coordinates(hull), distance(hull, before)
+    assert getattr(bpy.ops.hull, operator)(deviation_mm=7.5) == {"FINISHED"}
+    after = coordinates(hull)
+    np.testing.assert_array_equal(after[:, 0], start[:, 0])
+    assert (np.flatnonzero((after != start).any(axis=1)) == [point]).all()
+    assert distance(hull, before) < dent / 3.0
+    fairing = part("features.fairing.region_fairing")
+    report, is_current = fairing.last_report(hull)
+    # Blender's points are single precision: 4 µm there.
+    assert is_current and report.rms == pytest.approx(7.5e-3, rel=1e-6)
+    assert report.count == 1 and not report.has_more_marks
+    assert dict(fairing.rows(report))["RMS shift"] == "7.5 mm"
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_another_deviation_needs_no_other_preparation():
+    hull, _, _ = dented()
+    fairing = part("features.fairing.region_fairing")
+    scene, start = bpy.context.scene, coordinates(hull)
+    for deviation in (1e-3, 2e-3):
+        part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(start)), start)
+        report = fairing.fair_selected(hull, scene, fairing.Asked(deviation))
+        assert report.rms == pytest.approx(deviation, rel=1e-6)
+        regions = list(fairing._prepared.values())
+    assert regions == list(fairing._prepared.values()) and len(regions) == 1
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_what_cannot_be_is_refused_and_moves_nothing():
+    hull, _, point = dented()
+    start = coordinates(hull)
+    fairing = part("features.fairing.region_fairing")
+
+    def refused(words, **options):
+        with pytest.raises(ValueError, match=words):
+            asked = fairing.Asked(**{"deviation": 0.01, **options})
+            fairing.fair_selected(hull, bpy.context.scene, asked)
+        np.testing.assert_array_equal(coordinates(hull), start)
+
+    refused("Deviation", deviation=float("nan"))
+    refused("Deviation", deviation=-1.0)
+    refused("Largest", largest=-1.0)
+    bpy.ops.hull.lock_points()
+    refused("None of the chosen points may move")
+    bpy.ops.hull.unlock_points()
+    bpy.ops.mesh.select_all(action="DESELECT")
+    refused("Select the control points")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert not bpy.ops.hull.fair_region.poll()
+    assert len(mesh_points(hull)) == len(start) and point < len(start)
