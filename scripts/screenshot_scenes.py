@@ -83,6 +83,22 @@ def _with_fit(hull):
         bpy.ops.hull.fit()
 
 
+def _with_targets(hull):
+    """More displacement further forward, and stability enough: solved."""
+    values = part("features.hull.hull_state").state_of(hull).hydrostatics.values
+    wanted = (
+        ("DISPLACEMENT", 1.02 * values.displacement_t, "equal"),
+        ("LCB_PERCENT", values.lcb_percent + 0.2, "equal"),
+        ("KMT", values.kmt - 0.1, "at least"),
+    )
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        for quantity, value, sense in wanted:
+            bpy.ops.hull.add_target()
+            row = hull.hull.targets.rows[-1]
+            row.quantity, row.value, row.sense = quantity, value, sense
+        bpy.ops.hull.solve_targets()
+
+
 def _with_variants(hull):
     """Two, the first of them as it is behind the hull."""
     with bpy.context.temp_override(object=hull, active_object=hull):
@@ -122,6 +138,7 @@ PANELS = {
     "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
+    "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),
         _with_variants,

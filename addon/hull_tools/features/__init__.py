@@ -23,6 +23,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
   dimensions      hulls scaled to main dimensions, with all that belongs to them
   transformation  the whole form changed to given particulars: shifts of sections, lengthening
+  targets         control points moved so that numbers of the form are as wanted
   studio          a studio around the hull, for pictures of it
 
 What is to come has its place, as a folder of its own: resistance after stability (an analysis

@@ -31,6 +31,7 @@ from . import (
     sides,
     studio,
     tag_mesh,
+    targets,
     transformation,
     variants,
 )
@@ -51,6 +52,7 @@ _CLASSES = (
     *fit.CLASSES,
     *transformation.CLASSES,
     *fairing.CLASSES,
+    *targets.CLASSES,
     *lock_points.CLASSES,
     *keep_points.CLASSES,
     *dimensions.CLASSES,

@@ -22,6 +22,7 @@ from . import (
     studio,
     tag_menus,
     tags,
+    targets,
     transformation,
     variants,
 )
@@ -38,8 +39,9 @@ _CLASSES = (
     *shape.CLASSES,
     *pull.CLASSES,
     *fit.CLASSES,
-    *variants.CLASSES,
     *transformation.CLASSES,
+    *targets.CLASSES,
+    *variants.CLASSES,
     *fairing.CLASSES,
     *fairness.CLASSES,
     *hydrostatics.CLASSES,

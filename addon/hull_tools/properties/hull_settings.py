@@ -17,6 +17,7 @@ from . import (
     ship_settings,
     studio_settings,
     tag_settings,
+    target_settings,
     transform_settings,
     variant_settings,
     wind_settings,
@@ -66,6 +67,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     export: PointerProperty(type=export_settings.HullExport)
     studio: PointerProperty(type=studio_settings.HullStudio)
     fit: PointerProperty(type=fit_settings.HullFit)
+    targets: PointerProperty(type=target_settings.HullTargets)
     variants: PointerProperty(type=variant_settings.HullVariants)
     transform: PointerProperty(type=transform_settings.HullTransform)
 
@@ -78,6 +80,7 @@ CLASSES = (
     *transform_settings.CLASSES,
     *stability_settings.CLASSES,
     *wind_settings.CLASSES,
+    *target_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,
     *studio_settings.CLASSES,

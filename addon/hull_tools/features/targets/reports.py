@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What came of bringing a hull to its targets, in numbers and words."""
+
+from dataclasses import dataclass
+
+from ...bridge.blender import units
+from ..hull import hull_state
+
+
+@dataclass(frozen=True, eq=False)
+class Reached:
+    """What came of one row, in the unit of its Quantity: before, and as it is reached; miss: how
+    far out of its bounds, 0 where met; binds: whether the cost depends on it."""
+
+    label: str
+    unit: str
+    wanted: str
+    before: float
+    reached: float
+    miss: float
+    binds: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """What came of a solution. key: the geometry of the hull it gave; status: as hull_native's
+    TargetsReached has it; rows: Reached; rms in m; held: dimensions that are at their limits."""
+
+    key: object
+    status: str
+    rows: tuple
+    iterations: int
+    rms: float
+    scale: tuple
+    held: tuple
+
+    @property
+    def is_met(self):
+        return self.status == "met"
+
+
+@dataclass
+class LastSolution:
+    """The Report of the last solution of a hull, or None."""
+
+    report: object = None
+
+
+def last_report(obj):
+    """(the Report of a hull's last solution or None, whether the hull is as that made it)."""
+    state = hull_state.state_of(obj)
+    report = None if state is None else state.of(LastSolution).report
+    return report, report is not None and state.ship.geometry_key == report.key
+
+
+def missed(report):
+    return [row for row in report.rows if row.miss]
+
+
+def warning(report, scene):
+    """What is not as wanted, and why, in a sentence, or ""."""
+    if report.is_met:
+        return ""
+    short = "; ".join(
+        f"{row.label} {row.wanted}: nearest is {units.format_value(scene, row.reached, row.unit)}"
+        for row in missed(report)
+    )
+    binding = [row.label for row in report.rows if row.binds and not row.miss]
+    binding += [f"the limit of {name}" for name in report.held]
+    text = f"Not all can be met. {short}" if short else "Not all is settled"
+    if binding:
+        text += f". Held by {', '.join(binding)}"
+    if report.status == "folded":
+        text += ". Beyond that the surface would fold"
+    if report.status == "unsettled":
+        text += ". It may come nearer still: solve again"
+    return text
+
+
+def summary(report, scene):
+    """A Report as a sentence."""
+    rms = units.format_mm(report.rms)
+    if report.is_met:
+        return f"All targets met: the surface shifts by {rms} RMS"
+    return f"{warning(report, scene)}. The surface shifts by {rms} RMS"
+
+
+def told(report, scene):
+    """Pairs (name, value) of what a panel shows of a Report."""
+    pairs = [
+        (f"{row.label} {row.wanted}", units.format_value(scene, row.reached, row.unit))
+        for row in report.rows
+    ]
+    names = ("Length", "Beam", "Draft")
+    pairs += [
+        (f"{name} times", f"{factor:.5f}")
+        for name, factor in zip(names, report.scale)
+        if factor != 1.0
+    ]
+    return [*pairs, ("Shift, RMS", units.format_mm(report.rms))]

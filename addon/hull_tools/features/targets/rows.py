@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rows of Object.hull.targets: what they ask for, what is at present, how they come and go."""
+
+from ...bridge import limits
+from ...bridge.blender import units
+from ..hull import hull_state
+from . import quantities
+
+
+def in_use(obj):
+    rows = [row for row in obj.hull.targets.rows if row.use]
+    if not rows:
+        raise ValueError("Add a target first, and switch it on")
+    limits.at_most(len(rows), "targets", limits.MOST_TARGETS)
+    return rows
+
+
+def wanted(row):
+    """What a row asks for, in short."""
+    sign = {"equal": "=", "at least": "≥", "at most": "≤"}[row.sense]
+    return f"{sign} {units.as_typed(row.value):g}"
+
+
+def kg_of(obj, scale):
+    return units.as_typed(obj.hull.loading.kg) * scale
+
+
+def present(row, obj, scene):
+    """What a row's number is of the hull as it was last computed, in its unit; None: not known."""
+    state = hull_state.state_of(obj)
+    values = None if state is None else state.hydrostatics.values
+    if values is None:
+        return None
+    quantity = quantities.quantity_of(row)
+    if quantity.identifier == quantities.GM:
+        return values.kmt - kg_of(obj, units.metres_per_unit(scene))
+    return getattr(values, _NAMES.get(quantity.number, quantity.number.replace(".", "_")), None)
+
+
+# Names in flotation.hydrostatics that are not hull_native's.
+_NAMES = {
+    "midship_section.area": "midship_area",
+    "km_transverse": "kmt",
+    "km_longitudinal": "kml",
+    "bm_transverse": "bmt",
+}
+
+
+def add_row(obj, quantity=None):
+    """A row of a hull's targets with the present value as the wanted one; returns it."""
+    settings = obj.hull.targets
+    limits.at_most(len(settings.rows) + 1, "targets", limits.MOST_TARGETS)
+    row = settings.rows.add()
+    if quantity is not None:
+        row.quantity = quantity
+    settings.active_row = len(settings.rows) - 1
+    return row
+
+
+def take_present(row, obj, scene):
+    """Makes the present value of a row's number the wanted one, where it is known."""
+    value = present(row, obj, scene)
+    if value is not None:
+        row.value = value
+
+
+def chosen_row(obj):
+    """The row that is chosen; ValueError without one."""
+    settings = obj.hull.targets
+    if not 0 <= settings.active_row < len(settings.rows):
+        raise ValueError("Choose a target first")
+    return settings.rows[settings.active_row]
+
+
+def remove_row(obj):
+    """Removes the row that is chosen."""
+    settings = obj.hull.targets
+    if not settings.rows:
+        raise ValueError("There is no target")
+    index = min(max(settings.active_row, 0), len(settings.rows) - 1)
+    settings.rows.remove(index)
+    settings.active_row = max(min(index, len(settings.rows) - 1), 0)

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls changed so that their numbers are as wanted: the task that moves the control points, and
+its report."""
+
+import numpy as np
+
+from ...bridge import limits, native
+from ...bridge.background import jobs
+from ...bridge.blender import units
+from ...bridge.mesh import mesh_points
+from ...bridge.objects import hull_mesh, hull_objects
+from ..constraints import held_points, move_limits
+from ..conversion import conversions
+from ..dimensions import dimensions
+from ..flotation import afloat
+from ..hull import hull_state
+from ..lines import lines
+from . import quantities, reports, rows
+
+_CHANGED = "The hull was changed meanwhile, and stays as it is: solve it again"
+# Of the hull's beam: points that are as far out as any.
+_AS_FAR_OUT = 1e-3
+# Of a price's own size: what does not bind.
+_NO_PRICE = 1e-9
+_DIMENSIONS = ("length", "beam", "draft")
+
+
+class Solving(jobs.JobTask):
+    """The task of bringing a hull as it is now to its targets; see conversion.conversions."""
+
+    text = "Solving for targets"
+
+    def __init__(self, obj, scene):
+        self.state = hull_state.up_to_date(obj, scene)
+        self._rows = rows.in_use(obj)
+        conversions.clear_way(obj)
+        self._name, self.scale = obj.name, units.metres_per_unit(scene)
+        found = hull_mesh.read(obj)
+        self._before = found.topology, found.points_digest
+        control = found.control(self.scale)
+        self._ids, self._points = control.vertex_ids, control.points
+        surface = self.state.ship.source.new_surface()
+        self._targets = [_target(row, obj, self.scale) for row in self._rows]
+        options = _options(obj, surface, control, self.state.ship.source, self.scale)
+        self._job = jobs.Job(
+            lambda progress: native.require().reach_targets(
+                surface, self._targets, progress=progress, **options
+            )
+        )
+        conversions.watch(self)
+
+    def result(self):
+        """The hull_native.TargetsReached, which is waited for; raises what went wrong."""
+        return self._job.result()
+
+    def write(self, scene):
+        """Moves the hull's control points to what is reached; returns the reports.Report.
+        ValueError when the hull is no longer what it was."""
+        reached = self.result()
+        obj = scene.objects.get(self._name)
+        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
+            raise ValueError(_CHANGED)
+        found = hull_mesh.read(obj)
+        if (found.topology, found.points_digest) != self._before:
+            raise ValueError(_CHANGED)
+        kg = rows.kg_of(obj, self.scale)
+        numbers = zip(self._rows_told(obj), *_numbers(reached))
+        found_rows = tuple(_row(*row, kg) for row in numbers)
+        if np.any(np.asarray(reached.scale) != 1.0):
+            dimensions.scale_hull(obj, scene, reached.scale)
+        mesh_points.write(obj.data, self._ids, (self._points + reached.moves) / self.scale)
+        state = hull_state.follow_edit(obj, scene, is_by_hand=False)
+        held = tuple(
+            name for name, price in zip(_DIMENSIONS, reached.scale_prices) if abs(price) > _NO_PRICE
+        )
+        report = state.of(reports.LastSolution).report = reports.Report(
+            state.ship.geometry_key,
+            reached.status,
+            found_rows,
+            reached.iterations,
+            reached.rms,
+            tuple(reached.scale),
+            held,
+        )
+        return report
+
+    def _rows_told(self, obj):
+        return [(quantities.quantity_of(row), rows.wanted(row)) for row in rows.in_use(obj)]
+
+
+def _numbers(reached):
+    return reached.before, reached.reached, reached.misses, reached.prices
+
+
+def _target(row, obj, scale):
+    """The hull_native.FormTarget of a row."""
+    quantity = quantities.quantity_of(row)
+    value, tolerance = units.as_typed(row.value), units.as_typed(row.tolerance)
+    limits.within(
+        value, f"The wanted {quantity.label}", -limits.GREATEST_TARGET, limits.GREATEST_TARGET
+    )
+    limits.within(tolerance, f"The tolerance of {quantity.label}", 0.0, limits.GREATEST_TARGET)
+    if quantity.identifier == quantities.GM:
+        value += rows.kg_of(obj, scale)
+    station = {}
+    if quantity.identifier == quantities.SECTION:
+        station["station"] = units.as_typed(row.station) * scale
+    return native.require().FormTarget(
+        quantity.number, value, tolerance=tolerance, sense=row.sense, **station
+    )
+
+
+def _options(obj, surface, control, source, scale):
+    """The other arguments of hull_native.reach_targets."""
+    settings = obj.hull.targets
+    where = afloat.afloat(obj.hull, scale)
+    if where.heel != 0.0:
+        raise ValueError("Targets are of the ship upright: set Heel to 0 first")
+    limits.within(settings.stiffness, "Fairness", 0.0, limits.GREATEST_TARGET_STIFFNESS)
+    position = where.position()
+    del position["heel"]
+    return {
+        "mirrored": source.half,
+        "openings": source.openings,
+        "stiffness": settings.stiffness,
+        **position,
+        **where.project(),
+        **_scales(settings),
+        **_moves(obj, surface, control),
+    }
+
+
+def _scales(settings):
+    scales = {}
+    for name in _DIMENSIONS:
+        change = 0.01 * getattr(settings, f"{name}_change")
+        limits.within(change, f"The change of {name}", 0.0, 0.01 * limits.GREATEST_DIMENSION_CHANGE)
+        if getattr(settings, f"free_{name}"):
+            scales[f"{name}_scale"] = (1.0 - change, 1.0 + change)
+    return scales
+
+
+def _moves(obj, surface, control):
+    """What control points may do, as keyword arguments."""
+    settings, size = obj.hull.targets, lines.size_of(surface)
+    found = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
+    arguments = found.reshape_arguments(surface)
+    is_scaled = any(getattr(settings, f"free_{name}") for name in _DIMENSIONS)
+    if is_scaled and len(found.locked):
+        raise ValueError(
+            "Locked points cannot stay while a dimension is free: free the points, or keep the "
+            "dimensions"
+        )
+    points, count = control.points, len(control.points)
+    stays = np.zeros(count, dtype=bool)
+    stays[found.locked] = True
+    if settings.moving == "NONE":
+        stays[:] = True
+    if settings.moving == "SELECTED":
+        stays[~np.isin(control.vertex_ids, _selected(obj))] = True
+    at_centre = held_points.on_centre(points, size)
+    border = np.zeros(count, dtype=bool)
+    border[np.unique(np.asarray(surface.mesh.border_edges))] = True
+    if settings.keep_profile:
+        stays |= at_centre
+    if settings.keep_deck:
+        stays |= border & ~at_centre
+    # Held along all axes, not locked: locked points would not be scaled.
+    normals = [np.asarray(arguments["held_normals"]).reshape(-1, 3)]
+    held = [np.asarray(arguments["held_points"], dtype=np.int64)]
+    for axis in np.eye(3):
+        held.append(np.flatnonzero(stays))
+        normals.append(np.tile(axis, (int(stays.sum()), 1)))
+    if settings.keep_side:
+        far = np.abs(points[:, 1])
+        side = np.flatnonzero(far >= (1.0 - _AS_FAR_OUT) * far.max())
+        held.append(side)
+        normals.append(np.tile((0.0, 1.0, 0.0), (len(side), 1)))
+    arguments["locked"] = np.empty(0, dtype=np.int64) if is_scaled else found.locked
+    arguments["held_points"] = np.concatenate(held)
+    arguments["held_normals"] = np.concatenate(normals)
+    return arguments
+
+
+def _selected(obj):
+    if not obj.data.is_editmode:
+        raise ValueError("Enter edit mode and select the points that may move, or let all move")
+    return mesh_points.selected(obj.data)
+
+
+def _row(told, before, reached, miss, price, kg):
+    quantity, wanted = told
+    shift = kg if quantity.identifier == quantities.GM else 0.0
+    binds = abs(price) > _NO_PRICE
+    return reports.Reached(
+        quantity.label, quantity.unit, wanted, before - shift, reached - shift, miss, binds
+    )

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers that the hull is to have: panel."""
+
+import bpy
+
+from ..bridge.blender.units import format_value
+from ..bridge.objects import hull_objects
+from ..features.targets import quantities, reports, rows
+from .conversion import draw_task
+from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
+
+_SIGNS = {"equal": "=", "at least": "≥", "at most": "≤"}
+
+
+class HULL_UL_rows(bpy.types.UIList):
+    """Whether a row counts, its number, what is wanted, and what it is."""
+
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        quantity = quantities.quantity_of(item)
+        row = layout.row(align=True)
+        row.prop(item, "use", text="")
+        split = row.split(factor=0.6)
+        split.active = item.use
+        split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {item.value:.5g}")
+        now = rows.present(item, data.id_data, context.scene)
+        right = split.row()
+        right.alignment = "RIGHT"
+        right.label(text=format_value(context.scene, now, quantity.unit))
+
+
+class HULL_PT_targets(HullPanel, bpy.types.Panel):
+    """Change the hull so that it has wanted numbers"""
+
+    bl_label = "Targets"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        settings = hull.hull.targets
+        row = draw_entries(layout, settings, "rows", "active_row", "target")
+        if row is not None:
+            self._draw_row(layout, row)
+        self._draw_changes(layout, settings)
+        if not draw_task(layout, hull):
+            layout.operator("hull.solve_targets", icon="SNAP_ON")
+        self._draw_report(context, hull)
+
+    def _draw_row(self, layout, row):
+        text_field(layout, row, "quantity")
+        if row.quantity == quantities.SECTION:
+            layout.prop(row, "station")
+        line = layout.row(align=True)
+        line.prop(row, "sense", expand=True)
+        column = layout.column(align=True)
+        line = column.row(align=True)
+        line.prop(row, "value")
+        line.operator("hull.take_present_target", text="", icon="EYEDROPPER")
+        column.prop(row, "tolerance")
+
+    def _draw_changes(self, layout, settings):
+        text_field(layout, settings, "moving")
+        if settings.moving != "NONE":
+            column = layout.column(align=True)
+            column.label(text="Stay:")
+            column.prop(settings, "keep_profile")
+            column.prop(settings, "keep_deck")
+            column.prop(settings, "keep_side")
+            layout.prop(settings, "stiffness")
+        column = layout.column(align=True)
+        column.label(text="Free within limits:")
+        for name in ("length", "beam", "draft"):
+            row = column.row(align=True)
+            row.prop(settings, f"free_{name}")
+            if getattr(settings, f"free_{name}"):
+                row.prop(settings, f"{name}_change")
+
+    def _draw_report(self, context, hull):
+        layout = self.layout
+        report, is_current = reports.last_report(hull)
+        if report is None:
+            return
+        if not is_current:
+            label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
+        text = reports.warning(report, context.scene)
+        label_wrapped(
+            layout, context, text or "All targets met", icon="ERROR" if text else "CHECKMARK"
+        )
+        column = layout.column(align=True)
+        column.active = is_current
+        column.scale_y = 0.8
+        for name, value in reports.told(report, context.scene):
+            label_value(column, name, value)
+
+
+CLASSES = (HULL_UL_rows, HULL_PT_targets)

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Targets in Blender: rows come and go, the hull gets its numbers, what is to stay stays, one undo
+step takes all back, and what cannot be met is told."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import part, state_of
+
+# Points are kept in single precision: what that leaves of a number, relative.
+SINGLE = 2e-6
+
+
+def sample(name="coaster"):
+    bpy.ops.hull.load_sample(name=name)
+    return bpy.context.view_layer.objects.active
+
+
+def points_of(hull):
+    return part("bridge.mesh.mesh_points").read(hull.data)
+
+
+def values_of(hull):
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    return state_of(hull).hydrostatics.values
+
+
+def add(hull, quantity, value, sense="equal", tolerance=0.0):
+    assert bpy.ops.hull.add_target() == {"FINISHED"}
+    row = hull.hull.targets.rows[-1]
+    row.quantity, row.value, row.sense, row.tolerance = quantity, value, sense, tolerance
+    return row
+
+
+def report_of(hull):
+    report, is_current = part("features.targets.reports").last_report(hull)
+    assert is_current
+    return report
+
+
+@pytest.fixture(autouse=True)
+def nothing_left():
+    yield
+    part("features.conversion.conversions").stop()
+
+
+def test_a_coaster_gets_its_numbers():
+    hull = sample()
+    before, points = values_of(hull), points_of(hull)
+    volume, lcb = 1.03 * before.displaced_volume, before.lcb_percent + 0.3
+    add(hull, "VOLUME", volume)
+    add(hull, "LCB_PERCENT", lcb)
+    add(hull, "KMT", before.kmt - 0.2, "at least")
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    report = report_of(hull)
+    assert report.is_met and report.rms > 0.0
+    after = values_of(hull)
+    assert after.displaced_volume == pytest.approx(volume, rel=SINGLE)
+    assert after.lcb_percent == pytest.approx(lcb, abs=1e-4)
+    assert after.kmt >= before.kmt - 0.2
+    # Profile, deck edge and the side stay by default.
+    now = points_of(hull)
+    at_centre = points[:, 1] == 0.0
+    assert np.array_equal(now[at_centre], points[at_centre])
+    far = np.isclose(points[:, 1], points[:, 1].max(), rtol=1e-4)
+    assert np.array_equal(now[far, 1], points[far, 1])
+
+
+def test_selected_points_alone_move():
+    hull = sample()
+    points = points_of(hull)
+    chosen = (points[:, 0] > np.quantile(points[:, 0], 0.6)) & (points[:, 1] > 0.5)
+    hull.hull.targets.moving = "SELECTED"
+    add(hull, "VOLUME", 1.005 * values_of(hull).displaced_volume)
+    with pytest.raises(RuntimeError, match="edit mode"):
+        bpy.ops.hull.solve_targets()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    edited = bmesh.from_edit_mesh(hull.data)
+    for vertex, one in zip(edited.verts, chosen):
+        vertex.select = bool(one)
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert report_of(hull).is_met
+    assert np.array_equal(points_of(hull)[~chosen], points[~chosen])
+
+
+def test_a_free_dimension_takes_the_particulars_along():
+    hull = sample()
+    settings, before = hull.hull.targets, values_of(hull)
+    beam, depth, cb = hull.hull.beam, hull.hull.depth, before.project_block
+    settings.moving, settings.free_beam, settings.beam_change = "NONE", True, 10.0
+    add(hull, "VOLUME", 1.05 * before.displaced_volume)
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    assert hull.hull.beam == pytest.approx(1.05 * beam, rel=SINGLE)
+    assert hull.hull.depth == depth
+    after = values_of(hull)
+    assert after.displaced_volume == pytest.approx(1.05 * before.displaced_volume, rel=SINGLE)
+    assert after.project_block == pytest.approx(cb, rel=SINGLE)
+
+
+def test_what_cannot_be_met_is_told():
+    hull = sample()
+    settings, before = hull.hull.targets, values_of(hull)
+    settings.moving, settings.free_beam, settings.beam_change = "NONE", True, 2.0
+    add(hull, "VOLUME", 1.05 * before.displaced_volume)
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    report = report_of(hull)
+    assert report.status == "unreachable" and report.held == ("beam",)
+    assert report.rows[0].reached == pytest.approx(1.02 * before.displaced_volume, rel=1e-6)
+    text = part("features.targets.reports").warning(report, bpy.context.scene)
+    assert "∇" in text and "limit of beam" in text
+
+
+def test_rows_come_and_go():
+    hull = sample()
+    assert not bpy.ops.hull.solve_targets.poll()
+    first = add(hull, "CB", 0.7)
+    assert first.use
+    add(hull, "GM", 1.0)
+    hull.hull.targets.active_row = 0
+    assert bpy.ops.hull.take_present_target() == {"FINISHED"}
+    assert hull.hull.targets.rows[0].value == pytest.approx(values_of(hull).project_block)
+    assert bpy.ops.hull.remove_target() == {"FINISHED"}
+    assert [row.quantity for row in hull.hull.targets.rows] == ["GM"]
+
+
+def test_every_quantity_has_a_present_value():
+    hull = sample()
+    values_of(hull)
+    rows, quantities = part("features.targets.rows"), part("features.targets.quantities")
+    row = add(hull, "CB", 0.7)
+    for quantity in quantities.QUANTITIES:
+        row.quantity = quantity.identifier
+        row.station = 0.5 * hull.hull.length_pp
+        found = rows.present(row, hull, bpy.context.scene)
+        assert found is not None or quantity.identifier == quantities.SECTION, quantity
+
+
+def test_nonsense_is_refused():
+    hull = sample()
+    row = add(hull, "VOLUME", 1e3)
+    before = points_of(hull)
+    for name, value, text in (
+        ("value", float("nan"), "wanted"),
+        ("value", float("inf"), "wanted"),
+        ("tolerance", float("nan"), "tolerance"),
+    ):
+        kept = getattr(row, name)
+        setattr(row, name, value)
+        with pytest.raises(RuntimeError, match=text):
+            bpy.ops.hull.solve_targets()
+        setattr(row, name, kept)
+    row.use = False
+    with pytest.raises(RuntimeError, match="Add a target"):
+        bpy.ops.hull.solve_targets()
+    row.use = True
+    hull.hull.heel = 0.1
+    with pytest.raises(RuntimeError, match="upright"):
+        bpy.ops.hull.solve_targets()
+    assert np.array_equal(points_of(hull), before)
