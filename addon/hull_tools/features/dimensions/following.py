@@ -57,9 +57,9 @@ STAYING = frozenset(
     plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach
-    transform.kept_group
+      transform.kept_group
       targets.rows.value targets.rows.tolerance targets.length_change targets.beam_change
-    targets.draft_change targets.stiffness""".split()
+      targets.draft_change targets.stiffness""".split()
 )
 # Groups of which all stays: hulls as they were.
 STAYING_GROUPS = frozenset(("variants",))
