@@ -20,7 +20,6 @@ from . import (
     target_settings,
     transform_settings,
     variant_settings,
-    wind_settings,
 )
 from .shared import changed
 
@@ -78,8 +77,6 @@ CLASSES = (
     *fairness_settings.CLASSES,
     *fit_settings.CLASSES,
     *transform_settings.CLASSES,
-    *stability_settings.CLASSES,
-    *wind_settings.CLASSES,
     *target_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,
