@@ -160,13 +160,14 @@ void bind_region(py::module_& module) {
                        const std::string& energy, const py::object& locked,
                        const py::object& held_points, const DoubleArray& held_normals,
                        const py::object& tied, const DoubleArray& tied_directions,
-                       bool keep_creases, bool keep_stations, bool along_normals,
-                       const py::iterable& conditions, int most_steps) {
+                       const py::iterable& kept, bool keep_creases, bool keep_stations,
+                       bool along_normals, const py::iterable& conditions, int most_steps) {
              modelling::FairOptions options;
              options.points = integers_from(points, "points");
              options.energy = energy_from(energy);
              options.limits.limits = limits_from(locked, held_points, held_normals);
              options.limits.tied = ties_from(tied, tied_directions);
+             options.limits.kept = conditions_from(kept, "kept");
              options.keep_creases = keep_creases;
              options.keep_stations = keep_stations;
              options.along_normals = along_normals;
@@ -178,15 +179,16 @@ void bind_region(py::module_& module) {
            py::arg("surface"), py::arg("points"), py::kw_only(), py::arg("energy") = "lengthwise",
            py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
            py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
-           py::arg("tied_directions") = py::tuple(), py::arg("keep_creases") = true,
-           py::arg("keep_stations") = true, py::arg("along_normals") = true,
-           py::arg("conditions") = py::tuple(),
+           py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
+           py::arg("keep_creases") = true, py::arg("keep_stations") = true,
+           py::arg("along_normals") = true, py::arg("conditions") = py::tuple(),
            py::arg("most_steps") = modelling::FairOptions().most_steps,
            "points (k,): control points that may move. energy: 'thin_plate' (squared second "
            "derivatives to the metric of the surface as it was), 'lengthwise' (of these what bends "
            "along the ship: sections keep their own bend), 'curvature' (the integral of the "
            "squared principal curvatures) or 'variation' (of the squared changes of curvature). "
-           "locked, held_points, held_normals, tied, tied_directions, conditions: as of Reshape. "
+           "locked, held_points, held_normals, tied, tied_directions, kept, conditions: as of "
+           "Reshape. "
            "keep_creases: points of creases, borders and corners stay. keep_stations: x stays, bit "
            "by bit. along_normals: points move along the surface's normal (with keep_stations its "
            "part "

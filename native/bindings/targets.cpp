@@ -157,8 +157,8 @@ void bind_targets(py::module_& module) {
          std::optional<double> draft_at, std::optional<double> length_pp,
          std::optional<double> beam, std::optional<double> design_draft, double water_density,
          const py::object& locked, const py::object& held_points, const DoubleArray& held_normals,
-         const py::object& tied, const DoubleArray& tied_directions, const py::iterable& modes,
-         double stiffness, const std::array<double, 2>& length_scale,
+         const py::object& tied, const DoubleArray& tied_directions, const py::iterable& kept,
+         const py::iterable& modes, double stiffness, const std::array<double, 2>& length_scale,
          const std::array<double, 2>& beam_scale, const std::array<double, 2>& draft_scale,
          double scale_cost, const py::object& progress) {
         modelling::TargetOptions options;
@@ -171,6 +171,7 @@ void bind_targets(py::module_& module) {
         options.water.density = water_density;
         options.limits.limits = limits_from(locked, held_points, held_normals);
         options.limits.tied = ties_from(tied, tied_directions);
+        options.limits.kept = conditions_from(kept, "kept");
         for (const py::handle mode : modes) {
           options.modes.push_back(
               points_from(DoubleArray(py::reinterpret_borrow<py::object>(mode)), "modes"));
@@ -189,8 +190,9 @@ void bind_targets(py::module_& module) {
       py::arg("design_draft") = py::none(), py::arg("water_density") = analysis::kSeaWaterDensity,
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
       py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
-      py::arg("tied_directions") = py::tuple(), py::arg("modes") = py::tuple(),
-      py::arg("stiffness") = 0.05, py::arg("length_scale") = std::array<double, 2>{1.0, 1.0},
+      py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
+      py::arg("modes") = py::tuple(), py::arg("stiffness") = 0.05,
+      py::arg("length_scale") = std::array<double, 2>{1.0, 1.0},
       py::arg("beam_scale") = std::array<double, 2>{1.0, 1.0},
       py::arg("draft_scale") = std::array<double, 2>{1.0, 1.0}, py::arg("scale_cost") = 0.01,
       py::arg("progress") = py::none(),
@@ -198,7 +200,7 @@ void bind_targets(py::module_& module) {
       "met. "
       "The surface stays as it is.\n\n"
       "Water, openings and project dimensions as hydrostatics() has them. locked, held_points, "
-      "held_normals, tied, tied_directions: as Reshape has them. modes: moves (n, 3) of all "
+      "held_normals, tied, tied_directions, kept: as Reshape has them. modes: moves (n, 3) of all "
       "control points; if there are any, sums of these are taken instead, without limits. "
       "stiffness: its square, times the squared size of the mesh, times the thin-plate energy of "
       "the moves is added to the mean squared shift. length_scale, beam_scale, draft_scale: "

@@ -10,27 +10,30 @@ namespace hull::bindings {
 void bind_transform_limits(py::module_& module) {
   py::class_<LimitArguments>(module, "TransformLimits",
                              "What stays, and how, while a hull is transformed.")
-      .def(
-          py::init([](const py::object& locked, const py::object& held_points,
-                      const DoubleArray& held_normals, const py::object& tied,
-                      const DoubleArray& tied_directions, const py::iterable& rigid) {
-            modelling::TransformLimits limits;
-            limits.limits = limits_from(locked, held_points, held_normals);
-            limits.tied = ties_from(tied, tied_directions);
-            for (const py::handle group : rigid) {
-              const std::string name = "rigid[" + std::to_string(limits.rigid.size()) + "]";
-              limits.rigid.push_back(
-                  integers_from(py::reinterpret_borrow<py::object>(group), name.c_str()));
-            }
-            return LimitArguments(std::move(limits));
-          }),
-          py::kw_only(), py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
-          py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
-          py::arg("tied_directions") = py::tuple(), py::arg("rigid") = py::tuple(),
-          "locked, held_points, held_normals, tied, tied_directions: as for Reshape. rigid: groups "
-          "of control points that move along the ship as one, as transoms and bulbs; a group with "
-          "a locked point, or one held in a plane that is not along the ship, stays. Sections "
-          "that are inflated leave rigid groups where they are.");
+      .def(py::init([](const py::object& locked, const py::object& held_points,
+                       const DoubleArray& held_normals, const py::object& tied,
+                       const DoubleArray& tied_directions, const py::iterable& kept,
+                       const py::iterable& rigid) {
+             modelling::TransformLimits limits;
+             limits.limits = limits_from(locked, held_points, held_normals);
+             limits.tied = ties_from(tied, tied_directions);
+             limits.kept = conditions_from(kept, "kept");
+             for (const py::handle group : rigid) {
+               const std::string name = "rigid[" + std::to_string(limits.rigid.size()) + "]";
+               limits.rigid.push_back(
+                   integers_from(py::reinterpret_borrow<py::object>(group), name.c_str()));
+             }
+             return LimitArguments(std::move(limits));
+           }),
+           py::kw_only(), py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
+           py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
+           py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
+           py::arg("rigid") = py::tuple(),
+           "locked, held_points, held_normals, tied, tied_directions, kept: as for Reshape. rigid: "
+           "groups "
+           "of control points that move along the ship as one, as transoms and bulbs; a group with "
+           "a locked point, or one held in a plane that is not along the ship, stays. Sections "
+           "that are inflated leave rigid groups where they are.");
   module.def(
       "plane_ends",
       [](const surface::LimitSurface& surface) {

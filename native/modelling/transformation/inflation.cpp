@@ -19,6 +19,7 @@ ReshapeOptions staying(const TransformLimits& limits) {
   ReshapeOptions options;
   options.limits.limits = limits.limits;
   options.limits.tied = limits.tied;
+  options.limits.kept = limits.kept;
   for (const std::vector<int>& group : limits.rigid) {
     options.limits.limits.locked.insert(options.limits.limits.locked.end(), group.begin(),
                                         group.end());

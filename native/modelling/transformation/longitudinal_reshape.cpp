@@ -37,6 +37,11 @@ ReshapeOptions options_for(const std::vector<Vector3d>& points, const TransformL
       options.limits.tied.push_back(tied);
     }
   }
+  for (const MoveCondition& sum : limits.kept) {
+    // Rigid groups move as one whatever such sums say.
+    const auto is_rigid = [&](int point) { return std::ranges::find(rigid, point) != rigid.end(); };
+    if (!std::ranges::all_of(sum.points, is_rigid)) options.limits.kept.push_back(sum);
+  }
   options.limits.prescribed = rigid;
   return options;
 }

@@ -10,8 +10,9 @@ namespace hull::modelling {
 
 // What stays, and how, while a hull is transformed.
 struct TransformLimits {
-  MoveLimits limits;            // locked points, and points held in planes
-  std::vector<TiedPoint> tied;  // as of square_ties()
+  MoveLimits limits;                // locked points, and points held in planes
+  std::vector<TiedPoint> tied;      // as of square_ties()
+  std::vector<MoveCondition> kept;  // as of square_sums()
   // Groups of control points that move along the ship as one: transoms in planes that are across
   // it or raked, bulbs. One with a locked point stays.
   std::vector<std::vector<int>> rigid;
