@@ -60,7 +60,7 @@ void bind_surface_places(py::module_& module) {
       .def(py::init(&made), py::arg("surface"), py::kw_only(), py::arg("per_side") = 3,
            py::arg("places") = py::none(),
            "per_side: places a side of each bicubic piece, 2 or 3; 2 are enough for what is smooth "
-           "over a cell, and take half the time. places: those of a surface that differs in its "
+           "over a cell. places: those of a surface that differs in its "
            "control points only, by which these are much sooner made; per_side is theirs then. "
            "ValueError where it differs otherwise.")
       .def_property_readonly("positions", &positions, "(k, 3), m.")
