@@ -166,7 +166,10 @@ def main():
 
     samples = list(dict.fromkeys(key.split(": ")[0] for key in before))
     after = others[0] if others else computed(samples, given.only)
-    after = {renamed(key, RENAMED): row for key, row in after.items()}
+    # Either may be from before a change of names or from after it.
+    before, after = (
+        {renamed(key, RENAMED): row for key, row in rows.items()} for rows in (before, after)
+    )
     sys.exit(1 if compare(before, after) else 0)
 
 

@@ -15,8 +15,6 @@
 namespace hull::bindings {
 namespace {
 
-constexpr double kChordTolerance = 1e-5;  // of the mesh's size, unless given
-
 struct CurveMarks {
   std::vector<analysis::CurveMark> all;
 };
@@ -123,7 +121,7 @@ void bind_marks(py::module_& module) {
                              "above and minima below zero.");
 }
 
-void bind_curve(py::module_& module) {
+void bind_comb_curve(py::module_& module) {
   py::class_<analysis::CurveFairness>(
       module, "CurveFairness",
       "A curve as its fairness is judged: samples at even arc lengths between knuckles, exact on "
@@ -172,7 +170,7 @@ void bind_curve(py::module_& module) {
 
 void bind_curve_fairness(py::module_& module) {
   bind_marks(module);
-  bind_curve(module);
+  bind_comb_curve(module);
   module.def(
       "section_fairness",
       [](const surface::LimitSurface& surface, const DoubleArray& planes,

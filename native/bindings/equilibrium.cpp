@@ -57,7 +57,7 @@ std::vector<analysis::LoadCase> loads_from(const DoubleArray& masses, const Doub
   return loads;
 }
 
-void bind_results(py::module_& module) {
+void bind_equilibrium_results(py::module_& module) {
   py::class_<analysis::UnstableEquilibrium>(module, "UnstableEquilibrium",
                                             "An equilibrium that a ship leaves when disturbed.")
       .def_property_readonly(
@@ -105,7 +105,7 @@ void bind_results(py::module_& module) {
 }  // namespace
 
 void bind_equilibrium(py::module_& module) {
-  bind_results(module);
+  bind_equilibrium_results(module);
   module.def(
       "equilibrium",
       [](const analysis::HullBody& body, double mass_t, const DoubleArray& centre_of_gravity,

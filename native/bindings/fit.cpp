@@ -40,7 +40,7 @@ modelling::FitTarget target_from(const DoubleArray& targets, const py::object& n
   return target;
 }
 
-void bind_result(py::module_& module) {
+void bind_fit_result(py::module_& module) {
   py::class_<modelling::Fit>(module, "Fit", "A surface drawn onto targets: fit_surface().")
       .def_property_readonly(
           "points", [](const modelling::Fit& f) { return to_array(f.points); },
@@ -74,7 +74,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_fit(py::module_& module) {
-  bind_result(module);
+  bind_fit_result(module);
   module.def(
       "fit_surface",
       [](const surface::LimitSurface& surface, const DoubleArray& targets,

@@ -11,13 +11,13 @@
 namespace hull::bindings {
 namespace {
 
-constexpr double kChordTolerance = 1e-4;  // of the mesh's size, unless given
+constexpr double kLightLineTolerance = 1e-4;  // of the mesh's size, unless given
 
 using Vector = std::optional<DoubleArray>;
 
 analysis::LevelOptions options_from(const surface::LimitSurface& surface, int divisions,
                                     const std::optional<double>& chord_tolerance) {
-  return {divisions, chord_tolerance.value_or(kChordTolerance * surface.mesh().size())};
+  return {divisions, chord_tolerance.value_or(kLightLineTolerance * surface.mesh().size())};
 }
 
 analysis::Eye eye_from(const Vector& direction, const Vector& point) {
@@ -44,7 +44,7 @@ analysis::LightBank bank_from(const DoubleArray& line_direction, const DoubleArr
           lines};
 }
 
-void bind_curve(py::module_& module) {
+void bind_light_line(py::module_& module) {
   py::class_<analysis::LevelCurve>(
       module, "LevelCurve",
       "A curve on the surface along which something has one value: an "
@@ -148,7 +148,7 @@ void bind_reflections(py::module_& module) {
 }  // namespace
 
 void bind_light_lines(py::module_& module) {
-  bind_curve(module);
+  bind_light_line(module);
   bind_curves_of_normals(module);
   bind_reflections(module);
 }

@@ -9,6 +9,9 @@
 
 namespace hull::bindings {
 
+// Of the mesh's size, unless given: how far chords may be from the curve that they are drawn for.
+inline constexpr double kChordTolerance = 1e-5;
+
 // The plane normal·x = offset, for a normal of any length. Raises ValueError, with the name, for
 // what is no plane.
 analysis::Plane plane_from(const Vector3d& normal, double offset, const std::string& name);

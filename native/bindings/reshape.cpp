@@ -64,7 +64,7 @@ BoundReshaped solved(const Reshape& reshape, const DoubleArray& shifts,
 
 py::array_t<double> as_array(const Vector3d& point) { return py::array_t<double>(3, point.data()); }
 
-void bind_result(py::module_& module) {
+void bind_reshaped(py::module_& module) {
   py::class_<BoundReshaped>(module, "Reshaped", "How a surface comes to lie: Reshape.solve().")
       .def_property_readonly(
           "moves", [](const BoundReshaped& r) { return to_array(r.result.moves); },
@@ -90,7 +90,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_reshape(py::module_& module) {
-  bind_result(module);
+  bind_reshaped(module);
   py::class_<Reshape>(
       module, "Reshape",
       "Shifts of an exact surface, brought about by its control points: of all their moves within "

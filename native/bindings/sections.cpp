@@ -14,8 +14,6 @@
 namespace hull::bindings {
 namespace {
 
-constexpr double kChordTolerance = 1e-5;  // of the mesh's size, unless given
-
 analysis::Axis axis_from(const std::string& name) {
   if (name == "x") return analysis::Axis::kX;
   if (name == "y") return analysis::Axis::kY;

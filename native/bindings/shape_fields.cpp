@@ -106,7 +106,7 @@ py::array_t<double> deltas_at(const ShapeFields& fields, int field, const Double
   return to_array(found);
 }
 
-void bind_curve(py::module_& module) {
+void bind_field_curve(py::module_& module) {
   py::class_<FieldCurve>(module, "FieldCurve",
                          "A curve in space on which fields are based or to which they lead: cubic "
                          "arcs that may meet at knuckles, measured by its length.")
@@ -211,7 +211,7 @@ void bind_field(py::module_& module) {
 }  // namespace
 
 void bind_shape_fields(py::module_& module) {
-  bind_curve(module);
+  bind_field_curve(module);
   bind_field(module);
   py::class_<ShapeFields>(
       module, "ShapeFields",

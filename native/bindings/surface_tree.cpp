@@ -93,7 +93,7 @@ RayHits find_all_ray_hits(const surface::SurfaceTree& tree, const DoubleArray& o
   return {surface::all_ray_hits(tree, ray)};
 }
 
-void bind_results(py::module_& module) {
+void bind_query_results(py::module_& module) {
   py::class_<ClosestPoints>(module, "ClosestPoints",
                             "The points of a surface nearest to k given ones, in their order.")
       .def("__len__", [](const ClosestPoints& c) { return c.all.size(); })
@@ -177,7 +177,7 @@ void bind_results(py::module_& module) {
 }  // namespace
 
 void bind_surface_tree(py::module_& module) {
-  bind_results(module);
+  bind_query_results(module);
   py::class_<surface::SurfaceTree>(
       module, "SurfaceTree",
       "Finds points of a limit surface that are nearest to given ones, and where rays meet it: "

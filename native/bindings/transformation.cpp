@@ -77,7 +77,7 @@ constexpr const char* kRms =
 constexpr const char* kLargest = "The largest residual, m.";
 constexpr const char* kLargestPlace = "(3,), m: where on the surface, as it was, that is.";
 
-void bind_results(py::module_& module) {
+void bind_transformed(py::module_& module) {
   py::class_<SectionsShifted>(module, "SectionsShifted",
                               "A hull whose sections were shifted: SectionShift.")
       .def_property_readonly(
@@ -308,7 +308,7 @@ void bind_functions(py::module_& module) {
 
 void bind_transformation(py::module_& module) {
   bind_transform_limits(module);
-  bind_results(module);
+  bind_transformed(module);
   bind_section_shift(module);
   bind_functions(module);
 }

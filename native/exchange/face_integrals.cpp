@@ -20,7 +20,7 @@
 namespace hull::exchange {
 namespace {
 
-constexpr double kIntegralTolerance = 1e-8;
+constexpr double kFaceTolerance = 1e-8;
 
 bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) {
   double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
@@ -92,8 +92,8 @@ std::optional<conversion::SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
 
 conversion::SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
   GProp_GProps area, volume;
-  BRepGProp::SurfaceProperties(face, area, kIntegralTolerance);
-  BRepGProp::VolumeProperties(face, volume, kIntegralTolerance);
+  BRepGProp::SurfaceProperties(face, area, kFaceTolerance);
+  BRepGProp::VolumeProperties(face, volume, kFaceTolerance);
   return {area.Mass() / std::pow(kMillimetresPerMetre, 2),
           volume.Mass() / std::pow(kMillimetresPerMetre, 3)};
 }

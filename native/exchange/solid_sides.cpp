@@ -15,7 +15,7 @@
 namespace hull::exchange {
 namespace {
 
-constexpr double kTolerance = 1e-7;  // that of its readers
+constexpr double kReadersTolerance = 1e-7;  // that of its readers
 
 TopoDS_Solid solid_of(const std::vector<TopoDS_Shape>& faces) {
   const BRep_Builder builder;
@@ -37,7 +37,7 @@ TopoDS_Shape with_telling_first_face(const TopoDS_Shape& solid) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const TopoDS_Solid turned = solid_of(faces);
     BRepClass3d_SolidClassifier classifier(turned);
-    classifier.PerformInfinitePoint(kTolerance);
+    classifier.PerformInfinitePoint(kReadersTolerance);
     if (classifier.State() == TopAbs_OUT) return turned;
     std::ranges::rotate(faces, faces.begin() + 1);
   }

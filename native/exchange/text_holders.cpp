@@ -10,7 +10,7 @@ namespace hull::exchange {
 namespace {
 
 constexpr char kPrefix[] = "HULL-TEXT-";
-constexpr std::size_t kPrefixLength = sizeof kPrefix - 1, kDigits = 6;
+constexpr std::size_t kPrefixLength = sizeof kPrefix - 1, kNumberLength = 6;
 
 }  // namespace
 
@@ -27,9 +27,9 @@ std::string TextHolders::filled(const std::string& text) const {
   std::size_t done = 0;
   for (std::size_t at = text.find(kPrefix); at != text.npos; at = text.find(kPrefix, done)) {
     result.append(text, done, at - done);
-    const std::string digits = text.substr(at + kPrefixLength, kDigits);
+    const std::string digits = text.substr(at + kPrefixLength, kNumberLength);
     result += texts_[static_cast<std::size_t>(std::atoi(digits.c_str()))];
-    done = at + kPrefixLength + kDigits;
+    done = at + kPrefixLength + kNumberLength;
   }
   return result.append(text, done, text.npos);
 }

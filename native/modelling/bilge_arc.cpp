@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/arithmetic/degree.h"
 #include "surface/pieces/bicubic.h"
 
 namespace hull::modelling {
@@ -232,11 +233,10 @@ BilgeArc bilge_arc(int count, double angle, const BilgeBorder& bottom, const Bil
                                 " control points between the borders of the flats, not " +
                                 std::to_string(count) + ".");
   }
-  constexpr double kDegree = std::numbers::pi / 180.0;
-  if (!(angle >= 10.0 * kDegree && angle <= 170.0 * kDegree)) {
+  if (!(angle >= 10.0 * analysis::kDegree && angle <= 170.0 * analysis::kDegree)) {
     throw std::invalid_argument(
         "The flat side must be turned from the flat bottom by 10 to 170 degrees, not " +
-        std::to_string(angle / kDegree) + ".");
+        std::to_string(angle / analysis::kDegree) + ".");
   }
   check(bottom);
   check(side);

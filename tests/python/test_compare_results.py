@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The comparison of results tells each bit that differs, and nothing else."""
 
+import json
+import sys
+
 import compare_results
 import numpy as np
+import pytest
 
 NUMBERS = np.array([1.0, -2.5, np.nan, 0.0])
 
@@ -43,3 +47,20 @@ def test_missing_and_new_results_count(capsys):
     after = {compare_results.renamed("a: b: c.gz", {"lever": "gz"}): before["a: b: c.lever"]}
     assert compare_results.compare(before, after) == 0
     assert "1 of 1 results are bit-equal, 0 differ" in capsys.readouterr().out
+
+
+def test_names_of_either_file_may_be_the_new_ones(tmp_path, monkeypatch, capsys):
+    record = compare_results.records(1.0)[""]
+    for old, new in (("now", "now"), ("before", "now"), ("now", "before")):
+        names = {
+            "before": "coaster: stability: all.flooding_heel",
+            "now": "coaster: stability: all.downflooding_heel",
+        }
+        files = [tmp_path / "one.json", tmp_path / "other.json"]
+        for file, name in zip(files, (old, new)):
+            file.write_text(json.dumps({names[name]: record}), encoding="ascii")
+        monkeypatch.setattr(sys, "argv", ["compare_results.py", *map(str, files)])
+        with pytest.raises(SystemExit) as ended:
+            compare_results.main()
+        assert ended.value.code == 0, (old, new)
+        assert "1 of 1 results are bit-equal, 0 differ" in capsys.readouterr().out

@@ -15,7 +15,7 @@ namespace {
 constexpr int kNodes = 10;
 constexpr int kDeepestClip = 12;
 constexpr int kDeepestArc = 8;
-constexpr double kSettled = 1e-12;  // of the size's square, m²
+constexpr double kSettledOfSize = 1e-12;  // of the size's square, m²
 
 // A part [begin, end] of the square's u, over which the nets are restricted: b is the height above
 // the water, and a is not used.
@@ -90,7 +90,7 @@ class ArcIntegrator {
       part += at.at * ((rule.weight(k) * scale / slope) * at.normal.transpose());
       shares[k] = at.normal.norm() / slope;
     }
-    if (depth < kDeepestArc && std::abs(scale) * rule.error(shares) > kSettled * size_) {
+    if (depth < kDeepestArc && std::abs(scale) * rule.error(shares) > kSettledOfSize * size_) {
       integrate(cut, strip, begin, 0.5 * (begin + end), depth + 1);
       integrate(cut, strip, 0.5 * (begin + end), end, depth + 1);
       return;

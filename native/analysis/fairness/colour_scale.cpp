@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNearZero = 1e-3;  // of the range: where the logarithmic scale becomes linear
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr int kMostSteps = 8;
+constexpr int kMostColours = 8;
 
 using Weighted = std::array<double, 2>;  // value, weight
 
@@ -137,7 +137,7 @@ std::vector<ColourScale::Tick> ColourScale::ticks() const {
   }
   const double factor = legend_factor(kind_);
   const double low = factor * low_, high = factor * high_;
-  const double step = round_up((high - low) / kMostSteps);
+  const double step = round_up((high - low) / kMostColours);
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0) {
     add_tick(k * step, ticks);
   }

@@ -19,7 +19,7 @@ const GaussRule& rule() {
   return gauss;
 }
 
-double length_between(const surface::CreaseCurve& curve, double t0, double t1) {
+double gauss_length(const surface::CreaseCurve& curve, double t0, double t1) {
   double sum = 0.0;
   for (int i = 0; i < kNodes; ++i) {
     sum += rule().weights[i] * curve.evaluate(t0 + (t1 - t0) * rule().nodes[i], 1).d1.norm();
@@ -41,7 +41,7 @@ FeatureCourse::FeatureCourse(const surface::CreaseCurve& curve,
     for (int part = 1; part <= kPartsOfSpan; ++part) {
       const double to = std::min(
           end, knots[i] + (knots[i + 1] - knots[i]) * (static_cast<double>(part) / kPartsOfSpan));
-      const double length = length_between(curve, parameters_.back(), to);
+      const double length = gauss_length(curve, parameters_.back(), to);
       // Spans of no length, between points that coincide, would be divided by later.
       if (!(length > 0.0)) continue;
       breaks_.push_back(breaks_.back() + length);
@@ -61,7 +61,7 @@ double FeatureCourse::parameter_at(double s) const {
   for (int step = 0; step < 3; ++step) {
     const double speed = curve_.evaluate(t, 1).d1.norm();
     if (!(speed > 0.0)) break;
-    t = std::clamp(t + (wanted - length_between(curve_, t0, t)) / speed, t0, t1);
+    t = std::clamp(t + (wanted - gauss_length(curve_, t0, t)) / speed, t0, t1);
   }
   return t;
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostFits = 4;
 constexpr int kAreaNodes = 5;
-constexpr double kSmallestSquare = 0x1p-10;
+constexpr double kSmallestPart = 0x1p-10;
 constexpr double kEigenvalueError = 1e-12;  // of the greatest, by far
 
 using Points = std::vector<Vector3d>;
@@ -79,7 +79,7 @@ class SideCubics {
         surface_, cell_,
         [&](const surface::CornerSquare& square) {
           if (!touches(square.u, square.v, square.size)) return false;
-          if (square.size > kSmallestSquare) return true;
+          if (square.size > kSmallestPart) return true;
           take(square.u, square.v, square.size);
           return false;
         },

@@ -12,10 +12,10 @@
 namespace hull::analysis {
 namespace {
 
-constexpr int kMostSamples = 1000;  // of one edge
+constexpr int kMostOfEdge = 1000;  // of one edge
 
 // Simpson's rule: the curve's speed is smooth between knots, and steps are parts of these.
-double length_between(const surface::CreaseCurve& curve, double from, double to) {
+double simpson_length(const surface::CreaseCurve& curve, double from, double to) {
   const auto speed = [&curve](double t) { return curve.evaluate(t, 1).d1.norm(); };
   constexpr int kParts = 4;
   const double step = (to - from) / kParts;
@@ -51,7 +51,7 @@ void add_range(KnuckleAngles& result) {
 KnuckleAngles knuckle_angles(const surface::LimitSurface& surface,
                              const surface::CreaseCurve& curve, const std::vector<int>& edges,
                              int samples_per_edge) {
-  if (samples_per_edge < 1 || samples_per_edge > kMostSamples) {
+  if (samples_per_edge < 1 || samples_per_edge > kMostOfEdge) {
     throw std::invalid_argument("An edge takes 1 to 1000 samples, not " +
                                 std::to_string(samples_per_edge) + ".");
   }
@@ -61,7 +61,7 @@ KnuckleAngles knuckle_angles(const surface::LimitSurface& surface,
     for (int i = edge == before + 1 ? 1 : 0; i <= samples_per_edge; ++i) {
       const double t = edge + static_cast<double>(i) / samples_per_edge;
       if (i > 0) {
-        result.length += length_between(curve, edge + (i - 1.0) / samples_per_edge, t);
+        result.length += simpson_length(curve, edge + (i - 1.0) / samples_per_edge, t);
       }
       result.t.push_back(t);
       result.arc_lengths.push_back(result.length);

@@ -19,8 +19,8 @@ namespace {
 
 // Values this little below a level are on it: of flat regions the whole is on one side.
 constexpr double kOnLevel = 1e-12;
-constexpr double kRootWidth = 1e-14;  // of a grid's edge
-constexpr int kDeepest = 6;           // up to 64 chords in a square of the grid
+constexpr double kRootOfEdge = 1e-14;  // of a grid's edge
+constexpr int kDeepest = 6;            // up to 64 chords in a square of the grid
 
 struct Place {
   int cell;
@@ -171,7 +171,7 @@ class Tracer {
         const double found = height(cell, from + x * (to - from));
         return std::isnan(found) ? 0.0 : found;
       };
-      t = bracketed_root(f, 0.0, fa, 1.0, fb, kRootWidth);
+      t = bracketed_root(f, 0.0, fa, 1.0, fb, kRootOfEdge);
     } else {
       t = std::abs(fa) <= std::abs(fb) ? 0.0 : 1.0;
     }

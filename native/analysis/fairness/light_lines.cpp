@@ -14,7 +14,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 constexpr int kDefaultLines = 20, kMostLines = 2000;
 constexpr double kAlong = 1e-9;  // sine of the angle at which directions are taken for parallel
 constexpr int kPartsOfEdge = 16;
@@ -138,11 +138,11 @@ double LightLines::operator()(const Vector3d& point, const Vector3d& normal) con
   const Vector3d ray = 2.0 * normal.dot(eye) * normal - eye;
   const double across = ray.dot(across_), up = ray.dot(up_);
   if (!bank_.distance) {
-    if (across * across + up * up < kAlong * kAlong) return kUndefined;
+    if (across * across + up * up < kAlong * kAlong) return kNotSeen;
     return std::remainder(std::atan2(across, up) / bank_.spacing - bank_.phase, period_);
   }
   const double height = *bank_.distance - up_.dot(point);
-  if (!(up > kAlong) || !(height > 0.0)) return kUndefined;
+  if (!(up > kAlong) || !(height > 0.0)) return kNotSeen;
   return (across_.dot(point) + height * across / up) / bank_.spacing - bank_.phase;
 }
 

@@ -44,13 +44,13 @@ double area_on_centre_plane(const BorderLoop& loop) {
   return area;
 }
 
-struct Extent {
+struct Box {
   Vector3d low, high;
 };
 
 template <class Spans>
-Extent extent_of(const Spans& spans) {
-  Extent extent{spans[0][0], spans[0][0]};
+Box extent_of(const Spans& spans) {
+  Box extent{spans[0][0], spans[0][0]};
   for (const Cubic& cubic : spans) {
     for (const Vector3d& p : cubic) {
       extent.low = extent.low.cwiseMin(p);
@@ -83,7 +83,7 @@ Cubic athwartships(const Cubic& border, double y) {
   return target;
 }
 
-bool is_transverse(const Extent& extent, double size) {
+bool is_transverse(const Box& extent, double size) {
   return extent.high.x() - extent.low.x() <= kInPlane * size;
 }
 
@@ -107,7 +107,7 @@ std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
   const double size = surface.mesh().size();
   std::vector<ClosingPatch> result;
   for (const BorderLoop& loop : border_loops(edges)) {
-    const Extent extent = extent_of(loop.spans);
+    const Box extent = extent_of(loop.spans);
     const double diagonal = (extent.high - extent.low).norm();
     const bool at_centre = mirrored && extent.low.y() <= kOnCentrePlane * size;
     const bool across =
@@ -116,7 +116,7 @@ std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
     const double y = at_centre ? 0.0 : apex.y();
     for (std::size_t i = 0; i < loop.spans.size(); ++i) {
       const Cubic& border = loop.spans[i];
-      const Extent own = extent_of(std::array<Cubic, 1>{border});
+      const Box own = extent_of(std::array<Cubic, 1>{border});
       const bool in_centre_plane =
           at_centre && std::max(-own.low.y(), own.high.y()) <= kOnCentrePlane * size;
       const Cubic target = across ? athwartships(border, y) : Cubic{apex, apex, apex, apex};

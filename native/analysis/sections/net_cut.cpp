@@ -10,7 +10,7 @@ namespace hull::analysis {
 namespace {
 
 // Slopes that vary by more than this factor along v make zeros a badly behaved function of u.
-constexpr double kSteadySlope = 0.1;
+constexpr double kSteadyNet = 0.1;
 // Tangled squares are halved until they are simple, so small or so many.
 constexpr int kDeepestSquare = 20;
 constexpr std::size_t kMostTangled = 1024;
@@ -28,7 +28,7 @@ bool has_zero(const BezierNet& net) { return lowest(net) < 0.0 && highest(net) >
 bool take_simple(const NetSquare& square, std::vector<NetCut::Part>& parts) {
   const double along_v = steadiness(slope_range_v(square.net));
   const double along_u = steadiness(slope_range_u(square.net));
-  if (std::max(along_u, along_v) < kSteadySlope) return false;
+  if (std::max(along_u, along_v) < kSteadyNet) return false;
   parts.push_back({square, NetCut::Shape::kSimple});
   if (along_u > along_v) {
     parts.back().square.net = transposed(square.net);

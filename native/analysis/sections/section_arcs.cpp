@@ -93,12 +93,12 @@ class Crossing {
 };
 
 // Where zeros enter or leave a simple square.
-struct End {
+struct ArcEnd {
   double t, across;  // across < 0: inside, to be found
-  bool operator<(const End& other) const { return t < other.t; }
-  bool operator==(const End& other) const { return t == other.t; }
+  bool operator<(const ArcEnd& other) const { return t < other.t; }
+  bool operator==(const ArcEnd& other) const { return t == other.t; }
 };
-using Ends = SmallList<End, 8>;
+using Ends = SmallList<ArcEnd, 8>;
 
 Ends ends_of(const BezierNet& net) {
   Ends ends;
@@ -118,7 +118,7 @@ Ends ends_of(const BezierNet& net) {
 void PieceArcs::add_simple(const NetSquare& square, bool swapped) {
   const BezierNet& net = square.net;
   const Crossing curve(*this, square, swapped);
-  const auto at_end = [&](const End& end) {
+  const auto at_end = [&](const ArcEnd& end) {
     return end.across < 0.0 ? curve.at(end.t) : curve.at(end.t, end.across);
   };
   const Ends ends = ends_of(net);

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/arithmetic/degree.h"
+
 namespace hull::analysis {
 namespace {
 
@@ -131,7 +133,6 @@ AngleOfRoll angle_of_roll(const RollingShip& ship) {
     refuse("a centre of gravity no lower than 1.2 drafts below the water: r is positive there",
            roll.r, "");
   }
-  constexpr double kDegree = std::numbers::pi / 180.0;
   roll.angle = 109.0 * kDegree * roll.k * roll.x1 * roll.x2 * std::sqrt(roll.r * roll.s);
   roll.out_of_range = beyond_the_tables(ship, roll.period);
   return roll;

@@ -6,10 +6,11 @@
 #include <numbers>
 #include <sstream>
 
+#include "analysis/arithmetic/degree.h"
+
 namespace hull::analysis {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLastHeel = 90.0 * kDegree;
 constexpr double kStep = 5.0 * kDegree;
 

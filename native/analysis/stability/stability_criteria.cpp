@@ -5,12 +5,12 @@
 #include <numbers>
 #include <string>
 
+#include "analysis/arithmetic/degree.h"
 #include "analysis/stability/weathertight.h"
 
 namespace hull::analysis {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double k25 = 25.0 * kDegree, k30 = 30.0 * kDegree, k40 = 40.0 * kDegree;
 
 class IntactCriteria {

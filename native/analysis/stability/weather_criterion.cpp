@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/arithmetic/degree.h"
 #include "analysis/hydrostatics/hydrostatics.h"
 #include "analysis/stability/lateral_profile.h"
 #include "analysis/stability/weathertight.h"
@@ -14,12 +15,11 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kGravity = 9.81;  // m/s², the code's
 constexpr double kGust = 1.5;
 constexpr double kSteepestHeel = 16.0 * kDegree, kOfDeckEdge = 0.8;
-constexpr double kLastHeel = 50.0 * kDegree;
-constexpr double kStep = 5.0 * kDegree;
+constexpr double kLastHeelOfWind = 50.0 * kDegree;
+constexpr double kStepOfWind = 5.0 * kDegree;
 
 void check(const WeatherOptions& options) {
   const auto refuse = [](const char* what) { throw std::invalid_argument(what); };
@@ -131,11 +131,11 @@ class Weather {
     if (upright().righting_lever < lever) return lever_rises_to(path_, curve_.heels, lever);
     // With a list to windward she is upright again only under more wind: back to where the lever
     // falls short.
-    for (double heel = -kStep; heel > -kLastHeel; heel -= kStep) {
+    for (double heel = -kStepOfWind; heel > -kLastHeelOfWind; heel -= kStepOfWind) {
       const HeeledState* state = path_.find(heel);
       if (!state) return std::nullopt;
       if (state->righting_lever < lever) {
-        return lever_rises_to(path_, {heel, heel + kStep}, lever);
+        return lever_rises_to(path_, {heel, heel + kStepOfWind}, lever);
       }
     }
     return std::nullopt;
@@ -155,7 +155,7 @@ class Weather {
     // At the intercept itself rounding decides which lever is greater.
     beyond.erase(beyond.begin());
     result_.second_intercept = lever_falls_to(path_, beyond, lever);
-    double last = std::min(kLastHeel, curve_.end());
+    double last = std::min(kLastHeelOfWind, curve_.end());
     if (result_.second_intercept) last = std::min(last, *result_.second_intercept);
     result_.last_heel = last;
   }
@@ -228,7 +228,7 @@ class Weather {
     std::string words = "Area b ends at " + in_degrees(last);
     if (result_.second_intercept == last) {
       words += ", where GZ falls below the gust's lever.";
-    } else if (last == kLastHeel) {
+    } else if (last == kLastHeelOfWind) {
       words += ".";
     } else if (result_.downflooding_heel == last) {
       words += ", where the ship floods.";

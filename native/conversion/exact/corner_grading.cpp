@@ -14,9 +14,9 @@ namespace {
 
 // Of the fit: more where squares come too far off the surface, and time was spent already.
 constexpr std::array<double, 3> kNormalStiffness{0.03, 0.3, 3.0};
-constexpr double kUseful = 0.97;  // of an error: what is more is no gain
-constexpr int kHopeless = 12;     // as many halvings without a gain are enough
-constexpr int kLongestJump = 4;   // halvings at once
+constexpr double kUsefulGrading = 0.97;  // of an error: what is more is no gain
+constexpr int kHopeless = 12;            // as many halvings without a gain are enough
+constexpr int kLongestJump = 4;          // halvings at once
 constexpr double kMuchLess = 0.25;
 // Of the corner square and of those within that its knots cut off at the corner, along the side
 // v = 0 and off it; the side u = 0 is the next one's.
@@ -67,8 +67,8 @@ double fan_distance(const surface::LimitSurface& surface, const GradedFan& grade
 }  // namespace
 
 bool GradedFan::is_better_than(const GradedFan& other) const {
-  if (distance > 1.0 || other.distance > 1.0) return distance < kUseful * other.distance;
-  return angle < kUseful * other.angle;
+  if (distance > 1.0 || other.distance > 1.0) return distance < kUsefulGrading * other.distance;
+  return angle < kUsefulGrading * other.angle;
 }
 
 GradedFan graded_fan(const surface::LimitSurface& surface, int vertex, const Grading& grading,
@@ -107,7 +107,7 @@ GradedFan least_graded_fan(const surface::LimitSurface& surface, int vertex,
     GradedFan next = graded_fan(surface, vertex, {halvings, first.inner}, limits);
     now = next.outlook;
     const bool is_better = next.is_better_than(best);
-    if (now < kUseful * least || is_better) useful = halvings;
+    if (now < kUsefulGrading * least || is_better) useful = halvings;
     least = std::min(least, now);
     if (is_better) best = std::move(next);
   }

@@ -12,12 +12,12 @@
 namespace hull::conversion {
 namespace {
 
-constexpr double kSame = 1e-12;  // closer parameters differ by rounding
+constexpr double kSameBreak = 1e-12;  // closer parameters differ by rounding
 
 void add_break(std::vector<double>& breaks, double t) {
-  if (!(t > kSame && t < 1.0 - kSame)) return;
-  const auto next = std::lower_bound(breaks.begin(), breaks.end(), t - kSame);
-  if (next == breaks.end() || *next > t + kSame) breaks.insert(next, t);
+  if (!(t > kSameBreak && t < 1.0 - kSameBreak)) return;
+  const auto next = std::lower_bound(breaks.begin(), breaks.end(), t - kSameBreak);
+  if (next == breaks.end() || *next > t + kSameBreak) breaks.insert(next, t);
 }
 
 std::vector<double> with_ends(const std::vector<double>& cuts) {
@@ -170,7 +170,7 @@ class Divider {
 
   static int vertex_at(const PatchSide& side, double s) {
     for (const SideEdge& part : side) {
-      if (part.begin > s - kSame) return part.from;
+      if (part.begin > s - kSameBreak) return part.from;
     }
     return side.back().to;
   }
@@ -179,7 +179,7 @@ class Divider {
   static PatchSide within(const PatchSide& side, double begin, double end) {
     PatchSide result;
     for (SideEdge part : side) {
-      if (part.end < begin + kSame || part.begin > end - kSame) continue;
+      if (part.end < begin + kSameBreak || part.begin > end - kSameBreak) continue;
       part.begin = (part.begin - begin) / (end - begin);
       part.end = (part.end - begin) / (end - begin);
       result.push_back(part);

@@ -12,7 +12,7 @@ namespace hull::conversion {
 namespace {
 
 // Closer knots are one: they differ by rounding.
-constexpr double kSame = 1e-12;
+constexpr double kSameKnot = 1e-12;
 
 // The distinct knots of a patch in one direction, rising, and those of them that are new.
 struct KnotList {
@@ -22,8 +22,8 @@ struct KnotList {
     all.erase(std::unique(all.begin(), all.end()), all.end());
   }
   bool add(double t) {
-    const auto next = std::lower_bound(all.begin(), all.end(), t - kSame);
-    if (next != all.end() && *next <= t + kSame) return false;
+    const auto next = std::lower_bound(all.begin(), all.end(), t - kSameKnot);
+    if (next != all.end() && *next <= t + kSameKnot) return false;
     all.insert(next, t);
     added.push_back(t);
     return true;
@@ -61,7 +61,7 @@ class Matcher {
     for (double knot : knots) {
       const double s = from.side < 2 ? knot : 1.0 - knot;
       const double t = (s - a.begin) / (a.end - a.begin);
-      if (!(t > kSame && t < 1.0 - kSame)) continue;
+      if (!(t > kSameKnot && t < 1.0 - kSameKnot)) continue;
       const double other = b.end - t * (b.end - b.begin);
       if (list(to).add(to.side < 2 ? other : 1.0 - other)) changed = true;
     }

@@ -32,7 +32,7 @@ std::optional<double> section_curvature(const surface::SurfaceJet& jet, const Ve
 }
 
 // Of shares of sides, counted in cells.
-constexpr double kRounding = 1e-9;
+constexpr double kSeamRounding = 1e-9;
 
 // One patch along its part of a seam, with t from 0 to 1 in its own direction.
 class Bank {
@@ -54,13 +54,13 @@ class Bank {
   // Whether it runs along sides of cells, those of its block.
   bool is_along_cells() const { return !half_edges_.empty(); }
   int half_edge(double t) const {
-    const int first = static_cast<int>(std::floor(begin_ + kRounding));
-    const int last = static_cast<int>(std::ceil(end_ - kRounding)) - 1;
+    const int first = static_cast<int>(std::floor(begin_ + kSeamRounding));
+    const int last = static_cast<int>(std::ceil(end_ - kSeamRounding)) - 1;
     return half_edges_[std::clamp(static_cast<int>(begin_ + t * (end_ - begin_)), first, last)];
   }
   // Whether an irregular point is where the seam begins.
   bool begins_at_irregular_point(const QualityGauge& gauge) const {
-    return is_along_cells() && std::abs(begin_ - std::round(begin_)) < kRounding &&
+    return is_along_cells() && std::abs(begin_ - std::round(begin_)) < kSeamRounding &&
            gauge.irregular[cells_.origin(half_edge(0.0))] != 0;
   }
   CellPoint place(double t) const {

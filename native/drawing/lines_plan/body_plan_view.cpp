@@ -43,7 +43,7 @@ Projection end_view(const View& view, Hand hand) {
   return projection(view, {0.0, static_cast<double>(hand), 0.0}, {0.0, 0.0, 1.0});
 }
 
-GridBox grid_of(const View& view, const HullExtents& extents) {
+GridBox body_plan_grid(const View& view, const HullExtents& extents) {
   GridBox grid(view.to_page(-extents.breadth, extents.top),
                view.to_page(extents.breadth, extents.bottom));
   grid.min() -= Vector2d(kSideOverhang, kOverhang);
@@ -206,7 +206,7 @@ void draw_diagonals(SheetBuilder& builder, const View& view, const LinesDrawing&
 
 void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                     const HullExtents& extents) {
-  const GridBox grid = grid_of(view, extents);
+  const GridBox grid = body_plan_grid(view, extents);
   draw_caption(builder, view, "Body plan");
   draw_offsets(builder, view, grid, drawing, extents);
   draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);

@@ -7,7 +7,7 @@ namespace hull::drawing {
 
 namespace {
 
-GridBox grid_of(const View& view, const HullExtents& extents) {
+GridBox half_breadth_grid(const View& view, const HullExtents& extents) {
   GridBox grid(view.to_page(extents.aft, extents.breadth),
                view.to_page(extents.fore, -extents.diagonals));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
@@ -65,7 +65,8 @@ Placed draw_waterlines(SheetBuilder& builder, const Projection& top, const Lines
 }
 
 // Below the centre line, at their distance from it in their planes.
-Placed draw_diagonals(SheetBuilder& builder, const View& view, const LinesDrawing& drawing) {
+Placed draw_developed_diagonals(SheetBuilder& builder, const View& view,
+                                const LinesDrawing& drawing) {
   Placed diagonals;
   for (const NamedDiagonal& member : drawing.diagonals) {
     std::vector<PlacedCurve>& placed = diagonals.emplace_back();
@@ -82,7 +83,7 @@ Placed draw_diagonals(SheetBuilder& builder, const View& view, const LinesDrawin
 
 void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                        const HullExtents& extents) {
-  const GridBox grid = grid_of(view, extents);
+  const GridBox grid = half_breadth_grid(view, extents);
   const bool has_diagonals = extents.diagonals > 0.0;
   draw_caption(builder, view,
                has_diagonals ? "Half-breadth plan, diagonals expanded" : "Half-breadth plan");
@@ -93,7 +94,7 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
   const Placed waterlines = draw_waterlines(builder, top, drawing);
   draw_off_centre(builder, view, pens::kKnuckle, top, drawing.knuckles);
   draw_off_centre(builder, view, pens::kOutline, top, drawing.outlines);
-  const Placed diagonals = draw_diagonals(builder, view, drawing);
+  const Placed diagonals = draw_developed_diagonals(builder, view, drawing);
 
   const double length = extents.fore - extents.aft;
   const std::vector<double> wanted = {view.to_page(extents.aft + 0.85 * length, 0.0).x(),

@@ -7,7 +7,7 @@ namespace hull::drawing {
 
 namespace {
 
-GridBox grid_of(const View& view, const HullExtents& extents) {
+GridBox profile_grid(const View& view, const HullExtents& extents) {
   GridBox grid(view.to_page(extents.aft, extents.top), view.to_page(extents.fore, extents.bottom));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
   grid.max() += Eigen::Vector2d::Constant(kOverhang);
@@ -30,7 +30,7 @@ void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
 
 void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,
                   const HullExtents& extents) {
-  const GridBox grid = grid_of(view, extents);
+  const GridBox grid = profile_grid(view, extents);
   draw_caption(builder, view, "Profile");
   draw_stations(builder, view, grid, drawing, extents);
   draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);

@@ -17,12 +17,14 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kSize = 2.5;
+constexpr double kTextSize = 2.5;
 constexpr double kColumnSpace = 5.0;
 // To how much of their size texts are made smaller for a further column, rather than left out.
 constexpr double kLeastShare = 0.8;
 
-double text_width(const LegendEntry& entry) { return text_size(entry.text, kSize, false).width; }
+double text_width(const LegendEntry& entry) {
+  return text_size(entry.text, kTextSize, false).width;
+}
 
 // Of the signs of an entry, and the space beside them.
 double signs_width(const LegendEntry& entry) {
@@ -73,7 +75,7 @@ int columns_of(double column_width, double width) {
 }
 
 void put(SheetBuilder& builder, const std::string& text, const Vector2d& place, double width) {
-  const FittedText fitted = fit_text(text, kSize, false, width);
+  const FittedText fitted = fit_text(text, kTextSize, false, width);
   const TextStyle style{.size = fitted.size};
   builder.put_text(fitted.text, style,
                    SheetBuilder::text_box(fitted.text, style, place, Align::kLeft));
@@ -83,7 +85,7 @@ void put(SheetBuilder& builder, const std::string& text, const Vector2d& place, 
 void draw_entry(SheetBuilder& builder, const LegendEntry& entry, Vector2d place, double width) {
   const double right = place.x() + width;
   const double texts = texts_width(entry);
-  const double share = std::min(1.0, (width - signs_width(entry)) / std::max(texts, kSize));
+  const double share = std::min(1.0, (width - signs_width(entry)) / std::max(texts, kTextSize));
   for (const LegendEntry& one : entry.before) {
     draw_sign(builder, one, place);
     place.x() += one.width + kSignGap;

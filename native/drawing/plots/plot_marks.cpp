@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kDotRadius = 0.8;
 constexpr int kDotCorners = 20;
-constexpr double kSize = 2.5;
+constexpr double kMarkSize = 2.5;
 constexpr double kClearance = 0.5;
 constexpr double kLeaderFrom = 4.0;  // longer distances get a leader
 
@@ -43,7 +43,7 @@ bool put_marker_text(SheetBuilder& builder, const std::string& text, const Colou
                      const Vector2d& dot, const AlignedBox2d& bounds) {
   static const std::array<Vector2d, 8> kDirections{
       {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}}};
-  const TextStyle style{.size = kSize, .ink = ink, .knockout = true};
+  const TextStyle style{.size = kMarkSize, .ink = ink, .knockout = true};
   for (const double distance : {0.8, 1.6, 2.8, 4.5, 7.0, 10.0, 14.0}) {
     for (const Vector2d& direction : kDirections) {
       const OrientedBox box = box_beside(text, style, dot, direction, distance + 0.5 * kDotRadius);
@@ -64,7 +64,7 @@ bool put_marker_text(SheetBuilder& builder, const std::string& text, const Colou
 // Along a vertical line, reading upwards, or upon a horizontal one: near its end first.
 bool put_line_text(SheetBuilder& builder, const PlotLine& line, const Vector2d& from,
                    const Vector2d& to, const AlignedBox2d& bounds) {
-  const TextStyle style{.size = kSize, .ink = inks::kGrey, .knockout = true};
+  const TextStyle style{.size = kMarkSize, .ink = inks::kGrey, .knockout = true};
   const double angle = line.vertical ? -0.5 * std::numbers::pi : 0.0;
   const Vector2d along = (to - from).normalized();
   const Vector2d aside(along.y(), -along.x());
@@ -199,7 +199,8 @@ void draw_symbols(SheetBuilder& builder, const Plot& plot, const PlotFrame& fram
   for (const PlottedCurve& plotted : curves) {
     const std::string& symbol = plot.curves[plotted.curve].symbol;
     if (symbol.empty()) continue;
-    const TextStyle style{.size = kSize, .ink = colour_of(plot, plotted.curve), .knockout = true};
+    const TextStyle style{
+        .size = kMarkSize, .ink = colour_of(plot, plotted.curve), .knockout = true};
     for (std::size_t i = plotted.paths.size(); i-- > 0;) {
       if (plotted.paths[i].size() < 2) continue;
       if (put_symbol(builder, symbol, style, plotted.paths[i], plotted.numbers[i], frame.area)) {

@@ -16,7 +16,7 @@ constexpr double kRegularisation = 1e-11;  // of the mean of M's diagonal
 // Of the ratio of the traces of H and M: with a smaller p nothing but rounding is added.
 constexpr double kLeastP = 1e-11, kMostP = 1e22;
 constexpr double kLengthMet = 1e-12, kExcessMet = 1e-9;
-constexpr int kMostSteps = 200;
+constexpr int kMostChanges = 200;
 // Of conditions' rows of unit length: less is left of one that others, or the limits, make up.
 constexpr double kDependent = 1e-12;
 
@@ -104,7 +104,7 @@ BoundedMinimum::Result BoundedMinimum::solve(
   bool is_first = true;
   // Below the bound on the length, in logarithms: that of p, and of what is too large.
   double last_low = 0.0, last_high = 0.0;
-  for (int step = 0; step < kMostSteps && high > low * (1.0 + 1e-15); ++step) {
+  for (int step = 0; step < kMostChanges && high > low * (1.0 + 1e-15); ++step) {
     if (!system.factor(h, p)) {
       low = p;
       p = is_first ? 10.0 * p : std::sqrt(low * high);

@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kDegree = 3, kOrder = 4;
 constexpr double kMet = 1e-9;  // of S
 constexpr int kMostSteps = 200;
 // Exact interpolation leaves rounding: squared, of the sum of squared coordinates.

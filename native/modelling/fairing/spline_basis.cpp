@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kDegree = 3, kOrder = 4;
-
 // Of the spline number i of a degree, at a parameter in a span: by the recursions of Cox and de
 // Boor.
 double basis_derivative(const std::vector<double>& knots, Index i, int degree, double t, Index span,

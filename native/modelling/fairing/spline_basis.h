@@ -6,6 +6,8 @@
 
 namespace hull::modelling {
 
+inline constexpr int kDegree = 3, kOrder = 4;
+
 // Cubic B-splines over knots, the first and last of which are there four times.
 
 // The span of a parameter: knots[span] <= t < knots[span + 1]; an end span for what is beyond.

@@ -22,7 +22,7 @@ using Arc = FieldCurve::Arc;
 constexpr double kMeet = 1e-9;
 // An arc's length between two of its points is that of this many parts by Gauss's rule.
 constexpr int kParts = 4;
-constexpr int kNewtonSteps = 60;
+constexpr int kLengthSteps = 60;
 // Cosine of the angle between the curve and the line to its foot: at ends of arcs that join
 // smoothly the foot moves on, at knuckles it stays.
 constexpr double kSquare = 1e-9;
@@ -183,7 +183,7 @@ FieldCurve::Place FieldCurve::place_at(double length) const {
   const double rest = wanted - starts_[arc], whole = starts_[arc + 1] - starts_[arc];
   // The length rises with t, so Newton's method in a bracket finds the one t.
   double low = 0.0, high = 1.0, t = rest / whole;
-  for (int step = 0; step < kNewtonSteps; ++step) {
+  for (int step = 0; step < kLengthSteps; ++step) {
     const double miss = length_between(arcs_[arc], 0.0, t) - rest;
     (miss > 0.0 ? high : low) = t;
     const double speed = arc_jet(arcs_[arc], t).d1.norm();

@@ -20,12 +20,6 @@ constexpr double kStagnates = 0.3;
 // Of conditions' rows of unit length: less is left of one that others, or the limits, make up.
 constexpr double kDependent = 1e-12;
 
-Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& vectors) {
-  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(vectors.size()), 3);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = vectors[i].transpose();
-  return rows;
-}
-
 // Moves of points one after the other, as rows.
 Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> as_rows(
     const Eigen::VectorXd& moves) {

@@ -17,13 +17,13 @@ constexpr double kNoArea = 1e-9;
 // Of the areas of neighbouring rings: more is no geometric series.
 constexpr double kSlowestDecay = 0.8;
 
-Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& points) {
-  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(points.size()), 3);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = points[i].transpose();
+}  // namespace
+
+Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& vectors) {
+  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(vectors.size()), 3);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = vectors[i].transpose();
   return rows;
 }
-
-}  // namespace
 
 SurfacePlaces::SurfacePlaces(const surface::LimitSurface& surface, int per_side)
     : weights_(std::make_shared<PlaceWeights>(surface, per_side)) {

@@ -62,4 +62,7 @@ class SurfacePlaces {
 // of a surface has its gradient no surface could follow without a fold there.
 int first_folded(const std::vector<Eigen::Matrix3d>& gradients);
 
+// Vectors as the rows of a matrix.
+Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& vectors);
+
 }  // namespace hull::modelling

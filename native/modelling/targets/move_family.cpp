@@ -12,7 +12,7 @@ namespace {
 
 // Of the mean of the diagonal, added to it: points of which no place tells, and modes that depend
 // on one another.
-constexpr double kRegularisation = 1e-10;
+constexpr double kEnergyRegularisation = 1e-10;
 
 Eigen::SparseMatrix<double> columns_of(const std::vector<MoveMode>& modes, std::size_t points) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -62,7 +62,7 @@ MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits
   const double mean = form_.diagonal().sum() / static_cast<double>(size());
   Sparse identity(size(), size());
   identity.setIdentity();
-  form_ += kRegularisation * mean * identity;
+  form_ += kEnergyRegularisation * mean * identity;
   factors_.compute(form_);
   if (factors_.info() != Eigen::Success) {
     throw std::invalid_argument("The moves that may be taken do not change the surface.");

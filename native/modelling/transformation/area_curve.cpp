@@ -10,8 +10,6 @@ namespace hull::modelling {
 namespace {
 
 constexpr int kSamplesPerSpan = 5;
-// Of the immersed length: the ends are cut so far inside, where a transom still has its area.
-constexpr double kInside = 1e-6;
 constexpr double kFade = 0.1;
 constexpr int kBisections = 24;  // the ends of the parallel body to some 1e-9 of the length
 
@@ -33,13 +31,13 @@ SpanPlace place_of(double share) {
   return {span, along - span};
 }
 
+}  // namespace
+
 std::vector<double> spread(double from, double to, int count) {
   std::vector<double> result(count);
   for (int i = 0; i < count; ++i) result[i] = from + (to - from) * i / (count - 1);
   return result;
 }
-
-}  // namespace
 
 AreaCurve::AreaCurve(const WorkingHull& hull)
     : aft_(hull.immersed_range().first), forward_(hull.immersed_range().second) {
@@ -87,8 +85,8 @@ double AreaCurve::at(double x) const {
 HullRange parallel_body(const WorkingHull& hull) {
   const auto [aft, forward] = hull.immersed_range();
   const double length = forward - aft;
-  const auto sections =
-      hull.sections(spread(aft + kInside * length, forward - kInside * length, 81));
+  const auto sections = hull.sections(
+      spread(aft + AreaCurve::kInside * length, forward - AreaCurve::kInside * length, 81));
   const auto largest = std::ranges::max_element(sections, {}, &analysis::SectionArea::area);
   const auto is_same = [&](const analysis::SectionArea& section) {
     return section.area >= (1.0 - kSameArea) * largest->area;

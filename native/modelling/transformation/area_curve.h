@@ -15,6 +15,8 @@ namespace hull::modelling {
 class AreaCurve {
  public:
   static constexpr int kSpans = 16;
+  // Of the immersed length: the ends are cut so far inside, where a transom still has its area.
+  static constexpr double kInside = 1e-6;
 
   explicit AreaCurve(const WorkingHull& hull);
 
@@ -30,6 +32,9 @@ class AreaCurve {
   double largest_, largest_at_;
   Eigen::VectorXd coefficients_;
 };
+
+// Values at equal distances, both ends among them.
+std::vector<double> spread(double from, double to, int count);
 
 // A range along the hull, m.
 struct HullRange {

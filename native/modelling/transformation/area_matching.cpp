@@ -16,16 +16,8 @@ constexpr int kCompared = 121;  // places at which the curves are compared
 constexpr int kMostSteps = 40;
 constexpr double kSlowest = 0.97;  // of the difference before: two such steps end the search
 constexpr int kMostSlow = 3;
-// Of the immersed length: inside of its ends, where a transom still has its area.
-constexpr double kInside = 1e-6;
 // Of the largest area: sections below it are told nothing by their own areas.
 constexpr double kLittle = 0.02;
-
-std::vector<double> spread(double from, double to, int count) {
-  std::vector<double> result(count);
-  for (int i = 0; i < count; ++i) result[i] = from + (to - from) * i / (count - 1);
-  return result;
-}
 
 // One of the two ways. `values`: of all stations, which say how far the hull is changed there.
 class Way {
@@ -146,7 +138,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
     way = std::make_unique<InflateWay>(hull, target, limits);
   }
   const auto [aft, forward] = hull.immersed_range();
-  const double margin = kInside * (forward - aft);
+  const double margin = AreaCurve::kInside * (forward - aft);
   const std::vector<double> stations = spread(aft + margin, forward - margin, kStations);
   const std::vector<double> compared =
       spread(std::min(aft + margin, target.aft()), std::max(forward - margin, target.forward()),

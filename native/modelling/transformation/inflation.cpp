@@ -13,7 +13,7 @@ namespace {
 // Of a normal's part across the ship: below, the shift fades.
 constexpr double kLeastAcross = 0.2;
 constexpr double kMet = 1e-10;
-constexpr int kMostSteps = 20;
+constexpr int kMostInflations = 20;
 
 ReshapeOptions staying(const TransformLimits& limits) {
   ReshapeOptions options;
@@ -93,7 +93,7 @@ Inflated inflate(const analysis::HullBody& body, const analysis::FloatingPositio
   // A secant of exact areas: the girth is the slope where nothing is kept.
   double before = 0.0, area_before = section.area;
   double amount = (area - section.area) / section.girth, found = area_before;
-  for (; result.iterations < kMostSteps; ++result.iterations) {
+  for (; result.iterations < kMostInflations; ++result.iterations) {
     std::vector<Vector3d> points = moved(amount);
     for (std::size_t i = 0; i < points.size(); ++i) points[i] += hull.points()[i];
     if (!std::isfinite(amount) || reshape.places().first_fold(points) >= 0) refuse();

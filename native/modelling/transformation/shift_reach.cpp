@@ -10,7 +10,7 @@ namespace hull::modelling {
 namespace {
 
 constexpr int kMostDoublings = 24;
-constexpr int kBisections = 24;
+constexpr int kReachBisections = 24;
 
 struct Words {
   const char* name;
@@ -61,7 +61,7 @@ std::optional<SectionShift::Solver::Range> SectionShift::Solver::reach(const Pat
       distance *= 2.0;
     }
     double outside = start + direction * distance;
-    for (int i = 0; i < kBisections; ++i) {
+    for (int i = 0; i < kReachBisections; ++i) {
       const double middle = 0.5 * (inside + outside);
       (is_reached(middle) ? inside : outside) = middle;
     }

@@ -9,7 +9,7 @@ namespace hull::modelling {
 namespace {
 
 constexpr double kModelStep = 0.01;  // of coefficients, which are below 1
-constexpr int kMostSteps = 15;
+constexpr int kNewtonSteps = 15;
 constexpr int kMostModelSteps = 50;
 
 }  // namespace
@@ -143,7 +143,7 @@ std::vector<double> SectionShift::Solver::solve() {
   if (!root || !is_sound(*root)) refuse();
   Vector y = *root, left = missing(y);
   Eigen::MatrixXd slopes = model_slopes(y);
-  while (left.cwiseAbs().maxCoeff() > 0.01 * kMet && iterations_ < kMostSteps) {
+  while (left.cwiseAbs().maxCoeff() > 0.01 * kMet && iterations_ < kNewtonSteps) {
     const Vector step = slopes.fullPivLu().solve(left);
     const Vector next = y + step;
     if (!step.allFinite() || !is_sound(next)) refuse();

@@ -9,12 +9,12 @@
 #include <string>
 
 #include "surface/eigenbasis/deep_rings.h"
+#include "surface/queries/infinity.h"
 #include "surface/wide_code.h"
 
 namespace hull::surface {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kGap = 1e-14;  // of the size
 constexpr int kFreeParts = 2000, kPartsPerDoubling = 500;
 constexpr double kNoSide = 1e-9;

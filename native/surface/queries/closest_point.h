@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "surface/queries/infinity.h"
 #include "surface/queries/surface_tree.h"
 
 namespace hull::surface {
@@ -21,7 +21,7 @@ struct ClosestPoint {
   int cell = -1;  // -1: none within the search radius; then all else is as initialised
   double u = 0.0, v = 0.0;
   Vector3d point = Vector3d::Zero();
-  double distance = std::numeric_limits<double>::infinity();  // m, never negative
+  double distance = kInfinity;  // m, never negative
   // No point of the surface is nearer than distance - gap: 1e-14 of the size, or more after very
   // many steps (see closest_point()).
   double gap = 0.0;
@@ -51,13 +51,13 @@ struct ClosestPoint {
 //
 // Throws std::invalid_argument unless p is finite and max_distance >= 0.
 ClosestPoint closest_point(const SurfaceTree& tree, const Vector3d& p,
-                           double max_distance = std::numeric_limits<double>::infinity());
+                           double max_distance = kInfinity);
 
 // The same for each of many points; quicker when they follow one another along the surface, as
 // points of a scan do. Between feet that are equal to `gap` the choice may depend on the points
 // before. Messages name the index of the point.
-std::vector<ClosestPoint> closest_points(
-    const SurfaceTree& tree, const std::vector<Vector3d>& points,
-    double max_distance = std::numeric_limits<double>::infinity());
+std::vector<ClosestPoint> closest_points(const SurfaceTree& tree,
+                                         const std::vector<Vector3d>& points,
+                                         double max_distance = kInfinity);
 
 }  // namespace hull::surface

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/queries/infinity.h"
 #include "surface/wide_code.h"
 
 namespace hull::surface {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kFreeParts = 4000, kPartsPerDoubling = 500;
-constexpr int kMostSteps = 12;
+constexpr int kFreeCrossings = 4000, kCrossingsPerDoubling = 500;
+constexpr int kNewtonSteps = 12;
 
 struct Range {
   double low, high;
@@ -114,7 +114,8 @@ HULL_WIDE bool PatchCrossings::is_passed(const BezierPatch& patch) const {
 
 void PatchCrossings::find(const BezierPatch& patch, const Part& part) {
   ++parts_;
-  if (parts_ > kFreeParts && (parts_ - kFreeParts) % kPartsPerDoubling == 1) touching_ *= 2.0;
+  if (parts_ > kFreeCrossings && (parts_ - kFreeCrossings) % kCrossingsPerDoubling == 1)
+    touching_ *= 2.0;
   if (is_passed(patch)) return;
   if (try_single(patch, part) != Outcome::kUnknown) return;
   if (try_stretch(patch, part)) return;
@@ -158,7 +159,7 @@ HULL_WIDE PatchCrossings::Outcome PatchCrossings::try_single(const BezierPatch& 
 
   SurfaceJet jet;
   double u = 0.5, v = 0.5;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kNewtonSteps; ++step) {
     evaluate_first(patch, u, v, jet);
     const double fu = w[0][0] * jet.point[0] + w[0][1] * jet.point[1];
     const double fv = w[1][0] * jet.point[0] + w[1][1] * jet.point[1];
@@ -247,7 +248,7 @@ bool PatchCrossings::find_on_sides(const BezierPatch& patch, double& u, double& 
     const bool along_u = side < 2;
     const double fixed = side & 1;
     double t = along_u ? u : v;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kNewtonSteps; ++step) {
       evaluate_first(patch, along_u ? t : fixed, along_u ? fixed : t, jet);
       const Eigen::Vector2d g = jet.point.head<2>();
       if (g.norm() <= tolerance_) {

@@ -8,13 +8,13 @@
 #include <stdexcept>
 
 #include "surface/eigenbasis/deep_rings.h"
+#include "surface/queries/infinity.h"
 #include "surface/queries/patch_crossings.h"
 #include "surface/wide_code.h"
 
 namespace hull::surface {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 1e-13, kTouching = 2e-7;  // of the size
 constexpr double kSteepest = 1e300;  // stands for 1 / 0, so that nothing is 0 times infinity
 

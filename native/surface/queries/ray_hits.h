@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include "surface/queries/infinity.h"
 #include "surface/queries/surface_tree.h"
 
 namespace hull::surface {
@@ -12,12 +12,12 @@ namespace hull::surface {
 // A half-line, or a stretch of it: origin + t direction, t in metres.
 struct Ray {
   Vector3d origin, direction;  // the direction need not be a unit vector; t counts as if it were
-  double t_min = 0.0, t_max = std::numeric_limits<double>::infinity();
+  double t_min = 0.0, t_max = kInfinity;
 };
 
 // A point that a ray and the surface share.
 struct RayHit {
-  double t = std::numeric_limits<double>::infinity();  // m along the ray
+  double t = kInfinity;  // m along the ray
   int cell = -1;
   double u = 0.0, v = 0.0;
   Vector3d point = Vector3d::Zero();  // of the surface

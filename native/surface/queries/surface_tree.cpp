@@ -6,10 +6,10 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "surface/queries/infinity.h"
+
 namespace hull::surface {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Splits items at the median of their centres along the longest side of the box around these.
 int* halve(int* begin, int* end, const std::vector<Eigen::AlignedBox3d>& boxes) {

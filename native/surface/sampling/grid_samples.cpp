@@ -17,10 +17,10 @@ namespace hull::surface {
 namespace {
 
 // The samples of one direction that lie within a piece: first <= i <= last.
-struct Range {
+struct SampleRange {
   int first, last;
 
-  Range(int n, double begin, double size)
+  SampleRange(int n, double begin, double size)
       : first(static_cast<int>(std::ceil(begin * n))),
         last(static_cast<int>(std::floor((begin + size) * n))) {}
 };
@@ -149,7 +149,7 @@ class GridEvaluator {
   }
 
   // Few different ones are needed: pieces are of a few sizes, at a few distances from samples.
-  const Line& line(int n, double begin, double size, const Range& range) {
+  const Line& line(int n, double begin, double size, const SampleRange& range) {
     const double t = (static_cast<double>(range.first) / n - begin) / size, step = 1.0 / (n * size);
     const int count = range.last - range.first + 1;
     for (const Line& known : lines_) {
@@ -161,7 +161,7 @@ class GridEvaluator {
   }
 
   void sample_piece(const SurfacePiece& piece) {
-    const Range i(nu_, piece.u, piece.size), j(nv_, piece.v, piece.size);
+    const SampleRange i(nu_, piece.u, piece.size), j(nv_, piece.v, piece.size);
     if (i.first > i.last || j.first > j.last) return;
     const Line& u = line(nu_, piece.u, piece.size, i);
     const Line& v = line(nv_, piece.v, piece.size, j);

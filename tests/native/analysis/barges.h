@@ -12,6 +12,9 @@
 // independent way to their righting levers.
 namespace hull::testing {
 
+// Of a barge that serves several tests, m.
+inline constexpr double kBargeLength = 20.0, kBargeBeam = 8.0, kBargeDepth = 5.0, kBargeDraft = 2.0;
+
 using Polygon = std::vector<Eigen::Vector2d>;  // (y, z), counter-clockwise seen from forward
 
 // Of n points on a circle or ellipse around (0, z).

@@ -16,7 +16,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr unsigned kSeed = 23112026;
+constexpr unsigned kDerivativesSeed = 23112026;
 
 double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -107,8 +107,8 @@ void check_immersion(surface::LimitSurface& surface, bool mirrored, const Plane&
 Plane upright(double draft) { return {Vector3d::UnitZ(), draft}; }
 
 TEST(BodyDerivatives, AgreeWithDifferencesOnAShip) {
-  std::mt19937 random(kSeed);
-  RecordProperty("seed", static_cast<int>(kSeed));
+  std::mt19937 random(kDerivativesSeed);
+  RecordProperty("seed", static_cast<int>(kDerivativesSeed));
   const testing::NaturalHull ship = testing::natural_ship();
   for (bool whole : {false, true}) {
     surface::LimitSurface surface{mesh::ControlMesh(whole ? ship.whole() : ship.mesh)};
@@ -135,8 +135,8 @@ TEST(BodyDerivatives, AgreeWithDifferencesOnAShip) {
 // Corners of three faces, closed bodies and open ones, whose border is closed by a fan from its
 // centroid, which moves along.
 TEST(BodyDerivatives, AgreeWithDifferencesOnRandomBodies) {
-  std::mt19937 random(kSeed + 1);
-  RecordProperty("seed", static_cast<int>(kSeed + 1));
+  std::mt19937 random(kDerivativesSeed + 1);
+  RecordProperty("seed", static_cast<int>(kDerivativesSeed + 1));
   for (int trial = 0; trial < 8; ++trial) {
     mesh::MeshArrays mesh = testing::cube();
     if (trial % 2) {
@@ -156,8 +156,8 @@ TEST(BodyDerivatives, AgreeWithDifferencesOnRandomBodies) {
 }
 
 TEST(BodyDerivatives, OfSectionsAgreeWithDifferences) {
-  std::mt19937 random(kSeed + 2);
-  RecordProperty("seed", static_cast<int>(kSeed + 2));
+  std::mt19937 random(kDerivativesSeed + 2);
+  RecordProperty("seed", static_cast<int>(kDerivativesSeed + 2));
   const testing::NaturalHull ship = testing::natural_ship();
   surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   HullBody body(surface, true);

@@ -16,16 +16,14 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kLength = 20.0, kBeam = 8.0, kDepth = 5.0, kDraft = 2.0;
-constexpr double kVolume = kLength * kBeam * kDraft;
-constexpr double kBM = kBeam * kBeam / 12.0 / kDraft;
+constexpr double kVolume = testing::kBargeLength * testing::kBargeBeam * testing::kBargeDraft;
+constexpr double kBM = testing::kBargeBeam * testing::kBargeBeam / 12.0 / testing::kBargeDraft;
 
 // A box barge in fresh water.
 class BoxBarge : public ::testing::Test {
  protected:
-  surface::LimitSurface surface{
-      mesh::ControlMesh(testing::barge(testing::box_section(kBeam, kDepth), kLength))};
+  surface::LimitSurface surface{mesh::ControlMesh(testing::barge(
+      testing::box_section(testing::kBargeBeam, testing::kBargeDepth), testing::kBargeLength))};
   HullBody body{surface, false};
 
   LoadCase load(double x, double y, double z) const { return {kVolume, {x, y, z}, 1.0}; }
@@ -35,24 +33,28 @@ using Equilibria = BoxBarge;
 
 TEST_F(Equilibria, Upright) {
   EquilibriumOptions options;
-  options.start.draft_at = 0.5 * kLength;
-  const Equilibrium e = equilibrium(body, load(0.5 * kLength, 0.0, 2.5), options);
+  options.start.draft_at = 0.5 * testing::kBargeLength;
+  const Equilibrium e = equilibrium(body, load(0.5 * testing::kBargeLength, 0.0, 2.5), options);
   EXPECT_EQ(e.status, EquilibriumStatus::kStable) << e.message;
   EXPECT_FALSE(e.left);
-  EXPECT_NEAR(e.position.draft, kDraft, 1e-10);
+  EXPECT_NEAR(e.position.draft, testing::kBargeDraft, 1e-10);
   EXPECT_NEAR(e.position.trim, 0.0, 1e-11);
   EXPECT_NEAR(e.position.heel, 0.0, 1e-11);
-  EXPECT_NEAR(e.gm_transverse, 0.5 * kDraft + kBM - 2.5, 1e-11);
-  EXPECT_NEAR(e.gm_longitudinal, 0.5 * kDraft + kLength * kLength / 12.0 / kDraft - 2.5, 1e-10);
+  EXPECT_NEAR(e.gm_transverse, 0.5 * testing::kBargeDraft + kBM - 2.5, 1e-11);
+  EXPECT_NEAR(e.gm_longitudinal,
+              0.5 * testing::kBargeDraft +
+                  testing::kBargeLength * testing::kBargeLength / 12.0 / testing::kBargeDraft - 2.5,
+              1e-10);
 }
 
 // By the moment of the wet section, which is independent of the descent.
 TEST_F(Equilibria, HeeledAndTrimmed) {
   for (double y : {-0.8, 0.3, 1.5}) {
-    const Equilibrium e = equilibrium(body, load(0.5 * kLength, y, 2.5));
+    const Equilibrium e = equilibrium(body, load(0.5 * testing::kBargeLength, y, 2.5));
     ASSERT_EQ(e.status, EquilibriumStatus::kStable) << e.message;
-    EXPECT_NEAR(testing::section_lever(testing::box_section(kBeam, kDepth), kBeam * kDraft,
-                                       {y, 2.5}, e.position.heel),
+    EXPECT_NEAR(testing::section_lever(
+                    testing::box_section(testing::kBargeBeam, testing::kBargeDepth),
+                    testing::kBargeBeam * testing::kBargeDraft, {y, 2.5}, e.position.heel),
                 0.0, 1e-9);
     EXPECT_GT(-y * e.position.heel, 0.0);
     EXPECT_LE(e.iterations, 12);
@@ -61,10 +63,13 @@ TEST_F(Equilibria, HeeledAndTrimmed) {
     const Equilibrium e = equilibrium(body, load(x, 0.0, 2.5));
     ASSERT_EQ(e.status, EquilibriumStatus::kStable) << e.message;
     // Trim positive by the stern is to x what heel positive to starboard is to y.
-    EXPECT_NEAR(testing::section_lever(testing::box_section(kLength, kDepth), kLength * kDraft,
-                                       {x - 0.5 * kLength, 2.5}, e.position.trim),
-                0.0, 1e-9);
-    EXPECT_NEAR(e.draft(0.0) - e.draft(kLength), kLength * std::tan(e.position.trim), 1e-10);
+    EXPECT_NEAR(
+        testing::section_lever(testing::box_section(testing::kBargeLength, testing::kBargeDepth),
+                               testing::kBargeLength * testing::kBargeDraft,
+                               {x - 0.5 * testing::kBargeLength, 2.5}, e.position.trim),
+        0.0, 1e-9);
+    EXPECT_NEAR(e.draft(0.0) - e.draft(testing::kBargeLength),
+                testing::kBargeLength * std::tan(e.position.trim), 1e-10);
     EXPECT_NEAR(e.draft(e.position.draft_at), e.position.draft, 1e-12);
   }
 }
@@ -72,7 +77,8 @@ TEST_F(Equilibria, HeeledAndTrimmed) {
 // tan² φ = -2 GM / BM (wall-sided formula).
 TEST_F(Equilibria, AngleOfLoll) {
   constexpr double kGM = -0.05;
-  const LoadCase top_heavy = load(0.5 * kLength, 0.0, 0.5 * kDraft + kBM - kGM);
+  const LoadCase top_heavy =
+      load(0.5 * testing::kBargeLength, 0.0, 0.5 * testing::kBargeDraft + kBM - kGM);
   const Equilibrium e = equilibrium(body, top_heavy);
   ASSERT_EQ(e.status, EquilibriumStatus::kStable) << e.message;
   EXPECT_NEAR(std::tan(e.position.heel), std::sqrt(-2.0 * kGM / kBM), 1e-8);
@@ -93,7 +99,8 @@ TEST_F(Equilibria, AngleOfLoll) {
 }
 
 TEST_F(Equilibria, NeutralWithoutMetacentricHeight) {
-  const Equilibrium e = equilibrium(body, load(0.5 * kLength, 0.0, 0.5 * kDraft + kBM));
+  const Equilibrium e =
+      equilibrium(body, load(0.5 * testing::kBargeLength, 0.0, 0.5 * testing::kBargeDraft + kBM));
   EXPECT_EQ(e.status, EquilibriumStatus::kNeutral) << e.message;
   EXPECT_NE(e.message.find("heeling"), std::string::npos) << e.message;
 }
@@ -133,12 +140,13 @@ TEST_F(Equilibria, SinksOrIsNoLoad) {
   EXPECT_THROW(equilibrium(body, {1.0, {10.0, 0.0, 2.0}, 0.0}), std::invalid_argument);
   EXPECT_THROW(equilibrium(body, {1.0, {NAN, 0.0, 2.0}, 1.0}), std::invalid_argument);
   EquilibriumOptions on_end;
-  on_end.start.trim = 0.5 * kPi;
+  on_end.start.trim = 0.5 * std::numbers::pi;
   EXPECT_THROW(equilibrium(body, load(10.0, 0.0, 2.0), on_end), std::invalid_argument);
 }
 
 TEST_F(Equilibria, FloodsThroughAnOpening) {
-  mesh::MeshArrays mesh = testing::barge(testing::box_section(kBeam, kDepth), kLength);
+  mesh::MeshArrays mesh = testing::barge(
+      testing::box_section(testing::kBargeBeam, testing::kBargeDepth), testing::kBargeLength);
   mesh.face_sizes.erase(mesh.face_sizes.begin() + 2);  // the deck
   mesh.face_vertices.erase(mesh.face_vertices.begin() + 8, mesh.face_vertices.begin() + 12);
   const surface::LimitSurface undecked{mesh::ControlMesh(mesh)};
@@ -156,7 +164,7 @@ TEST_F(Equilibria, FromAnyStart) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int trial = 0; trial < 100; ++trial) {
     EquilibriumOptions options;
-    options.start.heel = kPi * unit(random);
+    options.start.heel = std::numbers::pi * unit(random);
     options.start.trim = 1.2 * unit(random);
     const LoadCase any{400.0 + 395.0 * unit(random),
                        {10.0 + 4.0 * unit(random), unit(random), 2.5 + unit(random)},
@@ -255,7 +263,8 @@ TEST(Equilibrium, OfRandomBodies) {
     options.start.heel = -angle;
     const Equilibrium t = equilibrium(HullBody(turned_surface, false), turned_load, options);
     ASSERT_EQ(t.status, EquilibriumStatus::kStable) << t.message;
-    EXPECT_NEAR(std::remainder(t.position.heel + angle - e.position.heel, 2.0 * kPi), 0.0, 1e-8);
+    EXPECT_NEAR(std::remainder(t.position.heel + angle - e.position.heel, 2.0 * std::numbers::pi),
+                0.0, 1e-8);
     EXPECT_NEAR(t.position.trim, e.position.trim, 1e-8);
   }
 }

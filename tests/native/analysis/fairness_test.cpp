@@ -15,7 +15,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr int kMeshes = 150;
+constexpr int kFairnessMeshes = 150;
 
 Vector3d random_direction(std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -26,7 +26,7 @@ Vector3d random_direction(std::mt19937& random) {
 
 TEST(CellPlaces, AreOnePointOfTheSurface) {
   std::mt19937 random(1);
-  for (int mesh = 0; mesh < kMeshes; ++mesh) {
+  for (int mesh = 0; mesh < kFairnessMeshes; ++mesh) {
     const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const double near = 1e-12 * surface.mesh().size();
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
@@ -54,7 +54,7 @@ TEST(CellPlaces, AreOnePointOfTheSurface) {
 TEST(CurveFairness, SamplesOfRandomSectionsAreInTheirPlanes) {
   std::mt19937 random(2);
   int curves = 0;
-  for (int i = 0; i < kMeshes; ++i) {
+  for (int i = 0; i < kFairnessMeshes; ++i) {
     const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const double size = surface.mesh().size();
     const Vector3d normal = random_direction(random);
@@ -79,12 +79,12 @@ TEST(CurveFairness, SamplesOfRandomSectionsAreInTheirPlanes) {
       }
     }
   }
-  EXPECT_GT(curves, kMeshes);
+  EXPECT_GT(curves, kFairnessMeshes);
 }
 
 TEST(CurveFairness, RandomFeaturesHaveFiniteMarks) {
   std::mt19937 random(3);
-  for (int i = 0; i < kMeshes; ++i) {
+  for (int i = 0; i < kFairnessMeshes; ++i) {
     const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     for (const CurveFairness& curve : feature_fairness(surface, random_direction(random), {})) {
       ASSERT_GT(curve.length, 0.0);
@@ -97,7 +97,7 @@ TEST(CurveFairness, RandomFeaturesHaveFiniteMarks) {
 TEST(LevelCurves, OfRandomSurfacesAreExact) {
   std::mt19937 random(4);
   int points = 0, points_off = 0;
-  for (int i = 0; i < kMeshes; ++i) {
+  for (int i = 0; i < kFairnessMeshes; ++i) {
     const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const Vector3d direction = random_direction(random);
     const double size = surface.mesh().size();
@@ -114,7 +114,7 @@ TEST(LevelCurves, OfRandomSurfacesAreExact) {
       ASSERT_EQ(curve.points.size(), curve.cells.size());
     }
   }
-  EXPECT_GT(points, 20 * kMeshes);
+  EXPECT_GT(points, 20 * kFairnessMeshes);
   EXPECT_LE(points_off, points / 200);
 }
 
@@ -147,7 +147,7 @@ TEST(FlatRegions, BordersOfRandomFlatSheetsEncloseTheirAreas) {
 TEST(Flatness, LargestDistanceIsAboveAllSamples) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int i = 0; i < kMeshes; ++i) {
+  for (int i = 0; i < kFairnessMeshes; ++i) {
     const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const Vector3d normal = random_direction(random);
     const Plane plane{normal, 0.2};

@@ -16,7 +16,6 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDraft = 4.1;  // between knots
 
 TEST(Hydrostatics, OfABox) {
@@ -48,7 +47,7 @@ TEST(Hydrostatics, OfABox) {
                    p.immersed.waterplane, p.immersed.vertical_prismatic}) {
     EXPECT_NEAR(c, 1.0, 1e-12);
   }
-  EXPECT_NEAR(p.half_angle_of_entrance, 0.5 * kPi, 1e-12);
+  EXPECT_NEAR(p.half_angle_of_entrance, 0.5 * std::numbers::pi, 1e-12);
   EXPECT_NEAR(p.entrance_chord_angle, std::atan2(0.5 * kB, 2.0), 1e-9);
   EXPECT_NEAR(p.lateral_area, kL * kT, 1e-10);
   EXPECT_NEAR(p.lateral_x, 0.5 * kL, 1e-11);
@@ -165,7 +164,7 @@ TEST(Hydrostatics, OfTheSmoothCube) {
   EXPECT_NEAR(p.immersed_draft, r + 0.2, 1e-9);
   EXPECT_LT(p.waterline_length, 2.0 * r - 1e-3);
   EXPECT_NEAR(p.waterline_length, p.waterline_beam, 1e-9);
-  EXPECT_NEAR(p.half_angle_of_entrance, 0.5 * kPi, 1e-3);
+  EXPECT_NEAR(p.half_angle_of_entrance, 0.5 * std::numbers::pi, 1e-3);
   EXPECT_NEAR(p.largest_section.position, 0.0, 1e-3);
   EXPECT_NEAR(p.lateral_area, p.largest_section.area, 1e-8);
 }

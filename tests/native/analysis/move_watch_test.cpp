@@ -11,7 +11,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr unsigned kSeed = 1212;
+constexpr unsigned kMoveWatchSeed = 1212;
 
 bool equal(const std::vector<SectionCurve>& a, const std::vector<SectionCurve>& b) {
   if (a.size() != b.size()) return false;
@@ -24,8 +24,8 @@ bool equal(const std::vector<SectionCurve>& a, const std::vector<SectionCurve>& 
 // A section by a plane that the watch says nothing came near is the same before and after, to the
 // last bit, and few planes are said to be near that are not.
 TEST(MoveWatch, SectionsThatNothingCameNearStay) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kMoveWatchSeed);
+  std::mt19937 random(kMoveWatchSeed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   mesh::MeshArrays arrays = testing::grid(16, 12);
   for (auto& p : arrays.points) p.z() = 2.0 * std::sin(0.3 * p.x()) * std::cos(0.4 * p.y());

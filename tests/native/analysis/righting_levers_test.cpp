@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "analysis/arithmetic/degree.h"
 #include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/floating_position.h"
 #include "analysis/stability/cross_curves.h"
@@ -20,8 +21,6 @@ namespace hull::analysis {
 namespace {
 
 using testing::Polygon;
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180.0;
 
 std::vector<double> heels_to(double last_deg, double step_deg) {
   std::vector<double> heels;
@@ -49,16 +48,17 @@ struct Afloat {
   }
 };
 
-constexpr double kBeam = 8.0, kDepth = 5.0, kDraft = 2.0;
-
-Afloat box() { return {testing::box_section(kBeam, kDepth), kBeam * kDraft}; }
+Afloat box() {
+  return {testing::box_section(testing::kBargeBeam, testing::kBargeDepth),
+          testing::kBargeBeam * testing::kBargeDraft};
+}
 
 // GZ = sin φ (GM + BM tan² φ / 2) as long as the sides cut the water (wall-sided formula).
 TEST(RightingLevers, OfAWallSidedBarge) {
   const Afloat barge = box();
   constexpr double kG = 2.5;
-  constexpr double kBM = kBeam * kBeam / 12.0 / kDraft;
-  constexpr double kGM = 0.5 * kDraft + kBM - kG;
+  constexpr double kBM = testing::kBargeBeam * testing::kBargeBeam / 12.0 / testing::kBargeDraft;
+  constexpr double kGM = 0.5 * testing::kBargeDraft + kBM - kG;
   const RightingLevers levers =
       righting_levers(barge.body, barge.load(0.0, kG), heels_to(25.0, 5.0));
   EXPECT_NEAR(levers.gm, kGM, 1e-11);
@@ -91,7 +91,7 @@ TEST(RightingLevers, OfPrismsAllTheWayRound) {
 }
 
 TEST(RightingLevers, TurnRoundWithTheSide) {
-  const Afloat barge(testing::round_section(10, 4.0, 3.0, 3.0, kPi / 10.0), 12.0);
+  const Afloat barge(testing::round_section(10, 4.0, 3.0, 3.0, std::numbers::pi / 10.0), 12.0);
   HeelingPath starboard = heeling_path(barge.body, barge.load(0.2, 2.8, 9.5), TrimMode::kFree, 0.0);
   HeelingPath port = heeling_path(barge.body, barge.load(-0.2, 2.8, 9.5), TrimMode::kFree, 0.0);
   for (double heel : heels_to(170.0, 17.0)) {
@@ -112,8 +112,9 @@ TEST(RightingLevers, OfABodyOfFourfoldSymmetry) {
   const HullBody body(surface, false);
   const LoadCase load{2.7, Vector3d::Zero(), 1.0};
   HeelingPath path = heeling_path(body, load, TrimMode::kFree, 0.0);
-  for (int k = 0; k <= 8; ++k) EXPECT_NEAR(path.at(k * kPi / 4.0).righting_lever, 0.0, 1e-10);
-  const double quarter = path.at(0.2 + kPi / 2.0).righting_lever;
+  for (int k = 0; k <= 8; ++k)
+    EXPECT_NEAR(path.at(k * std::numbers::pi / 4.0).righting_lever, 0.0, 1e-10);
+  const double quarter = path.at(0.2 + std::numbers::pi / 2.0).righting_lever;
   EXPECT_NEAR(path.at(0.2).righting_lever, quarter, 1e-10);
   EXPECT_GT(std::abs(quarter), 1e-5);
 }
@@ -179,7 +180,7 @@ TEST(RightingLevers, AreasToTheirTolerance) {
 
 // sin φ GM is the lever but for terms of the third order.
 TEST(RightingLevers, StartAsTheMetacentreSays) {
-  const Afloat barge(testing::round_section(8, 4.0, 3.0, 3.0, kPi / 8.0), 16.0);
+  const Afloat barge(testing::round_section(8, 4.0, 3.0, 3.0, std::numbers::pi / 8.0), 16.0);
   HeelingPath path = heeling_path(barge.body, barge.load(0.0, 2.5, 9.0), TrimMode::kFree, 0.0);
   const double gm = path.at(0.0).slope;
   const auto departure = [&](double heel) {
@@ -197,7 +198,8 @@ TEST(RightingLevers, FeaturesAreExact) {
   RightingLeverOptions options;
   options.edges.deck_edge_vertices = {2,
                                       6};  // along the ship, port; one chain from corner to corner
-  options.edges.downflooding_points = {{10.0, -2.0, kDepth}, {10.0, 2.0, kDepth}};
+  options.edges.downflooding_points = {{10.0, -2.0, testing::kBargeDepth},
+                                       {10.0, 2.0, testing::kBargeDepth}};
   const RightingLevers levers = righting_levers(barge.body, load, heels_to(90.0, 10.0), options);
   const auto lever = [&](double heel) {
     return testing::section_lever(barge.section, barge.wet_area, {0.0, 3.2}, heel);
@@ -217,9 +219,10 @@ TEST(RightingLevers, FeaturesAreExact) {
   // In the water through a point that just comes under, the section displaces what it should.
   const auto area_up_to = [&](double y, double heel) {
     const Eigen::Vector2d up(std::sin(heel), std::cos(heel));
-    return testing::wet_section(barge.section, up, up.dot(Eigen::Vector2d(y, kDepth))).area;
+    return testing::wet_section(barge.section, up, up.dot(Eigen::Vector2d(y, testing::kBargeDepth)))
+        .area;
   };
-  EXPECT_NEAR(area_up_to(-0.5 * kBeam, *both.deck_edge_heel), barge.wet_area, 1e-9);
+  EXPECT_NEAR(area_up_to(-0.5 * testing::kBargeBeam, *both.deck_edge_heel), barge.wet_area, 1e-9);
   EXPECT_NEAR(area_up_to(-2.0, *both.downflooding_heel), barge.wet_area, 1e-9);
 }
 
@@ -232,10 +235,10 @@ TEST(RightingLevers, FeaturesAreLookedForAmongTheHeelsGiven) {
   HeelingPath fresh = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
   HeelingPath asked = heeling_path(barge.body, load, TrimMode::kFree, 0.0);
   for (double heel : heels_to(90.0, 7.0)) asked.at(heel);
-  const std::vector<double> ends{0.0, kPi}, fine = heels_to(180.0, 5.0);
+  const std::vector<double> ends{0.0, std::numbers::pi}, fine = heels_to(180.0, 5.0);
   // Upright and upside down the lever rises: by these two heels alone no maximum shows.
   ASSERT_GT(fresh.at(0.0).slope, 0.0);
-  ASSERT_GT(fresh.at(kPi).slope, 0.0);
+  ASSERT_GT(fresh.at(std::numbers::pi).slope, 0.0);
   EXPECT_TRUE(greatest_lever(fresh, ends).at_end);
   EXPECT_TRUE(greatest_lever(asked, ends).at_end);
   EXPECT_FALSE(greatest_lever(asked, fine).at_end);
@@ -245,7 +248,7 @@ TEST(RightingLevers, FeaturesAreLookedForAmongTheHeelsGiven) {
 
 // Paths are for one thread each; a body is for many.
 TEST(RightingLevers, OfOneBodyInTwoThreads) {
-  const Afloat barge(testing::round_section(10, 4.0, 3.0, 3.0, kPi / 10.0), 12.0);
+  const Afloat barge(testing::round_section(10, 4.0, 3.0, 3.0, std::numbers::pi / 10.0), 12.0);
   const LoadCase load = barge.load(0.2, 2.8, 9.5);
   const auto levers = [&] {
     HeelingPath path = heeling_path(barge.body, load, TrimMode::kFree, 0.0);

@@ -14,7 +14,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kDraft = 4.1;  // between knots
+constexpr double kWaterline = 4.1;  // between knots
 
 SectionArea at(const HullBody& body, double x, const FloatingPosition& position) {
   return section_areas(body, {x}, position).front();
@@ -102,15 +102,15 @@ TEST(SectionAreas, OfANaturalHullUpright) {
   const testing::NaturalHull ship = testing::natural_ship();
   const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
-  const double fullness = ship.upwards.integral(ship.upwards, kDraft);
+  const double fullness = ship.upwards.integral(ship.upwards, kWaterline);
   const double moment =
-      ship.upwards.integral([&](double z) { return z * ship.upwards(z); }, kDraft);
+      ship.upwards.integral([&](double z) { return z * ship.upwards(z); }, kWaterline);
   for (double x : {0.4, 3.0, 10.0, 20.0, 31.7, 59.0}) {
-    const SectionArea s = at(body, x, {kDraft});
+    const SectionArea s = at(body, x, {kWaterline});
     EXPECT_NEAR(s.area, 2.0 * ship.along(x) * fullness, 1e-12 * 50.0) << x;
     EXPECT_NEAR(s.centroid.z(), moment / fullness, 1e-12 * 6.0) << x;
     EXPECT_NEAR(s.centroid.y(), 0.0, 1e-15) << x;
-    EXPECT_NEAR(s.breadth, 2.0 * ship.along(x) * ship.upwards(kDraft), 1e-12 * 12.0) << x;
+    EXPECT_NEAR(s.breadth, 2.0 * ship.along(x) * ship.upwards(kWaterline), 1e-12 * 12.0) << x;
   }
 }
 
@@ -120,7 +120,7 @@ TEST(SectionAreas, IntegrateToTheVolume) {
   const surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
   const HullBody body(surface, true);
   for (const FloatingPosition& position :
-       {FloatingPosition{kDraft}, FloatingPosition{3.0, 0.02, 0.0, 30.0},
+       {FloatingPosition{kWaterline}, FloatingPosition{3.0, 0.02, 0.0, 30.0},
         FloatingPosition{3.0, 0.02, 0.1, 30.0}, FloatingPosition{2.5, -0.03, -0.2, 30.0}}) {
     const double volume = body.immersion(water_plane(position)).volume;
     // Where the water leaves the keel's or the knots' lines the curve has kinks between the rule's.

@@ -8,17 +8,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "polylines.h"
 #include "test_meshes.h"
 
 namespace hull::analysis {
 namespace {
-
-double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
 
 // ∮ x × dx / 2 along a spline: Gauss' rule of three points is exact for the cubics' product.
 double signed_area(const surface::CubicSpline& spline, const Vector3d& normal) {
@@ -98,7 +92,7 @@ TEST(SectionSplines, FollowSections) {
       for (std::size_t i = 0; i < fine[b].points.size(); i += 23) {
         double nearest = 1.0;
         for (std::size_t j = 1; j < trace.size(); ++j) {
-          nearest = std::min(nearest, distance(fine[b].points[i], trace[j - 1], trace[j]));
+          nearest = std::min(nearest, testing::distance(fine[b].points[i], trace[j - 1], trace[j]));
         }
         EXPECT_LE(nearest, 1.2 * kTolerance);
       }

@@ -8,24 +8,11 @@
 #include <numbers>
 
 #include "analysis/sections/sections.h"
+#include "polylines.h"
 #include "test_meshes.h"
 
 namespace hull::analysis {
 namespace {
-
-double length_of(const SectionCurve& curve) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < curve.points.size(); ++i) {
-    length += (curve.points[i] - curve.points[i - 1]).norm();
-  }
-  return length;
-}
-
-double length_of(const std::vector<SectionCurve>& curves) {
-  double length = 0.0;
-  for (const SectionCurve& curve : curves) length += length_of(curve);
-  return length;
-}
 
 // Twice the area to the left, seen against the normal.
 double signed_area(const SectionCurve& curve, const Vector3d& normal) {
@@ -55,7 +42,7 @@ TEST(SectionsInThePlane, BoundAFlatRegion) {
     ASSERT_EQ(curves.size(), 1u);
     EXPECT_TRUE(curves[0].closed);
     EXPECT_EQ(curves[0].knuckles.size(), 4u);
-    EXPECT_NEAR(length_of(curves), 4.0, 1e-12);
+    EXPECT_NEAR(testing::length_of(curves), 4.0, 1e-12);
   }
 }
 
@@ -68,7 +55,7 @@ TEST(SectionsInThePlane, BoundAFlatUpToTheBorder) {
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed);
   // From x = 3 to 5: the spans whose control points 2 … 6 are flat.
-  EXPECT_NEAR(length_of(curves), 2.0 * 2.0 + 2.0 * 3.0, 1e-12);
+  EXPECT_NEAR(testing::length_of(curves), 2.0 * 2.0 + 2.0 * 3.0, 1e-12);
 }
 
 // One side of the flat goes up, the other down: two lines, each once.
@@ -78,7 +65,7 @@ TEST(SectionsInThePlane, BoundAStepOnBothSides) {
   });
   const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
-  EXPECT_NEAR(length_of(curves), 2.0 * 2.0 + 2.0 * 3.0, 1e-12);
+  EXPECT_NEAR(testing::length_of(curves), 2.0 * 2.0 + 2.0 * 3.0, 1e-12);
 }
 
 // Single-precision noise on a flat: the outline is had with a tolerance above the noise.
@@ -93,7 +80,7 @@ TEST(SectionsInThePlane, SeeThroughNoise) {
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, {1e-3, 2e-6});
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].closed);
-  EXPECT_NEAR(length_of(curves), 4.0, 1e-4);
+  EXPECT_NEAR(testing::length_of(curves), 4.0, 1e-4);
 }
 
 // A keel: a crease in the plane with the surface above on both sides.
@@ -104,7 +91,7 @@ TEST(SectionsInThePlane, HaveCreasesOnce) {
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_FALSE(curves[0].closed);
-  EXPECT_NEAR(length_of(curves), 4.0, 1e-12);
+  EXPECT_NEAR(testing::length_of(curves), 4.0, 1e-12);
   EXPECT_TRUE(curves[0].knuckles.empty());
 }
 
@@ -116,7 +103,7 @@ TEST(SectionsInThePlane, HaveLinesBetweenPatchesOnce) {
   const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
   const std::vector<SectionCurve> curves = section(surface, {Vector3d::UnitZ(), 0.0}, 1e-3);
   ASSERT_EQ(curves.size(), 1u);
-  EXPECT_NEAR(length_of(curves), 4.0, 1e-12);
+  EXPECT_NEAR(testing::length_of(curves), 4.0, 1e-12);
 }
 
 // The border of a half body in its centre plane, run through with the body on the left.

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "analysis/sections/sections.h"
+#include "polylines.h"
 #include "surface/sampling/tessellation.h"
 #include "test_meshes.h"
 
@@ -24,13 +25,6 @@ struct Segment {
   Vector3d a, b;
   double sine;
 };
-
-double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
 
 // A triangulation, sliced plane by plane.
 class Slicer {
@@ -251,25 +245,11 @@ void expect_on_plane_and_surface(const surface::LimitSurface& surface, const Pla
   }
 }
 
-double length_of(const SectionCurve& c) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < c.points.size(); ++i) {
-    length += (c.points[i] - c.points[i - 1]).norm();
-  }
-  return length;
-}
-
-double length_of(const std::vector<SectionCurve>& curves) {
-  double length = 0.0;
-  for (const SectionCurve& c : curves) length += length_of(c);
-  return length;
-}
-
 double distance_to(const std::vector<SectionCurve>& curves, const Vector3d& p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const SectionCurve& c : curves) {
     for (std::size_t i = 1; i < c.points.size(); ++i) {
-      nearest = std::min(nearest, distance(p, c.points[i - 1], c.points[i]));
+      nearest = std::min(nearest, testing::distance(p, c.points[i - 1], c.points[i]));
     }
   }
   return nearest;
@@ -330,7 +310,7 @@ TEST(SectionsOfRandomSurfaces, AgreeWithTriangulations) {
       ++safe;
       int loops = 0, closed = 0;
       for (const SectionCurve& curve : curves) {
-        if (length_of(curve) < slicer.least_length()) continue;
+        if (testing::length_of(curve) < slicer.least_length()) continue;
         ++loops;
         closed += curve.closed;
       }
@@ -338,7 +318,7 @@ TEST(SectionsOfRandomSurfaces, AgreeWithTriangulations) {
       EXPECT_EQ(closed, slicer.closed());
       double length = 0.0;
       for (const Segment& s : segments) length += (s.b - s.a).norm();
-      EXPECT_NEAR(length_of(curves), length, 0.02 * length + 20.0 * slicer.error());
+      EXPECT_NEAR(testing::length_of(curves), length, 0.02 * length + 20.0 * slicer.error());
     }
   }
   EXPECT_GT(safe, kMeshes * kPlanes / 4);

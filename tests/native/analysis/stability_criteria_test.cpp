@@ -6,13 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/arithmetic/degree.h"
 #include "barges.h"
 
 namespace hull::analysis {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kLength = 20.0, kBeam = 8.0, kDraft = 2.0;
 
 // A box barge of the given depth, its centre of gravity at the height z.
 struct Case {
@@ -22,24 +20,28 @@ struct Case {
   HullBody body;
 
   Case(double depth, double height)
-      : section(testing::box_section(kBeam, depth)),
+      : section(testing::box_section(testing::kBargeBeam, depth)),
         z(height),
-        surface(mesh::ControlMesh(testing::barge(section, kLength))),
+        surface(mesh::ControlMesh(testing::barge(section, testing::kBargeLength))),
         body(surface, false) {}
   Case(const Case&) = delete;  // the body refers to the surface
 
   StabilityReport report(const StabilityEdges& edges = {}) const {
-    const LoadCase load{kLength * kBeam * kDraft, {0.5 * kLength, 0.0, z}, 1.0};
+    const LoadCase load{testing::kBargeLength * testing::kBargeBeam * testing::kBargeDraft,
+                        {0.5 * testing::kBargeLength, 0.0, z},
+                        1.0};
     return stability_criteria(body, load, {TrimMode::kFree, 0.0, edges});
   }
   // Potential energy over weight, by the clipped section: its rise is the area under GZ.
   double height(double heel) const {
     const Eigen::Vector2d up(std::sin(heel), std::cos(heel));
-    const auto wet = testing::section_afloat(section, up, kBeam * kDraft);
+    const auto wet =
+        testing::section_afloat(section, up, testing::kBargeBeam * testing::kBargeDraft);
     return up.dot(Eigen::Vector2d(0.0, z) - wet.centroid);
   }
   double lever(double heel) const {
-    return testing::section_lever(section, kBeam * kDraft, {0.0, z}, heel);
+    return testing::section_lever(section, testing::kBargeBeam * testing::kBargeDraft, {0.0, z},
+                                  heel);
   }
   // The greatest lever from one heel to another, to the square of the step.
   double greatest(double from, double to) const {
@@ -69,7 +71,9 @@ TEST(StabilityCriteria, ValuesOfABarge) {
   const Criterion& heel = report.criteria.at(4);
   ASSERT_TRUE(heel.value);
   EXPECT_NEAR(high.lever(*heel.value), high.greatest(0.0, 90.0 * kDegree), 1e-6);
-  constexpr double kGM = 0.5 * kDraft + kBeam * kBeam / 12.0 / kDraft - 2.8;
+  constexpr double kGM = 0.5 * testing::kBargeDraft +
+                         testing::kBargeBeam * testing::kBargeBeam / 12.0 / testing::kBargeDraft -
+                         2.8;
   expect_values(report,
                 {at_30 - from_0, at_40 - from_0, at_40 - at_30,
                  high.greatest(30.0 * kDegree, 90.0 * kDegree), *heel.value, kGM},
@@ -94,7 +98,9 @@ TEST(StabilityCriteria, EarlyGreatestLeverFails) {
 }
 
 TEST(StabilityCriteria, SmallMetacentricHeightFails) {
-  const Case tender(5.0, 0.5 * kDraft + kBeam * kBeam / 12.0 / kDraft - 0.1);
+  const Case tender(
+      5.0, 0.5 * testing::kBargeDraft +
+               testing::kBargeBeam * testing::kBargeBeam / 12.0 / testing::kBargeDraft - 0.1);
   const Criterion gm = tender.report().criteria.at(5);
   EXPECT_NEAR(gm.value.value(), 0.1, 1e-10);
   EXPECT_EQ(gm.outcome, CriterionOutcome::kFail);
@@ -111,7 +117,7 @@ TEST(StabilityCriteria, FloodingEndsTheCurve) {
       const double z = 0.5 * (low + high);
       const double area =
           testing::wet_section(barge.section, up, up.dot(Eigen::Vector2d(-3.0, z))).area;
-      (area < kBeam * kDraft ? low : high) = z;
+      (area < testing::kBargeBeam * testing::kBargeDraft ? low : high) = z;
     }
     return StabilityEdges{{{10.0, -3.0, low}}, {}};
   };

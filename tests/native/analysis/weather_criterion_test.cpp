@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "analysis/arithmetic/degree.h"
 #include "analysis/hydrostatics/hydrostatics.h"
 #include "analysis/stability/lateral_profile.h"
 #include "barges.h"
@@ -15,8 +16,6 @@
 
 namespace hull::analysis {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // The tables as printed, at their entries, between them and beyond.
 TEST(AngleOfRoll, TablesAreThoseOfTheCode) {

@@ -10,11 +10,11 @@
 namespace hull::conversion {
 namespace {
 
-constexpr unsigned kSeed = 20260729;
+constexpr unsigned kBsplinePatchSeed = 20260729;
 
 std::mt19937 generator() {
-  ::testing::Test::RecordProperty("seed", static_cast<int>(kSeed));
-  return std::mt19937(kSeed);
+  ::testing::Test::RecordProperty("seed", static_cast<int>(kBsplinePatchSeed));
+  return std::mt19937(kBsplinePatchSeed);
 }
 
 BSplinePatch random_patch(std::mt19937& random, int degree_u, int degree_v, int count_u,

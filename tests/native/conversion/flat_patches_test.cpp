@@ -11,16 +11,6 @@
 namespace hull::conversion {
 namespace {
 
-int free_edges(const PatchSet& set) {
-  std::vector<int> uses(set.edge_count, 0);
-  for (const auto& sides : set.sides) {
-    for (const PatchSide& side : sides) {
-      for (const SideEdge& part : side) ++uses[part.edge];
-    }
-  }
-  return static_cast<int>(std::ranges::count(uses, 1));
-}
-
 // A wavy sheet of `columns` x 3 patches whose columns from `first` to `last` have no width; each
 // column's patches keep their own edges.
 PatchSet sheet_with_fold(int columns, int first, int last) {
@@ -51,7 +41,7 @@ TEST(WithoutFlatPatches, ClosesAFoldOfOneColumn) {
   const WithoutFlatPatches result = without_flat_patches(set);
   EXPECT_EQ(result.left_out, (std::vector<int>{1, 5, 9}));
   EXPECT_NO_THROW(result.patches.check());
-  EXPECT_EQ(free_edges(result.patches), 2 * (3 + 3));
+  EXPECT_EQ(testing::free_edges(result.patches), 2 * (3 + 3));
 }
 
 TEST(WithoutFlatPatches, ClosesAFoldOfTwoColumns) {
@@ -59,7 +49,7 @@ TEST(WithoutFlatPatches, ClosesAFoldOfTwoColumns) {
   const WithoutFlatPatches result = without_flat_patches(set);
   EXPECT_EQ(result.left_out.size(), 6u);
   EXPECT_NO_THROW(result.patches.check());
-  EXPECT_EQ(free_edges(result.patches), 2 * (3 + 3));
+  EXPECT_EQ(testing::free_edges(result.patches), 2 * (3 + 3));
 }
 
 TEST(WithoutFlatPatches, OpensWhereSidesDoNotLieTogether) {
@@ -71,7 +61,7 @@ TEST(WithoutFlatPatches, OpensWhereSidesDoNotLieTogether) {
   const WithoutFlatPatches result = without_flat_patches(set);
   EXPECT_EQ(result.left_out, (std::vector<int>{2, 5}));
   EXPECT_NO_THROW(result.patches.check());
-  EXPECT_EQ(free_edges(result.patches), 2 * (2 + 2));
+  EXPECT_EQ(testing::free_edges(result.patches), 2 * (2 + 2));
 }
 
 TEST(WithoutFlatPatches, KeepsThinPatchesThatHaveAnArea) {

@@ -22,24 +22,14 @@ PatchSet half_trough(double y_of_keel = 0.0) {
   });
 }
 
-int free_edges(const PatchSet& set) {
-  std::vector<int> uses(set.edge_count, 0);
-  for (const auto& sides : set.sides) {
-    for (const PatchSide& side : sides) {
-      for (const SideEdge& part : side) ++uses[part.edge];
-    }
-  }
-  return static_cast<int>(std::ranges::count(uses, 1));
-}
-
 TEST(WithMirrorImage, JoinsAlongTheCentreLineOnly) {
   const PatchSet half = half_trough(), whole = with_mirror_image(half);
   ASSERT_NO_THROW(whole.check());
   EXPECT_EQ(whole.patches.size(), 12u);
   EXPECT_EQ(whole.vertex_count, 2 * 12 - 4);
   EXPECT_EQ(whole.edge_count, 2 * 17 - 3);
-  EXPECT_EQ(free_edges(half), 10);
-  EXPECT_EQ(free_edges(whole), 14);
+  EXPECT_EQ(testing::free_edges(half), 10);
+  EXPECT_EQ(testing::free_edges(whole), 14);
 }
 
 TEST(WithMirrorImage, HasNoCellsOfItsOwn) {
@@ -72,7 +62,7 @@ TEST(WithMirrorImage, MirrorsPointsAndNormals) {
 TEST(WithMirrorImage, PutsASeamThatIsNearlyOnThePlaneOnIt) {
   const PatchSet whole = with_mirror_image(half_trough(5e-9));  // 1e-9 of the size is 1.1e-8
   ASSERT_NO_THROW(whole.check());
-  EXPECT_EQ(free_edges(whole), 14);
+  EXPECT_EQ(testing::free_edges(whole), 14);
   EXPECT_EQ(whole.patches[0].control_point(2, 0).y(), 0.0);
 }
 
@@ -114,7 +104,7 @@ TEST(WithMirrorImage, LeavesABorderThatRisesFromThePlane) {
 TEST(WithMirrorImage, LeavesAGapThatIsReal) {
   const PatchSet whole = with_mirror_image(half_trough(1e-3));
   ASSERT_NO_THROW(whole.check());
-  EXPECT_EQ(free_edges(whole), 20);
+  EXPECT_EQ(testing::free_edges(whole), 20);
   EXPECT_EQ(whole.patches[0].control_point(2, 0).y(), 1e-3);
 }
 
@@ -124,7 +114,7 @@ TEST(WithMirrorImage, GivesAPlateInThePlaneTwoSides) {
   const PatchSet whole = with_mirror_image(half);
   ASSERT_NO_THROW(whole.check());
   EXPECT_EQ(whole.patches.size(), 8u);
-  EXPECT_EQ(free_edges(whole), 0);
+  EXPECT_EQ(testing::free_edges(whole), 0);
   EXPECT_EQ(whole.edge_count, 12 + 4);
   EXPECT_EQ(whole.vertex_count, 9 + 1);
 }

@@ -108,4 +108,15 @@ inline conversion::PatchSet rectangle(double a, double b, int nu = 1, int nv = 1
   return joined(std::move(patches));
 }
 
+// How many edges are one patch's alone.
+inline int free_edges(const conversion::PatchSet& set) {
+  std::vector<int> uses(set.edge_count, 0);
+  for (const auto& sides : set.sides) {
+    for (const conversion::PatchSide& side : sides) {
+      for (const conversion::SideEdge& part : side) ++uses[part.edge];
+    }
+  }
+  return static_cast<int>(std::ranges::count(uses, 1));
+}
+
 }  // namespace hull::testing

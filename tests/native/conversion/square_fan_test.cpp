@@ -15,7 +15,7 @@
 namespace hull::conversion {
 namespace {
 
-surface::LimitSurface random_surface(int trial, std::mt19937& random) {
+surface::LimitSurface random_fan(int trial, std::mt19937& random) {
   const int n = 3 + trial % 7;
   mesh::MeshArrays mesh = trial % 2 ? testing::double_pyramid(n) : testing::fan(n);
   testing::randomise(mesh, random, 0.1, trial % 4 == 3 ? 0.2 : 0.0, 0.0);
@@ -55,7 +55,7 @@ TEST(CornerNet, IsTheCornerOfThePatch) {
   int compared = 0;
   for (int trial = 0; trial < 30; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const surface::LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_fan(trial, random);
     const Grading grading{3 + trial % 5, 1 + trial % kMostInner};
     const Gradings gradings(surface.cells().vertex_count(), grading);
     for (const Block& block : BlockLayout(surface).blocks) {
@@ -89,7 +89,7 @@ TEST(SquareFan, FitMakesAnglesSmallerAndMovesOnlyWhatMayBeMoved) {
   int gained = 0;
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
-    const surface::LimitSurface surface = random_surface(trial, random);
+    const surface::LimitSurface surface = random_fan(trial, random);
     const int vertex = irregular_vertex(surface);
     if (vertex < 0) continue;
     const SquareFan before = square_fan(surface, vertex, {4, 1 + trial % 2});

@@ -14,7 +14,7 @@
 namespace hull::modelling {
 namespace {
 
-constexpr unsigned kSeed = 22112026;
+constexpr unsigned kFitSeed = 22112026;
 
 std::vector<Vector3d> samples_of(const surface::LimitSurface& surface, int n) {
   std::vector<Vector3d> samples;
@@ -78,8 +78,8 @@ double farthest(const surface::LimitSurface& surface, const std::vector<Vector3d
 }
 
 TEST(Fit, FindsASurfaceAgain) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kFitSeed);
+  std::mt19937 random(kFitSeed);
   const surface::LimitSurface surface = sheet();
   const FitTarget target{samples_of(surface, 5), {}, {}};
   const std::vector<FitCurve> curves = curves_of(surface);
@@ -98,7 +98,7 @@ TEST(Fit, FindsASurfaceAgain) {
 }
 
 TEST(Fit, StaysWithinLimits) {
-  std::mt19937 random(kSeed);
+  std::mt19937 random(kFitSeed);
   const surface::LimitSurface surface = sheet();
   const surface::LimitSurface start = with_points(surface, shaken(surface, random, 0.2));
   FitOptions options;
@@ -175,7 +175,7 @@ TEST(Fit, DrawsCreasesToLines) {
 
 TEST(Fit, TellsItsProgressAndEndsByAnException) {
   const surface::LimitSurface surface = sheet();
-  std::mt19937 random(kSeed);
+  std::mt19937 random(kFitSeed);
   const surface::LimitSurface start = with_points(surface, shaken(surface, random, 0.1));
   std::vector<double> shares;
   FitOptions options;

@@ -10,21 +10,14 @@
 #include <stdexcept>
 
 #include "modelling/pull.h"
+#include "random_values.h"
 #include "surface/curvature.h"
 #include "test_meshes.h"
 
 namespace hull::modelling {
 namespace {
 
-constexpr unsigned kSeed = 22112026;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Vector3d random_vector(std::mt19937& random) {
-  return {uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
-}
+constexpr unsigned kPullSpreadSeed = 22112026;
 
 std::vector<Vector3d> moves_of(const surface::LimitSurface& surface, const Pull& pulled) {
   std::vector<Vector3d> moves(surface.mesh().points().size(), Vector3d::Zero());
@@ -85,8 +78,8 @@ double most_bent(const surface::LimitSurface& surface) {
 // On random meshes of every kind, with limits and several places: targets are met, and what is
 // locked or held stays.
 TEST(PullSpread, MeetsTargetsWithinLimitsWhateverTheRadius) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kPullSpreadSeed);
+  std::mt19937 random(kPullSpreadSeed);
   int done = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const surface::LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 9)));
@@ -95,15 +88,18 @@ TEST(PullSpread, MeetsTargetsWithinLimitsWhateverTheRadius) {
     const auto point = [&] { return static_cast<int>(random() % count); };
     MoveLimits limits;
     limits.locked = {point()};
-    limits.held = {{point(), random_vector(random)}, {point(), random_vector(random)}};
+    limits.held = {{point(), testing::random_vector(random)},
+                   {point(), testing::random_vector(random)}};
     std::vector<PullTarget> targets;
     for (int i = 0; i < 1 + trial % 2; ++i) {
-      PullTarget t{static_cast<int>(random() % surface.cell_count()), uniform(random, 0.0, 1.0),
-                   uniform(random, 0.0, 1.0), Vector3d::Zero()};
-      t.point = surface.position(t.cell, t.u, t.v) + 0.1 * size * random_vector(random);
+      PullTarget t{static_cast<int>(random() % surface.cell_count()),
+                   testing::uniform(random, 0.0, 1.0), testing::uniform(random, 0.0, 1.0),
+                   Vector3d::Zero()};
+      t.point = surface.position(t.cell, t.u, t.v) + 0.1 * size * testing::random_vector(random);
       targets.push_back(t);
     }
-    const PullSpread spread{size * std::pow(10.0, uniform(random, -3.0, 1.0)), trial % 3 == 0};
+    const PullSpread spread{size * std::pow(10.0, testing::uniform(random, -3.0, 1.0)),
+                            trial % 3 == 0};
     Pull pulled;
     try {
       pulled = pull(surface, targets, limits, spread);

@@ -7,21 +7,14 @@
 #include <random>
 #include <stdexcept>
 
+#include "random_values.h"
 #include "surface/pieces/point_weights.h"
 #include "test_meshes.h"
 
 namespace hull::modelling {
 namespace {
 
-constexpr unsigned kSeed = 5112026;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Vector3d random_vector(std::mt19937& random) {
-  return {uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
-}
+constexpr unsigned kPullSeed = 5112026;
 
 std::vector<Vector3d> moved_points(const surface::LimitSurface& surface, const Pull& pulled) {
   std::vector<Vector3d> points = surface.mesh().points();
@@ -34,21 +27,22 @@ std::vector<Vector3d> moved_points(const surface::LimitSurface& surface, const P
 // On random meshes of every kind: places land on their targets on the surface that the moved
 // control points make.
 TEST(Pull, TakesPlacesToTheirTargets) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kPullSeed);
+  std::mt19937 random(kPullSeed);
   const auto cache = std::make_shared<surface::BasisCache>();
   for (int trial = 0; trial < 300; ++trial) {
     surface::LimitSurface surface(
         mesh::ControlMesh(testing::random_mesh(random, 12)),
         trial % 2 ? surface::Scheme::kBiermann : surface::Scheme::kCatmullClark, cache);
     const double size = surface.mesh().size();
-    const int cell = static_cast<int>(uniform(random, 0.0, surface.cell_count() - 1e-9));
+    const int cell = static_cast<int>(testing::uniform(random, 0.0, surface.cell_count() - 1e-9));
     const double snap[] = {0.0, 0.5, 1.0};
     const auto parameter = [&] {
-      return trial % 3 ? uniform(random, 0.0, 1.0) : snap[random() % 3];
+      return trial % 3 ? testing::uniform(random, 0.0, 1.0) : snap[random() % 3];
     };
     PullTarget target{cell, parameter(), parameter(), Vector3d::Zero()};
-    target.point = surface.position(cell, target.u, target.v) + 0.1 * size * random_vector(random);
+    target.point =
+        surface.position(cell, target.u, target.v) + 0.1 * size * testing::random_vector(random);
     const Pull pulled = pull(surface, {target});
     EXPECT_LT(pulled.miss, 1e-13 * size);
     surface.set_points(moved_points(surface, pulled));
@@ -78,22 +72,23 @@ TEST(Pull, MovesEachPointByItsWeight) {
 
 // Limits are kept, and any other moves that do and take the places to the targets are longer.
 TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed + 1);
-  std::mt19937 random(kSeed + 1);
+  SCOPED_TRACE(::testing::Message() << "seed " << kPullSeed + 1);
+  std::mt19937 random(kPullSeed + 1);
   for (int trial = 0; trial < 100; ++trial) {
     mesh::MeshArrays arrays = testing::grid(6, 6);
-    for (auto& p : arrays.points) p += 0.2 * random_vector(random);
+    for (auto& p : arrays.points) p += 0.2 * testing::random_vector(random);
     surface::LimitSurface surface{mesh::ControlMesh(arrays)};
     MoveLimits limits;
     const std::vector<int> faces{7, 16, 28};
     for (int k = 0; k < 6; ++k) limits.locked.push_back(static_cast<int>(random() % 49));
     for (int k = 0; k < 8; ++k) {
-      limits.held.push_back({static_cast<int>(random() % 49), random_vector(random)});
+      limits.held.push_back({static_cast<int>(random() % 49), testing::random_vector(random)});
     }
     std::vector<PullTarget> targets;
     for (int face : faces) {
-      PullTarget t{4 * face + 2, uniform(random, 0.0, 1.0), uniform(random, 0.0, 1.0), {}};
-      t.point = surface.position(t.cell, t.u, t.v) + random_vector(random);
+      PullTarget t{
+          4 * face + 2, testing::uniform(random, 0.0, 1.0), testing::uniform(random, 0.0, 1.0), {}};
+      t.point = surface.position(t.cell, t.u, t.v) + testing::random_vector(random);
       targets.push_back(t);
     }
     const Pull pulled = pull(surface, targets, limits);
@@ -118,7 +113,7 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
         const bool is_limited = std::count(limits.locked.begin(), limits.locked.end(), p) > 0 ||
                                 std::any_of(limits.held.begin(), limits.held.end(),
                                             [p](const HeldDirection& h) { return h.point == p; });
-        if (!is_limited) start[p] = 0.1 * random_vector(random);
+        if (!is_limited) start[p] = 0.1 * testing::random_vector(random);
       }
       surface::LimitSurface shaken = surface;
       std::vector<Vector3d> points = surface.mesh().points();

@@ -10,21 +10,14 @@
 
 #include "modelling/reshape/square_ties.h"
 #include "modelling/thin_plate.h"
+#include "random_values.h"
 #include "surface/refined_mesh.h"
 #include "test_meshes.h"
 
 namespace hull::modelling {
 namespace {
 
-constexpr unsigned kSeed = 23112026;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Vector3d random_vector(std::mt19937& random) {
-  return {uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
-}
+constexpr unsigned kReshapeSeed = 23112026;
 
 template <class Field>
 std::vector<Vector3d> shifts_at(const SurfacePlaces& places, const Field& field) {
@@ -95,15 +88,15 @@ TEST(SurfacePlaces, CoverTheSurface) {
 
 // An affine shift of the surface is that of its control points.
 TEST(Reshape, MeetsAffineShiftsExactly) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kReshapeSeed);
+  std::mt19937 random(kReshapeSeed);
   for (int trial = 0; trial < 60; ++trial) {
     surface::LimitSurface surface = random_surface(random, trial);
     const double size = surface.mesh().size();
     const Reshape reshape(surface, {});
     Eigen::Matrix3d matrix;
-    for (int k = 0; k < 3; ++k) matrix.col(k) = 0.2 * random_vector(random);
-    const Vector3d constant = size * random_vector(random);
+    for (int k = 0; k < 3; ++k) matrix.col(k) = 0.2 * testing::random_vector(random);
+    const Vector3d constant = size * testing::random_vector(random);
     const auto field = [&](const Vector3d& p) { return Vector3d(matrix * p + constant); };
     const Reshaped result = reshape.solve(shifts_at(reshape.places(), field));
     EXPECT_LT(result.largest, 1e-13 * size) << "trial " << trial;
@@ -112,8 +105,9 @@ TEST(Reshape, MeetsAffineShiftsExactly) {
     std::vector<CellPlace> places;
     std::vector<Vector3d> before;
     for (int k = 0; k < 100; ++k) {
-      places.push_back({static_cast<int>(uniform(random, 0.0, surface.cell_count() - 1e-9)),
-                        uniform(random, 0.0, 1.0), uniform(random, 0.0, 1.0)});
+      places.push_back(
+          {static_cast<int>(testing::uniform(random, 0.0, surface.cell_count() - 1e-9)),
+           testing::uniform(random, 0.0, 1.0), testing::uniform(random, 0.0, 1.0)});
       before.push_back(surface.position(places[k].cell, places[k].u, places[k].v));
     }
     surface.set_points(moved_points(surface, result));
@@ -184,8 +178,8 @@ struct Rows {
 
 // Locked, held, tied and prescribed points and conditions together, with and without stiffness.
 TEST(Reshape, IsTheOptimumWithinLimits) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kReshapeSeed);
+  std::mt19937 random(kReshapeSeed);
   for (int trial = 0; trial < 24; ++trial) {
     mesh::MeshArrays mesh = testing::grid(5, 4);
     testing::randomise(mesh, random, 0.2, 0.1, 0.2);
@@ -195,14 +189,15 @@ TEST(Reshape, IsTheOptimumWithinLimits) {
     ReshapeOptions options;
     options.stiffness = trial % 2 ? 1e-2 : 0.0;
     Rows held{{}, {}, 3 * static_cast<Eigen::Index>(n)};
-    const Vector3d normal = random_vector(random), tie = random_vector(random);
-    const Vector3d told = 0.1 * size * random_vector(random);
+    const Vector3d normal = testing::random_vector(random), tie = testing::random_vector(random);
+    const Vector3d told = 0.1 * size * testing::random_vector(random);
     options.limits.limits = {{0}, {{1, normal}, {2, Vector3d::UnitY()}}};
     options.limits.tied = {{3, 4, tie}, {4, 5, Vector3d::UnitX()}, {5, 6, Vector3d::UnitZ()}};
     options.limits.prescribed = {6, 7};
     options.conditions = {{{8, 9, 3}, {}}, {{10, 2}, {}}};
     for (MoveCondition& c : options.conditions) {
-      for (std::size_t k = 0; k < c.points.size(); ++k) c.slopes.push_back(random_vector(random));
+      for (std::size_t k = 0; k < c.points.size(); ++k)
+        c.slopes.push_back(testing::random_vector(random));
     }
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3d unit = Vector3d::Unit(axis);
@@ -223,7 +218,7 @@ TEST(Reshape, IsTheOptimumWithinLimits) {
     const Reshape reshape(surface, options);
     std::vector<Vector3d> shifts;
     for (int k = 0; k < reshape.places().count(); ++k) {
-      shifts.push_back(0.1 * size * random_vector(random));
+      shifts.push_back(0.1 * size * testing::random_vector(random));
     }
     const Reshaped result = reshape.solve(shifts, {told, -told}, values);
     const Eigen::VectorXd moves = dense_optimum(surface, reshape.places(), shifts, held.matrix(),

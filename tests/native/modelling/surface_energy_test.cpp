@@ -14,7 +14,7 @@
 namespace hull::modelling {
 namespace {
 
-constexpr unsigned kSeed = 23112026;
+constexpr unsigned kSurfaceEnergySeed = 23112026;
 constexpr double kPi = std::numbers::pi;
 
 std::vector<int> pieces_of(const surface::PieceWeights& weights) {
@@ -94,8 +94,8 @@ TEST(SurfaceEnergy, OfACylinder) {
 
 // The curvature's energy is that of the thin plate, whose derivatives are to the same metric then.
 TEST(SurfaceEnergy, OfCurvatureIsThatOfTheThinPlate) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kSurfaceEnergySeed);
+  std::mt19937 random(kSurfaceEnergySeed);
   for (int trial = 0; trial < 12; ++trial) {
     const surface::LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 8))};
     const double plate = fair_energy(surface, FairEnergy::kThinPlate);
@@ -105,8 +105,8 @@ TEST(SurfaceEnergy, OfCurvatureIsThatOfTheThinPlate) {
 
 // Turned, moved and scaled: the curvature's energy stays, the variation's goes with 1 / length².
 TEST(SurfaceEnergy, IsOfTheShapeAlone) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kSurfaceEnergySeed);
+  std::mt19937 random(kSurfaceEnergySeed);
   for (int trial = 0; trial < 12; ++trial) {
     mesh::MeshArrays mesh = testing::random_mesh(random, 8);
     const surface::LimitSurface before{mesh::ControlMesh(mesh)};
@@ -123,8 +123,8 @@ TEST(SurfaceEnergy, IsOfTheShapeAlone) {
 
 // Derivatives of residuals, by differences across both sides.
 TEST(SurfaceEnergy, DerivativesAreExact) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kSurfaceEnergySeed);
+  std::mt19937 random(kSurfaceEnergySeed);
   mesh::MeshArrays mesh = testing::grid(3, 3);
   std::uniform_real_distribution<double> noise(-0.2, 0.2);
   for (auto& p : mesh.points) {

@@ -13,7 +13,7 @@
 namespace hull::modelling {
 namespace {
 
-constexpr unsigned kSeed = 22112026;
+constexpr unsigned kThinPlateSeed = 22112026;
 
 double energy_of(const surface::LimitSurface& surface) {
   return thin_plate_energy(surface, surface::PieceWeights(surface), surface.mesh().points());
@@ -80,7 +80,7 @@ TEST(ThinPlate, OfAParabolicCylinder) {
 // Turning, moving and scaling the surface leaves the energy; moves that keep it rigid cost nothing
 // but where it turns.
 TEST(ThinPlate, IsOfTheShapeAlone) {
-  std::mt19937 random(kSeed);
+  std::mt19937 random(kThinPlateSeed);
   for (int trial = 0; trial < 20; ++trial) {
     const mesh::MeshArrays mesh = testing::random_mesh(random, 12);
     const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
@@ -98,7 +98,7 @@ TEST(ThinPlate, IsOfTheShapeAlone) {
 // The least of the energy alone, border points held: the equations' step is a minimum of the
 // quadratic form that the energy is with the metric as it is.
 TEST(ThinPlate, StepLowersTheEnergyMost) {
-  std::mt19937 random(kSeed);
+  std::mt19937 random(kThinPlateSeed);
   mesh::MeshArrays mesh = testing::grid(5, 4);
   std::normal_distribution<double> noise(0.0, 0.3);
   for (auto& p : mesh.points) p.z() += noise(random);

@@ -12,7 +12,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 11212026;
+constexpr unsigned kClosestPointSeed = 11212026;
 
 LimitSurface random_surface(std::mt19937& random, int trial, int max_valence,
                             const std::shared_ptr<BasisCache>& cache) {
@@ -35,8 +35,8 @@ Vector3d random_query(std::mt19937& random, const LimitSurface& surface, int kin
 }
 
 TEST(ClosestPoint, IsOnTheSurfaceAtItsCellAndParameters) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kClosestPointSeed);
+  std::mt19937 random(kClosestPointSeed);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 120; ++trial) {
     const LimitSurface surface = random_surface(random, trial, 12, cache);
@@ -85,8 +85,8 @@ double sampled_distance(const LimitSurface& surface, const GridSamples& samples,
 }
 
 TEST(ClosestPoint, HasNothingNearer) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 1);
+  SCOPED_TRACE(::testing::Message() << "seed " << kClosestPointSeed);
+  std::mt19937 random(kClosestPointSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   int improved = 0;
   for (int trial = 0; trial < 120; ++trial) {
@@ -108,8 +108,8 @@ TEST(ClosestPoint, HasNothingNearer) {
 
 // Cells so folded that one piece has several feet.
 TEST(ClosestPoint, HasNothingNearerOnFoldedCells) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 7);
+  SCOPED_TRACE(::testing::Message() << "seed " << kClosestPointSeed);
+  std::mt19937 random(kClosestPointSeed + 7);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 100; ++trial) {
     mesh::MeshArrays arrays = trial % 2 ? testing::grid(2, 2) : testing::fan(5);
@@ -128,8 +128,8 @@ TEST(ClosestPoint, HasNothingNearerOnFoldedCells) {
 }
 
 TEST(ClosestPoint, IsTheFootOfAPerpendicular) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 2);
+  SCOPED_TRACE(::testing::Message() << "seed " << kClosestPointSeed);
+  std::mt19937 random(kClosestPointSeed + 2);
   const auto cache = std::make_shared<BasisCache>();
   int smooth = 0;
   for (int trial = 0; trial < 120; ++trial) {
@@ -159,7 +159,7 @@ TEST(ClosestPoint, OfABoxIsThatOfTheClosedForm) {
   const Vector3d low(0.0, -2.0, 0.0), high(5.0, 2.0, 3.0);
   const LimitSurface surface{mesh::ControlMesh(testing::creased_box(5.0, 4.0, 3.0))};
   const SurfaceTree tree(surface);
-  std::mt19937 random(kSeed + 3);
+  std::mt19937 random(kClosestPointSeed + 3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int kinds[3] = {};
   for (int i = 0; i < 3000; ++i) {
@@ -255,7 +255,7 @@ TEST(ClosestPoint, OfTheMiddleOfARoundBodyTakesBoundedWork) {
 }
 
 TEST(ClosestPoint, TurnsAndScalesWithTheMesh) {
-  std::mt19937 random(kSeed + 4);
+  std::mt19937 random(kClosestPointSeed + 4);
   const Eigen::AngleAxisd turn(0.7, Vector3d(1.0, 2.0, -0.5).normalized());
   constexpr double kScale = 37.0;
   const auto cache = std::make_shared<BasisCache>();
@@ -276,7 +276,7 @@ TEST(ClosestPoint, TurnsAndScalesWithTheMesh) {
 }
 
 TEST(ClosestPoint, ManyAreTheSameAsOneByOne) {
-  std::mt19937 random(kSeed + 5);
+  std::mt19937 random(kClosestPointSeed + 5);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 20; ++trial) {
     const LimitSurface surface = random_surface(random, trial, 8, cache);
@@ -318,7 +318,7 @@ TEST(ClosestPoint, NamesWhatIsWrong) {
 }
 
 TEST(SurfaceTree, FollowsTheSurfaceOnlyWhenRefitted) {
-  std::mt19937 random(kSeed + 6);
+  std::mt19937 random(kClosestPointSeed + 6);
   mesh::MeshArrays arrays = testing::fan(7);
   LimitSurface surface{mesh::ControlMesh(arrays)};
   SurfaceTree tree(surface);

@@ -11,7 +11,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 881;
+constexpr unsigned kCreaseCurvesSeed = 881;
 
 Vector3d at_place(const LimitSurface& surface, const CellPlace& place) {
   return surface.position(place.cell, place.u, place.v);
@@ -44,8 +44,8 @@ void expect_on_surface(const LimitSurface& surface, const CreaseCurve& curve) {
 }
 
 TEST(CreaseCurves, AreTheSurfaceAlongCreases) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kCreaseCurvesSeed);
+  std::mt19937 random(kCreaseCurvesSeed);
   const auto cache = std::make_shared<BasisCache>();
   int darts = 0, closed = 0, borders = 0;
   for (int trial = 0; trial < 600; ++trial) {
@@ -85,7 +85,7 @@ TEST(CreaseCurves, AreTheSurfaceAlongCreases) {
 // Of a uniform B-spline the control points are the chain's, with one more beyond each corner.
 TEST(CreaseCurves, OfABorderHaveItsControlPoints) {
   mesh::MeshArrays arrays = testing::grid(4, 3);
-  std::mt19937 random(kSeed + 1);
+  std::mt19937 random(kCreaseCurvesSeed + 1);
   testing::randomise(arrays, random, 0.0, 0.0, 0.3);
   const LimitSurface surface{mesh::ControlMesh(arrays)};
   const std::vector<CreaseCurve> curves = crease_curves(surface);
@@ -123,7 +123,7 @@ TEST(CreaseCurves, CloseSmoothly) {
 }
 
 TEST(CreaseCurves, HaveTheDerivativesOfDifferences) {
-  std::mt19937 random(kSeed + 2);
+  std::mt19937 random(kCreaseCurvesSeed + 2);
   constexpr double kStep = 1e-5;
   for (int trial = 0; trial < 60; ++trial) {
     const LimitSurface surface{mesh::ControlMesh(testing::random_mesh(random, 9))};
@@ -144,7 +144,7 @@ TEST(CreaseCurves, RunBetweenTwoDarts) {
   for (int edges : {1, 2, 3, 6}) {
     for (Scheme scheme : {Scheme::kBiermann, Scheme::kCatmullClark}) {
       mesh::MeshArrays arrays = testing::grid(10, 4);
-      std::mt19937 random(kSeed + 3);
+      std::mt19937 random(kCreaseCurvesSeed + 3);
       testing::randomise(arrays, random, 0.0, 0.0, 0.3);
       const int first = 2 * 11 + 2;
       for (int i = 0; i < edges; ++i) arrays.creases.push_back({first + i, first + i + 1});

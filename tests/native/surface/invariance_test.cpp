@@ -14,7 +14,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 4711;
+constexpr unsigned kInvarianceSeed = 4711;
 
 std::vector<int> shuffled(int count, std::mt19937& random) {
   std::vector<int> order(count);
@@ -55,8 +55,8 @@ Renumbered renumbered(const mesh::MeshArrays& from, std::mt19937& random) {
 }
 
 TEST(Invariance, Renumbering) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kInvarianceSeed);
+  std::mt19937 random(kInvarianceSeed);
   const auto cache = std::make_shared<BasisCache>();
   constexpr double kPlaces[][2] = {{0.0, 0.0}, {1e-9, 3e-10}, {0.01, 0.2}, {0.7, 0.4}, {1.0, 0.9}};
   for (int trial = 0; trial < 400; ++trial) {
@@ -83,7 +83,7 @@ TEST(Invariance, Renumbering) {
 // Seen in a mirror and turned round, so that faces run counter-clockwise again: u and v change
 // places, the normal's side does not.
 TEST(Invariance, Mirror) {
-  std::mt19937 random(kSeed + 1);
+  std::mt19937 random(kInvarianceSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   const Vector3d flip(1.0, -1.0, 1.0);
   for (int trial = 0; trial < 100; ++trial) {
@@ -113,7 +113,7 @@ TEST(Invariance, Mirror) {
 }
 
 TEST(Invariance, Scale) {
-  std::mt19937 random(kSeed + 2);
+  std::mt19937 random(kInvarianceSeed + 2);
   for (double factor : {0x1p-30, 0x1p20, 3.7e-4}) {
     const mesh::MeshArrays arrays = testing::random_mesh(random, 12);
     mesh::MeshArrays scaled = arrays;
@@ -127,7 +127,7 @@ TEST(Invariance, Scale) {
 }
 
 TEST(Invariance, NumberOfThreads) {
-  std::mt19937 random(kSeed + 3);
+  std::mt19937 random(kInvarianceSeed + 3);
   mesh::MeshArrays arrays = testing::fan(7);
   testing::randomise(arrays, random, 0.2, 0.1, 0.1);
   const LimitSurface surface{mesh::ControlMesh(arrays)};
@@ -144,7 +144,7 @@ TEST(Invariance, NumberOfThreads) {
 
 // Surfaces built at the same time with the same bases are those built one after the other.
 TEST(Invariance, ThreadsSharingBases) {
-  std::mt19937 random(kSeed + 5);
+  std::mt19937 random(kInvarianceSeed + 5);
   std::vector<mesh::ControlMesh> meshes;
   for (int i = 0; i < 24; ++i) meshes.emplace_back(testing::random_mesh(random, 12));
   const auto build = [&meshes](int threads) {
@@ -167,7 +167,7 @@ TEST(Invariance, ThreadsSharingBases) {
 
 // Shared sides at the greatest valence that meshes may have.
 TEST(Invariance, GreatestValence) {
-  std::mt19937 random(kSeed + 4);
+  std::mt19937 random(kInvarianceSeed + 4);
   const auto cache = std::make_shared<BasisCache>();
   for (mesh::MeshArrays arrays :
        {testing::double_pyramid(mesh::kMaxValence), testing::prism(mesh::kMaxValence)}) {

@@ -12,10 +12,10 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 7102026;
+constexpr unsigned kLimitSurfaceSeed = 7102026;
 
 // The point at distance t along side k (half-edge 4 cell + k) of a cell.
-Eigen::Vector2d on_side(int k, double t) {
+Eigen::Vector2d point_on_side(int k, double t) {
   const Eigen::Vector2d places[] = {{t, 0.0}, {1.0, t}, {1.0 - t, 1.0}, {0.0, 1.0 - t}};
   return places[k];
 }
@@ -23,8 +23,8 @@ Eigen::Vector2d on_side(int k, double t) {
 // Every cell that shares a side computes the same points there. Rounding of the local eigenbases
 // grows slowly with the valence; 1e-13 of the size is what is promised up to 64.
 TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kLimitSurfaceSeed);
+  std::mt19937 random(kLimitSurfaceSeed);
   const auto cache = std::make_shared<BasisCache>();
   const double places[] = {0.0, 1e-9, 0.01, 0.3, 0.5, 0.77, 1.0};
   for (int trial = 0; trial < 2000; ++trial) {
@@ -37,7 +37,7 @@ TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
       const int g = cells.twin(h);
       if (g < h) continue;
       for (double t : places) {
-        const Eigen::Vector2d a = on_side(h & 3, t), b = on_side(g & 3, 1.0 - t);
+        const Eigen::Vector2d a = point_on_side(h & 3, t), b = point_on_side(g & 3, 1.0 - t);
         worst = std::max(
             worst,
             (surface.position(h / 4, a.x(), a.y()) - surface.position(g / 4, b.x(), b.y())).norm());
@@ -49,7 +49,7 @@ TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
 
 // The once-subdivided mesh, taken as a control mesh with its tags, has the same surface.
 TEST(LimitSurface, IsTheSameFromTheSubdividedMesh) {
-  std::mt19937 random(kSeed + 1);
+  std::mt19937 random(kLimitSurfaceSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int trial = 0; trial < 60; ++trial) {
@@ -70,7 +70,7 @@ TEST(LimitSurface, IsTheSameFromTheSubdividedMesh) {
 }
 
 TEST(LimitSurface, DerivativesAgreeWithDifferences) {
-  std::mt19937 random(kSeed + 2);
+  std::mt19937 random(kLimitSurfaceSeed + 2);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto cache = std::make_shared<BasisCache>();
   constexpr double kStep = 1e-5;
@@ -112,7 +112,7 @@ double cox_de_boor(int i, int degree, double t) {  // uniform knots …, -1, 0, 
 TEST(LimitSurface, IsATensorProductBSplineOnARegularGrid) {
   constexpr int kM = 5, kN = 4;
   mesh::MeshArrays arrays = testing::grid(kM, kN);
-  std::mt19937 random(kSeed + 3);
+  std::mt19937 random(kLimitSurfaceSeed + 3);
   testing::randomise(arrays, random, 0.0, 0.0, 0.4);
   const auto reflected = [](int i, int last, const auto& get) -> Vector3d {
     if (i < 0) return 2.0 * get(0) - get(1);
@@ -143,7 +143,7 @@ TEST(LimitSurface, IsATensorProductBSplineOnARegularGrid) {
 }
 
 TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
-  std::mt19937 random(kSeed + 4);
+  std::mt19937 random(kLimitSurfaceSeed + 4);
   const auto cache = std::make_shared<BasisCache>();
   for (int n = 3; n <= 40; n += n < 10 ? 1 : 10) {
     mesh::MeshArrays arrays = testing::fan(n);
@@ -219,7 +219,7 @@ mesh::MeshArrays subdivided_around_a_tip(const mesh::MeshArrays& mesh) {
 // Where a corner is tagged without creases there are no sectors to take weights from: its edges
 // keep 1/4 under both schemes.
 TEST(LimitSurface, EdgesOfConeTipsKeepTheSmoothWeights) {
-  std::mt19937 random(kSeed + 6);
+  std::mt19937 random(kLimitSurfaceSeed + 6);
   mesh::MeshArrays arrays = testing::cube();
   testing::randomise(arrays, random, 0.0, 0.0, 0.2);
   arrays.corners = {0};
@@ -237,7 +237,7 @@ TEST(LimitSurface, EdgesOfConeTipsKeepTheSmoothWeights) {
 }
 
 TEST(LimitSurface, MovesAndTurnsWithItsMesh) {
-  std::mt19937 random(kSeed + 5);
+  std::mt19937 random(kLimitSurfaceSeed + 5);
   const Eigen::AngleAxisd turn(0.7, Vector3d(1.0, 2.0, -0.5).normalized());
   const Vector3d shift(100.0, -20.0, 3.0);
   for (int trial = 0; trial < 30; ++trial) {

@@ -11,7 +11,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 22112026;
+constexpr unsigned kPieceWeightsSeed = 22112026;
 
 double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -30,8 +30,8 @@ Vector3d sum(const Eigen::VectorXd& weights, const std::vector<int>& points,
 // weights give the surface's own position wherever a piece is found, and that is everywhere but
 // near irregular knots.
 TEST(PieceWeights, GiveTheSurface) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kPieceWeightsSeed);
+  std::mt19937 random(kPieceWeightsSeed);
   const auto cache = std::make_shared<BasisCache>();
   int found = 0, asked = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -61,8 +61,8 @@ TEST(PieceWeights, GiveTheSurface) {
 // The derivatives are to the piece's own sides, which may be turned: what is the same for both is
 // compared, the lengths and area of the first, and those of the second of a piece not turned.
 TEST(PieceWeights, GiveTheDerivatives) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kPieceWeightsSeed);
+  std::mt19937 random(kPieceWeightsSeed);
   for (int trial = 0; trial < 30; ++trial) {
     const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 12)));
     const PieceWeights pieces(surface);

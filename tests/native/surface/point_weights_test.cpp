@@ -10,13 +10,13 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 22112026;
+constexpr unsigned kPointWeightsSeed = 22112026;
 
 // The sum over the control points is the surface's own point, and the weights sum to 1: at knots,
 // beside them, on sides, within, for irregular points of any valence, creases, corners and borders.
 TEST(PointWeights, GiveThePositionOfEveryPlace) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kPointWeightsSeed);
+  std::mt19937 random(kPointWeightsSeed);
   const auto cache = std::make_shared<BasisCache>();
   const double places[] = {0.0, 1e-12, 1e-5, 0.03, 0.25, 0.5, 0.74, 1.0};
   std::uniform_int_distribution<int> any(0, 7);

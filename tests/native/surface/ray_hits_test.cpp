@@ -13,7 +13,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 11212027;
+constexpr unsigned kRayHitsSeed = 11212027;
 
 // The point at distance t along side k (half-edge 4 cell + k) of a cell.
 Eigen::Vector2d on_side(int k, double t) {
@@ -48,8 +48,8 @@ double nearest(const std::vector<RayHit>& hits, const Vector3d& p) {
 }
 
 TEST(RayHits, AreOnTheRayAndOnTheSurface) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kRayHitsSeed);
+  std::mt19937 random(kRayHitsSeed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto cache = std::make_shared<BasisCache>();
   int hits_seen = 0;
@@ -89,8 +89,8 @@ TEST(RayHits, AreOnTheRayAndOnTheSurface) {
 // Rays from outside through anything of a closed body leave it again, however they meet sides,
 // corners and knots of cells.
 TEST(RayHits, OfClosedBodiesComeInPairsAndNeverSlipThrough) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 1);
+  SCOPED_TRACE(::testing::Message() << "seed " << kRayHitsSeed);
+  std::mt19937 random(kRayHitsSeed + 1);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto cache = std::make_shared<BasisCache>();
   int rays = 0, odd = 0;
@@ -129,8 +129,8 @@ TEST(RayHits, OfClosedBodiesComeInPairsAndNeverSlipThrough) {
 // Cells so folded that a ray meets one piece many times: as often as the triangles of a dense grid
 // of samples, seen along the ray.
 TEST(RayHits, OfFoldedCellsAreAsManyAsThoseOfSmallTriangles) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 4);
+  SCOPED_TRACE(::testing::Message() << "seed " << kRayHitsSeed);
+  std::mt19937 random(kRayHitsSeed + 4);
   const auto cache = std::make_shared<BasisCache>();
   constexpr int kGrid = 40;
   const auto cross = [](const Vector3d& a, const Vector3d& b) {
@@ -185,8 +185,8 @@ TEST(RayHits, OfFoldedCellsAreAsManyAsThoseOfSmallTriangles) {
 // A border point far away: lines of equal u and of equal v run nearly alike there, so that a place
 // beside the axis by rounding alone is far beside it in u and v.
 TEST(RayHits, AtBordersOfNarrowCells) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 7);
+  SCOPED_TRACE(::testing::Message() << "seed " << kRayHitsSeed);
+  std::mt19937 random(kRayHitsSeed + 7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (double away : {30.0, 1e3, 1e4, 1e5}) {
     mesh::MeshArrays mesh = testing::grid(1, 2);
@@ -215,7 +215,7 @@ TEST(RayHits, AtBordersOfNarrowCells) {
 TEST(RayHits, OfABoxAreThoseOfTheClosedForm) {
   const Vector3d low(0.0, -2.0, 0.0), high(5.0, 2.0, 3.0);
   const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
-  std::mt19937 random(kSeed + 2);
+  std::mt19937 random(kRayHitsSeed + 2);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int crossed = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -344,7 +344,7 @@ TEST(RayHits, KeepToTheirStretch) {
 }
 
 TEST(RayHits, TurnAndScaleWithTheMesh) {
-  std::mt19937 random(kSeed + 3);
+  std::mt19937 random(kRayHitsSeed + 3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const Eigen::AngleAxisd turn(1.1, Vector3d(-1.0, 0.4, 2.0).normalized());
   constexpr double kScale = 0.01;

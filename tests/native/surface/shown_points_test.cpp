@@ -12,7 +12,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 22112026;
+constexpr unsigned kShownPointsSeed = 22112026;
 
 std::vector<Vector3d> with_some_moved(const std::vector<Vector3d>& points, std::mt19937& random) {
   std::uniform_int_distribution<std::size_t> which(0, points.size() - 1);
@@ -28,8 +28,8 @@ std::vector<Vector3d> with_some_moved(const std::vector<Vector3d>& points, std::
 // By one move after the other of a few points, everything is as if it were made anew, and cells of
 // which no place has moved are known not to have.
 TEST(SetPoints, OfAFewEqualsANewSurfaceAndKnowsWhichCellsMoved) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kShownPointsSeed);
+  std::mt19937 random(kShownPointsSeed);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 30; ++trial) {
     mesh::MeshArrays arrays = testing::random_mesh(random, 10);
@@ -88,8 +88,8 @@ void expect_fresh(const ShownPoints& shown, const LimitSurface& surface, int n, 
 }
 
 TEST(ShownPoints, FollowEveryMove) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed + 1);
+  SCOPED_TRACE(::testing::Message() << "seed " << kShownPointsSeed);
+  std::mt19937 random(kShownPointsSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 20; ++trial) {
     mesh::MeshArrays arrays = testing::random_mesh(random, 8);

@@ -17,7 +17,7 @@
 namespace hull::surface {
 namespace {
 
-constexpr unsigned kSeed = 5150;
+constexpr unsigned kTessellationSeed = 5150;
 
 double distance_to_triangle(const Vector3d& p, const Vector3d& a, const Vector3d& b,
                             const Vector3d& c) {
@@ -151,8 +151,8 @@ TEST(Tessellation, LeavesOutIsolatedPoints) {
 }
 
 TEST(Tessellation, KeepsToItsTolerance) {
-  SCOPED_TRACE(::testing::Message() << "seed " << kSeed);
-  std::mt19937 random(kSeed);
+  SCOPED_TRACE(::testing::Message() << "seed " << kTessellationSeed);
+  std::mt19937 random(kTessellationSeed);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 60; ++trial) {
     const mesh::ControlMesh mesh(testing::random_mesh(random, 32));
@@ -176,7 +176,7 @@ TEST(Tessellation, KeepsToItsTolerance) {
 
 // The first value is kept for all cells of a sector; others would give the same.
 TEST(Tessellation, SharesNormalsWithinSectors) {
-  std::mt19937 random(kSeed + 1);
+  std::mt19937 random(kTessellationSeed + 1);
   const auto cache = std::make_shared<BasisCache>();
   for (int trial = 0; trial < 100; ++trial) {
     const mesh::ControlMesh mesh(testing::random_mesh(random, 16));
