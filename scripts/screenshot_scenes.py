@@ -145,7 +145,9 @@ PANELS = {
         analyses=("differences",),
     ),
     "panels/transform": PanelShot(hull_panels("transform"), _with_kept_bow),
-    "panels/fair": PanelShot(hull_panels("fair"), _with_dent_faired, in_edit_mode=True),
+    "panels/fair": PanelShot(
+        hull_panels("fair", "fair_rows"), _with_dent_faired, in_edit_mode=True
+    ),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs
@@ -300,6 +302,39 @@ def _distances(window):
     yield
 
 
+def _rows(window):
+    """A row along the coaster with its comb; in the fore body it has a dent."""
+    with window.in_view():
+        bpy.ops.screen.screen_full_area()
+    yield
+    hull = _load(window)
+    window.space.show_region_toolbar = False
+    window.open_sidebar()
+    yield
+    window.look(hull, (30.0, 0.0, 160.0), is_perspective=True)
+    window.space.region_3d.view_location = (62.0, 7.0, 3.0)
+    window.space.region_3d.view_distance = 42.0
+    window.space.overlay.show_floor = False
+    lines = hull.hull.lines
+    lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
+    with window.in_view():
+        bpy.ops.object.mode_set(mode="EDIT")
+        points, mesh_points = edited_points(hull), part("bridge.mesh.mesh_points")
+        dent = np.abs(points - (67.9, 6.1, 4.9)).sum(axis=1).argmin(keepdims=True)
+        mesh_points.write(hull.data, dent, points[dent] - (0.0, 0.25, 0.0))
+        part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+        bm = bmesh.from_edit_mesh(hull.data)
+        bm.verts.ensure_lookup_table()
+        edges = [
+            [vertex.index for vertex in edge.verts]
+            for edge in bm.verts[int(dent[0])].link_edges
+            if abs(edge.verts[0].co.x - edge.verts[1].co.x) > 0.5 * edge.calc_length()
+        ]
+        part("bridge.mesh.selection").select(bpy.context, hull, "edge", edges)
+        bpy.ops.hull.show_rows()
+    yield
+
+
 def _has_ghost(hull):
     ghosts = part("features.variants.ghosts")
     return bool(part("features.hull.hull_state").state_of(hull).of(ghosts.Ghost).groups)
@@ -342,6 +377,7 @@ _NUMBERS = hull_panels(
 )
 VIEWS = {
     "dimensions": View(_scaled, hull_panels("hull")),
+    "fair-rows": View(_rows, hull_panels("fair", "fair_rows")),
     "first-hull/added": View(_added, hull_panels("hull", "surface")),
     "first-hull/edited": View(_edited, _NUMBERS),
     "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),

@@ -10,6 +10,7 @@ late_loading.install(
     f"{__name__}.bridge",
     f"{__name__}.features",
     f"{__package__.rpartition('.')[0]}.hull_io",
+    f"{__package__.rpartition('.')[0]}.hull_fairness",
     *(f"{__name__}.overlays.{name}_arrays" for name in _ARRAYS),
     f"{__name__}.overlays.label_places",
     f"{__name__}.overlays.tag_drawing",

@@ -5,5 +5,6 @@
   inflections     inflections and flat spots of a plane curve that an eye sees
   reflections     the lines of light on the surface, and how they turn
   kinks           kinks and waves of lines of light that an eye sees
+  native          the native module
   lines           all lines of a hull judged: what is found on them, and what its design calls for
 """

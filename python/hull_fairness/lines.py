@@ -14,11 +14,11 @@ everywhere.
 
 from dataclasses import dataclass
 
-import hull_native as hn
 import numpy as np
 
 from .inflections import DIP, INFLECTION, marks
 from .kinks import KINK, WAVE, turns
+from .native import hull_native as hn
 from .reflections import reflection_lines
 
 _BENDS = (INFLECTION, DIP)

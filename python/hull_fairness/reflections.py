@@ -9,10 +9,10 @@ surface's second derivatives give.
 
 from dataclasses import dataclass
 
-import hull_native as hn
 import numpy as np
 
 from .lights import BANDS, VIEWS
+from .native import hull_native as hn
 
 # Of the beam: how far chords are from a line, and samples from each other.
 _CHORD, STEP = 3e-5, 1.0 / 400.0

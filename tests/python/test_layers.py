@@ -18,7 +18,7 @@ PACKAGES = {"hull_io": {"numpy"}, "hull_fairness": {"numpy", "hull_native"}}
 # What each part of the add-on may use beside itself.
 ALLOWED = {
     "bridge": {"hull_io"},
-    "features": {"bridge", "hull_io"},
+    "features": {"bridge", "hull_io", "hull_fairness"},
     "properties": {"features", "bridge", "hull_io"},
     "operators": {"features", "bridge", "hull_io", "properties"},
     "panels": {"features", "bridge", "hull_io", "properties"},

@@ -10,7 +10,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   flotation       how the hull lies in the water, and its hydrostatics
   surface         the surface as an object to look at: its mesh, exact normals, colours, materials
   lines           sections and other lines, places of the lines plan, the table of offsets
-  fairness        what fairness is judged by: curvature combs, reflection and other level lines
+  fairness        what fairness is judged by: combs of lines and rows, reflection and level lines
   hull            a hull as a whole: made, brought up to date, its tags, saved
   curves_of_form  tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
   stability       righting levers, cross curves, load cases, criteria
@@ -19,7 +19,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        files for other programs: hull file, lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape
-  fairing         chosen control points moved so that the surface is fair, within a deviation
+  fairing         chosen control points moved so that surface or rows are fair, within a deviation
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
   dimensions      hulls scaled to main dimensions, with all that belongs to them
   transformation  the whole form changed to given particulars: shifts of sections, lengthening

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface faired around the selected control points."""
+"""The surface faired around the selected control points, and rows of these smoothed."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..bridge.blender import units
-from ..features.fairing import region_fairing
+from ..bridge.counts import counted
+from ..features.fairing import region_fairing, row_choice, row_fairing
 from .shared import EditModeOperator
 from .tasks import TaskOperator
 
@@ -110,4 +111,50 @@ class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
         return region_fairing.summary(report), report.has_more_marks or not report.settled
 
 
-CLASSES = (HULL_OT_fair_region, HULL_OT_fair_curvature)
+class HULL_OT_show_rows(bpy.types.Operator, EditModeOperator):
+    """Show combs and inflections of the rows of control points through the selected edges and
+    points: a mesh that looks good gives a surface that looks good"""
+
+    bl_idname = "hull.show_rows"
+    bl_label = "Show Rows"
+
+    add: BoolProperty(name="Add", description="Besides the rows that are shown already")
+
+    def run_on(self, hull, context):
+        count = row_choice.show(hull, context.scene, self.add)
+        self.report({"INFO"}, f"{counted(count, 'row')} shown")
+
+
+class HULL_OT_fair_row(bpy.types.Operator, EditModeOperator):
+    """Move the selected points of a row so that the curve through the row is as smooth as can be,
+    within a mean deviation. With a single edge all of its row moves. Locked points stay, flats stay
+    flat"""
+
+    bl_idname = "hull.fair_row"
+    bl_label = "Fair Row"
+
+    deviation_mm: FloatProperty(
+        name="Deviation (mm)",
+        description="Root of the mean square by which the points move that may move",
+        default=5.0,
+        min=0.0,
+        max=1e5,
+        soft_max=100.0,
+        precision=2,
+    )
+    keep_ends: BoolProperty(
+        name="Keep ends", description="The first and the last of the points stay", default=True
+    )
+    keep_stations: BoolProperty(
+        name="Keep stations", description="Points stay at their x", default=True
+    )
+
+    def run_on(self, hull, context):
+        deviation = 1e-3 * units.as_typed(self.deviation_mm)
+        asked = row_fairing.Asked(deviation, self.keep_ends, self.keep_stations)
+        report = row_fairing.fair_rows(hull, context.scene, asked)
+        text = row_fairing.summary(report)
+        self.report({"WARNING" if report.has_more_marks else "INFO"}, text)
+
+
+CLASSES = (HULL_OT_fair_region, HULL_OT_fair_curvature, HULL_OT_show_rows, HULL_OT_fair_row)

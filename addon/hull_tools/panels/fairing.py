@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface faired around selected points: panel."""
+"""The surface faired around selected points, and rows of points smoothed: panels."""
 
 import bpy
 
 from ..bridge.objects import hull_objects
-from ..features.fairing import region_fairing
+from ..features.fairing import region_fairing, row_fairing
+from ..features.hull import hull_state
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped
 
@@ -24,18 +25,50 @@ class HULL_PT_fair(HullPanel, bpy.types.Panel):
             column = layout.column(align=True)
             column.operator("hull.fair_region", icon="MOD_SMOOTH")
             column.operator("hull.fair_curvature", icon="SMOOTHCURVE")
-        report, is_current = region_fairing.last_report(hull)
-        if report is None:
-            return
-        if not is_current:
-            label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
-        elif report.has_more_marks:
-            label_wrapped(layout, context, "More marks than before", icon="ERROR")
-        column = layout.column(align=True)
-        column.active = is_current
-        column.scale_y = 0.8
-        for name, value in region_fairing.rows(report):
-            label_value(column, name, value)
+        _draw_report(layout, context, region_fairing, hull)
 
 
-CLASSES = (HULL_PT_fair,)
+class HULL_PT_fair_rows(HullPanel, bpy.types.Panel):
+    """Rows of control points, their combs and inflections"""
+
+    bl_label = "Rows of Points"
+    bl_parent_id = "HULL_PT_fair"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        layout.prop(hull.hull.fairness, "comb_rows", text="Combs on rows")
+        if context.object.mode != "EDIT":
+            label_wrapped(layout, context, "In edit mode: select edges of rows", icon="INFO")
+        else:
+            column = layout.column(align=True)
+            column.operator("hull.show_rows", icon="MOD_WIREFRAME")
+            column.operator("hull.fair_row", icon="IPO_EASE_IN_OUT")
+        state = hull_state.state_of(hull)
+        group = None if state is None else state.fairness.combs.get("row")
+        if group is not None:
+            column = layout.column(align=True)
+            column.scale_y = 0.8
+            label_value(column, "Rows shown", str(len(group.rows)))
+            label_value(column, "○ Inflections", str(group.mark_counts["inflection"]))
+        _draw_report(layout, context, row_fairing, hull)
+
+
+def _draw_report(layout, context, subject, hull):
+    """What a subject of features.fairing tells of the last change that it made of a hull."""
+    report, is_current = subject.last_report(hull)
+    if report is None:
+        return
+    if not is_current:
+        label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
+    elif report.has_more_marks:
+        label_wrapped(layout, context, "More marks than before", icon="ERROR")
+    column = layout.column(align=True)
+    column.active = is_current
+    column.scale_y = 0.8
+    for name, value in subject.rows(report):
+        label_value(column, name, value)
+
+
+CLASSES = (HULL_PT_fair, HULL_PT_fair_rows)

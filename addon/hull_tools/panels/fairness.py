@@ -22,6 +22,7 @@ _NAMES = {
     "diagonal": "Diagonals",
     "plane": "Planes",
     "feature": "Knuckles, borders",
+    "row": "Rows of points",
 }
 
 
@@ -61,6 +62,7 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
         flow = layout.grid_flow(columns=1, align=True)
         for switch in combs.SWITCHES.values():
             flow.prop(fairness, switch)
+        flow.prop(fairness, "comb_rows")
         column = layout.column(align=True)
         column.prop(fairness, "comb_factor")
         field_or(column, fairness, "comb_step", "a 200th of the hull")

@@ -37,6 +37,7 @@ class HullFairness(bpy.types.PropertyGroup):
     comb_diagonals: switch("Diagonals", "Curvature combs on the diagonals")
     comb_planes: switch("Planes", "Curvature combs on sections by planes of one's own")
     comb_features: switch("Knuckles, borders", "Curvature combs on knuckles and borders")
+    comb_rows: switch("Rows of points", "Curvature combs on rows of control points: Show Rows")
     comb_factor: FloatProperty(
         name="Scale ×",
         description="Length of the teeth; at 1 most are shorter than a twentieth of the hull as it "

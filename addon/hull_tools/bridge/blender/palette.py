@@ -47,6 +47,7 @@ _COMBS = {
     "diagonal": Ink("Diagonals", (0.62, 0.36, 0.92)),
     "plane": Ink("Planes", (0.95, 0.25, 0.30)),
     "feature": Ink("Knuckles, borders", (0.95, 0.50, 0.05)),
+    "row": Ink("Rows of points", (0.00, 0.62, 0.62)),
 }
 # Of combs; told apart by their shapes too.
 _MARKS = {

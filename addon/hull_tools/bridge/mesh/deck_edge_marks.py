@@ -1,47 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The edges of a Blender mesh that are marked as deck edge.
+"""The edges of a Blender mesh that are marked as deck edge."""
 
-The marks are an attribute of the mesh, so that they survive saving, undo, copying and joining, and
-an edge that is divided leaves its mark on both parts.
-"""
-
-import numpy as np
+from . import edge_marks
 
 ATTRIBUTE = "hull_deck_edge"
 
 
 def stored_marks(mesh):
     """(edges,) bool; `mesh` is not in edit mode."""
-    attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None or attribute.data_type != "INT" or attribute.domain != "EDGE":
-        return np.zeros(len(mesh.edges), dtype=bool)
-    values = np.zeros(len(mesh.edges), dtype=np.int32)
-    attribute.data.foreach_get("value", values)
-    return values != 0
+    return edge_marks.stored_marks(mesh, ATTRIBUTE)
 
 
 def edited_marks(bm):
     """(edges,) bool of a BMesh."""
-    layer = bm.edges.layers.int.get(ATTRIBUTE)
-    if layer is None:
-        return np.zeros(len(bm.edges), dtype=bool)
-    return np.array([edge[layer] != 0 for edge in bm.edges], dtype=bool)
+    return edge_marks.edited_marks(bm, ATTRIBUTE)
 
 
 def store_marks(mesh, marks):
     """Marks exactly the edges of (edges,) bool; `mesh` is not in edit mode."""
-    attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is not None and (attribute.data_type != "INT" or attribute.domain != "EDGE"):
-        mesh.attributes.remove(attribute)
-        attribute = None
-    if attribute is None:
-        attribute = mesh.attributes.new(ATTRIBUTE, "INT", "EDGE")
-    attribute.data.foreach_set("value", np.ascontiguousarray(marks, dtype=np.int32))
+    edge_marks.store_marks(mesh, ATTRIBUTE, marks)
 
 
 def edit_marks(bm, marks):
     """The same of a BMesh. Every BMEdge that the caller holds may become invalid."""
-    layers = bm.edges.layers.int
-    layer = layers.get(ATTRIBUTE) or layers.new(ATTRIBUTE)
-    for edge, mark in zip(bm.edges, marks):
-        edge[layer] = int(mark)
+    edge_marks.edit_marks(bm, ATTRIBUTE, marks)

@@ -27,10 +27,10 @@ SWITCHES = {
 MARKS = ("inflection", "maximum", "minimum")
 
 # At a factor of 1 nearly all teeth are shorter than this part of the hull's size.
-_HEIGHT = 0.05
+HEIGHT = 0.05
 
 # Over the hull's size: a curvature that is none.
-_STRAIGHT = 1e-3
+STRAIGHT = 1e-3
 
 # Of the hull's size: the distance of teeth that is not given.
 _STEP = 1.0 / 200.0
@@ -181,7 +181,7 @@ def _rules(surface, step):
         limits.within(step, "Distance of the combs' teeth in m", least, limits.LONGEST)
     return {
         "step": step or _STEP * size,
-        "noise": _STRAIGHT / size,
+        "noise": STRAIGHT / size,
         "chord_tolerance": lines.chord_tolerance(surface),
         "flat_tolerance": lines.flat_tolerance(surface),
     }
@@ -191,9 +191,9 @@ def _handy_scale(curves, size):
     """A scale for teeth of a handy length; what is straight to rounding gets none that show."""
     if not curves:
         return 0.0
-    height = _HEIGHT * size
+    height = HEIGHT * size
     scale = native.require().suggested_comb_scale(curves, height=height)
-    return min(scale, height * size / _STRAIGHT)
+    return min(scale, height * size / STRAIGHT)
 
 
 def _judged(surface, kind, cuts, rules, before, moved, cut_already):

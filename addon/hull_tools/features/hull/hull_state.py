@@ -127,7 +127,7 @@ def _follow(obj, scene, state, found):
     state.hydrostatics.follow(obj.hull, state.ship, scale)
     state.plausible.follow(obj, state.ship, state.hydrostatics.values, scale)
     state.lines.follow(obj.hull, state.ship, scale)
-    state.fairness.follow(obj.hull, state.ship, state.lines.groups, scale)
+    state.fairness.follow(obj, state.ship, state.lines.groups, scale)
 
 
 def with_foreign_surface(objects):
