@@ -48,7 +48,7 @@ py::object as_place(const std::optional<Vector3d>& place) {
   return py::array_t<double>(3, place->data());
 }
 
-void bind_fairing(py::module_& module) {
+void bind_faired(py::module_& module) {
   py::class_<BoundFaired>(module, "Faired",
                           "How a faired surface comes to lie: FairRegion.solve().")
       .def_property_readonly(
@@ -209,7 +209,7 @@ void bind_region(py::module_& module) {
 }  // namespace
 
 void bind_fairing(py::module_& module) {
-  bind_fairing(module);
+  bind_faired(module);
   bind_region(module);
   bind_smoothing(module);
   module.def(

@@ -14,7 +14,7 @@ namespace {
 using analysis::FormNumbers;
 using analysis::Gradient;
 
-py::array_t<double> to_array(const Gradient& gradient) {
+py::array_t<double> gradient_array(const Gradient& gradient) {
   py::array_t<double> array({gradient.rows(), Eigen::Index{3}});
   std::copy_n(gradient.data(), gradient.size(), array.mutable_data());
   return array;
@@ -79,7 +79,7 @@ void bind_form_numbers(py::module_& module) {
               const py::gil_scoped_release release;
               gradient = numbers.gradient(number);
             }
-            return to_array(gradient);
+            return gradient_array(gradient);
           },
           py::arg("name"),
           "(n, 3): derivatives by x, y and z of the n control points. ValueError for a name that "
@@ -94,7 +94,7 @@ void bind_form_numbers(py::module_& module) {
               const py::gil_scoped_release release;
               gradient = numbers.section_area_gradient(position);
             }
-            return to_array(gradient);
+            return gradient_array(gradient);
           },
           py::arg("position"),
           "(n, 3). ValueError where a flat or a border lies in the station's plane: the area jumps "

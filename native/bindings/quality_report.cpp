@@ -12,7 +12,7 @@
 namespace hull::bindings {
 namespace {
 
-py::array_t<double> to_array(const Vector3d& point) {
+py::array_t<double> point_array(const Vector3d& point) {
   return py::array_t<double>(py::ssize_t{3}, point.data());
 }
 
@@ -24,7 +24,7 @@ py::object place_of(const conversion::Worst& worst) {
 void add_worst(py::dict& dict, const char* name, const char* point,
                const conversion::Worst& worst) {
   dict[name] = worst.value;
-  dict[point] = to_array(worst.point);
+  dict[point] = point_array(worst.point);
 }
 
 py::dict to_dict(const conversion::PatchQuality& patch) {
@@ -71,7 +71,7 @@ void bind_seam_value(ReportClass& report, const char* name, const char* point_na
   report.def_property_readonly(
       point_name,
       [value](const conversion::QualityReport& r) {
-        return to_array((r.worst_seams.*value).point);
+        return point_array((r.worst_seams.*value).point);
       },
       "(3,), m: where that is; NaN where nothing was measured.");
 }
@@ -89,7 +89,7 @@ void bind_distances(ReportClass& report) {
                              &conversion::QualityReport::distance_per_length)
       .def_property_readonly(
           "worst_point",
-          [](const conversion::QualityReport& r) { return to_array(r.distance.point); },
+          [](const conversion::QualityReport& r) { return point_array(r.distance.point); },
           "(3,), m: where the largest distance is; NaN where nothing was measured.")
       .def_property_readonly(
           "worst_place", [](const conversion::QualityReport& r) { return place_of(r.distance); },

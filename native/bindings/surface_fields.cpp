@@ -52,7 +52,7 @@ Vector3d slope_direction(const std::optional<DoubleArray>& array) {
   return direction / length;
 }
 
-py::array_t<double> to_array(const std::vector<analysis::Colour>& colours) {
+py::array_t<double> colour_array(const std::vector<analysis::Colour>& colours) {
   py::array_t<double> array({static_cast<py::ssize_t>(colours.size()), py::ssize_t{3}});
   double* out = array.mutable_data();
   for (const analysis::Colour& colour : colours) out = std::copy(colour.begin(), colour.end(), out);
@@ -104,7 +104,7 @@ void bind_scale(py::module_& module) {
           [](const analysis::ColourScale& s, const DoubleArray& array) {
             std::vector<double> values = numbers_from(array, "values");
             for (double& value : values) value = s.position(value);
-            return bindings::to_array(values);
+            return to_array(values);
           },
           py::arg("values"), "Positions (k,) in [0, 1] of values (k,); NaN stays NaN.")
       .def(
@@ -114,7 +114,7 @@ void bind_scale(py::module_& module) {
             for (const double value : numbers_from(array, "values")) {
               colours.push_back(s.colour(value));
             }
-            return to_array(colours);
+            return colour_array(colours);
           },
           py::arg("values"), "sRGB (k, 3), each in [0, 1], of values (k,); grey for NaN.")
       .def(
@@ -123,19 +123,19 @@ void bind_scale(py::module_& module) {
             if (n < 2) throw std::invalid_argument("A legend has 2 colours or more.");
             std::vector<analysis::Colour> colours;
             for (int i = 0; i < n; ++i) colours.push_back(s.colour_at(i / (n - 1.0)));
-            return to_array(colours);
+            return colour_array(colours);
           },
           py::arg("n"), "sRGB (n, 3) at even positions from 0 to 1.")
       .def_property_readonly(
           "tick_values",
           [](const analysis::ColourScale& s) {
-            return bindings::to_array(of_ticks(s, &analysis::ColourScale::Tick::value));
+            return to_array(of_ticks(s, &analysis::ColourScale::Tick::value));
           },
           "(n,) round numbers in `unit`, rising.")
       .def_property_readonly(
           "tick_positions",
           [](const analysis::ColourScale& s) {
-            return bindings::to_array(of_ticks(s, &analysis::ColourScale::Tick::position));
+            return to_array(of_ticks(s, &analysis::ColourScale::Tick::position));
           },
           "(n,) in [0, 1].")
       .def_property_readonly(
@@ -165,7 +165,7 @@ void bind_surface_fields(py::module_& module) {
           const py::gil_scoped_release release;
           values = analysis::surface_field(surface, tessellation, field, along);
         }
-        return bindings::to_array(values);
+        return to_array(values);
       },
       py::arg("surface"), py::arg("tessellation"), py::kw_only(), py::arg("kind"),
       py::arg("direction") = py::none(),
@@ -189,7 +189,7 @@ void bind_surface_fields(py::module_& module) {
           const py::gil_scoped_release release;
           values = analysis::surface_field(surface, places.cells, places.uv, field, along);
         }
-        return bindings::to_array(values);
+        return to_array(values);
       },
       py::arg("surface"), py::arg("cells"), py::arg("uv"), py::kw_only(), py::arg("kind"),
       py::arg("direction") = py::none(),
@@ -198,7 +198,7 @@ void bind_surface_fields(py::module_& module) {
   module.def(
       "field_weights",
       [](const surface::Tessellation& tessellation) {
-        return bindings::to_array(analysis::field_weights(tessellation));
+        return to_array(analysis::field_weights(tessellation));
       },
       py::arg("tessellation"),
       "The area (l,) in m² that each of the tessellation's normals stands for.");

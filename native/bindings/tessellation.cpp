@@ -14,7 +14,7 @@ namespace hull::bindings {
 
 namespace {
 
-py::array_t<int> to_array(const std::vector<std::array<int, 4>>& rows) {
+py::array_t<int> row_array(const std::vector<std::array<int, 4>>& rows) {
   py::array_t<int> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{4}});
   if (!rows.empty()) std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(rows[0]));
   return array;
@@ -46,32 +46,29 @@ void bind_tessellation(py::module_& module) {
   py::class_<surface::Tessellation>(
       module, "Tessellation", "Points of a limit surface joined by quadrilaterals, without gaps.")
       .def_property_readonly(
-          "points", [](const surface::Tessellation& t) { return bindings::to_array(t.points); },
-          "(m, 3), m.")
+          "points", [](const surface::Tessellation& t) { return to_array(t.points); }, "(m, 3), m.")
       .def_property_readonly(
-          "cells", [](const surface::Tessellation& t) { return bindings::to_array(t.cells); },
+          "cells", [](const surface::Tessellation& t) { return to_array(t.cells); },
           "(m,) a cell that each point lies in.")
       .def_property_readonly(
-          "uv", [](const surface::Tessellation& t) { return bindings::to_array(t.uv); },
+          "uv", [](const surface::Tessellation& t) { return to_array(t.uv); },
           "(m, 2) where in that cell.")
       .def_property_readonly(
-          "quads", [](const surface::Tessellation& t) { return to_array(t.quads); },
+          "quads", [](const surface::Tessellation& t) { return row_array(t.quads); },
           "(k, 4) points, counter-clockwise; those of one cell follow one another.")
       .def_property_readonly(
-          "normals", [](const surface::Tessellation& t) { return bindings::to_array(t.normals); },
+          "normals", [](const surface::Tessellation& t) { return to_array(t.normals); },
           "(l, 3) exact unit normals; zero where there is no tangent plane. One for each point, or "
           "several where creases split it.")
       .def_property_readonly(
-          "normal_cells",
-          [](const surface::Tessellation& t) { return bindings::to_array(t.normal_cells); },
+          "normal_cells", [](const surface::Tessellation& t) { return to_array(t.normal_cells); },
           "(l,) a cell that has each normal.")
       .def_property_readonly(
-          "normal_uv",
-          [](const surface::Tessellation& t) { return bindings::to_array(t.normal_uv); },
+          "normal_uv", [](const surface::Tessellation& t) { return to_array(t.normal_uv); },
           "(l, 2) where in that cell.")
       .def_property_readonly(
           "normal_indices",
-          [](const surface::Tessellation& t) { return to_array(t.corner_normals); },
+          [](const surface::Tessellation& t) { return row_array(t.corner_normals); },
           "(k, 4) which of `normals` each corner of each quadrilateral has. Corners share one "
           "where "
           "the surface is smooth between them.")

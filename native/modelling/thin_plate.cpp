@@ -10,6 +10,9 @@
 namespace hull::modelling {
 namespace {
 
+using Span = Eigen::Matrix<double, 16, 1>;        // of something at the B-spline points of a piece
+using SpanPoints = Eigen::Matrix<double, 16, 3>;  // themselves
+using SpanForm = Eigen::Matrix<double, 16, 16>;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 // sine of the angle between the sides of a piece: below, it has no area to speak of
@@ -23,69 +26,106 @@ Points some_of(const std::vector<Vector3d>& values, const std::vector<int>& whic
   return some;
 }
 
+SpanPoints span_of(const surface::PieceWeights::Piece& piece, const std::vector<Vector3d>& values) {
+  return piece.rows * some_of(values, piece.points);
+}
+
+// A place of the quadrature: the derivatives there as sums of the span's points.
+struct SpanPlace {
+  double weight;
+  Span ds, dt, dss, dst, dtt;
+};
+
+Span product(const surface::Basis& along_s, const surface::Basis& along_t) {
+  Span basis;
+  for (int b = 0; b < 4; ++b) {
+    for (int a = 0; a < 4; ++a) basis[4 * b + a] = along_t[b] * along_s[a];
+  }
+  return basis;
+}
+
+std::vector<SpanPlace> make_span_places() {
+  using surface::cubic_basis, surface::cubic_basis_d1, surface::cubic_basis_d2;
+  const auto& [count, places, weights] = kThreePoints;
+  std::vector<SpanPlace> result;
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      const double s = places[i], t = places[j];
+      result.push_back({weights[i] * weights[j], product(cubic_basis_d1(s), cubic_basis(t)),
+                        product(cubic_basis(s), cubic_basis_d1(t)),
+                        product(cubic_basis_d2(s), cubic_basis(t)),
+                        product(cubic_basis_d1(s), cubic_basis_d1(t)),
+                        product(cubic_basis(s), cubic_basis_d2(t))});
+    }
+  }
+  return result;
+}
+
+const std::vector<SpanPlace>& span_places() {
+  static const std::vector<SpanPlace> places = make_span_places();
+  return places;
+}
+
 enum class Bending { kAll, kLengthwise };
 
-// Rows of weights whose products with the points are the components of the second derivatives in
-// orthonormal directions of the tangent plane, times the square root of dA: the energy is the sum
-// of their squares. The mixed one counts twice, by its factor. Lengthwise: one row, the second
-// derivative along the part of the x axis in the tangent plane. Empty where there is no area.
-Eigen::MatrixXd bending_rows(const surface::PieceWeights::Jet& jet, const Points& points,
-                             double weight, Bending bending) {
-  const Vector3d s = points.transpose() * jet.ds, t = points.transpose() * jet.dt;
+// Up to three rows whose products with a span's points are the components of the second derivatives
+// in orthonormal directions of the tangent plane, times the square root of dA: the energy is the
+// sum of their squares. The mixed one counts twice, by its factor. Lengthwise: one row, the second
+// derivative along the part of the x axis in the tangent plane. None where there is no area.
+using BendingRows = Eigen::Matrix<double, Eigen::Dynamic, 16, Eigen::RowMajor, 3, 16>;
+
+BendingRows bending_rows(const SpanPlace& place, const SpanPoints& points, Bending bending) {
+  const Vector3d s = points.transpose() * place.ds, t = points.transpose() * place.dt;
   const double area = s.cross(t).norm();
-  if (!(area > kNoArea * s.norm() * t.norm())) return {};
+  if (!(area > kNoArea * s.norm() * t.norm())) return BendingRows(0, 16);
   Eigen::Matrix2d metric;
   metric << s.dot(s), s.dot(t), s.dot(t), t.dot(t);
   const Eigen::Matrix2d inverse = metric.inverse();
   // Second derivatives without their part along the surface, which the parameters make.
-  const auto covariant = [&](const Eigen::VectorXd& second) -> Eigen::VectorXd {
+  const auto covariant = [&](const Span& second) -> Span {
     const Vector3d along = points.transpose() * second;
     const Eigen::Vector2d symbols = inverse * Eigen::Vector2d(along.dot(s), along.dot(t));
-    return second - symbols[0] * jet.ds - symbols[1] * jet.dt;
+    return second - symbols[0] * place.ds - symbols[1] * place.dt;
   };
-  const Eigen::VectorXd ss = covariant(jet.dss), st = covariant(jet.dst), tt = covariant(jet.dtt);
-  const double root = std::sqrt(weight * area);
+  const Span ss = covariant(place.dss), st = covariant(place.dst), tt = covariant(place.dtt);
+  const double root = std::sqrt(place.weight * area);
   if (bending == Bending::kLengthwise) {
     const Eigen::Vector2d along = inverse * Eigen::Vector2d(s.x(), t.x());
-    return root *
-           (along[0] * along[0] * ss + 2.0 * along[0] * along[1] * st + along[1] * along[1] * tt)
-               .transpose();
+    BendingRows row(1, 16);
+    row.row(0) = root * (along[0] * along[0] * ss + 2.0 * along[0] * along[1] * st +
+                         along[1] * along[1] * tt)
+                            .transpose();
+    return row;
   }
   // (s, t) per metre along e1 ∥ s and e2 square to it.
   const double a = 1.0 / s.norm();
   const double c = s.norm() / area, b = -s.dot(t) / (s.norm() * area);
-  Eigen::MatrixXd rows(3, points.rows());
+  BendingRows rows(3, 16);
   rows.row(0) = root * a * a * ss.transpose();
   rows.row(1) = root * std::sqrt(2.0) * (a * b * ss + a * c * st).transpose();
   rows.row(2) = root * (b * b * ss + 2.0 * b * c * st + c * c * tt).transpose();
   return rows;
 }
 
-// Calls visit(rows) for each place of the quadrature on a piece.
-template <class Visit>
-void for_each_place(const surface::PieceWeights& pieces, int piece, const Points& points,
-                    const Visit& visit, Bending bending = Bending::kAll) {
-  const auto& [count, places, weights] = kThreePoints;
-  for (int i = 0; i < count; ++i) {
-    for (int j = 0; j < count; ++j) {
-      const auto rows = bending_rows(pieces.jet({piece, places[i], places[j]}), points,
-                                     weights[i] * weights[j], bending);
-      if (rows.cols() > 0) visit(rows);
+SpanForm span_form(const SpanPoints& points, Bending bending) {
+  SpanForm form = SpanForm::Zero();
+  for (const SpanPlace& place : span_places()) {
+    const BendingRows rows = bending_rows(place, points, bending);
+    for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+      form.noalias() += rows.row(k).transpose() * rows.row(k);
     }
   }
+  return form;
 }
 
 void visit_forms(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                  const std::vector<int>& some, double factor, const VisitForm& visit,
                  Bending bending) {
   for (int i : some) {
-    const std::vector<int>& which = pieces.piece(i).points;
-    const Points points = some_of(surface.mesh().points(), which);
-    Eigen::MatrixXd form = Eigen::MatrixXd::Zero(points.rows(), points.rows());
-    for_each_place(
-        pieces, i, points, [&](const auto& rows) { form += factor * rows.transpose() * rows; },
-        bending);
-    visit(which, form);
+    const surface::PieceWeights::Piece& piece = pieces.piece(i);
+    const SpanForm of_span = factor * span_form(span_of(piece, surface.mesh().points()), bending);
+    const Eigen::MatrixXd form = piece.rows.transpose() * (of_span * piece.rows);
+    visit(piece.points, form);
   }
 }
 
@@ -95,10 +135,12 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
                          const std::vector<Vector3d>& values) {
   double energy = 0.0;
   for (int i = 0; i < pieces.piece_count(); ++i) {
-    const std::vector<int>& which = pieces.piece(i).points;
-    const Points bent = some_of(values, which);
-    for_each_place(pieces, i, some_of(surface.mesh().points(), which),
-                   [&](const auto& rows) { energy += (rows * bent).squaredNorm(); });
+    const surface::PieceWeights::Piece& piece = pieces.piece(i);
+    const SpanPoints points = span_of(piece, surface.mesh().points());
+    const SpanPoints bent = span_of(piece, values);
+    for (const SpanPlace& place : span_places()) {
+      energy += (bending_rows(place, points, Bending::kAll) * bent).squaredNorm();
+    }
   }
   return energy;
 }

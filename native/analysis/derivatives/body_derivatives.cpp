@@ -50,6 +50,12 @@ Gradient number(const PointColumns& columns, int index, double factor) {
   return factor * columns.middleCols<3>(3 * static_cast<Eigen::Index>(index));
 }
 
+// What is wholly below the water, its parts too whatever rounding does, has nothing to do with the
+// waterplane.
+Eigen::Index columns_for(const Heights& range, const ImmersionFrame& frame) {
+  return 3 * (range.high < -2.0 * frame.zero ? kSubmerged : kCount);
+}
+
 // As the points of the port side move, those of starboard move as mirror images.
 PointColumns image(PointColumns columns, const double* signs) {
   for (Eigen::Index k = 0; k < columns.cols() / 3; ++k) columns.middleCols<3>(3 * k) *= signs[k];
@@ -97,8 +103,9 @@ PointColumns BodyDerivatives::immersed_numbers(const Plane& water, const Immersi
   SurfaceAdjoint::Sum sum(adjoint_, kCount);
   for (int leaf = 0; leaf < layout.leaf_count(); ++leaf) {
     const surface::BicubicPoints& points = surface.leaf(leaf);
-    if (heights_of(points, water).low > -frame.zero) continue;
-    PointColumns columns = PointColumns::Zero(16, 3 * kCount);
+    const Heights range = heights_of(points, water);
+    if (range.low > -frame.zero) continue;
+    PointColumns columns = PointColumns::Zero(16, columns_for(range, frame));
     add_immersion_derivatives(points, frame, SpanRule::kExact, columns);
     sum.add_leaf(leaf, std::move(columns));
   }
@@ -117,8 +124,9 @@ PointColumns BodyDerivatives::immersed_numbers(const Plane& water, const Immersi
       add_immersion_derivatives(span, frame, is_outer ? SpanRule::kExact : SpanRule::kSmall,
                                 columns);
     };
-    sum.add_corner(corner,
-                   corner_derivatives(layout.basis(corner), points, 3 * kCount, goes_on, add_span));
+    sum.add_corner(corner, corner_derivatives(layout.basis(corner), points,
+                                              columns_for(heights_of(points.outer, water), frame),
+                                              goes_on, add_span));
   }
   add_closing_derivatives(
       body_->border(), body_->closings(), kCount,

@@ -14,6 +14,7 @@ namespace immersed_number {
 inline constexpr int kVolume = 0;
 inline constexpr int kFirst = 1;  // x, y, z
 inline constexpr int kWettedSurface = 4;
+inline constexpr int kSubmerged = 5;  // so many are all that what is wholly below the water has
 inline constexpr int kWaterplaneArea = 5;
 inline constexpr int kWaterplaneFirst = 6;   // x, y, z
 inline constexpr int kWaterplaneSecond = 9;  // x x, y y, z z, x y, y z, z x
@@ -31,7 +32,8 @@ struct ImmersionFrame {
 // shift and N = S_u x S_v, those of a volume ∫ f dV are ∫ f δS·N du dv over what is below the
 // water, as of any body whose border moves (Hadamard); that of the wetted surface ∫ δ|N| du dv and
 // what the waterline adds; and those of a waterplane's ∫ g dA are ∫ g δS·N / |h_v| du along the
-// waterline, h the height above the water.
+// waterline, h the height above the water. REQUIRES: columns of all numbers, or, for a span that is
+// below the water, of the first kSubmerged.
 void add_immersion_derivatives(const surface::BicubicPoints& points, const ImmersionFrame& frame,
                                SpanRule rule, PointColumns& sum);
 

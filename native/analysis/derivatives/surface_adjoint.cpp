@@ -117,14 +117,15 @@ void SurfaceAdjoint::Sum::add_leaf(int leaf, PointColumns by_points) {
   const std::array<int, 16>& points = adjoint_.surface_->layout().leaf_points(leaf);
   take_back_ghosts(by_points, points);
   for (int i = 0; i < 16; ++i) {
-    if (points[i] != surface::kNoPoint) refined_.row(points[i]) += by_points.row(i);
+    if (points[i] == surface::kNoPoint) continue;
+    refined_.row(points[i]).head(by_points.cols()) += by_points.row(i);
   }
 }
 
 void SurfaceAdjoint::Sum::add_corner(int corner, const PointColumns& by_points) {
   const std::vector<int>& points = adjoint_.surface_->layout().corner_points(corner);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    refined_.row(points[i]) += by_points.row(static_cast<Eigen::Index>(i));
+    refined_.row(points[i]).head(by_points.cols()) += by_points.row(static_cast<Eigen::Index>(i));
   }
 }
 

@@ -27,7 +27,8 @@ class SurfaceAdjoint {
     // `numbers`: how many. `adjoint` must outlive the sum.
     Sum(const SurfaceAdjoint& adjoint, int numbers);
 
-    // By the 16 points of a leaf, and by the outer points of a corner, as LimitSurface has them.
+    // By the 16 points of a leaf, and by the outer points of a corner, as LimitSurface has them: of
+    // all numbers, or of the first ones.
     void add_leaf(int leaf, PointColumns by_points);
     void add_corner(int corner, const PointColumns& by_points);
     // By the four Bézier points of a border edge, counted as border_edges() has them.

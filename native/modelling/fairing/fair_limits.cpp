@@ -56,28 +56,4 @@ ReshapeLimits fair_limits(const surface::LimitSurface& surface, const FairOption
   return limits;
 }
 
-Eigen::SparseMatrix<double> conditions_from(const std::vector<MoveCondition>& conditions,
-                                            int point_count) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const MoveCondition& condition = conditions[i];
-    if (condition.slopes.size() != condition.points.size()) {
-      throw std::invalid_argument("A condition needs as many slopes as points.");
-    }
-    for (std::size_t k = 0; k < condition.points.size(); ++k) {
-      check_point(condition.points[k], point_count, "condition's");
-      if (!condition.slopes[k].allFinite()) {
-        throw std::invalid_argument("A condition has a slope that is no number.");
-      }
-      for (int axis = 0; axis < 3; ++axis) {
-        entries.emplace_back(static_cast<int>(i), 3 * condition.points[k] + axis,
-                             condition.slopes[k][axis]);
-      }
-    }
-  }
-  Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(conditions.size()), 3 * point_count);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
 }  // namespace hull::modelling

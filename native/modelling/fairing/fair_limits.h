@@ -12,9 +12,4 @@ namespace hull::modelling {
 // ask. Throws std::invalid_argument for points that are none.
 ReshapeLimits fair_limits(const surface::LimitSurface& surface, const FairOptions& options);
 
-// A row for each condition, by (x, y, z) of each of the control points. Throws
-// std::invalid_argument for conditions that are none.
-Eigen::SparseMatrix<double> conditions_from(const std::vector<MoveCondition>& conditions,
-                                            int point_count);
-
 }  // namespace hull::modelling

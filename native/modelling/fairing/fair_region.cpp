@@ -48,7 +48,7 @@ class FairRegion::Problem {
         places_(surface),
         weights_(surface),
         space_(fair_limits(surface, options), static_cast<int>(points_.size())),
-        conditions_(conditions_from(options.conditions, static_cast<int>(points_.size()))) {
+        conditions_(condition_rows(options.conditions, static_cast<int>(points_.size()))) {
     if (space_.size() == 0) {
       throw std::invalid_argument(
           "None of the chosen points may move: they are locked, or of creases or borders that are "

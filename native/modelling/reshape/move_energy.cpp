@@ -15,14 +15,27 @@ Eigen::SparseMatrix<double> mean_square_form(const SurfacePlaces& places) {
 
 Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface, double factor) {
   std::vector<Eigen::Triplet<double>> entries;
+  // Pieces that follow one another, those around a knot above all, often have the same points.
+  std::vector<int> same;
+  Eigen::MatrixXd sum;
+  const auto add_sum = [&] {
+    for (Eigen::Index j = 0; j < sum.cols(); ++j) {
+      for (Eigen::Index i = 0; i < sum.rows(); ++i) {
+        entries.emplace_back(same[i], same[j], sum(i, j));
+      }
+    }
+  };
   visit_thin_plate_forms(surface, surface::PieceWeights(surface), factor,
                          [&](const std::vector<int>& points, const Eigen::MatrixXd& form) {
-                           for (Eigen::Index i = 0; i < form.rows(); ++i) {
-                             for (Eigen::Index j = 0; j < form.cols(); ++j) {
-                               entries.emplace_back(points[i], points[j], form(i, j));
-                             }
+                           if (points == same) {
+                             sum += form;
+                             return;
                            }
+                           add_sum();
+                           same = points;
+                           sum = form;
                          });
+  add_sum();
   const auto size = static_cast<Eigen::Index>(surface.mesh().points().size());
   Eigen::SparseMatrix<double> form(size, size);
   form.setFromTriplets(entries.begin(), entries.end());

@@ -56,6 +56,23 @@ void check_condition(const MoveCondition& condition, int point_count, const char
   }
 }
 
+ConditionRows condition_rows(const std::vector<MoveCondition>& conditions, int point_count) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const MoveCondition& condition = conditions[i];
+    check_condition(condition, point_count, ("Condition " + std::to_string(i)).c_str());
+    for (std::size_t k = 0; k < condition.points.size(); ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(static_cast<int>(i), 3 * condition.points[k] + axis,
+                             condition.slopes[k][axis]);
+      }
+    }
+  }
+  ConditionRows rows(static_cast<Eigen::Index>(conditions.size()), 3 * point_count);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
 class MoveSpace::Builder {
  public:
   Builder(MoveSpace& space, const ReshapeLimits& limits)

@@ -72,4 +72,8 @@ class MoveSpace {
 // are none of `point_count`, or without a finite slope for each.
 void check_condition(const MoveCondition& condition, int point_count, const char* name);
 
+// A row a condition, by the moves of all points: x, y and z of each. Throws as check_condition().
+using ConditionRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+ConditionRows condition_rows(const std::vector<MoveCondition>& conditions, int point_count);
+
 }  // namespace hull::modelling

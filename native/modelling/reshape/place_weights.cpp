@@ -15,33 +15,31 @@ namespace {
 
 using Basis16 = Eigen::Matrix<double, 16, Eigen::Dynamic>;
 
-// A Gauss rule in the unit square: the B-spline basis and its derivatives at its places, a column
-// each, and the places' shares.
+// A Gauss rule in the unit square: the B-spline basis and its derivatives at its places, columns,
+// and the places' shares.
 struct SquareRule {
   explicit SquareRule(const GaussRule& rule) {
     const int count = rule.count * rule.count;
-    at.resize(16, count);
-    ds.resize(16, count);
-    dt.resize(16, count);
+    all.resize(16, 3 * count);
     for (int i = 0; i < rule.count; ++i) {
       for (int j = 0; j < rule.count; ++j) {
         const int k = static_cast<int>(shares.size());
         const double s = rule.points[i], t = rule.points[j];
-        fill(at, k, surface::cubic_basis(s), surface::cubic_basis(t));
-        fill(ds, k, surface::cubic_basis_d1(s), surface::cubic_basis(t));
-        fill(dt, k, surface::cubic_basis(s), surface::cubic_basis_d1(t));
+        fill(k, surface::cubic_basis(s), surface::cubic_basis(t));
+        fill(count + k, surface::cubic_basis_d1(s), surface::cubic_basis(t));
+        fill(2 * count + k, surface::cubic_basis(s), surface::cubic_basis_d1(t));
         shares.push_back(rule.weights[i] * rule.weights[j]);
       }
     }
   }
 
-  static void fill(Basis16& basis, int k, const surface::Basis& s, const surface::Basis& t) {
+  void fill(int k, const surface::Basis& s, const surface::Basis& t) {
     for (int b = 0; b < 4; ++b) {
-      for (int a = 0; a < 4; ++a) basis(4 * b + a, k) = t[b] * s[a];
+      for (int a = 0; a < 4; ++a) all(4 * b + a, k) = t[b] * s[a];
     }
   }
 
-  Basis16 at, ds, dt;
+  Basis16 all;  // the basis, then the derivatives along s, then those along t
   std::vector<double> shares;
 };
 
@@ -83,17 +81,26 @@ class PlaceWeights::Builder {
         ringed_(kTwoPoints) {}
 
   void build() {
+    reserve();
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
       cell_ = cell;
       add_node(surface_.layout().root(cell), {0.0, 0.0}, 1.0);
     }
-    begins_.push_back(static_cast<int>(columns_.size()));
     take(at_, places_.at_);
     take(along_s_, places_.along_s_);
     take(along_t_, places_.along_t_);
   }
 
  private:
+  // What the places of most pieces take.
+  void reserve() {
+    std::size_t entries = 0;
+    for (int i = 0; i < pieces_.piece_count(); ++i) entries += pieces_.piece(i).points.size();
+    entries *= ringed_.shares.size();
+    for (std::vector<double>* values : {&at_, &along_s_, &along_t_}) values->reserve(entries);
+    columns_.reserve(entries);
+  }
+
   void add_node(const surface::SurfaceNode& node, const Eigen::Vector2d& begin, double size) {
     switch (node.kind) {
       case surface::SurfaceNode::Kind::kLeaf:
@@ -129,17 +136,16 @@ class PlaceWeights::Builder {
 
   void add_piece(const SquareRule& rule) {
     const surface::PieceWeights::Piece& piece = pieces_.piece(piece_++);
-    add_columns(at_, piece.rows.transpose() * rule.at);
-    add_columns(along_s_, piece.rows.transpose() * rule.ds);
-    add_columns(along_t_, piece.rows.transpose() * rule.dt);
+    weights_.noalias() = piece.rows.transpose() * rule.all;
+    const auto third = static_cast<std::ptrdiff_t>(piece.points.size() * rule.shares.size());
+    const double* values = weights_.data();
+    at_.insert(at_.end(), values, values + third);
+    along_s_.insert(along_s_.end(), values + third, values + 2 * third);
+    along_t_.insert(along_t_.end(), values + 2 * third, values + 3 * third);
     for (double share : rule.shares) {
       columns_.insert(columns_.end(), piece.points.begin(), piece.points.end());
       end_place(columns_.size(), share);
     }
-  }
-
-  static void add_columns(std::vector<double>& values, const Eigen::MatrixXd& columns) {
-    values.insert(values.end(), columns.data(), columns.data() + columns.size());
   }
 
   void end_place(std::size_t end, double share) {
@@ -150,11 +156,12 @@ class PlaceWeights::Builder {
 
   // Rows of the same columns: each point once and in rising order, as the pieces have them.
   void take(const std::vector<double>& values, Rows& rows) const {
-    std::vector<int> begins{0};
-    begins.insert(begins.end(), ends_.begin(), ends_.end());
-    rows = Eigen::Map<const Rows>(
-        places_.count(), static_cast<Eigen::Index>(surface_.mesh().points().size()),
-        static_cast<Eigen::Index>(values.size()), begins.data(), columns_.data(), values.data());
+    rows.resize(places_.count(), static_cast<Eigen::Index>(surface_.mesh().points().size()));
+    rows.resizeNonZeros(static_cast<Eigen::Index>(values.size()));
+    rows.outerIndexPtr()[0] = 0;
+    std::ranges::copy(ends_, rows.outerIndexPtr() + 1);
+    std::ranges::copy(columns_, rows.innerIndexPtr());
+    std::ranges::copy(values, rows.valuePtr());
   }
 
   PlaceWeights& places_;
@@ -162,7 +169,8 @@ class PlaceWeights::Builder {
   const surface::PieceWeights pieces_;
   surface::PointWeights deep_;
   const SquareRule plain_, ringed_;
-  std::vector<int> columns_, ends_, begins_;  // of the rows
+  std::vector<int> columns_, ends_;  // of the rows
+  Eigen::MatrixXd weights_;          // of a piece's places
   std::vector<double> at_, along_s_, along_t_;
   int cell_ = 0, piece_ = 0;
 };

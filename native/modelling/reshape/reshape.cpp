@@ -55,7 +55,7 @@ Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& opt
     throw std::invalid_argument("The stiffness must be 0 or more.");
   }
   if (options.stiffness > 0.0) add_stiffness(surface, options.stiffness);
-  take_conditions(options.conditions);
+  conditions_ = condition_rows(options.conditions, static_cast<int>(points_.size()));
   if (space_.size() == 0 && conditions_.rows() > 0) {
     throw std::invalid_argument("No control point may move, so no condition can be met.");
   }
@@ -67,24 +67,6 @@ Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& opt
 void Reshape::add_stiffness(const surface::LimitSurface& surface, double stiffness) {
   const double factor = std::pow(stiffness * surface.mesh().size(), 2);
   stiff_ = thin_plate_form(surface, factor);
-}
-
-void Reshape::take_conditions(const std::vector<MoveCondition>& conditions) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const MoveCondition& condition = conditions[i];
-    check_condition(condition, static_cast<int>(points_.size()),
-                    ("Condition " + std::to_string(i)).c_str());
-    for (std::size_t k = 0; k < condition.points.size(); ++k) {
-      const int point = condition.points[k];
-      for (int axis = 0; axis < 3; ++axis) {
-        entries.emplace_back(static_cast<int>(i), 3 * point + axis, condition.slopes[k][axis]);
-      }
-    }
-  }
-  conditions_.resize(static_cast<Eigen::Index>(conditions.size()),
-                     3 * static_cast<Eigen::Index>(points_.size()));
-  conditions_.setFromTriplets(entries.begin(), entries.end());
 }
 
 void Reshape::factor_conditions() {

@@ -59,7 +59,6 @@ class Reshape {
   using Points = Eigen::MatrixX3d;
 
   void add_stiffness(const surface::LimitSurface& surface, double stiffness);
-  void take_conditions(const std::vector<MoveCondition>& conditions);
   void factor_conditions();
   // By y: half the gradient of what is to be least, downwards.
   Eigen::VectorXd descent(const Eigen::VectorXd& moves, const Points& shifts) const;
@@ -70,9 +69,9 @@ class Reshape {
   std::vector<Vector3d> points_;
   SurfacePlaces places_;
   MoveSpace space_;
-  Eigen::VectorXd shares_;                                   // of the area, by place
-  Sparse stiff_;                                             // points x points
-  Eigen::SparseMatrix<double, Eigen::RowMajor> conditions_;  // by moves of all points
+  Eigen::VectorXd shares_;    // of the area, by place
+  Sparse stiff_;              // points x points
+  ConditionRows conditions_;  // by moves of all points
   MoveEquations equations_;
   Eigen::MatrixXd conditioned_;  // equations⁻¹ · conditionsᵀ
   Eigen::LDLT<Eigen::MatrixXd> condition_factors_;

@@ -152,8 +152,8 @@ std::vector<ShapeField> varied_fields() {
   return {along, across, field_at({1, 0.6, 0.4}, 2.0, {0, -0.3, 0.2}), kept};
 }
 
-class Blends : public testing::TestWithParam<FieldBlend> {};
-INSTANTIATE_TEST_SUITE_P(Both, Blends, testing::Values(FieldBlend::kSum, FieldBlend::kExact));
+class Blends : public ::testing::TestWithParam<FieldBlend> {};
+INSTANTIATE_TEST_SUITE_P(Both, Blends, ::testing::Values(FieldBlend::kSum, FieldBlend::kExact));
 
 TEST_P(Blends, GradientsAreThoseOfDifferences) {
   const ShapeFields fields(varied_fields(), true, GetParam());
