@@ -60,6 +60,9 @@ def _are_known(hull, analyses):
 def _with_combs(hull):
     hull.hull.fairness.comb_stations = True
     hull.hull.fairness.colours = "GAUSSIAN"
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.count_marks()
+        bpy.ops.hull.show_mark(step=1)
 
 
 def _with_opening(hull):
@@ -150,7 +153,7 @@ PANELS = {
     ),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
-        hull_panels("fairness", "combs", "knuckles", "reflections"), _with_combs
+        hull_panels("fairness", "combs", "marks", "knuckles", "reflections"), _with_combs
     ),
     "panels/hydrostatics": PanelShot(
         hull_panels(

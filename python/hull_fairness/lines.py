@@ -33,6 +33,8 @@ PLANES = {"station": ("x", 48), "waterline": ("z", 20), "buttock": ("y", 12)}
 LEAST_DEPTH = 2e-4
 # A tangent that turns by less is no knuckle.
 KNUCKLE = np.radians(1.0)
+# A hull has about as many: planes, light in two views, creases and borders.
+_USUAL_LINES = 200
 # Of the beam: the distance of samples.
 _STEP = 1.0 / 200.0
 
@@ -61,20 +63,27 @@ class Line:
         return [found for found in self.found if found.reason is None]
 
 
-def judged(surface, beam, wanted=()):
-    """Every Line of a surface; beam in m."""
+def judged(surface, beam, wanted=(), progress=None):
+    """Every Line of a surface; beam in m. progress: a callable that takes the share done, 0 to 1;
+    what it raises ends it."""
     for kind, mark, *_ in wanted:
         if mark not in MARKS.get(kind, ()):
             raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see hull_fairness/lines.py")
     least = LEAST_DEPTH * beam
     lines = []
-    for kind, name, curves in _all_curves(surface, _STEP * beam):
-        found = [mark for curve in curves for mark in _marks(*curve, least)]
-        lines.append(Line(kind, name, _with_reasons(kind, found, wanted)))
-    for name, parts in reflection_lines(surface, beam):
-        found = [mark for part in parts for mark in _turns(part, beam)]
-        lines.append(Line("reflection", name, _with_reasons("reflection", found, wanted)))
+    for kind, name, found in _all_found(surface, beam, least):
+        lines.append(Line(kind, name, with_reasons(kind, found, wanted)))
+        if progress is not None:
+            progress(min(1.0, len(lines) / _USUAL_LINES))
     return lines
+
+
+def _all_found(surface, beam, least):
+    """(kind, name, [Found without reasons]) of each line."""
+    for kind, name, curves in _all_curves(surface, _STEP * beam):
+        yield kind, name, [mark for curve in curves for mark in _marks(*curve, least)]
+    for name, parts in reflection_lines(surface, beam):
+        yield "reflection", name, [mark for part in parts for mark in _turns(part, beam)]
 
 
 def _all_curves(surface, step):
@@ -160,7 +169,8 @@ def _parts(flat, starts):
     yield first, len(flat)
 
 
-def _with_reasons(kind, marks, wanted):
+def with_reasons(kind, marks, wanted):
+    """Found of a line of a kind, with why they are wanted."""
     left = [[entry, entry[2]] for entry in wanted if entry[0] == kind]
     return [Found(found.mark, found.point, found.size, _reason(found, left)) for found in marks]
 

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The eye of reflection lines and silhouette, and the check of what should be flat."""
+"""The eye of reflection lines and silhouette, the check of what should be flat, marks counted."""
 
 import bpy
-from bpy.props import FloatProperty
+from bpy.props import BoolProperty, FloatProperty, IntProperty
 
+from ..bridge.counts import counted
 from ..bridge.mesh import selection
+from ..features.fairing import seen_marks
 from ..features.hull import hull_state
 from ..features.modelling import flat_check
-from .shared import EditModeOperator, HullOperator, in_3d_view
+from .shared import EditModeOperator, HullOperator, HullReader, in_3d_view
+from .tasks import TaskOperator
 
 
 class HULL_OT_eye_from_view(bpy.types.Operator, HullOperator):
@@ -48,4 +51,66 @@ class HULL_OT_check_flat(bpy.types.Operator, EditModeOperator):
         self.report({"WARNING" if found.at_fault else "INFO"}, found.message)
 
 
-CLASSES = (HULL_OT_eye_from_view, HULL_OT_check_flat)
+class HULL_OT_count_marks(bpy.types.Operator, TaskOperator):
+    """Count what an eye sees on lines and reflection lines: inflections, flat spots, kinks and
+    waves that were not accepted as what the design calls for"""
+
+    bl_idname = "hull.count_marks"
+    bl_label = "Count Marks"
+
+    def begin(self, hull, scene):
+        self._hull = hull.name
+        return seen_marks.Judging(hull, scene)
+
+    def outcome(self, result, scene):
+        return seen_marks.summary(self._task.keep(scene.objects[self._hull], scene)), False
+
+
+class HULL_OT_show_mark(bpy.types.Operator, HullReader):
+    """Bring a mark into view, with the 3D cursor there; in edit mode the control points around it
+    are selected"""
+
+    bl_idname = "hull.show_mark"
+    bl_label = "Select"
+
+    step: IntProperty(
+        name="Step", description="1: the next one, -1: the one before, 0: the same", min=-1, max=1
+    )
+
+    def run_on(self, hull, context):
+        self.report({"INFO"}, seen_marks.show(context, hull, self.step))
+
+
+class HULL_OT_accept_marks(bpy.types.Operator, HullOperator):
+    """Take the mark that is shown, or all, as what the design calls for: it is not counted any
+    longer, within a tenth of the beam"""
+
+    bl_idname = "hull.accept_marks"
+    bl_label = "Accept"
+
+    all: BoolProperty(name="All", description="All marks, not the one that is shown alone")
+
+    def run_on(self, hull, context):
+        count = seen_marks.accept(hull, context.scene, self.all)
+        self.report({"INFO"}, f"{counted(count, 'mark')} accepted")
+
+
+class HULL_OT_accept_no_marks(bpy.types.Operator, HullOperator):
+    """Forget what was accepted: all marks are counted again"""
+
+    bl_idname = "hull.accept_no_marks"
+    bl_label = "Accept None"
+
+    def run_on(self, hull, context):
+        count = seen_marks.accept_none(hull, context.scene)
+        self.report({"INFO"}, f"{counted(count, 'mark')} no longer accepted")
+
+
+CLASSES = (
+    HULL_OT_eye_from_view,
+    HULL_OT_check_flat,
+    HULL_OT_count_marks,
+    HULL_OT_show_mark,
+    HULL_OT_accept_marks,
+    HULL_OT_accept_no_marks,
+)

@@ -9,8 +9,10 @@ import bpy
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
+from ..features.fairing import seen_marks
 from ..features.fairness import combs
 from ..features.hull import hull_state
+from .conversion import draw_task
 from .shared import HullPanel, choice_below, export_buttons, field_or, label_value, label_wrapped
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
@@ -85,6 +87,51 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
             label_value(column, name, str(count))
 
 
+class HULL_PT_marks(HullPanel, bpy.types.Panel):
+    """What an eye sees that is not fair, counted"""
+
+    bl_label = "Marks"
+    bl_parent_id = "HULL_PT_fairness"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        if not draw_task(layout, hull):
+            layout.operator("hull.count_marks", icon="VIEWZOOM")
+        report, is_current = seen_marks.last_report(hull)
+        if report is not None:
+            if not is_current:
+                label_wrapped(layout, context, "Out of date: of before the last change", "ERROR")
+            column = layout.column(align=True)
+            column.active = is_current
+            column.scale_y = 0.8
+            for name, value in seen_marks.rows(report):
+                label_value(column, name, value)
+            self._draw_places(context, hull, report)
+        if len(hull.hull.fairness.accepted):
+            layout.operator("hull.accept_no_marks")
+
+    def _draw_places(self, context, hull, report):
+        if not report.places:
+            return
+        layout = self.layout
+        row = layout.row(align=True)
+        row.operator("hull.show_mark", text="", icon="TRIA_LEFT").step = -1
+        row.operator("hull.show_mark", icon="RESTRICT_SELECT_OFF").step = 0
+        row.operator("hull.show_mark", text="", icon="TRIA_RIGHT").step = 1
+        number, place = seen_marks.shown_place(hull)
+        text = "" if place is None else seen_marks.text_of(*place)
+        if text:
+            text = f"{number + 1} of {len(report.places)}: {text}"
+            label_wrapped(layout, context, text, rows=3)
+        row = layout.row(align=True)
+        part = row.row(align=True)
+        part.active = place is not None
+        part.operator("hull.accept_marks").all = False
+        row.operator("hull.accept_marks", text="Accept All").all = True
+
+
 class HULL_PT_knuckles(HullPanel, bpy.types.Panel):
     """The angle along knuckles, between the surface's normals on both sides"""
 
@@ -148,4 +195,10 @@ class HULL_PT_reflections(HullPanel, bpy.types.Panel):
         layout.prop(fairness, "divisions")
 
 
-CLASSES = (HULL_PT_fairness, HULL_PT_combs, HULL_PT_knuckles, HULL_PT_reflections)
+CLASSES = (
+    HULL_PT_fairness,
+    HULL_PT_combs,
+    HULL_PT_marks,
+    HULL_PT_knuckles,
+    HULL_PT_reflections,
+)

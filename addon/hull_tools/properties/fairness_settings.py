@@ -4,7 +4,14 @@
 from math import radians
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import (
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    IntProperty,
+    StringProperty,
+)
 
 from ..bridge import limits
 from ..features.surface import colour_views
@@ -28,6 +35,14 @@ def _direction(name, description, default):
 def _colours_changed(settings, context):
     changed(settings, context)
     colour_views.follow()
+
+
+class HullAcceptedMark(bpy.types.PropertyGroup):
+    """What the design calls for: a mark of hull_fairness.lines, on a line of a kind, at a place."""
+
+    line: StringProperty(name="Line", description="The kind of line that it is on")
+    mark: StringProperty(name="Mark", description="What kind of mark it is")
+    point: FloatVectorProperty(name="Place", description="Where it is", subtype="XYZ")
 
 
 class HullFairness(bpy.types.PropertyGroup):
@@ -116,6 +131,7 @@ class HullFairness(bpy.types.PropertyGroup):
         max=limits.DIVISIONS[1],
         update=changed,
     )
+    accepted: CollectionProperty(type=HullAcceptedMark)
 
 
-CLASSES = (HullFairness,)
+CLASSES = (HullAcceptedMark, HullFairness)

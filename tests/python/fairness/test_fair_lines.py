@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import vessels
 from hull_fairness.inflections import marks as marks_seen
-from hull_fairness.lines import Found, _with_reasons, judged
+from hull_fairness.lines import Found, judged, with_reasons
 
 LEAST = 0.001
 
@@ -72,7 +72,7 @@ def test_a_mark_is_wanted_once_in_its_box():
 
     def reasons(kind, *points):
         marks = [Found("dip", point, "1.0 mm deep") for point in points]
-        return [m.reason for m in _with_reasons(kind, marks, wanted)]
+        return [m.reason for m in with_reasons(kind, marks, wanted)]
 
     assert reasons("station", inside, inside) == ["the chine", None]
     assert reasons("station", outside, inside) == [None, "the chine"]

@@ -28,6 +28,7 @@ FOLLOWING = {
     "loading.least_t": "volume",
     "loading.greatest_t": "volume",
     "loading.downflooding_points.position": "point",
+    "fairness.accepted.point": "point",
     "loading.load_cases.mass_t": "volume",
     "loading.load_cases.lcg": "at x",
     "loading.load_cases.tcg": "at y",
@@ -53,6 +54,7 @@ STAYING = frozenset(
     """source water_density heel lines.width fairness.comb_factor fairness.colour_limit
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
+    fairness.accepted.line fairness.accepted.mark
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period table.trims plots.size
     plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top

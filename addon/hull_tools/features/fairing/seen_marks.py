@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an eye sees that is not fair on a hull's lines and reflection lines: the task that counts,
+its report, and the marks that were accepted as what the design calls for.
+
+It is what hull_fairness.lines finds: inflections and dips of stations, waterlines, buttocks,
+creases and borders, kinks and waves of reflection lines.
+"""
+
+from collections import Counter
+from dataclasses import dataclass, replace
+
+import numpy as np
+from mathutils import Vector
+
+from ....hull_fairness import lines as judging
+from ...bridge import native
+from ...bridge.background import jobs
+from ...bridge.blender import units
+from ...bridge.mesh import selection
+from ..conversion import conversions
+from ..hull import hull_state
+
+# By hull_fairness's marks: what several are called.
+NAMES = {"inflection": "Inflections", "dip": "Flat spots", "kink": "Kinks", "wave": "Waves"}
+# Of the beam: an accepted mark may wander by as much to each side.
+_WANDERS = 0.1
+_VIEW_DISTANCE = 0.15  # of the length
+_ACCEPTED = "accepted"
+
+
+@dataclass(frozen=True)
+class Report:
+    """key: the geometry of the hull that was judged. judged: its hull_fairness.lines.Lines; places:
+    (Line, Found) of what is not accepted; before: how many there were of each mark when it was
+    counted before, or None; least: m, what is less deep is not seen."""
+
+    key: object
+    judged: tuple
+    places: tuple
+    least: float
+    before: object = None
+
+    @property
+    def counts(self):
+        """How many are not accepted, by mark."""
+        return Counter(found.mark for _, found in self.places)
+
+    @property
+    def accepted(self):
+        return sum(len(line.found) for line in self.judged) - len(self.places)
+
+
+@dataclass
+class Known:
+    """The last Report of a hull, or None, and which of its places is shown."""
+
+    report: object = None
+    shown: int = -1
+
+
+class Judging(jobs.JobTask):
+    """The task of judging a hull as it is now; see features.conversion.conversions."""
+
+    text = "Counting marks"
+
+    def __init__(self, obj, scene):
+        self.state = hull_state.up_to_date(obj, scene)
+        conversions.clear_way(obj)
+        source, self._key = self.state.ship.source, self.state.ship.geometry_key
+        scale = units.metres_per_unit(scene)
+        beam = beam_of(obj, source.control.points, scale)
+        if not beam > 0.0:
+            raise ValueError("Give the beam first: what is seen is measured by it")
+        self._least = judging.LEAST_DEPTH * beam
+        self._job = jobs.Job(
+            lambda progress: judging.judged(source.new_surface(), beam, progress=progress)
+        )
+        conversions.watch(self)
+
+    def result(self):
+        """The hull_fairness.lines.Lines, which are waited for; raises what went wrong."""
+        return self._job.result()
+
+    def keep(self, obj, scene):
+        """Keeps what came of it for panels to show; returns the Report."""
+        known = self.state.of(Known)
+        before = None if known.report is None else known.report.counts
+        report = Report(self._key, tuple(self.result()), (), self._least, before)
+        known.report, known.shown = _sifted(report, obj, scene), -1
+        return known.report
+
+
+def beam_of(obj, points, scale):
+    """m: the beam that was given, or that of control points (n, 3) in m."""
+    return scale * obj.hull.beam or 2.0 * float(np.abs(points[:, 1]).max())
+
+
+def _sifted(report, obj, scene):
+    """The Report with the places that are not accepted."""
+    scale = units.metres_per_unit(scene)
+    reach = _WANDERS * report.least / judging.LEAST_DEPTH
+    wanted = []
+    for entry in obj.hull.fairness.accepted:
+        point = scale * np.array(entry.point)
+        box = {axis: (x - reach, x + reach) for axis, x in zip("xyz", point)}
+        wanted.append((entry.line, entry.mark, 1, box, _ACCEPTED))
+    places = [
+        (line, found)
+        for line in report.judged
+        for found in judging.with_reasons(line.kind, line.found, wanted)
+        if found.reason is None
+    ]
+    return replace(report, places=tuple(places))
+
+
+def last_report(obj):
+    """(the last Report of a hull or None, whether it is of the hull as it is)."""
+    state = hull_state.state_of(obj)
+    report = None if state is None else state.of(Known).report
+    return report, report is not None and state.ship.geometry_key == report.key
+
+
+def shown_place(obj):
+    """(number, (Line, Found)) of the place that is shown of a hull; (-1, None) where none is."""
+    state = hull_state.state_of(obj)
+    known = None if state is None else state.of(Known)
+    if known is None or known.report is None or not 0 <= known.shown < len(known.report.places):
+        return -1, None
+    return known.shown, known.report.places[known.shown]
+
+
+def accept(obj, scene, is_all):
+    """Takes the place that is shown, or all, as what the design calls for; returns how many."""
+    known = _known(obj)
+    chosen = known.report.places
+    if not is_all:
+        number, place = shown_place(obj)
+        if place is None:
+            raise ValueError("Choose a mark first: press Select")
+        chosen = (place,)
+        known.shown = number - 1
+    scale = units.metres_per_unit(scene)
+    for line, found in chosen:
+        entry = obj.hull.fairness.accepted.add()
+        entry.line, entry.mark = line.kind, found.mark
+        entry.point = np.array(found.point) / scale
+    known.report = _sifted(known.report, obj, scene)
+    return len(chosen)
+
+
+def accept_none(obj, scene):
+    """Forgets what was accepted; returns how many marks that were."""
+    count = len(obj.hull.fairness.accepted)
+    obj.hull.fairness.accepted.clear()
+    state = hull_state.state_of(obj)
+    known = None if state is None else state.of(Known)
+    if known is not None and known.report is not None:
+        known.report, known.shown = _sifted(known.report, obj, scene), -1
+    return count
+
+
+def show(context, obj, step):
+    """Shows the next place, with step -1 the one before, with 0 the same again: the 3D cursor goes
+    there, in edit mode the control points around are selected, and the 3D view looks there. Returns
+    its text."""
+    known, count = _known(obj), len(_known(obj).report.places)
+    if not count:
+        raise ValueError("There are no marks but accepted ones")
+    known.shown = (max(known.shown, 0 if step <= 0 else -1) + step) % count
+    line, found = known.report.places[known.shown]
+    _look_at(context, obj, found.point)
+    if obj.mode == "EDIT" and last_report(obj)[1]:
+        selection.select(context, obj, "vertex", _points_around(obj, found.point))
+    return f"{known.shown + 1} of {count}: {text_of(line, found)}"
+
+
+def text_of(line, found):
+    return f"{found.mark} on {line.name}, {found.size}"
+
+
+def _known(obj):
+    report, _ = last_report(obj)
+    if report is None:
+        raise ValueError("Nothing is known of the hull's marks: press Count Marks first")
+    return hull_state.state_of(obj).of(Known)
+
+
+def _look_at(context, obj, point):
+    scale, view = units.metres_per_unit(context.scene), context.region_data
+    context.scene.cursor.location = obj.matrix_world @ (Vector(point) / scale)
+    if view is None:
+        return
+    if view.view_perspective == "CAMERA":
+        view.view_perspective = "PERSP"
+    view.view_location = context.scene.cursor.location
+    view.view_distance = _VIEW_DISTANCE * max(obj.dimensions)
+
+
+def _points_around(obj, point):
+    """Blender's points of the face that a place on the surface is of."""
+    ship = hull_state.state_of(obj).ship
+    control = ship.source.control
+    tree = native.require().SurfaceTree(ship.surface)
+    cell = int(tree.closest_points(np.array([point])).cells[0])
+    face = int(np.searchsorted(np.cumsum(control.face_sizes), cell, side="right"))
+    first = int(np.sum(control.face_sizes[:face]))
+    corners = control.face_vertices[first : first + int(control.face_sizes[face])]
+    return control.vertex_ids[corners].tolist()
+
+
+def rows(report):
+    """Pairs (name, value) of what a panel shows of a Report."""
+    found = []
+    for mark, name in NAMES.items():
+        before = "" if report.before is None else f"{report.before[mark]} → "
+        found.append((name, f"{before}{report.counts[mark]}"))
+    found.append(("Seen from", units.format_mm(report.least)))
+    if report.accepted:
+        found.append(("Accepted", str(report.accepted)))
+    return found
+
+
+def summary(report):
+    """A Report as a sentence."""
+    counts = report.counts
+    text = ", ".join(f"{counts[mark]} {name.lower()}" for mark, name in NAMES.items())
+    return f"{text}, seen from {units.format_mm(report.least)} depth on"

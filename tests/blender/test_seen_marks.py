@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Count Marks: what hull_fairness finds on the surface is told, shown and accepted."""
+
+import importlib
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import add_hull, mesh_points, module_name, part, state_of
+from edited_hulls import at, edit, grid_hull, selected
+
+
+def seen():
+    return part("features.fairing.seen_marks")
+
+
+def counted(hull):
+    assert bpy.ops.hull.count_marks() == {"FINISHED"}
+    report, is_current = seen().last_report(hull)
+    assert is_current
+    return report
+
+
+def test_marks_are_counted_shown_and_accepted():
+    hull = grid_hull(9, 7)
+    points = mesh_points(hull)
+    first = counted(hull)
+    judging = importlib.import_module(f"{module_name()}.hull_fairness.lines")
+    beam = 2.0 * np.abs(points[:, 1]).max()
+    own = judging.judged(state_of(hull).ship.surface, beam)
+    assert first.counts == {
+        mark: count
+        for mark in seen().NAMES
+        if (count := sum(found.mark == mark for line in own for found in line.found))
+    }
+    assert first.before is None and first.least == pytest.approx(2e-4 * beam)
+
+    # All that is there is meant: what is counted then is new.
+    assert bpy.ops.hull.accept_marks(all=True) == {"FINISHED"}
+    report, _ = seen().last_report(hull)
+    assert not report.places and report.accepted == len(first.places)
+    with pytest.raises(RuntimeError, match="no marks but accepted"):
+        bpy.ops.hull.show_mark()
+    edit(hull)
+    place = points[at(4, 3, 7)]
+    part("bridge.mesh.mesh_points").write(hull.data, [at(4, 3, 7)], [place - (0.0, 0.3, 0.0)])
+    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    assert not seen().last_report(hull)[1]
+    dented = counted(hull)
+    assert dented.before == {} and dented.counts["inflection"] > 4
+    rows = dict(seen().rows(dented))
+    assert rows["Inflections"] == f"0 → {dented.counts['inflection']}"
+
+    assert bpy.ops.hull.show_mark() == {"FINISHED"}
+    number, (line, found) = seen().shown_place(hull)
+    assert number == 0 and len(selected(hull, "vertex")) in (3, 4)
+    np.testing.assert_allclose(bpy.context.scene.cursor.location, found.point, atol=1e-4)
+    bpy.ops.hull.show_mark(step=-1)
+    assert seen().shown_place(hull)[0] == len(dented.places) - 1
+    bpy.ops.hull.accept_marks()
+    assert len(seen().last_report(hull)[0].places) < len(dented.places)
+    bpy.ops.hull.accept_no_marks()
+    assert len(seen().last_report(hull)[0].places) >= len(first.places)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_nothing_is_shown_before_it_is_counted():
+    add_hull()
+    with pytest.raises(RuntimeError, match="press Count Marks first"):
+        bpy.ops.hull.show_mark()
+    with pytest.raises(RuntimeError, match="press Count Marks first"):
+        bpy.ops.hull.accept_marks(all=True)
