@@ -113,6 +113,16 @@ def _with_variants(hull):
 
 def _with_kept_bow(hull):
     hull.hull.transform.kept_fore = 4.0
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.take_area_curve()
+    _fuller_shoulder(hull)
+
+
+def _fuller_shoulder(hull):
+    """Somewhat more area wanted at the fore shoulder, and less at the after one."""
+    for index, factor in ((3, 0.985), (8, 1.05), (9, 1.04)):
+        hull.hull.area_target.area_points[index].area *= factor
+    bpy.context.view_layer.update()
 
 
 def _with_dent_faired(hull):
@@ -147,7 +157,9 @@ PANELS = {
         _with_variants,
         analyses=("differences",),
     ),
-    "panels/transform": PanelShot(hull_panels("transform"), _with_kept_bow),
+    "panels/transform": PanelShot(
+        hull_panels("transform", "area_curve"), _with_kept_bow, analyses=("sectional_areas",)
+    ),
     "panels/fair": PanelShot(
         hull_panels("fair", "fair_rows"), _with_dent_faired, in_edit_mode=True
     ),
@@ -343,6 +355,45 @@ def _has_ghost(hull):
     return bool(part("features.hull.hull_state").state_of(hull).of(ghosts.Ghost).groups)
 
 
+def _area_curve(window):
+    """A handle of the target area curve is dragged in the plot over the view."""
+    with window.in_view():
+        bpy.ops.screen.screen_full_area()
+    yield
+    hull = _load(window)
+    window.space.show_region_toolbar, window.space.lens = False, 90.0
+    window.space.overlay.show_floor = False
+    window.open_sidebar()
+    yield
+    window.look(hull, _OVER_THE_BOW, is_perspective=True)
+    window.space.region_3d.view_distance /= 1.5
+    window.space.region_3d.view_location.z -= 0.2 * hull.dimensions.x
+    hull.hull.lines.show_buttocks = hull.hull.lines.show_waterlines = False
+    hull.hull.plots.size = 0.9
+    with window.in_view():
+        bpy.ops.hull.take_area_curve()
+    yield
+    handles = part("features.area_curves.handles")
+
+    def shown():
+        return handles.diagram(hull, bpy.context.scene, window.area)
+
+    yield lambda: shown() is not None
+    with window.in_view():
+        bpy.ops.hull.drag_area_curve("INVOKE_DEFAULT")
+    for index, up in ((3, -8), (9, 6), (8, 10)):
+        x, y = shown().dots(handles.points_of(hull))[index]
+        region = window.region()
+        window.move_to(region.x + x, region.y + y)
+        window.hold("LEFTMOUSE")
+        window.move_by(0, up)
+        yield
+        if index != 8:
+            window.let_go("LEFTMOUSE")
+            yield
+    yield lambda: _are_known(hull, ("sectional_areas",))
+
+
 def _plan(window, path):
     """The lines plan of the new hull, as the button writes it."""
     yield from _new_hull(window)
@@ -385,6 +436,7 @@ VIEWS = {
     "first-hull/edited": View(_edited, _NUMBERS),
     "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),
     "first-hull/judged": View(_judged, hull_panels("fairness", "combs")),
+    "transformation/area-curve": View(_area_curve, hull_panels("transform", "area_curve")),
     "variants/ghost": View(_ghost, hull_panels("variants", "comparison")),
     "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),
     "first-hull/measured": View(_measured, (*_NUMBERS, "HULL_PT_plots")),

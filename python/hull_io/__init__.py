@@ -4,6 +4,7 @@
 Start at `read_hull`, which finds out what a file is, and `HullData`, which it returns.
 """
 
+from .area_tables import read_area_table
 from .errors import HullFileError
 from .hull_data import (
     LINE_KINDS,
@@ -46,6 +47,7 @@ __all__ = [
     "ShellArrays",
     "Wind",
     "WindArea",
+    "read_area_table",
     "read_hull",
     "read_hull_file",
     "read_stl",

@@ -29,3 +29,8 @@ MAX_LINE_SPACES = 200
 # Triangles of a shape to fit to: 50 bytes each; a text takes twenty times its size in memory.
 MAX_STL_BYTES = 256 * 2**20
 MAX_STL_TEXT_BYTES = 64 * 2**20
+# Of a sectional area curve; the curve of a hull that is shown has a hundred stations.
+MAX_AREA_TABLE_BYTES = 2**20
+MAX_AREA_TABLE_ROWS = 500
+# m2; the largest ships have some two thousand.
+LARGEST_SECTION = 1e5

@@ -115,6 +115,10 @@ class Scale:
         """An area seen from the side."""
         return value * self.factors[0] * self.factors[2]
 
+    def section(self, value):
+        """An area across the ship."""
+        return value * self.factors[1] * self.factors[2]
+
     def listed(self, axis, text):
         """A text of places as number_lists reads it; the third number of a range is its step."""
 
@@ -163,6 +167,7 @@ CHANGES = {
     "at z": lambda scale, holder, value: scale.place(2, value),
     "volume": lambda scale, holder, value: scale.volume(value),
     "profile": lambda scale, holder, value: scale.profile(value),
+    "section": lambda scale, holder, value: scale.section(value),
     "list y": lambda scale, holder, value: scale.listed(1, value),
     "list z": lambda scale, holder, value: scale.listed(2, value),
     "diagonals": lambda scale, holder, value: scale.diagonals(value),

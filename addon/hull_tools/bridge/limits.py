@@ -42,6 +42,9 @@ MOST_TARGETS = 60  # rows; a sectional area curve takes 21
 GREATEST_TARGET = 1e9  # in the unit of its number
 GREATEST_TARGET_STIFFNESS = 10.0
 GREATEST_DIMENSION_CHANGE = 50.0  # percent
+# Of a sectional area curve that is wanted: handles, and stations that are brought to it.
+MOST_AREA_HANDLES, MOST_AREA_STATIONS = 60, 60
+AREA_TOLERANCES = (0.001, 20.0)  # percent of the largest section
 GREATEST_FAIRNESS, GREATEST_STIFFNESS = 0.1 + _ROUNDING, 10.0
 
 

@@ -24,6 +24,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   dimensions      hulls scaled to main dimensions, with all that belongs to them
   transformation  the whole form changed to given particulars: shifts of sections, lengthening
   targets         control points moved so that numbers of the form are as wanted
+  area_curves     sectional area curves that are wanted, and hulls brought to them
   studio          a studio around the hull, for pictures of it
 
 What is to come has its place, as a folder of its own: resistance after stability (an analysis

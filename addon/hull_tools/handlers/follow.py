@@ -7,6 +7,7 @@ from bpy.app.handlers import persistent
 from ..bridge.objects import hull_objects
 from ..features import studio
 from ..features.analyses import live_analyses
+from ..features.area_curves import live_target
 from ..features.conversion import conversions
 from ..features.hull import hull_state, live_normals
 from ..features.surface import colour_views
@@ -32,6 +33,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
     try:
         for hull in hulls:
             hull_state.follow_edit(hull, scene, is_by_hand)
+            live_target.follow(hull, scene)
             if hull.mode == "EDIT":
                 live_normals.ask()
         studio.ask(hulls, scene)

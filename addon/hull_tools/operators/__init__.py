@@ -5,6 +5,8 @@ import bpy
 
 from . import (
     add_hull,
+    area_curve,
+    area_curve_drag,
     bilge,
     check_mesh,
     convert,
@@ -51,6 +53,8 @@ _CLASSES = (
     *knuckles.CLASSES,
     *fit.CLASSES,
     *transformation.CLASSES,
+    *area_curve.CLASSES,
+    *area_curve_drag.CLASSES,
     *fairing.CLASSES,
     *targets.CLASSES,
     *lock_points.CLASSES,

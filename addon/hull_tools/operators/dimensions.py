@@ -2,24 +2,23 @@
 """Hulls scaled to main dimensions, with all that belongs to them."""
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty
+from bpy.props import EnumProperty
 
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.dimensions import dimensions
-from .shared import BaseOperator, HullOperator, can_change, in_object_mode, native_is_there
+from .shared import (
+    BaseOperator,
+    HullOperator,
+    asked_length,
+    can_change,
+    in_object_mode,
+    native_is_there,
+)
 
 
 def _dimension(name, description):
-    return FloatProperty(
-        name=name,
-        description=description,
-        min=0.0,
-        unit="LENGTH",
-        subtype="DISTANCE",
-        precision=5,
-        options={"SKIP_SAVE"},
-    )
+    return asked_length(name, description, minimum=0.0)
 
 
 def _of_another_kind(settings, context):

@@ -6,6 +6,7 @@ import bpy
 from ..bridge import native
 from ..bridge.blender import view_depth
 from ..bridge.objects import hull_objects
+from ..properties.shared import length
 
 
 def native_is_there(cls, context):
@@ -55,6 +56,11 @@ def in_object_mode(cls, context):
         cls.poll_message_set("Leave edit mode first (Tab)")
         return False
     return True
+
+
+def asked_length(name, description, default=0.0, minimum=None):
+    """A length that an operator asks for anew each time; `minimum` None: it may be negative."""
+    return length(name, description, default, minimum, update=None, options={"SKIP_SAVE"})
 
 
 def make_active(context, obj):

@@ -7,23 +7,9 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.transformation import inflating, lengthening, section_shifts
-from .shared import HullOperator
+from .shared import HullOperator, asked_length
 
 _SKIP = {"SKIP_SAVE"}
-
-
-def _length(name, description, default=0.0, minimum=None):
-    bounds = {} if minimum is None else {"min": minimum}
-    return FloatProperty(
-        name=name,
-        description=description,
-        default=default,
-        unit="LENGTH",
-        subtype="DISTANCE",
-        precision=4,
-        options=_SKIP,
-        **bounds,
-    )
 
 
 def _number(name, description, precision, step=10, minimum=0.0, **more):
@@ -74,7 +60,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
     lcb_percent: _number(
         "LCB in % of Lpp", "Centre of buoyancy wanted, forward of midship", 3, 1, minimum=-50.0
     )
-    lcb: _length("LCB from AP", "Centre of buoyancy wanted, from the after perpendicular")
+    lcb: asked_length("LCB from AP", "Centre of buoyancy wanted, from the after perpendicular")
     part: EnumProperty(
         name="Shift",
         description="Which sections are shifted",
@@ -96,7 +82,9 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
         ),
         options=_SKIP,
     )
-    parallel_length: _length("Its length", "Of the parallel middle body, as wanted", minimum=0.0)
+    parallel_length: asked_length(
+        "Its length", "Of the parallel middle body, as wanted", minimum=0.0
+    )
 
     def invoke(self, context, event):
         return self.reporting(self._open_dialog, context)
@@ -192,15 +180,15 @@ class HULL_OT_lengthen(bpy.types.Operator, HullOperator):
     bl_idname = "hull.lengthen"
     bl_label = "Lengthen"
 
-    length: _length("Length", "Inserted; below zero: taken out", 1.0)
-    place: _length("At x", "From the after perpendicular: where the length is inserted")
+    length: asked_length("Length", "Inserted; below zero: taken out", 1.0)
+    place: asked_length("At x", "From the after perpendicular: where the length is inserted")
     use_range: BoolProperty(
         name="Stretch a range",
         description="Stretch the hull smoothly between two places, whatever its form there",
         options=_SKIP,
     )
-    range_aft: _length("From x", "Aft end of the range, from the after perpendicular")
-    range_fore: _length("To x", "Fore end of the range, from the after perpendicular")
+    range_aft: asked_length("From x", "Aft end of the range, from the after perpendicular")
+    range_fore: asked_length("To x", "Fore end of the range, from the after perpendicular")
 
     def invoke(self, context, event):
         return self.reporting(self._open_dialog, context)
@@ -245,7 +233,7 @@ class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
     bl_idname = "hull.inflate_section"
     bl_label = "Inflate Section"
 
-    place: _length("At x", "The section's distance from the after perpendicular")
+    place: asked_length("At x", "The section's distance from the after perpendicular")
     area_as: EnumProperty(
         name="Area",
         description="How the area is said that is wanted",
@@ -263,7 +251,7 @@ class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
         default=True,
         options=_SKIP,
     )
-    extent: _length("Extent", "Up to which sections go with it, forward and aft", minimum=0.0)
+    extent: asked_length("Extent", "Up to which sections go with it, forward and aft", minimum=0.0)
 
     def invoke(self, context, event):
         return self.reporting(self._open_dialog, context)

@@ -2,7 +2,7 @@
 """What is drawn over the 3D view. Each overlay has a headless half that makes arrays, and a half
 that draws them with the graphics card."""
 
-from . import ghost, legend, lines, marks, net, plots, pulls, spots, status, tags
+from . import area_handles, ghost, legend, lines, marks, net, plots, pulls, spots, status, tags
 
 _PARTS = (net, ghost, lines, marks, tags, legend, spots, pulls)
 
@@ -11,11 +11,13 @@ def register():
     for part in _PARTS:
         part.register()
     plots.register()
-    status.register()  # over the plots
+    area_handles.register()  # over the plots
+    status.register()
 
 
 def unregister():
     status.unregister()
+    area_handles.unregister()
     plots.unregister()
     for part in reversed(_PARTS):
         part.unregister()

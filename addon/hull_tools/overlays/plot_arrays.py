@@ -31,7 +31,7 @@ class Triangles:
 
 @dataclass
 class PlotArrays:
-    """A plot to be drawn in this order; labels as in hull_native.PlotSheet."""
+    """A plot to be drawn in this order; labels and diagram as in hull_native.PlotSheet."""
 
     width_mm: float
     height_mm: float
@@ -39,6 +39,7 @@ class PlotArrays:
     segments: list = field(default_factory=list)
     patches: Triangles = None
     labels: list = field(default_factory=list)
+    diagram: tuple = ()
 
 
 def arrays_of(plot, width_mm, height_mm):
@@ -57,6 +58,7 @@ def arrays_of(plot, width_mm, height_mm):
         [Segments(width, *_joined(parts)) for width, parts in sorted(by_width.items())],
         _triangles(sheet.patches),
         sheet.labels,
+        sheet.diagram,
     )
 
 

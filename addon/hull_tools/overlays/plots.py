@@ -54,6 +54,7 @@ class _Shown:
 
     def __init__(self):
         self.plots = []
+        self.names = ()
         self.placement = Placement()
         self.outdated = frozenset()
         self.arrays = []
@@ -64,15 +65,16 @@ _shown = _Shown()
 _handler = None
 
 
-def show(plots, placement=None, outdated=()):
+def show(plots, placement=None, outdated=(), names=()):
     """Shows these hull_native.Plot, and no others; an empty list shows none.
 
-    outdated: indices of those that a newer one is computed for; they are drawn pale. Nothing is
-    done when they and their places are what is shown already. ValueError when one
-    cannot be laid out on a card of that size; what was shown then stays.
+    names: the analyses that they are of, if it is to be noted where they are. outdated: indices of
+    those that a newer one is computed for; they are drawn pale. Nothing is done when they and their
+    places are what is shown already. ValueError when one cannot be laid out on a card of that size;
+    what was shown then stays.
     """
     plots, placement = list(plots), placement or Placement()
-    outdated = frozenset(outdated)
+    outdated, _shown.names = frozenset(outdated), tuple(names)
     if plots == _shown.plots and placement == _shown.placement:
         _shown.outdated = outdated
         return
@@ -88,7 +90,8 @@ def follow():
     """Shows what features.analyses has to show now."""
     now = live_analyses.plots()
     outdated = {index for index, one in enumerate(now.shown) if not one.is_current}
-    show([one.plot for one in now.shown], Placement.sized(now.corner, now.size), outdated)
+    placement = Placement.sized(now.corner, now.size)
+    show([one.plot for one in now.shown], placement, outdated, [one.name for one in now.shown])
 
 
 def hide():
@@ -180,12 +183,11 @@ def below_texts(room, context):
 
 def _draw():
     follow()
-    if not _shown.arrays:
-        return
     context = bpy.context
     if context.area is None or context.region is None:
         return
-    if not context.space_data.overlay.show_overlays:
+    if not _shown.arrays or not context.space_data.overlay.show_overlays:
+        live_analyses.note_diagrams(context.area, {})
         return
     if _shown.batches is None:
         _shown.batches = [_Batches(arrays) for arrays in _shown.arrays]
@@ -196,6 +198,7 @@ def _draw():
     if _shown.placement.corner == "TOP_LEFT":
         room = below_texts(room, context)
     places, factor = card_places(sizes, _shown.placement.corner, room, _GAP * scale)
+    _note_diagrams(context.area, places, dots * factor)
     viewport = (context.region.width, context.region.height)
     blend = gpu.state.blend_get()
     for index, place in enumerate(places):
@@ -204,6 +207,16 @@ def _draw():
         if index in _shown.outdated:
             _draw_veil(_shown.arrays[index], batches, place, dots * factor)
     gpu.state.blend_set(blend)
+
+
+def _note_diagrams(area, places, dots):
+    noted = {}
+    for name, arrays, (x, y) in zip(_shown.names, _shown.arrays, places):
+        left, top, right, bottom = arrays.diagram
+        high = y + arrays.height_mm * dots
+        axes = x + left * dots, high - bottom * dots, x + right * dots, high - top * dots
+        noted[name] = axes, (x, y, x + arrays.width_mm * dots, high)
+    live_analyses.note_diagrams(area, noted)
 
 
 def _draw_card(arrays, batches, place, dots, viewport):

@@ -6,6 +6,7 @@ import bpy
 from ..bridge.blender import pie_key, preferences
 from . import (
     add_menu,
+    area_curve,
     criteria,
     export,
     fairing,
@@ -40,6 +41,7 @@ _CLASSES = (
     *pull.CLASSES,
     *fit.CLASSES,
     *transformation.CLASSES,
+    *area_curve.CLASSES,
     *targets.CLASSES,
     *variants.CLASSES,
     *fairing.CLASSES,

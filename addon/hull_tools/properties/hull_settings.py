@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, IntProperty, PointerProperty
 
 from ..bridge import limits
 from . import (
+    area_target_settings,
     export_settings,
     fairness_settings,
     fit_settings,
@@ -69,6 +70,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     targets: PointerProperty(type=target_settings.HullTargets)
     variants: PointerProperty(type=variant_settings.HullVariants)
     transform: PointerProperty(type=transform_settings.HullTransform)
+    area_target: PointerProperty(type=area_target_settings.HullAreaTarget)
 
 
 CLASSES = (
@@ -77,6 +79,7 @@ CLASSES = (
     *fairness_settings.CLASSES,
     *fit_settings.CLASSES,
     *transform_settings.CLASSES,
+    *area_target_settings.CLASSES,
     *target_settings.CLASSES,
     *output_settings.CLASSES,
     *export_settings.CLASSES,

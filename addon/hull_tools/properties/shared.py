@@ -13,7 +13,7 @@ def switch(name, description, default=False):
     return BoolProperty(name=name, description=description, default=default, update=changed)
 
 
-def length(name, description, default=0.0, minimum=0.0, update=changed):
+def length(name, description, default=0.0, minimum=0.0, update=changed, **more):
     """A length in the scene's units; `minimum` None for one that may be negative."""
     bounds = {} if minimum is None else {"min": minimum}
     return FloatProperty(
@@ -25,6 +25,7 @@ def length(name, description, default=0.0, minimum=0.0, update=changed):
         precision=5,
         update=update,
         **bounds,
+        **more,
     )
 
 

@@ -32,17 +32,27 @@ _FAIR_PARTS = 8
 
 
 def sectional_area_plot(
-    x, area, *, title="Sectional area curve", subtitles=(), lcb=None, length_pp=None, others=()
+    x,
+    area,
+    *,
+    title="Sectional area curve",
+    subtitles=(),
+    lcb=None,
+    length_pp=None,
+    others=(),
+    frame=None,
 ):
     """Areas (n,) in m² of the immersed sections at x (n,) in m.
 
     lcb (m) marks the centre of buoyancy; length_pp (m) both perpendiculars and midship. others:
     triples (name, x, area) of curves that are drawn dashed beside it, such as another hull's.
+    frame: ((low, high) of x, (low, high) of areas) that the axes show; None: what the curves need.
     """
     x, area = _same_length(x, area, "x", "area")
     plot = Plot(title, list(subtitles))
-    plot.add_x_axis("x from the after perpendicular", "m")
-    plot.set_y_axis("Immersed sectional area", "m²", from_zero=True)
+    x_range, area_range = frame or (None, None)
+    plot.add_x_axis("x from the after perpendicular", "m", range=x_range)
+    plot.set_y_axis("Immersed sectional area", "m²", range=area_range, from_zero=True)
     curve = plot.add_curve("Sectional area", x, area)
     if x.size > 1:
         plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")

@@ -22,13 +22,16 @@ _PAUSE_SECONDS = 0.2
 _LOOK_SECONDS = 0.05  # between looks at what is wanted, and at what the thread has made
 
 _asked = {}  # (identity of a HullState, analysis): the key_of that the thread was given last
+_diagrams = {}  # by the address of an area: see note_diagrams
 _plot_cache = {}  # analysis: (what the plot is of, the plot, what it was made from)
 
 
 @dataclass(frozen=True)
 class Shown:
-    """A hull_native.Plot; it is of the hull as it is now, or a newer one is on its way."""
+    """A hull_native.Plot of an analysis; it is of the hull as it is now, or a newer one is on its
+    way."""
 
+    name: str
     plot: object
     is_current: bool
 
@@ -87,6 +90,18 @@ def show_plots(obj, scene):
     _put_on_view(found)
 
 
+def note_diagrams(area, places):
+    """Keeps where an area of Blender's shows plots now: by analysis (left, bottom, right, top) of
+    the rectangle between the axes, and the same of the card, in dots of its region. Who draws them
+    tells it, and who works in them with the mouse asks `diagram`."""
+    _diagrams[area.as_pointer()] = places
+
+
+def diagram(area, name):
+    """Where an area shows the plot of an analysis, as noted, or None."""
+    return _diagrams.get(area.as_pointer(), {}).get(name)
+
+
 def _put_on_view(found):
     global _plots
     if found != _plots:
@@ -112,7 +127,7 @@ def _plots_of(obj, scene, name):
             return []  # nothing of it can be drawn
         # Kept, so that their identities stay theirs.
         _plot_cache[name] = (drawn, plot, (outcome.result, others))
-    return [Shown(plot, is_current)]
+    return [Shown(name, plot, is_current)]
 
 
 def _outcome(obj, scene, name):
@@ -201,4 +216,5 @@ def stop():
     following.forget()
     _asked.clear()
     _plot_cache.clear()
+    _diagrams.clear()
     _put_on_view(Plots())

@@ -24,6 +24,36 @@ def held_points(obj, vertex_ids, points, size):
     return np.concatenate(held), np.concatenate(normals)
 
 
+# Of the hull's beam: points that are as far out as any.
+_AS_FAR_OUT = 1e-3
+
+
+def of_outline(surface, points, size, profile, deck, side):
+    """(control points (h,), normals (h, 3)) of what keeps a hull's outlines, where these are asked
+    for: profile, points on the centre plane stay; deck, those of the borders beside it; side, those
+    as far out as any keep their breadth. surface: hull_native.LimitSurface of points (n, 3)."""
+    stays = np.zeros(len(points), dtype=bool)
+    at_centre = on_centre(points, size)
+    border = np.zeros(len(points), dtype=bool)
+    border[np.unique(np.asarray(surface.mesh.border_edges))] = True
+    if profile:
+        stays |= at_centre
+    if deck:
+        stays |= border & ~at_centre
+    held, normals = all_ways(np.flatnonzero(stays))
+    if side:
+        far = np.abs(points[:, 1])
+        widest = np.flatnonzero(far >= (1.0 - _AS_FAR_OUT) * far.max())
+        held = np.concatenate([held, widest])
+        normals = np.concatenate([normals, np.tile((0.0, 1.0, 0.0), (len(widest), 1))])
+    return held, normals
+
+
+def all_ways(points):
+    """(control points (3 k,), normals (3 k, 3)) that hold points (k,) along all axes."""
+    return np.tile(points, 3), np.repeat(np.eye(3), len(points), axis=0)
+
+
 def on_centre(points, size):
     """(n,) which points are on the centre plane."""
     return np.abs(points[:, 1]) <= native.require().tolerances.ON_CENTRE_PLANE * size

@@ -118,8 +118,30 @@ def rows(result):
     ).tolist()
 
 
+# Of its range: what an axis has beyond the curves where handles need room.
+_ROOM_BESIDE, _ROOM_ABOVE = 0.04, 0.25
+
+
+def frame(result, others):
+    """((low, high) of x, the same of areas) that the plot's axes have beside such beside.Curves;
+    None where none has handles: then the plot has what it needs."""
+    if not any(curve.handles is not None for curve in others):
+        return None
+    held = [curve.frame for curve in others if curve.frame is not None]
+    if held:
+        return held[0]
+    found = result.areas
+    x = np.concatenate([found.positions, *(curve.x for curve in others)])
+    areas = np.concatenate([found.areas, *(curve.y for curve in others)])
+    length = x.max() - x.min()
+    return (
+        (float(x.min() - _ROOM_BESIDE * length), float(x.max() + _ROOM_BESIDE * length)),
+        (0.0, float((1.0 + _ROOM_ABOVE) * areas.max())),
+    )
+
+
 def plot(result, name, others=()):
-    """others: beside.Curves of other hulls."""
+    """others: beside.Curves that are drawn with it."""
     where, found = result.where, result.areas
     at = f"{name}, draft {where.draft:.3f} m"
     if where.trim_m:
@@ -134,4 +156,5 @@ def plot(result, name, others=()):
         lcb=result.hydrostatics.lcb,
         length_pp=where.length_pp or None,
         others=[(curve.name, curve.x, curve.y) for curve in others],
+        frame=frame(result, others),
     )

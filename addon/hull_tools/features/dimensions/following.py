@@ -45,6 +45,10 @@ FOLLOWING = {
     "transform.kept_fore": "x",
     "transform.kept_fade": "x",
     "targets.rows.station": "at x",
+    "area_target.base.x": "at x",
+    "area_target.base.area": "section",
+    "area_target.area_points.x": "at x",
+    "area_target.area_points.area": "section",
 }
 # Planes of flats: their normals and offsets go together.
 PLANES = frozenset(("flats.normal", "flats.offset"))

@@ -18,8 +18,6 @@ from ..lines import lines
 from . import quantities, reports, rows
 
 _CHANGED = "The hull was changed meanwhile, and stays as it is: solve it again"
-# Of the hull's beam: points that are as far out as any.
-_AS_FAR_OUT = 1e-3
 # Of a price's own size: what does not bind.
 _NO_PRICE = 1e-9
 _DIMENSIONS = ("length", "beam", "draft")
@@ -158,27 +156,17 @@ def _moves(obj, surface, control):
         stays[:] = True
     if settings.moving == "SELECTED":
         stays[~np.isin(control.vertex_ids, _selected(obj))] = True
-    at_centre = held_points.on_centre(points, size)
-    border = np.zeros(count, dtype=bool)
-    border[np.unique(np.asarray(surface.mesh.border_edges))] = True
-    if settings.keep_profile:
-        stays |= at_centre
-    if settings.keep_deck:
-        stays |= border & ~at_centre
     # Held along all axes, not locked: locked points would not be scaled.
-    normals = [np.asarray(arguments["held_normals"]).reshape(-1, 3)]
-    held = [np.asarray(arguments["held_points"], dtype=np.int64)]
-    for axis in np.eye(3):
-        held.append(np.flatnonzero(stays))
-        normals.append(np.tile(axis, (int(stays.sum()), 1)))
-    if settings.keep_side:
-        far = np.abs(points[:, 1])
-        side = np.flatnonzero(far >= (1.0 - _AS_FAR_OUT) * far.max())
-        held.append(side)
-        normals.append(np.tile((0.0, 1.0, 0.0), (len(side), 1)))
+    held = (
+        (arguments["held_points"], arguments["held_normals"]),
+        held_points.all_ways(np.flatnonzero(stays)),
+        held_points.of_outline(
+            surface, points, size, settings.keep_profile, settings.keep_deck, settings.keep_side
+        ),
+    )
     arguments["locked"] = np.empty(0, dtype=np.int64) if is_scaled else found.locked
-    arguments["held_points"] = np.concatenate(held)
-    arguments["held_normals"] = np.concatenate(normals)
+    arguments["held_points"] = np.concatenate([points for points, _ in held])
+    arguments["held_normals"] = np.concatenate([normals for _, normals in held])
     return arguments
 
 

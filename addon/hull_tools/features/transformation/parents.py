@@ -44,10 +44,14 @@ class Parent:
         return found
 
     def limits(self, keeps_ranges=False):
-        """hull_native.TransformLimits: locked points and those of the group that is kept stay;
-        flats along the ship and the centre plane hold their points; flats that are raked or across
-        the ship, and transoms in planes, move as one. keeps_ranges: control points of the ends that
-        are kept stay, too."""
+        """hull_native.TransformLimits of limit_arguments."""
+        return native.require().TransformLimits(**self.limit_arguments(keeps_ranges))
+
+    def limit_arguments(self, keeps_ranges=False):
+        """Arguments of hull_native.TransformLimits: locked points and those of the group that is
+        kept stay; flats along the ship and the centre plane hold their points; flats that are raked
+        or across the ship, and transoms in planes, move as one. keeps_ranges: control points of the
+        ends that are kept stay, too."""
         size = lines.size_of(self.surface)
         ids = self.control.vertex_ids
         found = move_limits.of_hull(self.obj, ids, self.control.points, size)
@@ -61,16 +65,13 @@ class Parent:
                 is_in_plane = (found.held_normals == plane[:3]).all(axis=1)
                 holds &= ~(np.isin(found.held_points, rigid[-1]) & is_in_plane)
         arguments = found.reshape_arguments(self.surface)
-        hull_native = native.require()
-        return hull_native.TransformLimits(
-            **{
-                **arguments,
-                "locked": np.unique(np.concatenate(locked)),
-                "held_points": found.held_points[holds],
-                "held_normals": found.held_normals[holds],
-                "rigid": [*rigid, *hull_native.plane_ends(self.surface)],
-            }
-        )
+        return {
+            **arguments,
+            "locked": np.unique(np.concatenate(locked)),
+            "held_points": found.held_points[holds],
+            "held_normals": found.held_normals[holds],
+            "rigid": [*rigid, *native.require().plane_ends(self.surface)],
+        }
 
     def kept_ranges(self):
         """[(aft, forward, fade)] in m of the sections that are kept."""

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The target area curve dragged by its handles in the plot over the view."""
+
+import bpy
+from bpy.props import StringProperty
+
+from ..bridge import limits
+from ..bridge.objects import hull_objects
+from ..features.area_curves import handles, sources, stored
+from .shared import HullOperator
+
+_HELP = (
+    "Drag: a handle   Shift: its area alone   Ctrl click: add a handle   X: remove one   "
+    "Enter: done   Esc: cancel"
+)
+_DONE = ("RET", "NUMPAD_ENTER", "SPACE")
+_USUAL_HANDLES = 11
+
+
+class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
+    """Drag the target's handles in the plot of sectional areas over the view. Without a target the
+    present curve is taken first"""
+
+    bl_idname = "hull.drag_area_curve"
+    bl_label = "Drag Handles"
+
+    points: StringProperty(
+        name="Points",
+        description="x in Blender's units and area in m² of each handle, with semicolons between: "
+        "0 0; 40 70; 80 0",
+        options={"SKIP_SAVE"},
+    )
+
+    def run_on(self, hull, context):
+        handles.write_text(hull, self.points)
+
+    def invoke(self, context, event):
+        if context.region_data is None:
+            return self.execute(context)
+        return self.reporting(self._begin, context)
+
+    def _begin(self, context):
+        hull = hull_objects.hull_of(context.object)
+        self._is_new = not stored.is_there(hull)
+        if self._is_new:
+            sources.take_present(hull, context.scene, _USUAL_HANDLES)
+        self._drag = handles.Drag(hull, context.scene)
+        self._held = handles.held(hull)
+        self._area, self._mouse = context.area, (0, 0)
+        context.window.cursor_modal_set("CROSSHAIR")
+        context.workspace.status_text_set(_HELP)
+        context.window_manager.modal_handler_add(self)
+        self._area.tag_redraw()
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
+            self._drag.cancel()
+            if self._is_new:
+                stored.clear(self._drag.obj)
+            self._leave(context)
+            return {"CANCELLED"}
+        if event.type in _DONE and event.value == "PRESS":
+            self._drag.keep_frame(None)
+            self.points = handles.text_of(self._drag.obj)
+            has_changed = self._is_new or self._drag.has_changed
+            self._leave(context)
+            return {"FINISHED"} if has_changed else {"CANCELLED"}
+        shown = handles.diagram(self._drag.obj, context.scene, self._area)
+        if shown is None:  # not drawn yet, or off
+            return {"PASS_THROUGH"}
+        return self._work(context, event, shown)
+
+    def cancel(self, context):
+        """Blender ends the operator, as when another file is loaded."""
+        self._leave(context)
+
+    def _work(self, context, event, shown):
+        region = next(one for one in self._area.regions if one.type == "WINDOW")
+        mouse = event.mouse_x - region.x, event.mouse_y - region.y
+        if event.type == "MOUSEMOVE":
+            if self._held.is_dragged:
+                self._move(shown, mouse, event.shift)
+            else:
+                self._look(context, shown, mouse)
+        elif event.type == "LEFTMOUSE" and event.value == "RELEASE" and self._held.is_dragged:
+            self._held.is_dragged = False
+            self._drag.keep_frame(None)
+        elif event.type == "LEFTMOUSE" and event.value == "PRESS" and shown.has(mouse):
+            self._look(context, shown, mouse)
+            if event.ctrl and self._held.index is None:
+                self._add(context, shown, mouse)
+            if self._held.index is not None:
+                self._held.is_dragged = True
+                self._drag.keep_frame(shown.frame)
+        elif event.type in ("X", "DEL") and event.value == "PRESS":
+            self._remove(context)
+        elif not shown.has(mouse) and not self._held.is_dragged:
+            return {"PASS_THROUGH"}
+        self._tell(context)
+        return {"RUNNING_MODAL"}
+
+    def _look(self, context, shown, mouse):
+        reach = handles.NEAR * context.preferences.system.ui_scale
+        points = handles.points_of(self._drag.obj)
+        self._held.index = handles.nearest(shown, points, mouse, reach)
+
+    def _move(self, shown, mouse, is_upright):
+        x, area = shown.point(mouse)
+        index = self._held.index
+        if is_upright:
+            x = handles.points_of(self._drag.obj)[index, 0]
+        self._drag.move(index, (x, area))
+
+    def _add(self, context, shown, mouse):
+        count = len(self._drag.obj.hull.area_target.area_points)
+        if count < limits.MOST_AREA_HANDLES:
+            self._held.index = handles.add_handle(
+                self._drag.obj, context.scene, float(shown.point(mouse)[0])
+            )
+
+    def _remove(self, context):
+        if self._held.index is None:
+            return
+        try:
+            handles.remove_handle(self._drag.obj, self._held.index)
+        except ValueError as error:
+            self.report({"WARNING"}, str(error))
+        else:
+            self._held.index, self._held.is_dragged = None, False
+
+    def _tell(self, context):
+        obj, index, scene = self._drag.obj, self._held.index, context.scene
+        text = ""
+        if index is not None:
+            point = handles.place_of(obj, scene, index)
+            text = handles.words(point, scene, handles.present_area(obj, scene, point[0]))
+        self._held.text = text
+        self._area.header_text_set(text or _HELP)
+        self._area.tag_redraw()
+
+    def _leave(self, context):
+        self._held.index, self._held.is_dragged, self._held.text = None, False, ""
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        self._area.header_text_set(None)
+        self._area.tag_redraw()
+
+
+CLASSES = (HULL_OT_drag_area_curve,)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sectional area curves from tables: a line for each station, its x in metres and its area in m².
+
+Columns stand apart by commas, semicolons, tabs or blanks; beside other signs than commas a decimal
+comma counts as a point. Lines of words before the numbers are headings: where one names columns "x"
+and "area", as the add-on's own tables do, these are taken, else the first two. Empty lines, and
+what follows a #, are passed over. Stations may be told from forward aft.
+"""
+
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+
+from .bytes_on_disk import read_bytes
+from .errors import HullFileError
+from .limits import FURTHEST_POINT, LARGEST_SECTION, MAX_AREA_TABLE_BYTES, MAX_AREA_TABLE_ROWS
+
+_LEAST_ROWS = 3
+_X_NAMES = ("x", "station", "position", "place")
+
+
+def read_area_table(path):
+    """(x (n,) in m, rising; areas (n,) in m²) of a file; HullFileError with line and remedy."""
+    path = Path(path)
+    data = read_bytes(path, MAX_AREA_TABLE_BYTES)
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    return parse_area_table(text, path.name)
+
+
+def parse_area_table(text, name):
+    """The same of a text; name: of the file, for messages."""
+    lines = _lines(text)
+    separator = _separator([line for _, line in lines])
+    columns, rows = None, []
+    for number, line in lines:
+        cells = _cells(line, separator)
+        values = [_number(cell, separator) for cell in cells]
+        if not rows and not any(value is not None for value in values):
+            columns = _columns_named(cells) or columns
+            continue
+        if len(rows) == MAX_AREA_TABLE_ROWS:
+            raise HullFileError(
+                f"{name}: it has more than {MAX_AREA_TABLE_ROWS} stations; leave some out."
+            )
+        rows.append((number, *_pair(values, columns or (0, 1), number, name)))
+    if len(rows) < _LEAST_ROWS:
+        raise HullFileError(
+            f"{name}: {len(rows)} lines with a place and an area are found; a sectional area curve "
+            f"needs {_LEAST_ROWS} or more, x in metres and the area in m² in each."
+        )
+    return _rising(rows, name)
+
+
+def _lines(text):
+    """Pairs (number, line) of those that say something."""
+    bare = (
+        (number, line.split("#")[0].strip()) for number, line in enumerate(text.splitlines(), 1)
+    )
+    return [(number, line) for number, line in bare if line]
+
+
+def _separator(lines):
+    """What stands between the columns; None: blanks."""
+    for sign in (";", "\t"):
+        if any(sign in line for line in lines):
+            return sign
+    # "12,5 34,7" has decimal commas, "12.5, 34.7" and "12,34" have columns.
+    with_numbers = [line for line in lines if re.match(r"[-+.\d]", line)]
+    has_decimal_commas = bool(with_numbers) and all(
+        re.search(r"\s", line) and not re.search(r",\s|\s,|,,|\.", line) for line in with_numbers
+    )
+    return "," if any("," in line for line in lines) and not has_decimal_commas else None
+
+
+def _cells(line, separator):
+    return [cell.strip().strip("\"'") for cell in line.split(separator)]
+
+
+def _number(cell, separator):
+    """Of a cell; None where it is none."""
+    if len(cell) > 40 or "_" in cell:
+        return None
+    try:
+        value = float(cell if separator == "," else cell.replace(",", "."))
+    except ValueError:
+        return None
+    return value
+
+
+def _columns_named(cells):
+    """(column of x, column of the area) by a heading's words; None where it names none."""
+    words = [re.split(r"[^a-z]+", cell.lower().strip()) for cell in cells]
+    x = next((k for k, found in enumerate(words) if found[0] in _X_NAMES[:1]), None)
+    if x is None:
+        x = next((k for k, found in enumerate(words) if set(found) & set(_X_NAMES)), None)
+    area = next((k for k, found in enumerate(words) if {"area", "areas", "a"} & set(found)), None)
+    return None if x is None or area is None or x == area else (x, area)
+
+
+def _pair(values, columns, number, name):
+    found = [values[k] if k < len(values) else None for k in columns]
+    for value, what, column in zip(found, ("x in metres", "an area in m²"), columns):
+        if value is None or not math.isfinite(value):
+            raise HullFileError(
+                f"{name}: line {number}, column {column + 1}: {what} is wanted and there is no "
+                "number; write one, or take the line out."
+            )
+    x, area = found
+    if abs(x) > FURTHEST_POINT:
+        raise HullFileError(
+            f"{name}: line {number}: x is {x:g} m, which no ship has; give metres from the after "
+            "perpendicular."
+        )
+    if not 0.0 <= area <= LARGEST_SECTION:
+        raise HullFileError(
+            f"{name}: line {number}: the area is {area:g} m²; give one from 0 to "
+            f"{LARGEST_SECTION:g}."
+        )
+    return x, area
+
+
+def _rising(rows, name):
+    if rows[0][1] > rows[-1][1]:
+        rows = rows[::-1]
+    for (_, before, _), (number, x, _) in zip(rows, rows[1:]):
+        if not x > before:
+            raise HullFileError(
+                f"{name}: line {number}: x is {x:g} m beside {before:g} m; have the stations in "
+                "order, each once."
+            )
+    x, areas = np.array([row[1:] for row in rows]).T
+    if not areas.any():
+        raise HullFileError(f"{name}: all areas are 0; give areas of the immersed sections in m².")
+    return x, areas
