@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names of anonymous namespaces are used once in a folder: its sources may be compiled as one (cmake/units.cmake)."""
+"""Names of anonymous namespaces are used once in a folder: its sources may be compiled as one
+(cmake/units.cmake)."""
 
 import re
 from collections import defaultdict
@@ -28,7 +29,8 @@ def parameter_types(text):
 
 
 def names(text):
-    """Of what is defined at the margin: constants, types, and functions with the types that they take."""
+    """Of what is defined at the margin: constants, types, and functions with the types that they
+    take."""
     text = re.sub(r"//.*", "", text)
     for statement in re.findall(r"^constexpr [^;(]*;", text, re.MULTILINE):
         yield from re.findall(r"\b(k[A-Z]\w*)(?=\[| =|\{)", statement)
