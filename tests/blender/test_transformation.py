@@ -51,6 +51,33 @@ def test_parts_and_parallel_body(part_name, parallel):
     assert values(hull).displaced_volume == pytest.approx(4350.0, rel=SINGLE)
 
 
+def prismatics(hull):
+    return part("features.transformation.section_shifts").prismatics(hull, bpy.context.scene)
+
+
+def test_prismatic_coefficients_of_both_halves():
+    hull = sample("coaster")
+    before, points = prismatics(hull), points_of(hull)
+    # Sums over stations, and the exact volume; halves share the station amidships.
+    found = values(hull)
+    assert 0.5 * (before.fore + before.aft) == pytest.approx(found.project_prismatic, rel=1e-12)
+    bpy.ops.hull.shift_sections(
+        measure="HALVES", prismatic_fore=before.fore + 0.01, prismatic_aft=before.aft - 0.015
+    )
+    after = prismatics(hull)
+    assert after.fore == pytest.approx(before.fore + 0.01, abs=SINGLE)
+    assert after.aft == pytest.approx(before.aft - 0.015, abs=SINGLE)
+    assert np.array_equal(points_of(hull)[:, 1:], points[:, 1:])
+    wanted = after.fore - 0.02
+    points = points_of(hull)
+    bpy.ops.hull.shift_sections(measure="HALVES", prismatic_fore=wanted, part="FORE")
+    assert prismatics(hull).fore == pytest.approx(wanted, abs=SINGLE)
+    moves = np.abs(points_of(hull) - points)[:, 0]
+    assert moves[points[:, 0] < 30.0].max() < 0.05 * moves.max()
+    with pytest.raises(RuntimeError, match=r"Cp aft can be 0\.\d+ to 0\.\d+ here"):
+        bpy.ops.hull.shift_sections(measure="HALVES", prismatic_aft=0.97, part="AFT")
+
+
 def test_what_is_out_of_reach_is_told_and_changes_nothing():
     hull = sample("coaster")
     before = points_of(hull)

@@ -349,12 +349,24 @@ def changes(name):
     return found if IS_LONG else [found[SAMPLES.index(name) % len(found)], (0.01, 0.0)]
 
 
+def knuckles(surface):
+    """The mean angle, rad, of each crease that is no border; NaN for a border."""
+    found = []
+    for index in range(len(hn.crease_curves(surface))):
+        try:
+            found.append(hn.knuckle_angles(surface, index, samples_per_edge=2).mean)
+        except ValueError:
+            found.append(np.nan)
+    return np.array(found)
+
+
 @pytest.mark.parametrize("name", SAMPLES)
 def test_samples_reach_what_is_wanted_or_tell_what_can_be(name):
     sample = Sample(name)
     length, where = sample.ship.length_pp, sample.where()
     before = hn.hydrostatics(sample.body, **where)
     shift = hn.SectionShift(sample.body, limits=sample.limits(), **where)
+    angles = knuckles(sample.surface)
     for block_change, lcb_change in changes(name):
         block = before.project.block + block_change
         lcb = before.lcb + lcb_change * length
@@ -375,3 +387,8 @@ def test_samples_reach_what_is_wanted_or_tell_what_can_be(name):
         assert (result.moves[:, 1:] == 0.0).all()
         for group in hn.plane_ends(sample.surface):
             assert np.ptp(result.moves[group, 0]) == 0.0
+        # Creases are creases still, to the same side: slopes beside them change as sections shift.
+        now = knuckles(surface)
+        assert np.array_equal(np.isnan(now), np.isnan(angles))
+        sharp = np.abs(angles) > np.radians(2.0)
+        assert (now[sharp] / angles[sharp] > 0.5).all()

@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
-from ..features.transformation import inflating, lengthening, section_shifts
+from ..features.transformation import halves, inflating, lengthening, reports, section_shifts
 from .shared import HullOperator, asked_length
 
 _SKIP = {"SKIP_SAVE"}
@@ -39,12 +39,16 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
             ("PRISMATIC", "Cp", "Prismatic coefficient on Lpp and the station amidships"),
             ("VOLUME", "∇", "Displaced volume in m³"),
             ("DISPLACEMENT", "Δ", "Displacement in t"),
+            ("HALVES", "Cp of halves", "Prismatic coefficients of fore and aft body, each on its "
+             "half of Lpp and the station amidships"),
             ("NONE", "As it comes", "Only the centre of buoyancy is wanted"),
         ),
         options=_SKIP,
-    )
+    )  # fmt: skip
     block: _number("Cb", "Block coefficient wanted", 4, 0.1)
     prismatic: _number("Cp", "Prismatic coefficient wanted", 4, 0.1)
+    prismatic_fore: _number("Cp fore", "Prismatic coefficient of the fore body wanted", 4, 0.1)
+    prismatic_aft: _number("Cp aft", "Prismatic coefficient of the aft body wanted", 4, 0.1)
     volume: _number("∇ in m³", "Displaced volume wanted", 2, 1000)
     displacement: _number("Δ in t", "Displacement wanted", 2, 1000)
     lcb_as: EnumProperty(
@@ -102,6 +106,9 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
             "lcb": found.lcb / scale,
             "parallel_length": section_shifts.parallel_length(hull, context.scene) / scale,
         }
+        if found.prismatic:
+            apart = section_shifts.prismatics(hull, context.scene)
+            present.update(prismatic_fore=apart.fore, prismatic_aft=apart.aft)
         for name, value in present.items():
             if not self.properties.is_property_set(name):
                 setattr(self, name, float(f"{value:.6g}"))
@@ -110,30 +117,40 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
     def draw(self, context):
         column = _column(self)
         column.prop(self, "measure")
-        if self.measure != "NONE":
-            column.prop(self, self.measure.lower())
-        column.prop(self, "lcb_as")
-        if self.lcb_as != "NONE":
-            column.prop(self, "lcb_percent" if self.lcb_as == "PERCENT" else "lcb")
+        if self.measure == "HALVES":
+            for name in ("fore", "aft"):
+                if self.part.lower() in (name, "whole", "apart"):
+                    column.prop(self, f"prismatic_{name}")
+        else:
+            self._draw_whole(column)
         column.prop(self, "part")
         column.prop(self, "parallel")
         if self.parallel == "LENGTH":
             column.prop(self, "parallel_length")
 
+    def _draw_whole(self, column):
+        if self.measure != "NONE":
+            column.prop(self, self.measure.lower())
+        column.prop(self, "lcb_as")
+        if self.lcb_as != "NONE":
+            column.prop(self, "lcb_percent" if self.lcb_as == "PERCENT" else "lcb")
+
     def run_on(self, hull, context):
         found = section_shifts.shift(hull, context.scene, self._wanted(hull, context))
-        self.report({"INFO"}, _words(found, context.scene))
+        self.report({"INFO"}, reports.shifted(found, context.scene))
 
     def _wanted(self, hull, context):
         scale = units.metres_per_unit(context.scene)
         name = {"DISPLACEMENT": "displacement_t"}.get(self.measure, self.measure.lower())
-        volume = {}
-        if self.measure != "NONE":
+        volume, lcb, apart = {}, None, None
+        if self.measure == "HALVES":
+            both = self.prismatic_fore, self.prismatic_aft
+            apart = halves.Prismatics(*map(units.as_typed, both))
+        elif self.measure != "NONE":
             volume[name] = units.as_typed(getattr(self, self.measure.lower()))
-        lcb = None
-        if self.lcb_as == "LENGTH":
+        if apart is None and self.lcb_as == "LENGTH":
             lcb = scale * units.as_typed(self.lcb)
-        elif self.lcb_as == "PERCENT":
+        elif apart is None and self.lcb_as == "PERCENT":
             length = scale * units.as_typed(hull.hull.length_pp)
             lcb = length * (0.5 + 0.01 * units.as_typed(self.lcb_percent))
         return section_shifts.Wanted(
@@ -142,29 +159,8 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
             self.part.lower(),
             self.parallel,
             scale * units.as_typed(self.parallel_length),
+            apart,
         )
-
-
-def _words(found, scene):
-    after, result = found.after, found.result
-    names = {
-        1: ("A",),
-        2: ("A", "B"),
-    }[len(result.coefficients)]
-    shifts = ", ".join(f"{n} {c:.4f}" for n, c in zip(names, result.coefficients))
-    return (
-        f"Cb {after.block:.4f}, Cp {after.prismatic:.4f}, "
-        f"∇ {units.format_value(scene, after.volume, 'm3')}, "
-        f"LCB {units.format_value(scene, after.lcb, 'm')} ({after.lcb_percent:+.2f} %): {shifts}; "
-        f"{_residual(result)}"
-    )
-
-
-def _residual(result):
-    return (
-        f"off the shift wanted by {units.format_mm(result.rms)} on average, "
-        f"{units.format_mm(result.largest)} at most"
-    )
 
 
 def _column(operator):
@@ -216,14 +212,7 @@ class HULL_OT_lengthen(bpy.types.Operator, HullOperator):
         length, place, aft, fore = (scale * units.as_typed(value) for value in values)
         stretched = (aft, fore) if self.use_range else None
         found = lengthening.lengthen(hull, scene, place, length, stretched)
-        text = f"∇ changed by {units.format_value(scene, found.volume_change, 'm3')}"
-        if found.is_parallel:
-            text += (
-                f": the section of {units.format_value(scene, found.area, 'm2')} times the length"
-            )
-        else:
-            text += f"; {_residual(found)}"
-        self.report({"INFO"}, text)
+        self.report({"INFO"}, reports.lengthened(found, scene))
 
 
 class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
@@ -288,12 +277,7 @@ class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
             units.as_typed(self.percent),
             scale * units.as_typed(self.extent) if self.use_extent else None,
         )
-        amount = units.format_mm(abs(found.amount))
-        self.report(
-            {"INFO"},
-            f"Area {units.format_value(scene, found.area, 'm2')}: "
-            f"{'inflated' if found.amount >= 0.0 else 'deflated'} by {amount}; {_residual(found)}",
-        )
+        self.report({"INFO"}, reports.inflated(found, scene))
 
 
 CLASSES = (HULL_OT_shift_sections, HULL_OT_lengthen, HULL_OT_inflate_section)

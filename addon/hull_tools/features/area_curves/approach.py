@@ -207,15 +207,7 @@ class Approach:
         return f"Some {100.0 * low:.0f} % of the way can be gone so; or {other}"
 
     def _areas_after(self, moves):
-        parent, hull_native = self.parent, native.require()
-        mesh = parent.surface.mesh
-        surface = hull_native.LimitSurface(
-            mesh.with_points(mesh.points + moves), parent.surface.scheme
-        )
-        body = hull_native.HullBody(
-            surface, mirrored=parent.body.mirrored, openings=parent.body.openings
-        )
-        return self._areas_of(body)
+        return self._areas_of(self.parent.moved_body(moves))
 
     def _areas_of(self, body):
         return sectional_areas.compute(ship.Ship(body, ()), self.parent.where).areas

@@ -110,6 +110,16 @@ class Parent:
             kept |= (x >= aft) & (x <= forward)
         return np.flatnonzero(kept)
 
+    def moved_body(self, moves):
+        """The hull_native.HullBody with moves (n, 3), m, of its control points; of its own."""
+        hull_native, mesh = native.require(), self.surface.mesh
+        surface = hull_native.LimitSurface(
+            mesh.with_points(mesh.points + moves), self.surface.scheme
+        )
+        return hull_native.HullBody(
+            surface, mirrored=self.body.mirrored, openings=self.body.openings
+        )
+
     def write(self, scene, moves):
         """Moves the hull's control points by moves (n, 3), m; returns the HullState of what it is
         then."""

@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 
 from ...bridge import native
-from . import parents
+from . import halves, parents
 
 # Of the length between perpendiculars: shorter is no parallel middle body.
 _LEAST_PARALLEL = 1e-3
@@ -14,13 +14,19 @@ _LEAST_PARALLEL = 1e-3
 class Wanted:
     """volume: {name of a measure of hull_native.SectionShift.solve: value}, or empty; lcb: x in m
     or None; part: as SectionShift takes it; parallel: "FREE", "KEEP", or "LENGTH" with
-    parallel_length in m."""
+    parallel_length in m. prismatics: halves.Prismatics instead of volume and lcb, of the halves
+    that are shifted: "whole" stands for both apart."""
 
     volume: dict
     lcb: object = None
     part: str = "whole"
     parallel: str = "FREE"
     parallel_length: float = 0.0
+    prismatics: object = None
+
+    @property
+    def shifted_part(self):
+        return "apart" if self.prismatics is not None and self.part == "whole" else self.part
 
 
 @dataclass(frozen=True)
@@ -38,11 +44,14 @@ class Particulars:
 
 @dataclass(frozen=True)
 class Shifted:
-    """result: hull_native.SectionsShifted; before, after: Particulars; length_pp in m."""
+    """result: hull_native.SectionsShifted; before, after: Particulars; part: that was shifted, as
+    SectionShift has it; prismatics: halves.Prismatics after it where they were wanted."""
 
     result: object
     before: Particulars
     after: Particulars
+    part: str
+    prismatics: object = None
 
 
 def particulars(obj, scene):
@@ -56,30 +65,48 @@ def parallel_length(obj, scene):
     return forward - aft
 
 
+def prismatics(obj, scene):
+    """The halves.Prismatics of a hull as it is; ValueError where they have no meaning."""
+    parent = parents.of_hull(obj, scene)
+    return halves.prismatics(parent.body, parent.position(), _length(parent))
+
+
+def _length(parent):
+    if not parent.where.length_pp:
+        raise ValueError("Give Lpp first: sections are shifted between the perpendiculars")
+    return parent.where.length_pp
+
+
 def shift(obj, scene, wanted):
     """Shifts the sections of a hull to what is Wanted; returns Shifted. ValueError where it is out
     of reach, with what can be reached: nothing moves then."""
     parent = parents.of_hull(obj, scene)
     where, position = parent.where, parent.position()
-    position.pop("draft_at")
-    if not where.length_pp:
-        raise ValueError("Give Lpp first: sections are shifted between the perpendiculars")
+    length = _length(parent)
     shift = native.require().SectionShift(
         parent.body,
-        **position,
+        draft=position["draft"],
+        trim=position["trim"],
         **{name: value or 0.0 for name, value in where.project().items()},
-        part=wanted.part,
+        part=wanted.shifted_part,
         **_parallel(parent, wanted),
         kept_ranges=parent.kept_ranges(),
         limits=parent.limits(),
     )
     before = _particulars(parent)
-    result = shift.solve(**wanted.volume, lcb=wanted.lcb)
-    if not result.converged:
+    if wanted.prismatics is None:
+        result = shift.solve(**wanted.volume, lcb=wanted.lcb)
+    else:
+        solver = halves.HalfSolver(shift, wanted.shifted_part, parent.moved_body, position, length)
+        result = solver.solve(wanted.prismatics)
+    if wanted.prismatics is None and not result.converged:
         raise ValueError("The search did not end: ask for a smaller change, or keep less")
     state = parent.write(scene, result.moves)
     found = state.ship.as_it_is().hydrostatics(where)
-    return Shifted(result, before, _of_hydrostatics(found))
+    reached = None
+    if wanted.prismatics is not None:
+        reached = halves.prismatics(state.ship.source.new_ship().body, position, length)
+    return Shifted(result, before, _of_hydrostatics(found), wanted.shifted_part, reached)
 
 
 def _parallel(parent, wanted):
