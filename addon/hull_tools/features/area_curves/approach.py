@@ -15,6 +15,8 @@ from . import target_curve
 
 # Stations are brought to their area from here on, in parts of the curve's length from its ends.
 _FROM_ENDS = 0.01
+# Of the tolerance: areas between stations may be off by as much, however little they are before.
+_BETWEEN = 5.0
 # How often the way that can be gone is halved.
 _WAY_STEPS = 5
 
@@ -72,9 +74,15 @@ class Approach:
     def run(self, progress):
         """The Moved; ValueError with the remedy. Tells progress(share), and lets through what that
         raises."""
-        if self.asked.by == "LEAST":
-            return self._least(progress)
-        return self._matched(progress)
+        found = (self._least if self.asked.by == "LEAST" else self._matched)(progress)
+        before, after = self.difference(self.areas), self.difference(found.areas)
+        usual = max(abs(before.largest), _BETWEEN * self.asked.tolerance)
+        if abs(after.largest) > usual:
+            raise ValueError(
+                f"At x = {after.at:.4g} m the area would be off by {100.0 * after.largest:+.1f} %, "
+                "more than anywhere now: choose more stations, another way, or a smoother target"
+            )
+        return found
 
     def wanted(self, places, way=None):
         """Areas (k,) at places (k,): so far on the way from the present curve to the target."""
