@@ -382,7 +382,7 @@ def _area_curve(window):
     with window.in_view():
         bpy.ops.hull.drag_area_curve("INVOKE_DEFAULT")
     for index, up in ((3, -8), (9, 6), (8, 10)):
-        x, y = shown().dots(handles.points_of(hull))[index]
+        x, y = shown().dots(handles.points_of(hull, bpy.context.scene))[index]
         region = window.region()
         window.move_to(region.x + x, region.y + y)
         window.hold("LEFTMOUSE")

@@ -29,7 +29,7 @@ def drag(window, index, right, up):
     handles = part("features.area_curves.handles")
 
     def to_handle():
-        x, y = shown(window).dots(handles.points_of(hull_at_hand()))[index]
+        x, y = shown(window).dots(handles.points_of(hull_at_hand(), bpy.context.scene))[index]
         region = window.region()
         window.cursor = round(region.x + x), round(region.y + y)
         window._simulate("MOUSEMOVE", "NOTHING")
@@ -77,7 +77,12 @@ def test_escape_leaves_the_target_as_it_was(window):
     drag(window, 3, 0, 30)
     drag(window, 1, 5, -10)
     yield
-    assert np.abs(values(hull) - before).max(axis=1).nonzero()[0].tolist() == [1, 3]
+    now = values(hull)
+    assert np.abs(now - before).max(axis=1).nonzero()[0].tolist() == [1, 3]
+    # Nothing is undone while handles are dragged.
+    window.undo()
+    yield
+    assert np.array_equal(values(hull), now)
     window.press("ESC")
     yield
     assert np.array_equal(values(hull_at_hand()), before)

@@ -15,6 +15,9 @@ _HELP = (
 )
 _DONE = ("RET", "NUMPAD_ENTER", "SPACE")
 _USUAL_HANDLES = 11
+# What goes on to Blender meanwhile: turning and moving the view. Undo and clicks on other objects
+# would take the hull away below the mouse.
+_OF_THE_VIEW = ("MIDDLEMOUSE", "WHEEL", "NUMPAD", "TRACKPAD", "NDOF", "TIMER", "MOUSEMOVE")
 
 
 class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
@@ -46,7 +49,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
             sources.take_present(hull, context.scene, _USUAL_HANDLES)
         self._drag = handles.Drag(hull, context.scene)
         self._held = handles.held(hull)
-        self._area, self._mouse = context.area, (0, 0)
+        self._area = context.area
         context.window.cursor_modal_set("CROSSHAIR")
         context.workspace.status_text_set(_HELP)
         context.window_manager.modal_handler_add(self)
@@ -67,15 +70,17 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
             self._leave(context)
             return {"FINISHED"} if has_changed else {"CANCELLED"}
         shown = handles.diagram(self._drag.obj, context.scene, self._area)
-        if shown is None:  # not drawn yet, or off
-            return {"PASS_THROUGH"}
-        return self._work(context, event, shown)
+        if shown is not None and self._work(context, event, shown):
+            return {"RUNNING_MODAL"}
+        is_of_view = event.type.startswith(_OF_THE_VIEW)
+        return {"PASS_THROUGH"} if is_of_view else {"RUNNING_MODAL"}
 
     def cancel(self, context):
         """Blender ends the operator, as when another file is loaded."""
         self._leave(context)
 
     def _work(self, context, event, shown):
+        """Whether the event was one for the plot."""
         region = next(one for one in self._area.regions if one.type == "WINDOW")
         mouse = event.mouse_x - region.x, event.mouse_y - region.y
         if event.type == "MOUSEMOVE":
@@ -95,21 +100,21 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
                 self._drag.keep_frame(shown.frame)
         elif event.type in ("X", "DEL") and event.value == "PRESS":
             self._remove(context)
-        elif not shown.has(mouse) and not self._held.is_dragged:
-            return {"PASS_THROUGH"}
+        elif not self._held.is_dragged:
+            return False
         self._tell(context)
-        return {"RUNNING_MODAL"}
+        return self._held.is_dragged or shown.has(mouse)
 
     def _look(self, context, shown, mouse):
         reach = handles.NEAR * context.preferences.system.ui_scale
-        points = handles.points_of(self._drag.obj)
+        points = handles.points_of(self._drag.obj, self._drag.scene)
         self._held.index = handles.nearest(shown, points, mouse, reach)
 
     def _move(self, shown, mouse, is_upright):
         x, area = shown.point(mouse)
         index = self._held.index
         if is_upright:
-            x = handles.points_of(self._drag.obj)[index, 0]
+            x = handles.points_of(self._drag.obj, self._drag.scene)[index, 0]
         self._drag.move(index, (x, area))
 
     def _add(self, context, shown, mouse):
@@ -133,7 +138,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
         obj, index, scene = self._drag.obj, self._held.index, context.scene
         text = ""
         if index is not None:
-            point = handles.place_of(obj, scene, index)
+            point = handles.points_of(obj, scene)[index]
             text = handles.words(point, scene, handles.present_area(obj, scene, point[0]))
         self._held.text = text
         self._area.header_text_set(text or _HELP)

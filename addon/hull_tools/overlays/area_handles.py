@@ -43,7 +43,7 @@ def _draw():
     if shown is None:
         return
     held, scale = handles.held(hull), context.preferences.system.ui_scale
-    places = shown.dots(handles.points_of(hull))
+    places = shown.dots(handles.points_of(hull, context.scene))
     places = places[[shown.has(place) for place in places]] if held.index is None else places
     gpu.state.blend_set("ALPHA")
     fill = blender_versions.builtin_shader("UNIFORM_COLOR")

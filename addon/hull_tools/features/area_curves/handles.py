@@ -75,10 +75,10 @@ def diagram(obj, scene, area):
     return None if frame is None else Diagram(*places, frame)
 
 
-def points_of(obj):
-    """(h, 2) handles of a hull's target: x in m and areas in m²."""
-    curve = live_target.known(obj).curve
-    return np.column_stack([curve.x, curve.areas])
+def points_of(obj, scene):
+    """(h, 2) handles of a hull's target as they are set: x in m and areas in m²."""
+    found = units.all_as_stored(stored.numbers(obj)[1])
+    return found * (units.metres_per_unit(scene), 1.0)
 
 
 def nearest(shown, points, dots, reach):
@@ -112,7 +112,7 @@ class Drag:
 
     def move(self, index, point):
         """Moves a handle to (x in m, area in m²), no farther than to its neighbours."""
-        points = points_of(self.obj)
+        points = points_of(self.obj, self.scene)
         apart = _APART * np.ptp(points[:, 0])
         low = points[index - 1, 0] + apart if index > 0 else -np.inf
         high = points[index + 1, 0] - apart if index + 1 < len(points) else np.inf
@@ -170,12 +170,6 @@ def write_text(obj, text):
         raise ValueError("Points: give x and area of three or more, as in 0 0; 40 70; 80 0")
     limits.at_most(len(found), "points of the target curve", limits.MOST_AREA_HANDLES)
     stored.write_handles(obj, found)
-
-
-def place_of(obj, scene, index):
-    """(x in m, area in m²) of a handle as it is set."""
-    entry = obj.hull.area_target.area_points[index]
-    return units.metres_per_unit(scene) * units.as_typed(entry.x), units.as_typed(entry.area)
 
 
 def words(point, scene, present_area):
