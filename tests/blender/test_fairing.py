@@ -70,6 +70,29 @@ def test_another_deviation_needs_no_other_preparation():
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
+@pytest.mark.parametrize("operator", ["fair_region", "fair_curvature"])
+def test_displacement_and_lcb_are_kept(operator):
+    """To what single precision of Blender's points leaves; told is what is left before that."""
+    hull, _, point = dented()
+    points = coordinates(hull)
+    near = np.linalg.norm(points - points[point], axis=1).argsort()[:12]
+    select(hull, "vertex", near.tolist())
+    before = state_of(hull).hydrostatics.values
+    options = {"keep_volume": True, "keep_lcb": True}
+    assert getattr(bpy.ops.hull, operator)(deviation_mm=4.0, **options) == {"FINISHED"}
+    after = state_of(hull).hydrostatics.values
+    assert after.displaced_volume == pytest.approx(before.displaced_volume, rel=1e-6)
+    assert after.lcb == pytest.approx(before.lcb, abs=1e-5)
+    report, _ = part("features.fairing.region_fairing").last_report(hull)
+    assert report.rms == pytest.approx(4e-3, rel=1e-6)
+    assert abs(report.missed["displaced_volume"]) < 1e-9 * before.displaced_volume
+    assert abs(report.missed["lcb"]) < 1e-8
+    hull.hull.heel = 0.1
+    with pytest.raises(RuntimeError, match="set the heel to zero"):
+        bpy.ops.hull.fair_region(**options)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def test_what_cannot_be_is_refused_and_moves_nothing():
     hull, _, point = dented()
     start = coordinates(hull)

@@ -49,6 +49,13 @@ class _Settings:
         description="Nothing moves if there were more inflections or extrema of curvature then",
     )
 
+    keep_volume: BoolProperty(
+        name="Keep displacement", description="The displacement stays, at the draft and trim set"
+    )
+    keep_lcb: BoolProperty(
+        name="Keep LCB", description="The centre of buoyancy stays where it is along the ship"
+    )
+
     def asked(self, energy):
         return region_fairing.Asked(
             1e-3 * units.as_typed(self.deviation_mm),
@@ -58,6 +65,8 @@ class _Settings:
             self.keep_creases,
             self.along_normals,
             self.refuse_more,
+            self.keep_volume,
+            self.keep_lcb,
         )
 
 

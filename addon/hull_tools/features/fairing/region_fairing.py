@@ -5,7 +5,7 @@ How far it may shift is asked for, and met: hull_native.FairRegion. What is prep
 remembered, so that another deviation in the redo panel costs next to nothing.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from ..constraints import move_limits
 from ..conversion import conversions
 from ..hull import hull_state
 from ..lines import lines
-from . import local_marks
+from . import form_keeping, local_marks
 
 # As hull_native.FairRegion names them, in capitals.
 ENERGIES = ("LENGTHWISE", "THIN_PLATE", "CURVATURE", "VARIATION")
@@ -38,6 +38,14 @@ class Asked:
     keep_creases: bool = True
     along_normals: bool = True
     refuse_more: bool = False
+    keep_volume: bool = False
+    keep_lcb: bool = False
+
+    @property
+    def kept(self):
+        """Names of numbers as form_keeping has them."""
+        wanted = ((form_keeping.VOLUME, self.keep_volume), (form_keeping.LCB, self.keep_lcb))
+        return tuple(name for name, is_kept in wanted if is_kept)
 
     def checked(self):
         limits.within(self.deviation, "Deviation in m", 0.0, limits.LONGEST)
@@ -48,7 +56,8 @@ class Asked:
 @dataclass(frozen=True, eq=False)
 class Report:
     """What came of it. key: the geometry of the hull it gave; rms, largest: m, of the surface's
-    shift; bound: see hull_native.Faired; before, after: Marks around the points."""
+    shift; bound: see hull_native.Faired; before, after: Marks around the points; missed: by how much
+    kept numbers changed, by their names in form_keeping, in m³ and m."""
 
     key: object
     count: int
@@ -59,6 +68,7 @@ class Report:
     settled: bool
     before: local_marks.Marks
     after: local_marks.Marks
+    missed: dict = field(default_factory=dict)
 
     @property
     def has_more_marks(self):
@@ -92,6 +102,7 @@ class _Start:
         self.limits = move_limits.of_hull(
             obj, self.control.vertex_ids, self.control.points, self.size
         )
+        self.keeping = form_keeping.keeping(obj, self.scale, self.state.ship.source, asked.kept)
 
     def region(self):
         """hull_native.FairRegion, that of the last time where nothing but the deviation differs."""
@@ -105,6 +116,7 @@ class _Start:
             held.held_points.tobytes(),
             held.held_normals.tobytes(),
             (asked.energy, asked.keep_stations, asked.keep_creases, asked.along_normals),
+            self.keeping and self.keeping.key,
         )
         if key not in _prepared:
             region = native.require().FairRegion(
@@ -114,6 +126,7 @@ class _Start:
                 keep_stations=asked.keep_stations,
                 keep_creases=asked.keep_creases,
                 along_normals=asked.along_normals,
+                conditions=self.keeping.conditions() if self.keeping else (),
                 **held.reshape_arguments(self.surface),
             )
             _prepared.clear()
@@ -121,10 +134,20 @@ class _Start:
         return _prepared[key]
 
     def solve(self, progress=None):
-        """(hull_native.Faired, Marks before, Marks after)."""
+        """(hull_native.Faired, Marks before, Marks after, what kept numbers miss)."""
         region = self.region()
         largest = self.asked.largest or np.inf
-        faired = region.solve(self.asked.deviation, largest=largest, progress=progress)
+
+        def solution(values=()):
+            return region.solve(
+                self.asked.deviation, largest=largest, values=values, progress=progress
+            )
+
+        if self.keeping is None:
+            faired, missed = solution(), {}
+        else:
+            faired, shares = self.keeping.solve(solution)
+            missed = dict(zip(self.keeping.names, shares * self.keeping.sizes))
         if faired.folded_place is not None:
             place = ", ".join(f"{x:.2f}" for x in faired.folded_place)
             raise ValueError(
@@ -138,9 +161,9 @@ class _Start:
         after = local_marks.count(moved, box, self.size)
         if self.asked.refuse_more and after.is_more_than(before):
             raise ValueError(f"Refused, since there would be more marks: {_marks(before, after)}")
-        return faired, before, after
+        return faired, before, after, missed
 
-    def write(self, obj, scene, faired, before, after):
+    def write(self, obj, scene, faired, before, after, missed):
         """Moves the points; returns the Report. Coordinates that do not move stay bit by bit."""
         is_moved = faired.moves.any(axis=1)
         indices = self.control.vertex_ids[is_moved]
@@ -157,6 +180,7 @@ class _Start:
             faired.settled,
             before,
             after,
+            missed,
         )
         return report
 
@@ -218,6 +242,7 @@ def rows(report):
         ("Largest shift", units.format_mm(report.largest)),
         ("Inflections", f"{before.inflections} → {after.inflections}"),
         ("Extrema", f"{before.extrema} → {after.extrema}"),
+        *((_MISSED[name], f"{miss:.1e} {_UNITS[name]}") for name, miss in report.missed.items()),
     ]
 
 
@@ -228,6 +253,8 @@ def _marks(before, after):
     )
 
 
+_MISSED = {form_keeping.VOLUME: "∇ changed by", form_keeping.LCB: "LCB changed by"}
+_UNITS = {form_keeping.VOLUME: "m³", form_keeping.LCB: "m"}
 _BOUNDS = {
     "deviation": "",
     "largest": ", as far as the largest shift lets",
@@ -242,6 +269,8 @@ def summary(report):
         f"{units.format_mm(report.rms)} RMS, {units.format_mm(report.largest)} at most"
         f"{_BOUNDS[report.bound]}; {_marks(report.before, report.after)}"
     )
+    for name, miss in report.missed.items():
+        text += f"; {_MISSED[name]} {miss:.1e} {_UNITS[name]}"
     if report.has_more_marks:
         text = f"More marks than before. {text}"
     return text if report.settled else f"{text}. It may get fairer still: fair again"
