@@ -19,7 +19,7 @@ import numpy as np
 from .inflections import DIP, INFLECTION, marks
 from .kinks import KINK, WAVE, turns
 from .native import hull_native as hn
-from .reflections import reflection_lines
+from .reflections import comes_into, reflection_lines
 
 _BENDS = (INFLECTION, DIP)
 # The marks that a line of each kind may have.
@@ -63,30 +63,37 @@ class Line:
         return [found for found in self.found if found.reason is None]
 
 
-def judged(surface, beam, wanted=(), progress=None):
+def judged(surface, beam, wanted=(), progress=None, within=None):
     """Every Line of a surface; beam in m. progress: a callable that takes the share done, 0 to 1;
-    what it raises ends it."""
+    what it raises ends it. within (low (3,), high (3,)): only the lines that come into this box,
+    and what is found in it."""
     for kind, mark, *_ in wanted:
         if mark not in MARKS.get(kind, ()):
             raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see hull_fairness/lines.py")
     least = LEAST_DEPTH * beam
     lines = []
-    for kind, name, found in _all_found(surface, beam, least):
+    for kind, name, found in _all_found(surface, beam, least, within):
+        found = [mark for mark in found if within is None or _is_in(mark.point, within)]
         lines.append(Line(kind, name, with_reasons(kind, found, wanted)))
         if progress is not None:
             progress(min(1.0, len(lines) / _USUAL_LINES))
     return lines
 
 
-def _all_found(surface, beam, least):
-    """(kind, name, [Found without reasons]) of each line."""
-    for kind, name, curves in _all_curves(surface, _STEP * beam):
-        yield kind, name, [mark for curve in curves for mark in _marks(*curve, least)]
-    for name, parts in reflection_lines(surface, beam):
+def _is_in(point, box):
+    return bool(np.all(box[0] <= np.asarray(point)) and np.all(np.asarray(point) <= box[1]))
+
+
+def _all_found(surface, beam, least, within):
+    """(kind, name, [Found without reasons]) of each line that comes into a box, or all."""
+    for kind, name, curves in _all_curves(surface, _STEP * beam, within):
+        own = [curve for curve in curves if comes_into(curve[1], within)]
+        yield kind, name, [mark for curve in own for mark in _marks(*curve, least)]
+    for name, parts in reflection_lines(surface, beam, within):
         yield "reflection", name, [mark for part in parts for mark in _turns(part, beam)]
 
 
-def _all_curves(surface, step):
+def _all_curves(surface, step, within):
     """(kind, name, [(points in plane (n, 2), points (n, 3), curvatures, starts)]) of each line."""
     points = surface.tessellate(4).points
     low, high = points.min(axis=0), points.max(axis=0)
@@ -96,6 +103,9 @@ def _all_curves(surface, step):
         planes = np.zeros((count, 4))
         planes[:, column], planes[:, 3] = 1.0, at
         kept = [i for i in range(3) if i != column]
+        if within is not None:
+            is_in = (within[0][column] <= at) & (at <= within[1][column])
+            at, planes = at[is_in], planes[is_in]
         cut = hn.section_fairness(surface, planes, step=step, marks=False)
         for place, curves in zip(at, cut):
             name = f"{kind} {axis} = {place:.3f} m"

@@ -33,8 +33,14 @@ class Turning:
     gradients: np.ndarray
 
 
-def reflection_lines(surface, beam):
-    """(name, [Turning]) of each light's line from each eye; beam in m."""
+def comes_into(points, box):
+    """Whether one of the points (n, 3) is in a box, or there is no box."""
+    return box is None or bool(((box[0] <= points) & (points <= box[1])).all(axis=1).any())
+
+
+def reflection_lines(surface, beam, within=None):
+    """(name, [Turning]) of each light's line from each eye; beam in m. within: see
+    lines.judged."""
     for view, (bearing, elevation) in VIEWS.items():
         # A half hull is the side to port.
         across, up = np.radians(-bearing), np.radians(elevation)
@@ -53,6 +59,8 @@ def reflection_lines(surface, beam):
         )
         levels = {}
         for curve in curves:
+            if not comes_into(curve.points, within):
+                continue
             levels.setdefault(int(curve.level), []).extend(_seen_parts(surface, curve, eye, beam))
         for level, parts in sorted(levels.items()):
             if parts:

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fair Region and Fair Curvature: a dent goes, what is to stay does, and both are told."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
 from addon_under_test import mesh_points, part, state_of
-from edited_hulls import edit, find, select
+from edited_hulls import at, edit, find, grid_hull, select
 
 DENT = 0.052  # 4 per mille of the coaster's beam
 PLACE = (67.9, 6.1, 4.9)
@@ -90,6 +92,42 @@ def test_displacement_and_lcb_are_kept(operator):
     hull.hull.heel = 0.1
     with pytest.raises(RuntimeError, match="set the heel to zero"):
         bpy.ops.hull.fair_region(**options)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_the_deviation_is_found_by_marks(monkeypatch):
+    """The middle of the deviations with the fewest marks, told by a count that is made up; and of a
+    sheet with a dent by those that are seen."""
+    marks_out = part("features.fairing.marks_out")
+
+    def solution(deviation):
+        return SimpleNamespace(moves=deviation, rms=deviation, bound="deviation")
+
+    def count(deviation):
+        return 3 if 2.0 < deviation < 5.0 else 9
+
+    told = []
+    found = marks_out.best(solution, count, 20.0, told.append)
+    assert found.moves == pytest.approx(3.5, rel=0.1) and sorted(told) == told
+    with pytest.raises(ValueError, match="9 marks seen around the points none goes"):
+        marks_out.best(solution, count, 1e-3, told.append)
+    with pytest.raises(ValueError, match="No mark is seen"):
+        marks_out.best(solution, lambda deviation: 0, 1.0, told.append)
+
+    # Each count of the sheet takes some tenths of a second: few are made here.
+    monkeypatch.setattr(marks_out, "_STEPS", 2)
+    monkeypatch.setattr(marks_out, "_HALVINGS", 0)
+    hull = grid_hull(9, 7)
+    start = coordinates(hull)
+    dent = at(4, 3, 7)
+    edit(hull)
+    write = part("bridge.mesh.mesh_points").write
+    write(hull.data, [dent], [start[dent] - (0.0, 0.2, 0.0)])
+    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    select(hull, "vertex", [dent])
+    options = {"energy": "LENGTHWISE", "by_marks": True}
+    assert bpy.ops.hull.fair_curvature(deviation_mm=100.0, **options) == {"FINISHED"}
+    assert np.abs(coordinates(hull) - start).max() < 0.2 / 3.0
     bpy.ops.object.mode_set(mode="OBJECT")
 
 

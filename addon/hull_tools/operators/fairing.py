@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The surface faired around the selected control points, and rows of these smoothed."""
 
+from dataclasses import replace
+
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
@@ -94,8 +96,7 @@ class HULL_OT_fair_region(bpy.types.Operator, _Settings, EditModeOperator):
 
 
 class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
-    """The same by the surface's own curvature, which takes longer: as little of it as can be, or
-    as even as can be"""
+    """The same by the surface's own curvature, or by the marks that are seen, which takes longer"""
 
     bl_idname = "hull.fair_curvature"
     bl_label = "Fair Curvature"
@@ -109,11 +110,19 @@ class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
         items=(
             ("VARIATION", "Variation", "Changes of curvature: spheres and cylinders stay"),
             ("CURVATURE", "Curvature", "Curvature itself: flatter all in all"),
+            ("LENGTHWISE", "Bend along the ship", "Sections keep their own bend, as bilges"),
+            ("THIN_PLATE", "Bend all ways", "Flatter in sections, too"),
         ),
+    )
+    by_marks: BoolProperty(
+        name="By marks",
+        description="Try deviations up to the one given, count the marks that are seen around and "
+        "not accepted, and take the middle of those with the fewest",
     )
 
     def begin(self, hull, scene):
-        return region_fairing.Fairing(hull, scene, self.asked(self.energy))
+        asked = replace(self.asked(self.energy), by_marks=self.by_marks)
+        return region_fairing.Fairing(hull, scene, asked)
 
     def outcome(self, result, scene):
         report = self._task.write(scene)

@@ -3,6 +3,7 @@
 
 import copy
 
+import hull_native as hn
 import numpy as np
 import pytest
 import vessels
@@ -103,3 +104,25 @@ def test_a_dent_and_a_bump_are_found(point, mille, marks_of_the_coaster):
     dented.points[point, 1] -= mille * 1e-3 * data.particulars.beam
     after = marks_by_line(dented)
     assert max(b - a for a, b in zip(marks_of_the_coaster, after)) >= 1
+
+
+def test_what_is_found_within_a_box_is_what_is_found_there():
+    """On a sheet with waves along it."""
+    x, z = np.meshgrid(np.arange(10.0), np.arange(4.0), indexing="ij")
+    points = np.stack([x, 3.0 + 0.2 * np.sin(1.8 * x) - 0.1 * z**2, z], axis=2).reshape(-1, 3)
+    first = (np.arange(9)[:, None] * 4 + np.arange(3)).ravel()
+    faces = np.stack([first, first + 4, first + 5, first + 1], axis=1)
+    surface = hn.LimitSurface(hn.ControlMesh(points, np.full(27, 4), faces.ravel()))
+    low, high = np.array([5.0, 0.0, 0.0]), np.array([9.0, 10.0, 2.0])
+    told = []
+    whole = judged(surface, 6.0, progress=told.append)
+    part = {line.name: line for line in judged(surface, 6.0, within=(low, high))}
+    for line in whole:
+        inside = [
+            found
+            for found in line.found
+            if (low <= found.point).all() and (found.point <= high).all()
+        ]
+        assert inside == (part[line.name].found if line.name in part else [])
+    assert 0 < sum(len(line.found) for line in part.values()) and len(part) < len(whole)
+    assert told == sorted(told) and len(told) == len(whole) and 0.0 < told[0] < 0.01

@@ -51,8 +51,8 @@ class Keeping:
         return (np.array([numbers.value(name) for name in self.names]) - self.values) / self.sizes
 
     def solve(self, solution):
-        """(the hull_native.Faired with which the numbers stay, what they miss of their sizes).
-        solution(values): that with values of the conditions."""
+        """The hull_native.Faired with which the numbers stay. solution(values): that with values of
+        the conditions."""
         values = np.zeros(len(self.names))
         for _ in range(_MOST_STEPS):
             faired = solution(values)
@@ -60,7 +60,7 @@ class Keeping:
             if np.abs(missed).max(initial=0.0) <= _ENOUGH:
                 break
             values = values - missed
-        return faired, missed
+        return faired
 
 
 def keeping(obj, scale, source, names):

@@ -19,7 +19,7 @@ from ..constraints import move_limits
 from ..conversion import conversions
 from ..hull import hull_state
 from ..lines import lines
-from . import form_keeping, local_marks
+from . import form_keeping, local_marks, marks_out, seen_marks
 
 # As hull_native.FairRegion names them, in capitals.
 ENERGIES = ("LENGTHWISE", "THIN_PLATE", "CURVATURE", "VARIATION")
@@ -29,7 +29,8 @@ _prepared = {}  # the last one only, by its key
 
 @dataclass(frozen=True)
 class Asked:
-    """deviation, largest: m; largest 0: any. energy: of ENERGIES."""
+    """deviation, largest: m; largest 0: any. energy: of ENERGIES. by_marks: the deviation is found
+    by marks_out, not above the one given."""
 
     deviation: float
     largest: float = 0.0
@@ -40,6 +41,7 @@ class Asked:
     refuse_more: bool = False
     keep_volume: bool = False
     keep_lcb: bool = False
+    by_marks: bool = False
 
     @property
     def kept(self):
@@ -56,8 +58,8 @@ class Asked:
 @dataclass(frozen=True, eq=False)
 class Report:
     """What came of it. key: the geometry of the hull it gave; rms, largest: m, of the surface's
-    shift; bound: see hull_native.Faired; before, after: Marks around the points; missed: by how much
-    kept numbers changed, by their names in form_keeping, in m³ and m."""
+    shift; bound: see hull_native.Faired; before, after: Marks around the points; missed: by how
+    much kept numbers changed, by their names in form_keeping, in m³ and m."""
 
     key: object
     count: int
@@ -102,7 +104,14 @@ class _Start:
         self.limits = move_limits.of_hull(
             obj, self.control.vertex_ids, self.control.points, self.size
         )
+        self.seen = self._seen(obj) if asked.by_marks else None
         self.keeping = form_keeping.keeping(obj, self.scale, self.state.ship.source, asked.kept)
+
+    def _seen(self, obj):
+        beam = seen_marks.beam_of(obj, self.control.points, self.scale)
+        box = marks_out.around(self.control, self.chosen, beam)
+        wanted = seen_marks.wanted_of(obj, self.scale, beam)
+        return marks_out.Seen(self.surface, beam, wanted, box)
 
     def region(self):
         """hull_native.FairRegion, that of the last time where nothing but the deviation differs."""
@@ -135,19 +144,28 @@ class _Start:
 
     def solve(self, progress=None):
         """(hull_native.Faired, Marks before, Marks after, what kept numbers miss)."""
-        region = self.region()
-        largest = self.asked.largest or np.inf
+        asked, region = self.asked, self.region()
+        # While deviations are tried it is these that are told of.
+        told = None if asked.by_marks else progress
 
-        def solution(values=()):
-            return region.solve(
-                self.asked.deviation, largest=largest, values=values, progress=progress
-            )
+        def solution(deviation, values=()):
+            largest = asked.largest or np.inf
+            return region.solve(deviation, largest=largest, values=values, progress=told)
 
-        if self.keeping is None:
-            faired, missed = solution(), {}
+        def faired_for(deviation):
+            if self.keeping is None:
+                return solution(deviation)
+            return self.keeping.solve(lambda values: solution(deviation, values))
+
+        if asked.by_marks:
+            tell = progress or (lambda share: None)
+            faired = marks_out.best(faired_for, self.seen.count, asked.deviation, tell)
         else:
-            faired, shares = self.keeping.solve(solution)
-            missed = dict(zip(self.keeping.names, shares * self.keeping.sizes))
+            faired = faired_for(asked.deviation)
+        missed = {}
+        if self.keeping is not None:
+            shares = self.keeping.misses(faired.moves) * self.keeping.sizes
+            missed = dict(zip(self.keeping.names, shares))
         if faired.folded_place is not None:
             place = ", ".join(f"{x:.2f}" for x in faired.folded_place)
             raise ValueError(

@@ -95,15 +95,20 @@ def beam_of(obj, points, scale):
     return scale * obj.hull.beam or 2.0 * float(np.abs(points[:, 1]).max())
 
 
+def wanted_of(obj, scale, beam):
+    """What is accepted, as hull_fairness.lines has what a design calls for; beam in m."""
+    found = []
+    for entry in obj.hull.fairness.accepted:
+        point = scale * np.array(entry.point)
+        box = {axis: (x - _WANDERS * beam, x + _WANDERS * beam) for axis, x in zip("xyz", point)}
+        found.append((entry.line, entry.mark, 1, box, _ACCEPTED))
+    return tuple(found)
+
+
 def _sifted(report, obj, scene):
     """The Report with the places that are not accepted."""
     scale = units.metres_per_unit(scene)
-    reach = _WANDERS * report.least / judging.LEAST_DEPTH
-    wanted = []
-    for entry in obj.hull.fairness.accepted:
-        point = scale * np.array(entry.point)
-        box = {axis: (x - reach, x + reach) for axis, x in zip("xyz", point)}
-        wanted.append((entry.line, entry.mark, 1, box, _ACCEPTED))
+    wanted = wanted_of(obj, scale, report.least / judging.LEAST_DEPTH)
     places = [
         (line, found)
         for line in report.judged
