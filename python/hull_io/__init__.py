@@ -26,6 +26,7 @@ from .hull_data import (
     shell_face_indices,
 )
 from .hull_file import read_hull_file, write_hull_file
+from .keeping import to_dimensions_keeping
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .stl import read_stl
@@ -56,5 +57,6 @@ __all__ = [
     "shell_face_indices",
     "stored_sections",
     "to_dimensions",
+    "to_dimensions_keeping",
     "write_hull_file",
 ]

@@ -184,7 +184,12 @@ def _like(value, array):
 def scaled(data, factors):
     """A new HullData: this one with x, y and z multiplied by factors (3,), and with it all that
     belongs to the hull."""
-    scale, made = Scale(tuple(map(float, factors))), deepcopy(data)
+    return follow(data, Scale(tuple(map(float, factors))))
+
+
+def follow(data, scale):
+    """A new HullData: all that belongs to this one as a Scale takes it."""
+    made = deepcopy(data)
     for path, change in FOLLOWING.items():
         _follow(made, path.split("."), change, scale)
     return made

@@ -211,3 +211,70 @@ def test_hulls_that_share_a_mesh_are_refused():
     make_active(hull)
     with pytest.raises(RuntimeError, match="other objects|single"):
         bpy.ops.hull.set_dimensions(length=20.0)
+
+
+def test_the_bilge_radius_is_kept_in_one_step():
+    hull = load("bulk_carrier")
+    settings, found = hull.hull, part("features.dimensions.dimensions")
+    beam, draft, before = settings.beam, settings.draft, mesh_points(hull)
+    bpy.ops.ed.undo_push(message="before")
+    brought = found.set_dimensions(
+        hull, bpy.context.scene, beam=1.1 * beam, draft=1.05 * draft, keep=("bilge",)
+    )
+    old, new = brought.kept.radii
+    assert new == pytest.approx(old, rel=1e-6)
+    assert brought.kept.surface.ends_missed < 1e-6
+    assert (settings.beam, settings.draft) == close((1.1 * beam, 1.05 * draft))
+    state = state_of(hull)
+    assert state.plausible.extents.beam(True) == pytest.approx(1.1 * beam, rel=1e-6)
+    assert state.status == "" and state.keeping.held == ""
+    for flat in part("features.constraints.flats").regions(hull):
+        off = mesh_points(hull)[flat.points].astype(np.float64) @ flat.plane[:3] - flat.plane[3]
+        assert np.abs(off).max() < 1e-6 * np.abs(before).max()
+    bpy.ops.ed.undo_push(message="stretched")
+    bpy.ops.ed.undo()
+    assert np.array_equal(mesh_points(bpy.context.object), before)
+
+
+def test_bulb_and_knuckles_are_kept_by_the_operator():
+    hull = load("container_ship")
+    length, depth, before = hull.hull.length_pp, hull.hull.depth, mesh_points(hull)
+    assert bpy.ops.hull.set_dimensions(length=1.1 * length, keep_bulb=True) == {"FINISHED"}
+    hull = bpy.context.object
+    bulb = (before[:, 0] > length) & (before[:, 2] < 10.0)
+    moves = mesh_points(hull)[bulb] - before[bulb]
+    assert bulb.any() and np.abs(moves - (0.1 * length, 0.0, 0.0)).max() < 1e-4
+    assert hull.hull.length_pp == close(1.1 * length)
+    before = mesh_points(hull)
+    assert bpy.ops.hull.set_dimensions(depth=1.05 * depth, keep_knuckles=True) == {"FINISHED"}
+    low = before[:, 2] < hull.hull.draft
+    assert np.array_equal(mesh_points(bpy.context.object)[low], before[low])
+
+
+@pytest.mark.parametrize(
+    "name, wanted, said",
+    [
+        ("coaster", {"length": 90.0, "keep_bulb": True}, "no bulb"),
+        ("planing_boat", {"beam": 4.0, "keep_bilge": True}, "no bilge arc"),
+        ("coaster", {"beam": 136.0, "keep_bilge": True}, "can become"),
+        ("coaster", {"beam": float("nan"), "keep_bilge": True}, "above zero|cannot become"),
+    ],
+)
+def test_what_cannot_be_kept_is_refused_and_nothing_changes(name, wanted, said):
+    hull = load(name)
+    before, length = mesh_points(hull), hull.hull.length_pp
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.hull.set_dimensions(**wanted)
+    assert np.array_equal(mesh_points(hull), before) and hull.hull.length_pp == length
+
+
+def test_kept_in_feet_is_kept_in_metres():
+    bpy.context.scene.unit_settings.scale_length = 0.3048
+    hull = load("coaster")
+    found, beam = part("features.dimensions.dimensions"), hull.hull.beam
+    brought = found.set_dimensions(
+        hull, bpy.context.scene, beam=1.1 * beam * 0.3048, keep=("bilge",)
+    )
+    assert hull.hull.beam == close(1.1 * beam)
+    assert brought.kept.radii[1] == pytest.approx(brought.kept.radii[0], rel=1e-3)
+    assert np.ptp(mesh_points(hull)[:, 1]) == pytest.approx(0.5 * 1.1 * beam, rel=1e-6)

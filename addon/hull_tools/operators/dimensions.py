@@ -2,7 +2,7 @@
 """Hulls scaled to main dimensions, with all that belongs to them."""
 
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import BoolProperty, EnumProperty
 
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
@@ -16,9 +16,16 @@ from .shared import (
     native_is_there,
 )
 
+# m; what the ends of the hull miss less is rounding of single precision.
+_ENDS_TOLD = 1e-5
+
 
 def _dimension(name, description):
     return asked_length(name, description, minimum=0.0)
+
+
+def _keeping(name, description):
+    return BoolProperty(name=name, description=description, options={"SKIP_SAVE"})
 
 
 def _of_another_kind(settings, context):
@@ -52,6 +59,20 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
     depth: _dimension(
         "Depth", "That heights are scaled to; 0: heights are in proportion to the draft"
     )
+    keep_bilge: _keeping(
+        "Bilge Radius",
+        "The bilge of the largest section moves as a whole: the bottom beside it becomes wider, "
+        "and the side above it higher",
+    )
+    keep_bulb: _keeping(
+        "Bulb",
+        "What is forward of the fore perpendicular moves as a whole: the hull aft of it becomes "
+        "longer",
+    )
+    keep_knuckles: _keeping(
+        "Knuckle Heights",
+        "Knuckles below the deck edge stay at their heights: what is above them " "becomes higher",
+    )
 
     def invoke(self, context, event):
         return self.reporting(self._open, context)
@@ -73,6 +94,9 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
         column.prop(self, "beam")
         column.prop(self, "draft")
         column.prop(self, "depth")
+        column = layout.column(align=True, heading="Keep")
+        for name in ("keep_bilge", "keep_bulb", "keep_knuckles"):
+            column.prop(self, name)
         row = layout.row()
         row.active = False
         row.label(text="0: as it is, or in proportion")
@@ -83,15 +107,35 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
             name: units.as_typed(getattr(self, name)) * scale or None
             for name in ("length", "beam", "draft", "depth")
         }
-        factors = dimensions.set_dimensions(
-            hull, context.scene, **wanted, of_surface=self.measured == "SURFACE"
+        keep = [name for name in ("bilge", "bulb", "knuckles") if getattr(self, f"keep_{name}")]
+        brought = dimensions.set_dimensions(
+            hull, context.scene, **wanted, of_surface=self.measured == "SURFACE", keep=keep
         )
-        self.report({"INFO"}, _report(factors, "Scaled by"))
+        if brought.kept is None:
+            self.report({"INFO"}, _report(brought.factors, "Scaled by"))
+        else:
+            self.report({"INFO"}, _kept_report(brought))
 
 
 def _report(factors, begin):
     x, y, z = factors
     return f"{begin} {x:.6g} × {y:.6g} × {z:.6g}: volume and masses × {x * y * z:.6g}"
+
+
+def _kept_report(brought):
+    kept = brought.kept
+    x, y, z = kept.surface.largest_place
+    text = _report(brought.factors, "Stretched by") + (
+        f"; RMS off what was asked for {1e3 * kept.surface.rms:.3g} mm, largest "
+        f"{1e3 * kept.surface.largest:.3g} mm at x {x:.2f}, y {y:.2f}, z {z:.2f} m"
+    )
+    if kept.surface.ends_missed > _ENDS_TOLD:
+        text += f"; its ends are up to {1e3 * kept.surface.ends_missed:.3g} mm off"
+    if kept.radii is not None:
+        before, after = kept.radii
+        now = "none" if after is None else f"{after:.4g} m"
+        text += f"; bilge radius {before:.4g} m before, {now} now"
+    return text
 
 
 def _was_scaled(cls, context):

@@ -12,7 +12,7 @@ from ...bridge.mesh import mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_objects
 from ..hull import hull_state
-from . import following
+from . import following, keeping
 
 # Scales nearer to one are the rounding of single precision.
 _NOTICED = 1e-5
@@ -46,13 +46,25 @@ def present(obj, scene):
     return Dimensions(*given, extents.length, extents.beam(settings.half), extents.high[2])
 
 
-def set_dimensions(obj, scene, *, length=None, beam=None, draft=None, depth=None, of_surface=False):
+@dataclass(frozen=True)
+class Brought:
+    """How a hull was brought to dimensions: by three factors; kept: the keeping.Kept of what kept
+    its shape meanwhile, None where factors were all."""
+
+    factors: tuple
+    kept: object = None
+
+
+def set_dimensions(
+    obj, scene, *, length=None, beam=None, draft=None, depth=None, of_surface=False, keep=()
+):
     """Scales a hull to dimensions in m, and with it all that belongs to it; None of one that stays,
-    or follows. Returns the three factors.
+    or follows. Returns a Brought.
 
     With a depth heights go by that, and a draft is where the hull floats; else they go by the
-    draft. of_surface: length, beam and depth are extents of the surface, not particulars.
-    ValueError where that cannot be: nothing changes then.
+    draft. of_surface: length, beam and depth are extents of the surface, not particulars. keep:
+    which of hull_io.keeping.KEPT keep their shape. ValueError where that cannot be: nothing
+    changes then.
     """
     now = present(obj, scene)
     if of_surface:
@@ -61,8 +73,14 @@ def set_dimensions(obj, scene, *, length=None, beam=None, draft=None, depth=None
         now = Dimensions(now.length, now.breadth, now.draft, now.height)
     if draft is not None:
         scaling.factors(Dimensions(1.0, 1.0, 1.0, 1.0), draft=draft)
-    factors = scaling.factors(now, length, beam, draft, depth)
-    scale_hull(obj, scene, factors)
+    wanted = {"length": length, "beam": beam, "draft": draft, "depth": depth}
+    factors = scaling.factors(now, **wanted)
+    kept = keeping.find(obj, scene, now, keep, wanted, of_surface) if keep else None
+    if kept is None:
+        scale_hull(obj, scene, factors)
+    else:
+        keeping.apply(obj, scene, kept)
+        _forget_scale(obj)
     exact = {"draft": draft}
     if not of_surface:
         exact.update(length_pp=length, beam=beam, depth=depth)
@@ -70,7 +88,7 @@ def set_dimensions(obj, scene, *, length=None, beam=None, draft=None, depth=None
         if value is not None:
             setattr(obj.hull, name, value / units.metres_per_unit(scene))
     hull_state.follow_edit(obj, scene, is_by_hand=False)
-    return factors
+    return Brought(factors, kept)
 
 
 def scale_hull(obj, scene, factors):

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls brought to main dimensions while their bilge, bulb or knuckles keep their shape."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....hull_io import stretching
+from ...bridge import native
+from ...bridge.blender import units
+from ...bridge.mesh import mesh_points
+from ...bridge.mesh.mesh_editing import check_single_user
+from ...bridge.objects import hull_mesh
+from ..constraints import flats, move_limits
+from ..flotation import ship
+from ..lines import lines
+from . import following
+
+
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """stretch: hull_io.stretching.Stretch in m; surface: hull_native.MappedSurface; radii: of the
+    bilge, before and after, m, None where it is not kept."""
+
+    stretch: object
+    surface: object
+    radii: object
+
+
+def find(obj, scene, now, keep, wanted, of_surface):
+    """The Kept of a hull that is brought to what is wanted, as hull_io.stretching.stretch_to takes
+    it, and keeps what is named in keep; None where factors alone do that. now: the Dimensions that
+    it has. Nothing moves yet. ValueError where it cannot be."""
+    hull_native, scale = native.require(), units.metres_per_unit(scene)
+    found = hull_mesh.read(obj)
+    control = found.control(scale)
+    source = ship.source_of(found, control)
+    surface = source.new_surface()
+    body = source.new_body(surface)
+    named = {name: True for name in keep}
+    ranges = hull_native.kept_ranges(
+        body, draft=now.draft, length_pp=now.length_pp or None, depth=now.depth or None, **named
+    )
+    low, high = hull_native.surface_ends(surface)
+    stretch = stretching.stretch_to(now, ranges, low, high, of_surface=of_surface, **wanted)
+    if stretch is None:
+        return None
+    mapped = hull_native.map_surface(
+        surface, stretch, flats=_flats(obj, control, scale), **_limits(obj, control, surface)
+    )
+    radii = None
+    if "bilge" in named:
+        before = hull_native.bilge_of(body, now.draft)
+        surface.set_points(mapped.points)
+        body.update()
+        try:
+            after = hull_native.bilge_of(body, now.draft, float(stretch.place(0, before.x))).radius
+        except ValueError:
+            after = None  # no arc any longer: that is told, too
+        radii = before.radius, after
+    return Kept(stretch, mapped, radii)
+
+
+def _flats(obj, control, scale):
+    """As map_surface takes them, in the order of flats.regions()."""
+    return [
+        (
+            np.flatnonzero(np.isin(control.vertex_ids, region.points)),
+            region.plane[:3],
+            region.plane[3] * scale,
+        )
+        for region in flats.regions(obj)
+    ]
+
+
+def _limits(obj, control, surface):
+    size = lines.size_of(surface)
+    return move_limits.of_hull(obj, control.vertex_ids, control.points, size).arguments()
+
+
+def apply(obj, scene, kept):
+    """Brings a hull, and all that belongs to it, where a Kept has it."""
+    check_single_user(obj.data)
+    scale = units.metres_per_unit(scene)
+    in_units = kept.stretch.in_units(scale)
+    vertex_ids = hull_mesh.read(obj).control(scale).vertex_ids
+    points = in_units.points(mesh_points.read(obj.data))
+    points[vertex_ids] = kept.surface.points / scale
+    regions = flats.regions(obj)
+    mesh_points.write(obj.data, np.arange(len(points)), points)
+    following.follow(obj, in_units, kept.stretch)
+    for region, (normal, offset) in zip(regions, kept.surface.planes):
+        flats.store_plane(obj, region.number, (*normal, offset / scale))
