@@ -15,8 +15,6 @@ from . import target_curve
 
 # Stations are brought to their area from here on, in parts of the curve's length from its ends.
 _FROM_ENDS = 0.01
-# Of the tolerance: areas between stations may be off by as much, however little they are before.
-_BETWEEN = 5.0
 # How often the way that can be gone is halved.
 _WAY_STEPS = 5
 
@@ -76,11 +74,12 @@ class Approach:
         raises."""
         found = (self._least if self.asked.by == "LEAST" else self._matched)(progress)
         before, after = self.difference(self.areas), self.difference(found.areas)
-        usual = max(abs(before.largest), _BETWEEN * self.asked.tolerance)
-        if abs(after.largest) > usual:
+        # Not the largest one: a jump of areas, as at a rudder, may have moved by a little.
+        if after.rms > max(before.rms, self.asked.tolerance):
             raise ValueError(
-                f"At x = {after.at:.4g} m the area would be off by {100.0 * after.largest:+.1f} %, "
-                "more than anywhere now: choose more stations, another way, or a smoother target"
+                "The hull would be farther from the target than it is, by "
+                f"{100.0 * after.largest:+.1f} % at x = {after.at:.4g} m: choose more stations, "
+                "another way, or a smoother target"
             )
         return found
 

@@ -94,11 +94,12 @@ def through(x, areas, handles):
 
 @dataclass(frozen=True)
 class Difference:
-    """Of a hull's sectional areas from those wanted: largest, with sign, in parts of the largest
-    area wanted, and its x in m."""
+    """Of a hull's sectional areas from those wanted, in parts of the largest area wanted: largest,
+    with sign, and its x in m; rms: root of the mean square over the stations."""
 
     largest: float
     at: float
+    rms: float
 
 
 def difference(x, areas, target):
@@ -112,10 +113,13 @@ def difference(x, areas, target):
     counted = near | ((x >= aft) & (x <= forward))
     lacks = np.concatenate([areas[counted] - target.at(x[counted]), -target.at(beyond)])
     if not len(lacks):
-        return Difference(0.0, aft)
+        return Difference(0.0, aft, 0.0)
     places = np.concatenate([x[counted], beyond])
     worst = int(np.abs(lacks).argmax())
-    return Difference(float(lacks[worst] / _largest(target)), float(places[worst]))
+    parts = lacks / _largest(target)
+    return Difference(
+        float(parts[worst]), float(places[worst]), float(np.sqrt(np.mean(parts**2)))
+    )
 
 
 def _largest(target):
