@@ -12,6 +12,7 @@
 #include "conversion/patches/matched_knots.h"
 #include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
+#include "trials.h"
 
 namespace hull::conversion {
 namespace {
@@ -73,7 +74,7 @@ TEST(Divided, QualityIsThatOfTheWhole) {
 TEST(Divided, BezierPatchesAreTheSameSurface) {
   constexpr unsigned kSeed = 51;
   std::mt19937 random(kSeed);
-  for (int trial = 0; trial < 6; ++trial) {
+  for (int trial = 0; trial < testing::trials(6); ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
     const surface::LimitSurface surface = random_surface(trial, random);
     const PatchSet whole = exact_patches(surface);
@@ -109,7 +110,7 @@ TEST(Divided, PiecesAreWhereTheirBlocksSay) {
 TEST(Divided, NoPatchHasMoreControlPointsThanAsked) {
   constexpr unsigned kSeed = 57;
   std::mt19937 random(kSeed);
-  for (int trial = 0; trial < 6; ++trial) {
+  for (int trial = 0; trial < testing::trials(6); ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
     const surface::LimitSurface surface = random_surface(trial, random);
     const PatchSet whole = exact_patches(surface);

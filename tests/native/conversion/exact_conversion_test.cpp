@@ -10,6 +10,7 @@
 
 #include "conversion/quality/measure_quality.h"
 #include "test_meshes.h"
+#include "trials.h"
 
 namespace hull::conversion {
 namespace {
@@ -49,7 +50,7 @@ TEST(ExactConversion, HasNoGapsWhateverMeets) {
 TEST(ExactConversion, KeepsToleranceAndSeamAngle) {
   constexpr unsigned kSeed = 93;
   std::mt19937 random(kSeed);
-  for (int trial = 0; trial < 14; ++trial) {
+  for (int trial = 0; trial < testing::trials(14); ++trial) {
     SCOPED_TRACE(::testing::Message() << "seed " << kSeed << " trial " << trial);
     mesh::MeshArrays mesh =
         trial % 2 == 0 ? testing::double_pyramid(3 + trial / 2) : testing::fan(3 + trial / 2);

@@ -8,6 +8,7 @@
 
 #include "surface/refined_mesh.h"
 #include "test_meshes.h"
+#include "trials.h"
 
 namespace hull::surface {
 namespace {
@@ -27,7 +28,7 @@ TEST(LimitSurface, IsTheSameFromBothSidesOfEverySide) {
   std::mt19937 random(kLimitSurfaceSeed);
   const auto cache = std::make_shared<BasisCache>();
   const double places[] = {0.0, 1e-9, 0.01, 0.3, 0.5, 0.77, 1.0};
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < testing::trials(2000); ++trial) {
     const mesh::ControlMesh mesh(testing::random_mesh(random, 64));
     const Scheme scheme = trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark;
     const LimitSurface surface(mesh, scheme, cache);
