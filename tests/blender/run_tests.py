@@ -26,10 +26,8 @@ def main():
     own = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     folder = Path(__file__).resolve().parent
     count = PassedCount()
-    status = pytest.main(
-        ["--rootdir", str(folder), "-p", "no:cacheprovider", "-r", "fEs", *(own or [str(folder)])],
-        plugins=[count],
-    )
+    options = ["--rootdir", str(folder), "-p", "no:cacheprovider", "-r", "fEs", "--durations", "12"]
+    status = pytest.main([*options, *(own or [str(folder)])], plugins=[count])
     if status == 0 and count.passed == 0:
         print("no test passed")
         status = 5
