@@ -48,6 +48,8 @@ def kept_ranges(
 ):
     """([(from, to)] along x, along y, along z), in m, of what is to be kept of a HullBody; ends may
     be infinite. ValueError, in a sentence, for what the hull does not have."""
+    if (bilge or bulb) and not draft > 0.0:
+        raise ValueError("Give the hull a draft first: bilge and bulb are looked for below it")
     along = ([], [], [])
     if bilge:
         found, top = bilge_of(body, draft), depth or body.surface.mesh.points[:, 2].max()

@@ -26,6 +26,8 @@ _ENDS_MET = 1e-11
 _STIFFNESS = 1e-3
 # Passes, and what each leaves of the distance at the most, to be worth it.
 _PASSES, _GAIN = 2, 0.9
+# More control points follow the map closely by themselves, and would take a Reshape many seconds.
+_MOST_POINTS = 400
 # Divisions of a cell's side where ends are sought first, and around the furthest place then.
 _FIRST, _CLOSER, _ROUNDS = 8, 4, 16
 
@@ -60,9 +62,12 @@ def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(),
         normals[np.isin(held, points) & (normals == normal).all(axis=1)] = turned
     points = _into_planes(stretch.points(surface.mesh.points), flats, planes)
     start = LimitSurface(surface.mesh.with_points(points), surface.scheme)
+    target = _Target(surface, stretch)
+    first = _outcome(start, planes, SurfacePlaces(start), target)
+    if len(points) > _MOST_POINTS:
+        return first
     kept, across, rigid = _kept_coordinates(surface.mesh.points, stretch)
     tied, directions = square_ties(start)
-    target = _Target(surface, stretch)
     reshape = Reshape(
         start,
         locked=np.unique(np.concatenate([np.asarray(locked, int), rigid, target.end_points()])),
@@ -73,7 +78,7 @@ def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(),
         kept=square_sums(start),
         stiffness=_STIFFNESS,
     )
-    return _nearest(start, reshape, target, planes, _ENDS_MET * size)
+    return _nearest(start, first, reshape, target, _ENDS_MET * size)
 
 
 def _kept_coordinates(points, stretch):
@@ -126,30 +131,29 @@ class _Target:
         return np.unique(point_weights(surface, cells, uv)[1])
 
 
-def _nearest(start, reshape, target, planes, met):
-    """The nearest to the target of the start and of some passes that meet its ends."""
-    made, here = LimitSurface(start.mesh, start.scheme), reshape.positions
-    best = _outcome(made, planes, reshape.areas, here, target)
+def _nearest(start, best, reshape, target, met):
+    """The nearest to the target of the best so far and of some passes that meet its ends."""
+    made, places = LimitSurface(start.mesh, start.scheme), reshape.places
     for _ in range(_PASSES):
+        here = places.positions
         result = reshape.solve(here + target.off(here) - reshape.positions)
         if result.folded_place is not None:
             break
         made.set_points(start.mesh.points + result.moves)
-        here = SurfacePlaces(made, places=reshape.places).positions
-        outcome = _outcome(made, planes, reshape.areas, here, target)
+        places = SurfacePlaces(made, places=reshape.places)
+        outcome = _outcome(made, best.planes, places, target)
         if outcome.ends_missed > max(met, best.ends_missed) or outcome.rms > _GAIN * best.rms:
             break
         best = outcome
     return best
 
 
-def _outcome(surface, planes, areas, places, target):
-    left = np.linalg.norm(target.off(places), axis=1)
+def _outcome(surface, planes, places, target):
+    left = np.linalg.norm(target.off(places.positions), axis=1)
     worst = int(left.argmax())
-    rms = float(np.sqrt(areas @ left**2 / areas.sum()))
-    missed = target.missed(surface)
-    points = surface.mesh.points
-    return MappedSurface(points, planes, rms, float(left[worst]), places[worst], missed)
+    rms = float(np.sqrt(places.areas @ left**2 / places.areas.sum()))
+    place, missed = places.positions[worst], target.missed(surface)
+    return MappedSurface(surface.mesh.points, planes, rms, float(left[worst]), place, missed)
 
 
 def _into_planes(points, flats, planes):

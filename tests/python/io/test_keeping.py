@@ -168,6 +168,10 @@ def test_nonsense_is_refused_and_factors_stay_what_they_are():
         with pytest.raises(ValueError):
             hull_io.to_dimensions_keeping(data, hn, ("bilge",), beam=beam)
     assert np.array_equal(data.points, points)
+    without_draft = deepcopy(data)
+    without_draft.particulars.draft = 0.0
+    with pytest.raises(ValueError, match="a draft first"):
+        hull_io.to_dimensions_keeping(without_draft, hn, ("bilge",), beam=15.0)
     # Lengthwise nothing of the bilge is kept: the exact factor does it.
     made, mapped = hull_io.to_dimensions_keeping(data, hn, ("bilge",), length_pp=90.0)
     assert mapped is None
