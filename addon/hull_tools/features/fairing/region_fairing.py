@@ -246,9 +246,7 @@ class Fairing(jobs.JobTask):
 
 def last_report(obj):
     """(the Report of a hull's last fairing or None, whether the hull is as that made it)."""
-    state = hull_state.state_of(obj)
-    report = None if state is None else state.of(LastFairing).report
-    return report, report is not None and state.ship.geometry_key == report.key
+    return hull_state.last_report(obj, LastFairing)
 
 
 def rows(report):

@@ -154,9 +154,7 @@ def _conditions(points, held, asked, allowed):
 def last_report(obj):
     """(the Report of the last smoothing of rows of a hull or None, whether the hull is as that made
     it)."""
-    state = hull_state.state_of(obj)
-    report = None if state is None else state.of(LastRow).report
-    return report, report is not None and state.ship.geometry_key == report.key
+    return hull_state.last_report(obj, LastRow)
 
 
 def rows(report):

@@ -120,9 +120,7 @@ def _sifted(report, obj, scene):
 
 def last_report(obj):
     """(the last Report of a hull or None, whether it is of the hull as it is)."""
-    state = hull_state.state_of(obj)
-    report = None if state is None else state.of(Known).report
-    return report, report is not None and state.ship.geometry_key == report.key
+    return hull_state.last_report(obj, Known)
 
 
 def shown_place(obj):

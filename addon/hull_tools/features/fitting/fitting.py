@@ -156,9 +156,7 @@ def _turned_as(surface, target, reach):
 
 def last_report(obj):
     """(the Report of a hull's last fit or None, whether the hull is as that made it)."""
-    state = hull_state.state_of(obj)
-    report = None if state is None else state.of(LastFit).report
-    return report, report is not None and state.ship.geometry_key == report.key
+    return hull_state.last_report(obj, LastFit)
 
 
 def rows(report):

@@ -96,6 +96,14 @@ def up_to_date(obj, scene):
     return refresh(obj, scene).checked()
 
 
+def last_report(obj, subject):
+    """(the report that a subject of a hull's state keeps or None, whether it is of the hull as it
+    is)."""
+    state = state_of(obj)
+    report = None if state is None else state.of(subject).report
+    return report, report is not None and state.ship.geometry_key == report.key
+
+
 def _brought_up_to_date(obj, scene, read):
     """read: HullState → the hull_mesh.HullMesh of the hull."""
     address = obj.as_pointer()

@@ -48,9 +48,7 @@ class LastSolution:
 
 def last_report(obj):
     """(the Report of a hull's last solution or None, whether the hull is as that made it)."""
-    state = hull_state.state_of(obj)
-    report = None if state is None else state.of(LastSolution).report
-    return report, report is not None and state.ship.geometry_key == report.key
+    return hull_state.last_report(obj, LastSolution)
 
 
 def missed(report):
