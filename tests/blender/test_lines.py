@@ -332,7 +332,10 @@ def test_every_kind_has_its_colours_and_switch():
     assert set(lines.SWITCHES) == set(part("features.surface.materials").LINE_COLOURS) == kinds
     drawn = kinds | set(part("features.fairness.level_lines").SWITCHES)
     assert set(palette["lines"][1]) == drawn
-    assert set(palette["combs"][1]) == set(part("features.fairness.combs").SWITCHES) <= kinds
+    on_lines = set(part("features.fairness.combs").SWITCHES)
+    assert on_lines <= kinds
+    # Rows are of control points, not lines of the surface.
+    assert set(palette["combs"][1]) == on_lines | {part("features.fairness.row_combs").KIND}
 
 
 def test_rims_of_flats():
