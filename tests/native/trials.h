@@ -3,8 +3,8 @@
 
 namespace hull::testing {
 
-// How many random meshes a test makes: a quarter of them under the address sanitizer, where each
-// takes some fifteen times as long.
+// How many meshes a test makes, or up to which valence it goes: a quarter under the address
+// sanitizer, where all takes some fifteen times as long.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr int trials(int count) { return (count + 3) / 4; }
 #else

@@ -11,11 +11,12 @@
 #include "polylines.h"
 #include "surface/sampling/tessellation.h"
 #include "test_meshes.h"
+#include "trials.h"
 
 namespace hull::analysis {
 namespace {
 
-constexpr int kMeshes = 100, kPlanes = 50;
+constexpr int kMeshes = testing::trials(100), kPlanes = 50;
 constexpr double kChordTolerance = 1e-4;
 // Where the plane meets the surface at a smaller angle (its sine), a triangulation can't tell where
 // the section is; nor can it tell how branches hang together if that happens anywhere.

@@ -7,6 +7,7 @@
 
 #include "surface/eigenbasis/basis_cache.h"
 #include "surface/eigenbasis/local_matrix.h"
+#include "trials.h"
 
 namespace hull::surface {
 namespace {
@@ -45,7 +46,7 @@ TEST(CornerBasis, AgreesWithPowersOfTheLocalMatrix) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const double size = 2.0 * std::sqrt(3.0);  // of the box the points are drawn from
   BasisCache cache;
-  for (const CornerKey& key : keys(64)) {
+  for (const CornerKey& key : keys(testing::trials(64))) {
     SCOPED_TRACE(name(key));
     const auto shared = cache.get(key);
     const CornerBasis& basis = *shared;

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "test_meshes.h"
+#include "trials.h"
 
 namespace hull::surface {
 namespace {
@@ -154,7 +155,7 @@ TEST(Tessellation, KeepsToItsTolerance) {
   SCOPED_TRACE(::testing::Message() << "seed " << kTessellationSeed);
   std::mt19937 random(kTessellationSeed);
   const auto cache = std::make_shared<BasisCache>();
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < testing::trials(60); ++trial) {
     const mesh::ControlMesh mesh(testing::random_mesh(random, 32));
     const LimitSurface surface(mesh, trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
     const double tolerance = (trial % 3 ? 1e-2 : 1e-3) * mesh.size();
