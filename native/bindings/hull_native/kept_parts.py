@@ -31,9 +31,10 @@ _GRID = 8
 
 @dataclass(frozen=True)
 class Bilge:
-    """At the station x: radius, the mean over the middle half of what the arc turns; inner: y of its lower end, where the bottom
-    ends; upper: z of its upper one, where the side begins; shaped: the least y and the greatest z
-    of the control points that shape it. half_beam: of the section. All in m."""
+    """At the station x: radius, the mean over the middle half of what the arc turns; inner: y of
+    its lower end, where the bottom ends; upper: z of its upper one, where the side begins; shaped:
+    the least y and the greatest z of the control points that shape it. half_beam: of the section.
+    All in m."""
 
     x: float
     radius: float

@@ -52,7 +52,8 @@ def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(),
 
     locked (l,): control points that go where the map takes them and no further. held_points (h,),
     held_normals (h, 3): as of Reshape, of now; their planes go along. flats: [(control points,
-    normal (3,), offset)], each kept in its plane. Coordinates of control points in kept ranges move as one.
+    normal (3,), offset)], each kept in its plane. Coordinates of control points in kept ranges
+    move as one.
     """
     size = float(np.ptp(surface.mesh.points, axis=0).max())
     normals = np.array(held_normals, dtype=np.float64).reshape(-1, 3)
