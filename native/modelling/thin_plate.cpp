@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "modelling/gauss_rule.h"
+#include "surface/pieces/bicubic_basis.h"
 
 namespace hull::modelling {
 namespace {
@@ -36,26 +37,19 @@ struct SpanPlace {
   Span ds, dt, dss, dst, dtt;
 };
 
-Span product(const surface::Basis& along_s, const surface::Basis& along_t) {
-  Span basis;
-  for (int b = 0; b < 4; ++b) {
-    for (int a = 0; a < 4; ++a) basis[4 * b + a] = along_t[b] * along_s[a];
-  }
-  return basis;
-}
-
 std::vector<SpanPlace> make_span_places() {
-  using surface::cubic_basis, surface::cubic_basis_d1, surface::cubic_basis_d2;
+  using surface::bicubic_basis, surface::cubic_basis, surface::cubic_basis_d1,
+      surface::cubic_basis_d2;
   const auto& [count, places, weights] = kThreePoints;
   std::vector<SpanPlace> result;
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {
       const double s = places[i], t = places[j];
-      result.push_back({weights[i] * weights[j], product(cubic_basis_d1(s), cubic_basis(t)),
-                        product(cubic_basis(s), cubic_basis_d1(t)),
-                        product(cubic_basis_d2(s), cubic_basis(t)),
-                        product(cubic_basis_d1(s), cubic_basis_d1(t)),
-                        product(cubic_basis(s), cubic_basis_d2(t))});
+      result.push_back({weights[i] * weights[j], bicubic_basis(cubic_basis_d1(s), cubic_basis(t)),
+                        bicubic_basis(cubic_basis(s), cubic_basis_d1(t)),
+                        bicubic_basis(cubic_basis_d2(s), cubic_basis(t)),
+                        bicubic_basis(cubic_basis_d1(s), cubic_basis_d1(t)),
+                        bicubic_basis(cubic_basis(s), cubic_basis_d2(t))});
     }
   }
   return result;

@@ -71,7 +71,7 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
     )
     keep_knuckles: _keeping(
         "Knuckle Heights",
-        "Knuckles below the deck edge stay at their heights: what is above them " "becomes higher",
+        "Knuckles below the deck edge stay at their heights: what is above them becomes higher",
     )
 
     def invoke(self, context, event):

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "modelling/gauss_rule.h"
+#include "surface/pieces/bicubic_basis.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling {
@@ -34,9 +35,7 @@ struct SquareRule {
   }
 
   void fill(int k, const surface::Basis& s, const surface::Basis& t) {
-    for (int b = 0; b < 4; ++b) {
-      for (int a = 0; a < 4; ++a) all(4 * b + a, k) = t[b] * s[a];
-    }
+    all.col(k) = surface::bicubic_basis(s, t);
   }
 
   Basis16 all;  // the basis, then the derivatives along s, then those along t

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "surface/pieces/bicubic_basis.h"
 #include "surface/place_in_cell.h"
 
 namespace hull::surface {
@@ -38,11 +39,7 @@ Rows dense_rows(const std::vector<const WeightRow*>& rows) {
 }
 
 Eigen::VectorXd product(const Eigen::MatrixXd& rows, const Basis& along_s, const Basis& along_t) {
-  Eigen::Matrix<double, 16, 1> basis;
-  for (int b = 0; b < 4; ++b) {
-    for (int a = 0; a < 4; ++a) basis[4 * b + a] = along_t[b] * along_s[a];
-  }
-  return rows.transpose() * basis;
+  return rows.transpose() * bicubic_basis(along_s, along_t);
 }
 
 }  // namespace
