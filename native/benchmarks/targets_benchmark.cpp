@@ -14,12 +14,17 @@ using hull::surface::LimitSurface;
 constexpr hull::analysis::FloatingPosition kAfloat{6.0, 0.0, 0.0, 50.0};
 constexpr hull::analysis::ProjectDimensions kProject{100.0, 18.0, 6.0};
 
-// `refine` 1: 140 points; 3: 1120.
+// Refined once: 140 points; three times: 1120.
 LimitSurface surface_of(benchmark::State& state) {
-  const int refine = static_cast<int>(state.range(0));
-  LimitSurface surface{hull::mesh::ControlMesh(hull::benchmarks::half_hull(refine))};
+  const auto refine = static_cast<int>(state.range(0)), every = static_cast<int>(state.range(1));
+  LimitSurface surface{hull::mesh::ControlMesh(hull::benchmarks::half_hull(refine, every))};
   state.counters["points"] = static_cast<double>(surface.mesh().points().size());
   return surface;
+}
+
+// Faces and how many are halved, as of half_hull().
+void hulls(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({1, 12})->Args({3, 108})->Args({3, 12});
 }
 
 void BM_Derivatives(benchmark::State& state) {
@@ -29,7 +34,7 @@ void BM_Derivatives(benchmark::State& state) {
   const hull::analysis::Immersion immersion = body.immersion(water_plane(kAfloat));
   for (auto _ : state) benchmark::DoNotOptimize(derivatives.immersion(immersion));
 }
-BENCHMARK(BM_Derivatives)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Derivatives)->Apply(hulls)->Unit(benchmark::kMillisecond);
 
 void BM_FiveTargets(benchmark::State& state) {
   const LimitSurface surface = surface_of(state);
@@ -61,6 +66,6 @@ void BM_FiveTargets(benchmark::State& state) {
     if (reached.status != hull::modelling::TargetStatus::kMet) state.SkipWithError("not met");
   }
 }
-BENCHMARK(BM_FiveTargets)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_FiveTargets)->Apply(hulls)->Unit(benchmark::kMillisecond);
 
 }  // namespace

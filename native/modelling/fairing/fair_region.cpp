@@ -191,9 +191,8 @@ std::vector<Vector3d> FairRegion::Problem::moved(const Eigen::VectorXd& x) const
 
 Eigen::VectorXd FairRegion::Problem::shifts(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd moves = space_.basis() * x;
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(
-      moves.data(), moves.size() / 3, 3);
-  return (places_.rows() * rows).rowwise().norm();
+  const VectorRows shifts = places_.rows() * as_rows(moves);
+  return shifts.rowwise().norm();
 }
 
 double FairRegion::Problem::energy_at(const Eigen::VectorXd& x) const {

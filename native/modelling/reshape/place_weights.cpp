@@ -5,40 +5,34 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <unordered_map>
 
 #include "modelling/gauss_rule.h"
 #include "surface/pieces/bicubic_basis.h"
-#include "surface/pieces/piece_weights.h"
+#include "surface/pieces/square_weights.h"
 
 namespace hull::modelling {
 namespace {
 
-using Basis16 = Eigen::Matrix<double, 16, Eigen::Dynamic>;
-
-// A Gauss rule in the unit square: the B-spline basis and its derivatives at its places, columns,
-// and the places' shares.
+// A Gauss rule in the unit square: weights of a bicubic piece's points at its places, in positions
+// and in derivatives along s and along t, rows; and the places' shares.
 struct SquareRule {
   explicit SquareRule(const GaussRule& rule) {
-    const int count = rule.count * rule.count;
-    all.resize(16, 3 * count);
+    using surface::bicubic_basis, surface::cubic_basis, surface::cubic_basis_d1;
+    for (Eigen::MatrixXd& weights : rows) weights.resize(rule.count * rule.count, 16);
     for (int i = 0; i < rule.count; ++i) {
       for (int j = 0; j < rule.count; ++j) {
-        const int k = static_cast<int>(shares.size());
+        const auto k = static_cast<Eigen::Index>(shares.size());
         const double s = rule.points[i], t = rule.points[j];
-        fill(k, surface::cubic_basis(s), surface::cubic_basis(t));
-        fill(count + k, surface::cubic_basis_d1(s), surface::cubic_basis(t));
-        fill(2 * count + k, surface::cubic_basis(s), surface::cubic_basis_d1(t));
+        rows[0].row(k) = bicubic_basis(cubic_basis(s), cubic_basis(t));
+        rows[1].row(k) = bicubic_basis(cubic_basis_d1(s), cubic_basis(t));
+        rows[2].row(k) = bicubic_basis(cubic_basis(s), cubic_basis_d1(t));
         shares.push_back(rule.weights[i] * rule.weights[j]);
       }
     }
   }
 
-  void fill(int k, const surface::Basis& s, const surface::Basis& t) {
-    all.col(k) = surface::bicubic_basis(s, t);
-  }
-
-  Basis16 all;  // the basis, then the derivatives along s, then those along t
+  Eigen::MatrixXd rows[3];
   std::vector<double> shares;
 };
 
@@ -68,93 +62,105 @@ bool is_same(const mesh::Topology& a, const mesh::Topology& b) {
 
 }  // namespace
 
-// Walks through the pieces in the order in which PieceWeights has them.
+// Walks through the cells in the order in which PlaceWeights has them.
 class PlaceWeights::Builder {
  public:
   Builder(PlaceWeights& places, const surface::LimitSurface& surface, const GaussRule& rule)
-      : places_(places),
-        surface_(surface),
-        pieces_(surface),
-        deep_(surface),
-        plain_(rule),
-        ringed_(kTwoPoints) {}
+      : places_(places), surface_(surface), refined_(surface), plain_(rule), ringed_(kTwoPoints) {}
 
   void build() {
-    reserve();
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
       cell_ = cell;
-      add_node(surface_.layout().root(cell), {0.0, 0.0}, 1.0);
+      add_node(surface_.layout().root(cell));
     }
-    take(at_, places_.at_);
-    take(along_s_, places_.along_s_);
-    take(along_t_, places_.along_t_);
+    take(0, places_.at_);
+    take(1, places_.along_s_);
+    take(2, places_.along_t_);
   }
 
  private:
-  // What the places of most pieces take.
-  void reserve() {
-    std::size_t entries = 0;
-    for (int i = 0; i < pieces_.piece_count(); ++i) entries += pieces_.piece(i).points.size();
-    entries *= ringed_.shares.size();
-    for (std::vector<double>* values : {&at_, &along_s_, &along_t_}) values->reserve(entries);
-    columns_.reserve(entries);
-  }
+  // The rows that a CornerBasis gives of the places of its rings and at the knot, by its points.
+  struct CornerRows {
+    Eigen::MatrixXd weights[3];  // of positions and derivatives
+    std::vector<double> shares;
+  };
 
-  void add_node(const surface::SurfaceNode& node, const Eigen::Vector2d& begin, double size) {
+  void add_node(const surface::SurfaceNode& node) {
     switch (node.kind) {
       case surface::SurfaceNode::Kind::kLeaf:
-        add_piece(plain_);
+        add_places(surface::leaf_weights(surface_.layout(), node.index, refined_), plain_.rows,
+                   plain_.shares);
         return;
       case surface::SurfaceNode::Kind::kCorner:
-        add_corner(node, begin, size);
+        add_corner(node.index);
         return;
       case surface::SurfaceNode::Kind::kSplit:
-        break;
-    }
-    const auto& children = surface_.layout().split(node.index);
-    for (int k = 0; k < 4; ++k) {
-      const Eigen::Vector2d step(0.5 * size * (k % 2), 0.5 * size * (k / 2));
-      add_node(children[k], begin + step, 0.5 * size);
+        for (const auto& child : surface_.layout().split(node.index)) add_node(child);
     }
   }
 
-  void add_corner(const surface::SurfaceNode& node, const Eigen::Vector2d& begin, double size) {
-    const int segments = surface_.layout().basis(node.index).segment_count();
-    for (int k = 0; k < surface::kPlainRings * segments; ++k) add_piece(ringed_);
-    const bool right = node.turn == 1 || node.turn == 2, above = node.turn >= 2;
-    const Eigen::Vector2d uv = begin + size * Eigen::Vector2d(right, above);
-    places_.knots_.push_back({places_.count(), segments * static_cast<int>(ringed_.shares.size())});
-    for (const surface::PointWeight& w : deep_.at(cell_, uv.x(), uv.y())) {
-      columns_.push_back(w.point);
-      at_.push_back(w.weight);
+  void add_corner(int corner) {
+    const surface::CornerBasis& basis = surface_.layout().basis(corner);
+    const CornerRows& rows = rows_of(basis);
+    add_places(surface::corner_weights(surface_.layout(), corner, refined_), rows.weights,
+               rows.shares);
+    const std::size_t per_ring = basis.segments().size() * ringed_.shares.size();
+    places_.knots_.push_back({places_.count() - 1, static_cast<int>(per_ring)});
+  }
+
+  // Many corners have one basis: the rings' rows are multiplied out once.
+  const CornerRows& rows_of(const surface::CornerBasis& basis) {
+    const auto [known, is_new] = corner_rows_.try_emplace(&basis);
+    CornerRows& rows = known->second;
+    if (!is_new) return rows;
+    const auto per_piece = static_cast<Eigen::Index>(ringed_.shares.size());
+    const Eigen::Index pieces = surface::kPlainRings * basis.segment_count();
+    for (Eigen::MatrixXd& weights : rows.weights) {
+      weights.setZero(per_piece * pieces + 1, basis.point_count());
     }
-    along_s_.resize(columns_.size(), 0.0);
-    along_t_.resize(columns_.size(), 0.0);
-    end_place(columns_.size(), 0.0);
+    Eigen::MatrixXd square = Eigen::MatrixXd::Identity(basis.point_count(), basis.point_count());
+    Eigen::Index first = 0;
+    for (int ring = 0; ring < surface::kPlainRings; ++ring) {
+      for (const surface::RingSegment& segment : basis.segments()) {
+        const Eigen::MatrixXd piece = segment.rows * square;
+        for (int k = 0; k < 3; ++k) {
+          rows.weights[k].middleRows(first, per_piece) = ringed_.rows[k] * piece;
+        }
+        first += per_piece;
+        rows.shares.insert(rows.shares.end(), ringed_.shares.begin(), ringed_.shares.end());
+      }
+      square = basis.matrix() * square;
+    }
+    // The limit's weights, applied to the smallest square for accuracy.
+    const Eigen::MatrixXd& left = basis.spectrum().left;
+    const Eigen::MatrixXd ring = square.topRows(left.rows()).rowwise() - square.row(0);
+    rows.weights[0].row(first) = square.row(0) + left.col(0).transpose() * ring;
+    rows.shares.push_back(0.0);
+    return rows;
   }
 
-  void add_piece(const SquareRule& rule) {
-    const surface::PieceWeights::Piece& piece = pieces_.piece(piece_++);
-    weights_.noalias() = piece.rows.transpose() * rule.all;
-    const auto third = static_cast<std::ptrdiff_t>(piece.points.size() * rule.shares.size());
-    const double* values = weights_.data();
-    at_.insert(at_.end(), values, values + third);
-    along_s_.insert(along_s_.end(), values + third, values + 2 * third);
-    along_t_.insert(along_t_.end(), values + 2 * third, values + 3 * third);
-    for (double share : rule.shares) {
-      columns_.insert(columns_.end(), piece.points.begin(), piece.points.end());
-      end_place(columns_.size(), share);
+  // Places in one square; `rows` are their weights of its points.
+  void add_places(const surface::SquareWeights& square, const Eigen::MatrixXd (&rows)[3],
+                  const std::vector<double>& shares) {
+    using Product = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const auto count = static_cast<Eigen::Index>(shares.size()), points = square.rows.cols();
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t begin = values_[k].size();
+      values_[k].resize(begin + static_cast<std::size_t>(count * points));
+      Eigen::Map<Product>(values_[k].data() + begin, count, points).noalias() =
+          rows[k] * square.rows;
+    }
+    for (double share : shares) {
+      columns_.insert(columns_.end(), square.points.begin(), square.points.end());
+      places_.cells_.push_back(cell_);
+      places_.shares_.push_back(share);
+      ends_.push_back(static_cast<int>(columns_.size()));
     }
   }
 
-  void end_place(std::size_t end, double share) {
-    places_.cells_.push_back(cell_);
-    places_.shares_.push_back(share);
-    ends_.push_back(static_cast<int>(end));
-  }
-
-  // Rows of the same columns: each point once and in rising order, as the pieces have them.
-  void take(const std::vector<double>& values, Rows& rows) const {
+  // Rows of the same columns: each point once and in rising order, as the squares have them.
+  void take(int which, Rows& rows) const {
+    const std::vector<double>& values = values_[which];
     rows.resize(places_.count(), static_cast<Eigen::Index>(surface_.mesh().points().size()));
     rows.resizeNonZeros(static_cast<Eigen::Index>(values.size()));
     rows.outerIndexPtr()[0] = 0;
@@ -165,13 +171,12 @@ class PlaceWeights::Builder {
 
   PlaceWeights& places_;
   const surface::LimitSurface& surface_;
-  const surface::PieceWeights pieces_;
-  surface::PointWeights deep_;
+  surface::PointWeights refined_;
   const SquareRule plain_, ringed_;
+  std::unordered_map<const surface::CornerBasis*, CornerRows> corner_rows_;
   std::vector<int> columns_, ends_;  // of the rows
-  Eigen::MatrixXd weights_;          // of a piece's places
-  std::vector<double> at_, along_s_, along_t_;
-  int cell_ = 0, piece_ = 0;
+  std::vector<double> values_[3];    // of positions and derivatives
+  int cell_ = 0;
 };
 
 PlaceWeights::PlaceWeights(const surface::LimitSurface& surface, int per_side)

@@ -17,20 +17,10 @@ namespace {
 // Each step of refinement leaves rounding and a small part of what the one before left.
 constexpr int kMostSteps = 12;
 constexpr double kStagnates = 0.3;
+// Of the largest move: what is less is lost when it is added.
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
 // Of conditions' rows of unit length: less is left of one that others, or the limits, make up.
 constexpr double kDependent = 1e-12;
-
-// Moves of points one after the other, as rows.
-Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> as_rows(
-    const Eigen::VectorXd& moves) {
-  return {moves.data(), moves.size() / 3, 3};
-}
-
-Eigen::VectorXd flat(const Eigen::MatrixX3d& rows) {
-  Eigen::VectorXd moves(3 * rows.rows());
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) moves.segment<3>(3 * i) = rows.row(i).transpose();
-  return moves;
-}
 
 void check_count(std::size_t have, std::size_t want, const char* what) {
   if (have == want) return;
@@ -87,10 +77,12 @@ void Reshape::factor_conditions() {
   condition_factors_.compute(free * conditioned_);
 }
 
-Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const Points& shifts) const {
-  const Points now = as_rows(moves);
-  const Points left = shares_.asDiagonal() * (shifts - places_.rows() * now);
-  return space_.basis().transpose() * flat(places_.rows().transpose() * left - stiff_ * now);
+Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
+  const Eigen::Map<const VectorRows> now = as_rows(moves);
+  const VectorRows left = shares_.asDiagonal() * (shifts - places_.rows() * now);
+  VectorRows back = places_.rows().transpose() * left;
+  if (stiff_.nonZeros() > 0) back -= stiff_ * now;
+  return space_.basis().transpose() * back.reshaped<Eigen::RowMajor>();
 }
 
 Eigen::VectorXd Reshape::step(const Eigen::VectorXd& descent,
@@ -106,7 +98,7 @@ Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
                         const std::vector<double>& values) const {
   check_count(shifts.size(), static_cast<std::size_t>(places_.count()), "wanted shifts");
   check_count(values.size(), static_cast<std::size_t>(conditions_.rows()), "values of conditions");
-  const Points wanted = rows_of(shifts);
+  const VectorRows wanted = rows_of(shifts);
   const auto wished = Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
   Eigen::VectorXd moves = space_.particular(prescribed);
   if (!wanted.allFinite() || !wished.allFinite() || !moves.allFinite()) {
@@ -120,14 +112,21 @@ Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
     if (k > 0 && !(length < kStagnates * before)) break;
     moves += more;
     before = length;
-    if (length == 0.0) break;
+    if (length <= kRounding * moves.cwiseAbs().maxCoeff()) break;
   }
   return outcome(moves, wanted);
 }
 
-Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const Points& shifts) const {
-  const Points now = as_rows(moves);
-  const Eigen::VectorXd left = (shifts - places_.rows() * now).rowwise().norm();
+Reshaped Reshape::residual(const std::vector<Vector3d>& moves,
+                           const std::vector<Vector3d>& shifts) const {
+  check_count(moves.size(), points_.size(), "moves");
+  check_count(shifts.size(), static_cast<std::size_t>(places_.count()), "wanted shifts");
+  return outcome(rows_of(moves).reshaped<Eigen::RowMajor>(), rows_of(shifts));
+}
+
+Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
+  const VectorRows difference = shifts - places_.rows() * as_rows(moves);
+  const Eigen::VectorXd left = difference.rowwise().norm();
   Reshaped result;
   result.rms = std::sqrt(shares_.dot(left.cwiseAbs2()));
   Eigen::Index place = -1;

@@ -53,18 +53,20 @@ class Reshape {
   // what is not finite, and where the limits contradict prescribed moves.
   Reshaped solve(const std::vector<Vector3d>& shifts, const std::vector<Vector3d>& prescribed = {},
                  const std::vector<double>& values = {}) const;
+  // What solve() tells, of moves that are known: sums of its solutions, for one. Throws
+  // std::invalid_argument where counts differ.
+  Reshaped residual(const std::vector<Vector3d>& moves, const std::vector<Vector3d>& shifts) const;
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
-  using Points = Eigen::MatrixX3d;
 
   void add_stiffness(const surface::LimitSurface& surface, double stiffness);
   void factor_conditions();
   // By y: half the gradient of what is to be least, downwards.
-  Eigen::VectorXd descent(const Eigen::VectorXd& moves, const Points& shifts) const;
+  Eigen::VectorXd descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
   // One step of the problem's Newton method, which is exact but for rounding and regularisation.
   Eigen::VectorXd step(const Eigen::VectorXd& descent, const Eigen::VectorXd& missing) const;
-  Reshaped outcome(const Eigen::VectorXd& moves, const Points& shifts) const;
+  Reshaped outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
 
   std::vector<Vector3d> points_;
   SurfacePlaces places_;

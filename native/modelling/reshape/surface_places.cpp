@@ -19,8 +19,8 @@ constexpr double kSlowestDecay = 0.8;
 
 }  // namespace
 
-Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& vectors) {
-  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(vectors.size()), 3);
+VectorRows rows_of(const std::vector<Vector3d>& vectors) {
+  VectorRows rows(static_cast<Eigen::Index>(vectors.size()), 3);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = vectors[i].transpose();
   return rows;
 }
@@ -41,9 +41,9 @@ SurfacePlaces::SurfacePlaces(const surface::LimitSurface& surface,
 }
 
 void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
-  const Eigen::MatrixX3d control = rows_of(points);
-  const Eigen::MatrixX3d at = weights_->at() * control, s = weights_->along_s() * control,
-                         t = weights_->along_t() * control;
+  const VectorRows control = rows_of(points);
+  const VectorRows at = weights_->at() * control, s = weights_->along_s() * control,
+                   t = weights_->along_t() * control;
   for (int k = 0; k < count(); ++k) {
     const Vector3d along = s.row(k).transpose(), other = t.row(k).transpose();
     const Vector3d across = along.cross(other);
@@ -63,8 +63,8 @@ void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
 }
 
 int SurfacePlaces::first_fold(const std::vector<Vector3d>& control_points) const {
-  const Eigen::MatrixX3d points = rows_of(control_points);
-  const Eigen::MatrixX3d s = weights_->along_s() * points, t = weights_->along_t() * points;
+  const VectorRows points = rows_of(control_points);
+  const VectorRows s = weights_->along_s() * points, t = weights_->along_t() * points;
   for (int k = 0; k < count(); ++k) {
     if (normals_[k].isZero(0.0)) continue;
     const Vector3d across = s.row(k).transpose().cross(Vector3d(t.row(k).transpose()));

@@ -10,6 +10,10 @@
 
 namespace hull::modelling {
 
+// Lies in memory as vectors do: products with sparse matrices go through these once, not for each
+// coordinate.
+using VectorRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
 // Places all over a surface, each with the area that it stands for: sums over them are integrals
 // over the surface. The square that is left at an irregular knot is one place, with what the areas
 // of the rings around it tend to.
@@ -63,6 +67,10 @@ class SurfacePlaces {
 int first_folded(const std::vector<Eigen::Matrix3d>& gradients);
 
 // Vectors as the rows of a matrix.
-Eigen::MatrixX3d rows_of(const std::vector<Vector3d>& vectors);
+VectorRows rows_of(const std::vector<Vector3d>& vectors);
+// Coordinates of vectors one after the other, seen as the rows of a matrix.
+inline Eigen::Map<const VectorRows> as_rows(const Eigen::VectorXd& coordinates) {
+  return {coordinates.data(), coordinates.size() / 3, 3};
+}
 
 }  // namespace hull::modelling

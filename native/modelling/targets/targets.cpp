@@ -186,9 +186,8 @@ void TargetDescent::take_outcome(const Eigen::VectorXd& before, TargetsReached& 
   }
   result.cost = cost(now_);
   const Eigen::VectorXd moves = family_.moves(now_.y);
-  const auto rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-      moves.data(), moves.size() / 3, 3);
-  const Eigen::VectorXd shifts = (family_.places().rows() * rows).rowwise().squaredNorm();
+  const VectorRows rows = family_.places().rows() * as_rows(moves);
+  const Eigen::VectorXd shifts = rows.rowwise().squaredNorm();
   double sum = 0.0;
   for (Eigen::Index k = 0; k < shifts.size(); ++k) {
     sum += shifts[k] * family_.places().area(static_cast<int>(k));

@@ -127,13 +127,24 @@ double LongitudinalReshape::with_groups(const std::function<double(double x)>& s
   return sum;
 }
 
-Reshaped LongitudinalReshape::solve(const std::function<double(double x)>& shift) const {
-  std::vector<Vector3d> shifts(places().count()), prescribed;
+std::vector<Vector3d> LongitudinalReshape::at_places(
+    const std::function<double(double x)>& shift) const {
+  std::vector<Vector3d> shifts(places().count());
   for (int k = 0; k < places().count(); ++k) {
     shifts[k] = {with_groups(shift, places().position(k).x()), 0.0, 0.0};
   }
+  return shifts;
+}
+
+Reshaped LongitudinalReshape::solve(const std::function<double(double x)>& shift) const {
+  std::vector<Vector3d> prescribed;
   for (int group : group_of_) prescribed.emplace_back(shift(groups_[group].middle()), 0.0, 0.0);
-  return reshape_.solve(shifts, prescribed);
+  return reshape_.solve(at_places(shift), prescribed);
+}
+
+Reshaped LongitudinalReshape::residual(const std::vector<Vector3d>& moves,
+                                       const std::function<double(double x)>& shift) const {
+  return reshape_.residual(moves, at_places(shift));
 }
 
 }  // namespace hull::modelling

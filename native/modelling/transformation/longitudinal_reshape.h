@@ -33,6 +33,9 @@ class LongitudinalReshape {
 
   // `shift`: wanted of a place at x, m.
   Reshaped solve(const std::function<double(double x)>& shift) const;
+  // Of moves that are known: sums of solutions.
+  Reshaped residual(const std::vector<Vector3d>& moves,
+                    const std::function<double(double x)>& shift) const;
 
   const SurfacePlaces& places() const { return reshape_.places(); }
 
@@ -46,6 +49,7 @@ class LongitudinalReshape {
   LongitudinalReshape(const surface::LimitSurface& surface, const TransformLimits& limits,
                       const Rigid& rigid);
   double with_groups(const std::function<double(double x)>& shift, double x) const;
+  std::vector<Vector3d> at_places(const std::function<double(double x)>& shift) const;
 
   std::vector<Group> groups_;
   std::vector<int> group_of_;  // of each prescribed point

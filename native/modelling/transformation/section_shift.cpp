@@ -86,15 +86,15 @@ bool SectionShift::is_sound(const std::vector<double>& coefficients) const {
 }
 
 SectionsShifted SectionShift::outcome(const std::vector<double>& coefficients) {
-  const Reshaped reshaped = reshape_.solve([&](double x) {
+  SectionsShifted result;
+  result.moves = moves(coefficients);
+  const Reshaped reshaped = reshape_.residual(result.moves, [&](double x) {
     double sum = functions_.parallel_change(x);
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
       sum += coefficients[k] * functions_.value(static_cast<int>(k), x);
     }
     return sum;
   });
-  SectionsShifted result;
-  result.moves = moves(coefficients);
   result.coefficients = coefficients;
   result.rms = reshaped.rms;
   result.largest = reshaped.largest;

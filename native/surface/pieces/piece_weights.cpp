@@ -1,42 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/pieces/piece_weights.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "surface/pieces/bicubic_basis.h"
+#include "surface/pieces/square_weights.h"
 #include "surface/place_in_cell.h"
 
 namespace hull::surface {
 namespace {
-
-// Weights of refined points as a dense matrix over those control points that have any.
-struct Rows {
-  std::vector<int> points;
-  Eigen::MatrixXd weights;
-};
-
-Rows dense_rows(const std::vector<const WeightRow*>& rows) {
-  std::map<int, int> column;
-  for (const WeightRow* row : rows) {
-    for (const PointWeight& w : row->entries()) column[w.point] = 0;
-  }
-  Rows dense;
-  for (auto& [point, index] : column) {
-    index = static_cast<int>(dense.points.size());
-    dense.points.push_back(point);
-  }
-  dense.weights.setZero(static_cast<Eigen::Index>(rows.size()),
-                        static_cast<Eigen::Index>(column.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const PointWeight& w : rows[i]->entries()) {
-      dense.weights(static_cast<Eigen::Index>(i), column[w.point]) = w.weight;
-    }
-  }
-  return dense;
-}
 
 Eigen::VectorXd product(const Eigen::MatrixXd& rows, const Basis& along_s, const Basis& along_t) {
   return rows.transpose() * bicubic_basis(along_s, along_t);
@@ -62,40 +35,22 @@ void PieceWeights::add_node(int cell, const SurfaceNode& node, double size, Poin
     }
     return;
   }
-  const std::array<int, 16>& points = layout_->leaf_points(node.index);
-  std::vector<const WeightRow*> present;
-  for (int point : points) {
-    if (point != kNoPoint) present.push_back(&weights.refined(point));
-  }
-  const Rows dense = dense_rows(present);
-  std::array<Eigen::RowVectorXd, 16> span;
-  Eigen::Index row = 0;
-  for (int i = 0; i < 16; ++i) {
-    span[i].setZero(dense.weights.cols());
-    if (points[i] != kNoPoint) span[i] = dense.weights.row(row++);
-  }
-  // Beyond creases the missing points are reflections of those that are there, as for the points
-  // themselves; a linear rule, so it serves for rows of weights too.
-  fill_ghosts(span, points);
-  Eigen::MatrixXd rows(16, dense.weights.cols());
-  for (int i = 0; i < 16; ++i) rows.row(i) = span[i];
   of_leaf_[node.index] = piece_count();
-  pieces_.push_back({cell, size, dense.points, std::move(rows)});
+  SquareWeights square = leaf_weights(*layout_, node.index, weights);
+  pieces_.push_back({cell, size, std::move(square.points), std::move(square.rows)});
 }
 
 void PieceWeights::add_corner(int cell, int corner, double size, PointWeights& weights) {
-  std::vector<const WeightRow*> outer;
-  for (int point : layout_->corner_points(corner)) outer.push_back(&weights.refined(point));
-  Rows square = dense_rows(outer);
+  SquareWeights square = corner_weights(*layout_, corner, weights);
   const CornerBasis& basis = layout_->basis(corner);
   of_corner_[corner] = piece_count();
   for (int ring = 0; ring < kPlainRings; ++ring) {
     for (const RingSegment& segment : basis.segments()) {
       pieces_.push_back({cell, std::ldexp(segment.size, -ring) * size, square.points,
-                         segment.rows * square.weights});
+                         segment.rows * square.rows});
     }
     // One subdivision on: the weights of the square that is half as large.
-    square.weights = basis.matrix() * square.weights;
+    square.rows = basis.matrix() * square.rows;
   }
 }
 
