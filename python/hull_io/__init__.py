@@ -20,6 +20,7 @@ from .hull_data import (
     Opening,
     Particulars,
     ShellArrays,
+    Variant,
     Wind,
     WindArea,
     shell_arrays,
@@ -30,12 +31,16 @@ from .keeping import to_dimensions_keeping
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .stl import read_stl
+from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 
 __all__ = [
     "LINE_KINDS",
     "Afloat",
+    "AreaPoint",
+    "AreaTarget",
     "CutPlane",
     "Flat",
+    "FreeDimension",
     "HullData",
     "HullFileError",
     "Kept",
@@ -46,6 +51,9 @@ __all__ = [
     "Opening",
     "Particulars",
     "ShellArrays",
+    "Target",
+    "Targets",
+    "Variant",
     "Wind",
     "WindArea",
     "read_area_table",

@@ -14,14 +14,25 @@ def shown(value):
     return text if len(text) <= 40 else text[:37] + "..."
 
 
-class CheckedJson:
-    """Checks of single values; `where` is the key that a HullFileError names."""
+def _either(choices):
+    *first, last = (f'"{choice}"' for choice in choices)
+    return f"{', '.join(first)} or {last}" if first else last
 
-    def __init__(self, file_name):
+
+class CheckedJson:
+    """Checks of single values; `where` is the key that a HullFileError names. before: what comes
+    before each."""
+
+    def __init__(self, file_name, before=""):
         self.file_name = file_name
+        self._before = before
+
+    def within(self, before):
+        """The same checks for a part of the file whose keys come after `before`."""
+        return CheckedJson(self.file_name, self._before + before)
 
     def error(self, where, problem, remedy):
-        return HullFileError(f"{self.file_name}: {where}: {problem}; {remedy}.")
+        return HullFileError(f"{self.file_name}: {self._before}{where}: {problem}; {remedy}.")
 
     def parse(self, data):
         """The object { } that the bytes of a whole file hold."""
@@ -45,14 +56,16 @@ class CheckedJson:
     def _refuse_constant(self, word):
         raise self.error("the file", f"{word} is not a number", "write a finite number")
 
-    def list(self, value, where, length=None):
-        """A list, of `length` entries where that is given."""
+    def list(self, value, where, length=None, most=None):
+        """A list, of `length` entries where that is given, or of so many at most."""
         if not isinstance(value, list):
             raise self.error(where, f"{shown(value)} is no list", "write a list [ ]")
         if length is not None and len(value) != length:
             raise self.error(
                 where, f"it has {len(value)} entries, not {length}", f"write {length} entries"
             )
+        if most is not None and len(value) > most:
+            raise self.error(where, f"it has {len(value)} entries", f"write at most {most}")
         return value
 
     def object(self, value, where, keys=None):
@@ -83,6 +96,12 @@ class CheckedJson:
             raise self.error(
                 where, f"{shown(value)} is no index of a {of}", f"{of}s are 0 to {count - 1}"
             )
+        return value
+
+    def choice(self, value, where, choices):
+        """One of some texts."""
+        if value not in choices:
+            raise self.error(where, f"{shown(value)} is unknown", f"write {_either(choices)}")
         return value
 
     def flag(self, value, where):

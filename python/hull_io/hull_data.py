@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .wanted import Targets
+
 
 @dataclass
 class Layer:
@@ -178,9 +180,11 @@ class HullData:
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
     creases, the edges that are marked so. flats: Flat, no face in two. locked: point indices that
-    tools do not move; kept: those that they move in a plane only. lines: a LineChoice, None
-    where the file does not say. units: the file's own unit of length, "m" or "ft". source: where
-    the hull comes from. notes: what the reader had to mend, one sentence each, for the user.
+    tools do not move; kept: those that they move in a plane only. lines: a LineChoice, None where
+    the file does not say. targets: wanted.Targets; area_target: a wanted.AreaTarget, None without
+    one. variants: Variant, whose hulls have no variants or targets of their own. units: the file's
+    own unit of length, "m" or "ft". source: where the hull comes from. notes: what the reader had
+    to mend, one sentence each, for the user.
     """
 
     name: str
@@ -203,6 +207,9 @@ class HullData:
     openings: list = field(default_factory=list)
     wind: object = None
     lines: object = None
+    targets: Targets = field(default_factory=Targets)
+    area_target: object = None
+    variants: list = field(default_factory=list)
     units: str = "m"
     source: str = ""
     notes: list = field(default_factory=list)
@@ -211,6 +218,14 @@ class HullData:
         self.points = np.asarray(self.points, dtype=np.float64).reshape(-1, 3)
         if not self.face_layers:
             self.face_layers = [0] * len(self.faces)
+
+
+@dataclass
+class Variant:
+    """A hull that was kept: a HullData with the variant's name, and what sets it apart."""
+
+    hull: HullData
+    note: str = ""
 
 
 @dataclass

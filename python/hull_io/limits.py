@@ -26,6 +26,13 @@ MAX_LOADING_ENTRIES = 200
 # Planes to cut a hull by, and spaces between stations.
 MAX_CUT_PLANES = 1000
 MAX_LINE_SPACES = 200
+# Of a hull: numbers that are wanted of it (a sectional area curve takes 21), their size in their
+# own unit, what bending costs, how far dimensions may go, in percent; hulls kept beside it.
+MAX_TARGETS = 60
+GREATEST_TARGET = 1e9
+GREATEST_TARGET_STIFFNESS = 10.0
+GREATEST_DIMENSION_CHANGE = 50.0
+MAX_VARIANTS = 200
 # Triangles of a shape to fit to: 50 bytes each; a text takes twenty times its size in memory.
 MAX_STL_BYTES = 256 * 2**20
 MAX_STL_TEXT_BYTES = 64 * 2**20

@@ -4,7 +4,8 @@
 The surface of a mesh that is scaled is the scaled surface, exactly: displaced volume grows by the
 product of the three factors, and centres move as points do. What belongs to a hull follows, by
 FOLLOWING: particulars and trim, loads (masses in proportion to the volume), openings, wind areas,
-flats, lines. What is in STAYING stays: counts, the density, heel, pressure and period.
+flats, lines, the places of what is wanted. What is in STAYING stays: counts, the density, heel,
+pressure and period, values that are wanted, and variants, which are hulls as they were.
 """
 
 from copy import deepcopy
@@ -46,6 +47,11 @@ FOLLOWING = {
     "lines.diagonals": "diagonals",
     "lines.planes.normal": "normal",
     "lines.planes.point": "point",
+    "targets.rows.station": "at x",
+    "area_target.base.x": "at x",
+    "area_target.base.area": "section",
+    "area_target.points.x": "at x",
+    "area_target.points.area": "section",
 }  # an offset of a flat goes with its normal
 
 # What stays: no lengths, or not the hull's.
@@ -55,7 +61,10 @@ STAYING = frozenset(
     kept.buttocks kept.waterlines afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
-    lines.planes.shown units source notes""".split()
+    lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
+    targets.rows.tolerance targets.rows.on targets.moving targets.staying targets.length
+    targets.beam targets.draft targets.fairness area_target.source variants units source
+    notes""".split()
 )
 
 

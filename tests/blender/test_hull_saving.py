@@ -2,6 +2,7 @@
 """A hull written as a hull file reads back as the same hull, loads and marks included."""
 
 import json
+import sys
 from math import radians
 
 import bmesh
@@ -72,6 +73,47 @@ def test_loads_openings_and_water_come_back(tmp_path):
     assert settings_of(again) == wanted
     assert np.array_equal(mesh_points(again), points)
     assert part("features.analyses").result_of(again, bpy.context.scene, "load_cases") == results
+
+
+def wanted_of(hull):
+    """All that a hull file keeps of what is wanted, read from the object."""
+    targets, curve = hull.hull.targets, hull.hull.area_target
+    names = ("moving", "keep_profile", "keep_deck", "keep_side", "free_length", "length_change",
+             "free_beam", "beam_change", "free_draft", "draft_change", "stiffness")  # fmt: skip
+    row = ("use", "quantity", "station", "sense", "value", "tolerance")
+    return (
+        [getattr(targets, name) for name in names]
+        + [[getattr(one, name) for name in row] for one in targets.rows]
+        + [(point.x, point.area) for points in (curve.base, curve.area_points) for point in points]
+        + [curve.source]
+    )
+
+
+def test_targets_and_the_area_curve_come_back(tmp_path):
+    bpy.ops.hull.load_sample(name="coaster")
+    hull = bpy.context.object
+    targets, curve = hull.hull.targets, hull.hull.area_target
+    for quantity, sense, value in (("KMT", "at least", 6.346), ("SECTION_AREA", "equal", 61.7)):
+        assert bpy.ops.hull.add_target() == {"FINISHED"}
+        row = targets.rows[-1]
+        row.quantity, row.sense, row.value = quantity, sense, value
+        row.station, row.tolerance, row.use = 33.3, 0.01, quantity == "KMT"
+    targets.moving, targets.keep_deck, targets.free_beam = "NONE", False, True
+    targets.beam_change, targets.stiffness = 3.3, 0.07
+    assert bpy.ops.hull.take_area_curve(handles=7) == {"FINISHED"}
+    curve.area_points[3].area *= 1.07
+    assert curve.source == "the hull as it was" and len(curve.base) > 20
+    wanted = wanted_of(hull)
+    write(tmp_path / "coaster.hull.json")
+    content = json.loads((tmp_path / "coaster.hull.json").read_text())
+    assert content["targets"]["rows"][0]["value"] == 6.346
+    assert content["targets"]["staying"] == ["profile", "greatest_beam"]
+    again = read(tmp_path / "coaster.hull.json")
+    assert wanted_of(again) == wanted
+    # What can be wanted in Blender can be written, and nothing else.
+    items = part("features.targets.quantities").ITEMS
+    known = sys.modules[part("features.hull.wanted_data").Targets.__module__].QUANTITIES
+    assert sorted(known) == sorted(item[0].lower() for item in items)
 
 
 def test_numbers_are_written_as_they_were_typed(tmp_path):

@@ -33,7 +33,7 @@ def geometry_of(hull):
     locked = part("features.constraints.point_locks").locked_points(hull.data)
     arrays = [getattr(read, name) for name in type(read).__dataclass_fields__]
     flat = [] if marks is None else [marks.faces, marks.regions]
-    materials = [slot.name for slot in hull.material_slots]
+    materials = [slot.material.name for slot in hull.material_slots]
     return [array.tobytes() for array in (*arrays, *flat, locked)] + [materials]
 
 
@@ -178,6 +178,62 @@ def test_it_is_saved_with_the_file(tmp_path):
     assert entry.mesh.users == 1 and not entry.mesh.use_fake_user
     bpy.ops.hull.go_back_to_variant(variant="A")
     assert all_of(hull) == before
+
+
+def kept_of(hull):
+    """All of a hull's variants, but for the numbers of their flats, which belong to a session."""
+    found, variants = variants_of(hull)
+    told = []
+    for entry in variants.kept:
+        ship = found.as_hull(hull, entry)
+        geometry, planes, settings, places = all_of(ship)
+        regions = part("features.constraints.flats").regions(ship)
+        flat = sorted((one.faces.tolist(), one.plane.tolist()) for one in regions)
+        marked = 2 if regions else 0
+        arrays = geometry[: -2 - marked]
+        kept = part("features.constraints.kept_points").read(entry.mesh)
+        axes = [kept.along(axis).tolist() for axis in range(3)]
+        told.append(
+            (entry.name, entry.note, arrays, geometry[-2:], flat, axes, settings, places)
+        )
+        assert len(planes) == len(flat)
+    return told
+
+
+def test_they_come_back_from_a_hull_file(tmp_path):
+    hull = sample()
+    hull.hull.loading.kg = 9.125
+    found, _ = variants_of(hull)
+    found.keep(hull, "as built", "of the contract")
+    locks = part("features.constraints.point_locks")
+    locks.write(hull.data, [3, 5])
+    part("features.constraints.kept_points").set_axes(hull.data, [7], (0,), True)
+    hull.data.vertices[20].co.y += 0.1
+    hull.hull.draft *= 0.9
+    bpy.context.view_layer.update()
+    found.keep(hull, "fuller")
+    before = kept_of(hull)
+    count = len(bpy.data.materials)
+    assert bpy.ops.hull.export_hull(filepath=str(tmp_path / "roro.hull.json")) == {"FINISHED"}
+    bpy.ops.wm.read_homefile(use_empty=True)
+    assert bpy.ops.hull.import_hull(filepath=str(tmp_path / "roro.hull.json")) == {"FINISHED"}
+    hull = bpy.context.object
+    assert kept_of(hull) == before
+    assert len(bpy.data.materials) == count
+    found, variants = variants_of(hull)
+    found.go_back(hull, bpy.context.scene, variants.kept[0])
+    assert hull.hull.loading.kg == 9.125 and not state_of(hull).status
+
+
+def test_a_variant_whose_mesh_is_gone_is_told_before_anything_is_written(tmp_path):
+    hull = sample()
+    found, variants = variants_of(hull)
+    found.keep(hull, "A")
+    bpy.data.meshes.remove(variants.kept[0].mesh)
+    path = tmp_path / "roro.hull.json"
+    with pytest.raises(RuntimeError, match='variant "A" was deleted: remove the variant'):
+        bpy.ops.hull.export_hull(filepath=str(path))
+    assert not path.exists()
 
 
 def test_it_comes_along_when_the_object_is_appended(tmp_path):

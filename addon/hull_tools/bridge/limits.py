@@ -35,13 +35,13 @@ MOST_TABLE_ROWS = 1000
 DISPLACEMENTS = (2, 50)  # of cross curves
 MOST_LOADING_ENTRIES = of_files.MAX_LOADING_ENTRIES
 # Kept of one hull, each with a mesh of its own.
-MOST_VARIANTS = 200
+MOST_VARIANTS = of_files.MAX_VARIANTS
 
 FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
-MOST_TARGETS = 60  # rows; a sectional area curve takes 21
-GREATEST_TARGET = 1e9  # in the unit of its number
-GREATEST_TARGET_STIFFNESS = 10.0
-GREATEST_DIMENSION_CHANGE = 50.0  # percent
+MOST_TARGETS = of_files.MAX_TARGETS
+GREATEST_TARGET = of_files.GREATEST_TARGET
+GREATEST_TARGET_STIFFNESS = of_files.GREATEST_TARGET_STIFFNESS
+GREATEST_DIMENSION_CHANGE = of_files.GREATEST_DIMENSION_CHANGE
 # Of a sectional area curve that is wanted: handles, and stations that are brought to it.
 MOST_AREA_HANDLES, MOST_AREA_STATIONS = 60, 60
 AREA_TOLERANCES = (0.001, 20.0)  # percent of the largest section

@@ -17,7 +17,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   variants        hulls that were kept, and the hull beside another one: ghost, differences
   analyses        all tables and plots of those above, computed when they are looked at
   conversion      the surface as B-spline patches, and how far they are from it
-  exchange        files for other programs: hull file, lines plan, tables, STEP, IGES, DXF
+  exchange        hull files; files for other programs: lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape
   fairing         chosen control points moved so that surface or rows are fair, within a deviation
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points

@@ -9,7 +9,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..bridge.objects import hull_objects
 from ..features import analyses
-from ..features.exchange import exports, file_tasks
+from ..features.exchange import file_tasks, hull_files
 from .shared import HullReader
 from .tasks import TaskOperator
 
@@ -55,7 +55,8 @@ class ExportByTask(TaskOperator, ExportHull):
 
 
 class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
-    """Write the hull with layers, marks and loads as a hull file, which can be imported again"""
+    """Write the hull with layers, marks, loads, targets and variants as a hull file, which can be
+    imported again"""
 
     bl_idname = "hull.export_hull"
     bl_label = "Export Hull File"
@@ -66,7 +67,7 @@ class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
 
     def write(self, hull, scene):
         path = bpy.path.ensure_ext(self.filepath, self.filename_ext)
-        exports.export_hull_file(hull, scene, path)
+        hull_files.export_hull_file(hull, scene, path)
         return "Hull file written"
 
 

@@ -7,14 +7,15 @@ from bpy_extras.io_utils import ImportHelper
 
 from ... import hull_io
 from ..bridge.counts import counted
-from ..features.hull import hull_creation, hull_state, samples
+from ..features.exchange import hull_files
+from ..features.hull import hull_state, samples
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there, show_all
 
 
 def _import(operator, context, path):
     """Reads a file completely before anything is made of it."""
     hull = hull_io.read_hull(path)
-    obj = hull_creation.hull_object(hull, context.scene, context.collection)
+    obj = hull_files.hull_object(hull, context.scene, context.collection)
     make_active(context, obj)
     show_all(context)
     state = hull_state.state_of(obj)

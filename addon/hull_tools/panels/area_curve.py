@@ -42,6 +42,8 @@ class HULL_PT_area_curve(HullPanel, bpy.types.Panel):
 
     def _draw_target(self, context, hull):
         layout, settings = self.layout, hull.hull.area_target
+        if settings.source:
+            label_value(layout, "Target from", settings.source)
         layout.operator("hull.drag_area_curve", icon="HANDLE_AUTO")
         layout.prop(settings, "show_target")
         point = draw_entries(layout, settings, "area_points", "active_area_point", "area_point")

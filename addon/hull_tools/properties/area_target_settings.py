@@ -2,7 +2,7 @@
 """Object.hull.area_target: a sectional area curve that is wanted."""
 
 import bpy
-from bpy.props import CollectionProperty, FloatProperty, IntProperty
+from bpy.props import CollectionProperty, FloatProperty, IntProperty, StringProperty
 
 from .shared import changed, length, switch
 
@@ -23,6 +23,7 @@ class HullAreaTarget(bpy.types.PropertyGroup):
     """The curve goes through its points; between them it is the base, and what the points have been
     moved from that."""
 
+    source: StringProperty(name="Source", description="Where the target curve comes from")
     base: CollectionProperty(type=HullAreaPoint)
     area_points: CollectionProperty(type=HullAreaPoint)
     active_area_point: IntProperty(

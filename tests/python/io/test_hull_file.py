@@ -12,6 +12,21 @@ import pytest
 from hull_io import bytes_on_disk, mirror
 
 
+def variant(**changes):
+    """A valid entry of variants with some keys changed."""
+    return {
+        "name": "as built",
+        "note": "the first",
+        "half": True,
+        "points": [[0, 0, 0], [9, 0, 0], [9, 2, 0], [0, 2, 0]],
+        "faces": [[0, 3, 2, 1]],
+        "particulars": {"draft": 1.25},
+        "locked": [2],
+        "load": {"kg": 1.5},
+        **changes,
+    }
+
+
 def content(**changes):
     """A valid file's content with some keys changed, or taken out where the value is None."""
     value = {
@@ -52,7 +67,24 @@ def content(**changes):
             "frame_spacing": 0.6,
             "planes": [{"name": "bow", "normal": [1, 0, 0], "point": [9, 0, 0], "shown": False}],
         },
-    }
+        "targets": {
+            "rows": [
+                {"quantity": "kmt", "sense": "at least", "value": 6.3, "tolerance": 0.1},
+                {"quantity": "section_area", "value": 5, "station": 4, "on": False},
+            ],
+            "moving": "none",
+            "staying": ["deck_edge"],
+            "beam": {"free": True, "percent": 2},
+            "fairness": 0.1,
+        },
+        "area_target": {
+            "source": "a table",
+            "base": [[0, 0], [5, 4.5], [10, 0]],
+            "points": [[0, 0], [5, 4], [10, 0.5]],
+        },
+        "variants": [variant(), {"half": False, "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0]],
+                                 "faces": [[0, 1, 2]]}],
+    }  # fmt: skip
     value.update(changes)
     return {key: part for key, part in value.items() if part is not None}
 
@@ -74,8 +106,13 @@ def assert_same(first, second):
     assert first.layers == second.layers
     assert first.particulars == second.particulars
     assert first.source == second.source
-    for key in ("scheme", "deck_edge", "afloat", "load", "load_cases", "openings", "wind", "lines"):
+    for key in ("scheme", "deck_edge", "flats", "locked", "kept", "afloat", "load", "load_cases",
+                "openings", "wind", "lines", "targets", "area_target"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key
+    assert len(first.variants) == len(second.variants)
+    for one, other in zip(first.variants, second.variants):
+        assert one.note == other.note
+        assert_same(one.hull, other.hull)
 
 
 def test_a_file_is_read(read):
@@ -106,6 +143,25 @@ def test_a_file_is_read(read):
         frame_spacing=0.6,
         planes=[hull_io.CutPlane("bow", (1.0, 0.0, 0.0), (9.0, 0.0, 0.0), False)],
     )
+    assert hull.targets == hull_io.Targets(
+        rows=[
+            hull_io.Target("kmt", 6.3, "at least", 0.1),
+            hull_io.Target("section_area", 5.0, station=4.0, on=False),
+        ],
+        moving="none",
+        staying=("deck_edge",),
+        beam=hull_io.FreeDimension(True, 2.0),
+        fairness=0.1,
+    )
+    pairs = [(point.x, point.area) for point in hull.area_target.points]
+    assert pairs == [(0.0, 0.0), (5.0, 4.0), (10.0, 0.5)]
+    assert hull.area_target.base[1] == hull_io.AreaPoint(5.0, 4.5)
+    assert hull.area_target.source == "a table"
+    first, second = hull.variants
+    assert (first.hull.name, first.note, first.hull.half) == ("as built", "the first", True)
+    assert first.hull.points[2].tolist() == [9, 2, 0] and first.hull.locked == [2]
+    assert first.hull.particulars.draft == 1.25 and first.hull.load.kg == 1.5
+    assert (second.hull.name, second.note, second.hull.half) == ("Variant 2", "", False)
 
 
 def test_what_may_be_left_out(read):
@@ -122,6 +178,9 @@ def test_what_may_be_left_out(read):
     assert hull.wind is None and read(content(wind={})).wind == hull_io.Wind()
     assert not hull.load.kg_is_guess and read(content(load={"kg_is_guess": True})).load.kg_is_guess
     assert read(content(lines={})).lines == hull_io.LineChoice()
+    assert hull.targets == hull_io.Targets() and hull.area_target is None and hull.variants == []
+    assert read(content(targets={})).targets == hull_io.Targets()
+    assert read(content(area_target={})).area_target == hull_io.AreaTarget()
     hull = read(content(load={}, load_cases=[{"mass_t": 1}], openings=[{"position": [1, 2, 3]}]))
     assert hull.load == hull_io.Load(None, 0.0, None, True)
     assert hull.load_cases == [hull_io.LoadCase("Load case", 1.0)]
@@ -273,6 +332,86 @@ MISTAKES = {
         "load_cases[0].name: character 0 is no letter ('\\x00')",
     ),
     "long name": (content(name="x" * 10001), "name: it is no text of at most 10000"),
+    "targets": (content(targets=[]), "targets: list is no object"),
+    "target key": (content(targets={"row": []}), 'targets: the key "row" is unknown'),
+    "target rows": (content(targets={"rows": {}}), "targets.rows: dict is no list"),
+    "target quantity": (
+        content(targets={"rows": [{"quantity": "speed", "value": 1}]}),
+        'targets.rows[0].quantity: "speed" is unknown; write "volume", ',
+    ),
+    "target of nothing": (
+        content(targets={"rows": [{"value": 1}]}),
+        "targets.rows[0].quantity: it is missing",
+    ),
+    "target without value": (
+        content(targets={"rows": [{"quantity": "cb"}]}),
+        "targets.rows[0].value: it is missing",
+    ),
+    "target sense": (
+        content(targets={"rows": [{"quantity": "cb", "value": 1, "sense": []}]}),
+        'targets.rows[0].sense: list is unknown; write "equal", "at least" or "at most"',
+    ),
+    "target value": (
+        content(targets={"rows": [{"quantity": "cb", "value": 1e10}]}),
+        "targets.rows[0].value: 10000000000.0 is not a number from -1e+09 to 1e+09",
+    ),
+    "target tolerance": (
+        content(targets={"rows": [{"quantity": "cb", "value": 1, "tolerance": -1}]}),
+        "targets.rows[0].tolerance: -1 is not",
+    ),
+    "many targets": (
+        content(targets={"rows": [{"quantity": "cb", "value": 1}] * 61}),
+        "targets.rows: it has 61 entries; write at most 60",
+    ),
+    "target moving": (content(targets={"moving": "some"}), 'targets.moving: "some" is unknown'),
+    "target staying": (content(targets={"staying": ["keel"]}), 'targets.staying[0]: "keel" is'),
+    "target dimension": (
+        content(targets={"beam": {"percent": 51}}),
+        "targets.beam.percent: 51 is not a number from 0 to 50",
+    ),
+    "target fairness": (content(targets={"fairness": "x"}), 'targets.fairness: "x" is not a'),
+    "area target": (content(area_target=[]), "area_target: list is no object"),
+    "area target null": (content(area_target={"points": None}), "area_target.points: NoneType"),
+    "area target pair": (
+        content(area_target={"points": [[0, 1], [1]]}),
+        "area_target.points[1]: it has 1 entries, not 2",
+    ),
+    "area target area": (
+        content(area_target={"base": [[0, -1]]}),
+        "area_target.base[0].area: -1 is not a number from 0 to 100000",
+    ),
+    "area target long": (
+        content(area_target={"base": [[0, 1]] * 501}),
+        "area_target.base: it has 501 entries; write at most 500",
+    ),
+    "area target source": (content(area_target={"source": 1}), "area_target.source: it is no text"),
+    "variants": (content(variants={}), "variants: dict is no list"),
+    "variant": (content(variants=[1]), "variants[0]: 1 is no object"),
+    "variant key": (
+        content(variants=[variant(), variant(variants=[])]),
+        'variants[1]: the key "variants" is unknown',
+    ),
+    "variant targets": (
+        content(variants=[variant(targets={})]),
+        'variants[0]: the key "targets" is unknown',
+    ),
+    "variant without faces": (
+        content(variants=[{"half": True, "points": []}]),
+        "variants[0].faces: it is missing",
+    ),
+    "variant face": (
+        content(variants=[variant(faces=[[0, 1, 4]])]),
+        "variants[0].faces[0][2]: 4 is no index of a point; points are 0 to 3",
+    ),
+    "variant draft": (
+        content(variants=[variant(), variant(particulars={"draft": -1})]),
+        "variants[1].particulars.draft: -1 is not",
+    ),
+    "variant note": (content(variants=[variant(note=[])]), "variants[0].note: it is no text"),
+    "many variants": (
+        content(variants=[variant()] * 201),
+        "variants: it has 201 entries; write at most 200",
+    ),
     "not JSON": (b'{"format": "hull",\n "half" true}', "line 2, column 9: it is not JSON"),
     "cut short": (json.dumps(content()).encode()[:-50], "it is not JSON"),
     "not UTF-8": (b'{"name": "\xff"}', "byte 10: it is not UTF-8"),
@@ -328,6 +467,22 @@ def test_writing_replaces_a_file_whole_or_not_at_all(read, tmp_path, monkeypatch
     assert not hull_io.read_hull(path).points.any()
     assert stat.S_IMODE(os.stat(path).st_mode) == 0o640
     assert sorted(os.listdir(tmp_path)) == ["box.hull.json", "kept.hull.json"]
+
+
+def test_what_would_be_too_large_to_be_read_is_not_written(read, tmp_path):
+    hull = read(content())
+    large = hull_io.Variant(hull_io.read_hull(tmp_path / "box.hull.json"))
+    large.hull.source = "x" * 10_000
+    hull.variants = [large] * 1000
+    with pytest.raises(hull_io.HullFileError, match="at most 8; remove some of its variants"):
+        hull_io.write_hull_file(hull, tmp_path / "large.hull.json")
+    assert not (tmp_path / "large.hull.json").exists()
+
+
+def test_files_without_targets_and_variants_are_as_they_were(read, tmp_path):
+    keys = ("targets", "area_target", "variants")
+    hull_io.write_hull_file(read(content(**dict.fromkeys(keys))), tmp_path / "a.hull.json")
+    assert not set(keys) & set(json.loads((tmp_path / "a.hull.json").read_text()))
 
 
 def test_writing_into_no_folder_is_refused(read, tmp_path):

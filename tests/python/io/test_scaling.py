@@ -39,10 +39,14 @@ def paths(cls, before=""):
         "kept": hull_io.Kept, "afloat": hull_io.Afloat, "load": hull_io.Load,
         "load_cases": hull_io.LoadCase, "openings": hull_io.Opening, "wind": hull_io.Wind,
         "areas": hull_io.WindArea, "lines": hull_io.LineChoice, "planes": hull_io.CutPlane,
+        "targets": hull_io.Targets, "rows": hull_io.Target, "area_target": hull_io.AreaTarget,
+        "base": hull_io.AreaPoint,
     }  # fmt: skip
     for field in dataclasses.fields(cls):
-        if field.name in parts:
-            yield from paths(parts[field.name], f"{before}{field.name}.")
+        kind = hull_io.AreaPoint if before == "area_target." and field.name == "points" else None
+        kind = kind or parts.get(field.name)
+        if kind:
+            yield from paths(kind, f"{before}{field.name}.")
         else:
             yield before + field.name
 
@@ -52,8 +56,7 @@ def test_of_everything_in_a_hull_it_is_said_how_it_follows():
     assert len(everything) == len(set(everything)) > 60
     assert set(everything) == set(scaling.FOLLOWING) | scaling.STAYING
     assert not set(scaling.FOLLOWING) & scaling.STAYING
-    # Areas of sections are in Blender's settings alone.
-    assert set(scaling.FOLLOWING.values()) == {*scaling.CHANGES, "plane"} - {"section"}
+    assert set(scaling.FOLLOWING.values()) == {*scaling.CHANGES, "plane"}
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -106,6 +109,20 @@ def data_off(data, made, flat):
     before = data.flats[made.flats.index(flat)]
     own = data.points[sorted({point for face in before.faces for point in data.faces[face]})]
     return 1.2 * np.abs(own @ before.normal - before.offset).max()
+
+
+def test_what_is_wanted_follows_and_variants_stay():
+    data = sample("coaster")
+    data.targets.rows = [hull_io.Target("section_area", 50.0, station=20.0)]
+    data.area_target = hull_io.AreaTarget(
+        [hull_io.AreaPoint(10.0, 40.0)], [hull_io.AreaPoint(30.0, 60.0)], "a table"
+    )
+    data.variants = [hull_io.Variant(sample("coaster"), "as built")]
+    made = hull_io.scaled(data, (1.1, 0.9, 1.05))
+    assert made.targets.rows == [hull_io.Target("section_area", 50.0, station=1.1 * 20.0)]
+    assert made.area_target.base == [hull_io.AreaPoint(1.1 * 10.0, 40.0 * 0.9 * 1.05)]
+    assert made.area_target.points == [hull_io.AreaPoint(1.1 * 30.0, 60.0 * 0.9 * 1.05)]
+    assert np.array_equal(made.variants[0].hull.points, data.variants[0].hull.points)
 
 
 def test_particulars_are_told_and_missing_ones_refused():

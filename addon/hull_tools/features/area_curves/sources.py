@@ -19,7 +19,7 @@ from . import stored, target_curve
 def take_present(obj, scene, handles):
     """Makes the hull's curve as it is the target, with so many handles; returns the TargetCurve."""
     found, _ = present(obj, scene)
-    return _take(obj, scene, found.positions, found.areas, handles)
+    return _take(obj, scene, (found.positions, found.areas), handles, "the hull as it was")
 
 
 def take_from_hull(obj, scene, other, handles, to_length=True, areas_as="VOLUME"):
@@ -43,15 +43,15 @@ def take_from_hull(obj, scene, other, handles, to_length=True, areas_as="VOLUME"
             curve = curve.scaled(own.areas.max() / areas.max())
         else:
             curve = curve.scaled(_volume(obj, scene) / curve.volume()[0])
-    stored.write(obj, scene, curve)
+    stored.write(obj, scene, curve, other.name)
     return curve
 
 
 def take_from_table(obj, scene, path, handles):
     """Makes the curve of a CSV file the target; returns the TargetCurve. HullFileError, which is a
     ValueError, with line and remedy."""
-    x, areas = read_area_table(Path(path))
-    return _take(obj, scene, x, areas, handles)
+    path = Path(path)
+    return _take(obj, scene, read_area_table(path), handles, path.name)
 
 
 def scale_to_volume(obj, scene, volume=None):
@@ -86,9 +86,9 @@ def _volume(obj, scene):
     return state.ship.source.new_ship().hydrostatics(where).displaced_volume
 
 
-def _take(obj, scene, x, areas, handles):
-    curve = target_curve.through(x, areas, _handles(handles))
-    stored.write(obj, scene, curve)
+def _take(obj, scene, stations, handles, source):
+    curve = target_curve.through(*stations, _handles(handles))
+    stored.write(obj, scene, curve, source)
     return curve
 
 

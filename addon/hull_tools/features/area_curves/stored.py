@@ -64,10 +64,12 @@ def curve(obj, scene):
     return curve_of(*numbers(obj), units.metres_per_unit(scene))
 
 
-def write(obj, scene, curve):
-    """Makes a TargetCurve that of a hull."""
+def write(obj, scene, curve, source=None):
+    """Makes a TargetCurve that of a hull; source: where it comes from, None: as before."""
     scale = units.metres_per_unit(scene)
     settings = obj.hull.area_target
+    if source is not None:
+        settings.source = source
     _put(settings.base, curve.base_x / scale, curve.base_areas)
     _put(settings.area_points, curve.x / scale, curve.areas)
     settings.active_area_point = min(settings.active_area_point, len(curve.x) - 1)
@@ -93,6 +95,7 @@ def _put(entries, x, areas):
 def clear(obj):
     """Takes the target away."""
     settings = obj.hull.area_target
+    settings.source = ""
     settings.base.clear()
     settings.area_points.clear()
     settings.active_area_point = 0

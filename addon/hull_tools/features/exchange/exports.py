@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of a hull as it is now, written when these functions return: hull file, lines plan, tables
-and plots of its analyses, the report of its conversion."""
+"""Files of a hull as it is now, written when these functions return: lines plan, tables and plots
+of its analyses, the report of its conversion."""
 
 from pathlib import Path
 
-from ....hull_io import write_hull_file
 from ....hull_io.bytes_on_disk import write_bytes
 from ..conversion import conversions
-from ..hull import hull_saving
 from . import file_tasks
 
 
@@ -15,11 +13,6 @@ def export_lines_drawing(obj, scene, path):
     """Draws the lines plan that Object.hull.plan asks for; SVG, PDF, PNG or DXF by the name's
     ending."""
     _finish(file_tasks.LinesDrawing(obj, scene, path))
-
-
-def export_hull_file(obj, scene, path):
-    """Writes the hull as a hull file (.hull.json), which reads back as the same hull."""
-    write_hull_file(hull_saving.hull_data(obj, scene), path)
 
 
 def export_table(obj, scene, name, path):

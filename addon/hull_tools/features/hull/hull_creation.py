@@ -12,7 +12,7 @@ from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
-from . import hull_state
+from . import hull_state, wanted_data
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -38,16 +38,28 @@ def make_hull(obj, scene, half):
 
 
 def hull_object(hull, scene, collection):
-    """A new hull object from hull_io's HullData, in a collection; returns it, up to date."""
+    """A new hull object from hull_io's HullData, in a collection, without its variants; returns it,
+    up to date."""
     scale = units.metres_per_unit(scene)
-    mesh = bpy.data.meshes.new(hull.name)
+    obj = bpy.data.objects.new(hull.name, bpy.data.meshes.new(hull.name))
+    collection.objects.link(obj)
+    give_ship(obj, hull, scale)
+    wanted_data.give_wanted(obj.hull, hull, scale)
+    make_hull(obj, scene, hull.half)
+    return obj
+
+
+def give_ship(obj, hull, scale, known=()):
+    """Gives a hull or a variant, whose mesh is empty, what both have of a HullData; scale: metres
+    of Blender's unit. known: pairs ((name, colour), material) of another hull's layers in their
+    order, whose materials are shared where layers are the same."""
+    mesh = obj.data
     sizes = np.array([len(face) for face in hull.faces], dtype=np.int32)
     corners = np.array([index for face in hull.faces for index in face], dtype=np.int32)
     mesh_arrays.write_faces(mesh, np.asarray(hull.points) / scale, sizes, corners)
     mesh_arrays.write_tags(mesh, hull.creases, hull.corners, hull.deck_edge)
-    obj = bpy.data.objects.new(hull.name, mesh)
-    collection.objects.link(obj)
-    _add_layers(obj, hull)
+    obj.hull.half = hull.half
+    _add_layers(obj, hull, known)
     _copy_particulars(obj.hull, hull, scale)
     loading_data.give_loading(obj.hull, hull, scale)
     if hull.lines is not None:
@@ -57,13 +69,14 @@ def hull_object(hull, scene, collection):
     point_locks.write(mesh, hull.locked)
     for axis, name in enumerate(KEPT_IN):
         kept_points.set_axes(mesh, getattr(hull.kept, name), (axis,), True)
-    make_hull(obj, scene, hull.half)
-    return obj
+    _fill_particulars(obj)
 
 
-def _add_layers(obj, hull):
-    for layer in hull.layers:
-        material = materials.layer_material(layer.name, layer.colour)
+def _add_layers(obj, hull, known):
+    for index, layer in enumerate(hull.layers):
+        key, material = known[index] if index < len(known) else (None, None)
+        if key != (layer.name, layer.colour):
+            material = materials.layer_material(layer.name, layer.colour)
         obj.data.materials.append(material)
         entry = obj.hull.layers.add()
         entry.name = layer.name

@@ -11,17 +11,28 @@ from ...bridge.objects import hull_objects
 from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
+from . import wanted_data
 
 
 def hull_data(obj, scene):
-    """The HullData of a hull, in metres; ValueError when the object is refused.
+    """The HullData of a hull without its variants, in metres; ValueError when it is refused.
 
     Numbers have the digits that Blender keeps of them, so that reading brings the same hull.
     """
     reason = hull_objects.refusal(obj)
     if reason:
         raise ValueError(reason)
-    settings, scale = obj.hull, units.metres_per_unit(scene)
+    scale = units.metres_per_unit(scene)
+    made = ship_data(obj, scale)
+    for name, value in wanted_data.take_wanted(obj.hull, scale).items():
+        setattr(made, name, value)
+    return made
+
+
+def ship_data(obj, scale):
+    """The same of what a hull has in common with its variants, of either; scale: metres of
+    Blender's unit."""
+    settings = obj.hull
     data = mesh_arrays.read_mesh(obj.data)
     faces = [
         face.tolist() for face in np.split(data.face_vertices, np.cumsum(data.face_sizes)[:-1])
