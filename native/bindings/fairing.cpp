@@ -165,9 +165,8 @@ void bind_region(py::module_& module) {
              modelling::FairOptions options;
              options.points = integers_from(points, "points");
              options.energy = energy_from(energy);
-             options.limits.limits = limits_from(locked, held_points, held_normals);
-             options.limits.tied = ties_from(tied, tied_directions);
-             options.limits.kept = conditions_from(kept, "kept");
+             options.limits =
+                 limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
              options.keep_creases = keep_creases;
              options.keep_stations = keep_stations;
              options.along_normals = along_normals;

@@ -80,12 +80,14 @@ void bind_fit(py::module_& module) {
       [](const surface::LimitSurface& surface, const DoubleArray& targets,
          const py::object& normals, const py::object& weights, const py::iterable& curves,
          const py::object& locked, const py::object& held_points, const DoubleArray& held_normals,
+         const py::object& tied, const DoubleArray& tied_directions, const py::iterable& kept,
          double fairness, double stiffness, double curve_weight, double reach, bool draw_border,
          int most_steps, double least_move, const py::object& progress) {
         const modelling::FitTarget target = target_from(targets, normals, weights);
         const std::vector<modelling::FitCurve> along = curves_from(curves);
         modelling::FitOptions options;
-        options.limits = limits_from(locked, held_points, held_normals);
+        options.limits =
+            limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
         options.fairness = fairness;
         options.stiffness = stiffness;
         options.curve_weight = curve_weight;
@@ -100,7 +102,9 @@ void bind_fit(py::module_& module) {
       py::arg("surface"), py::arg("targets"), py::kw_only(), py::arg("normals") = py::none(),
       py::arg("weights") = py::none(), py::arg("curves") = py::tuple(),
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
-      py::arg("held_normals") = py::tuple(), py::arg("fairness") = modelling::FitOptions().fairness,
+      py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
+      py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
+      py::arg("fairness") = modelling::FitOptions().fairness,
       py::arg("stiffness") = modelling::FitOptions().stiffness,
       py::arg("curve_weight") = modelling::FitOptions().curve_weight,
       py::arg("reach") = modelling::FitOptions().reach, py::arg("draw_border") = false,

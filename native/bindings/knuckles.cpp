@@ -76,11 +76,13 @@ void bind_setting(py::module_& module) {
       "set_knuckle_angle",
       [](const surface::LimitSurface& surface, int knuckle, double angle, const py::object& edges,
          double tolerance, const py::object& locked, const py::object& held_points,
-         const DoubleArray& held_normals) {
+         const DoubleArray& held_normals, const py::object& tied,
+         const DoubleArray& tied_directions, const py::iterable& kept) {
         modelling::KnuckleOptions options;
         options.edges = integers_from(edges, "edges");
         options.tolerance = tolerance;
-        const modelling::MoveLimits limits = limits_from(locked, held_points, held_normals);
+        const modelling::ReshapeLimits limits =
+            limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
         const py::gil_scoped_release release;
         return modelling::set_knuckle_angle(surface, curve_of(surface, knuckle), angle, limits,
                                             options);
@@ -88,7 +90,8 @@ void bind_setting(py::module_& module) {
       py::arg("surface"), py::arg("knuckle"), py::arg("angle"), py::kw_only(),
       py::arg("edges") = py::tuple(), py::arg("tolerance") = modelling::KnuckleOptions{}.tolerance,
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
-      py::arg("held_normals") = py::tuple(),
+      py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
+      py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
       "The KnuckleSetting that brings the angle along a crease, or along those of its edges (k,) "
       "that are named, to `angle`, rad: the curve stays, and control points beside it move, with "
       "the least sum of squares. Limits are those of pull_surface(). The surface itself is left as "

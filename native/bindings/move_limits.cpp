@@ -6,9 +6,10 @@
 #include <tuple>
 
 namespace hull::bindings {
+namespace {
 
-modelling::MoveLimits limits_from(const py::object& locked, const py::object& held_points,
-                                  const DoubleArray& held_normals) {
+modelling::MoveLimits alone_from(const py::object& locked, const py::object& held_points,
+                                 const DoubleArray& held_normals) {
   modelling::MoveLimits limits{integers_from(locked, "locked"), {}};
   const std::vector<int> points = integers_from(held_points, "held_points");
   const std::vector<Vector3d> normals = points_from(held_normals, "held_normals");
@@ -34,6 +35,17 @@ std::vector<modelling::TiedPoint> ties_from(const py::object& tied, const Double
     result.push_back({pairs[i][0], pairs[i][1], vectors[i]});
   }
   return result;
+}
+
+}  // namespace
+
+modelling::ReshapeLimits limits_from(const py::object& locked, const py::object& held_points,
+                                     const DoubleArray& held_normals, const py::object& tied,
+                                     const DoubleArray& tied_directions, const py::iterable& kept) {
+  return {alone_from(locked, held_points, held_normals),
+          ties_from(tied, tied_directions),
+          {},
+          conditions_from(kept, "kept")};
 }
 
 std::vector<modelling::MoveCondition> conditions_from(const py::iterable& conditions,

@@ -70,19 +70,25 @@ void bind_pull(py::module_& module) {
       "pull_surface",
       [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv,
          const DoubleArray& targets, const py::object& locked, const py::object& held_points,
-         const DoubleArray& held_normals, double radius, bool mirrored) {
+         const DoubleArray& held_normals, const py::object& tied,
+         const DoubleArray& tied_directions, const py::iterable& kept, double radius,
+         bool mirrored) {
         const std::vector<modelling::PullTarget> wanted = targets_from(surface, cells, uv, targets);
-        const modelling::MoveLimits limits = limits_from(locked, held_points, held_normals);
+        const modelling::ReshapeLimits limits =
+            limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
         const py::gil_scoped_release release;
         return modelling::pull(surface, wanted, limits, {radius, mirrored});
       },
       py::arg("surface"), py::arg("cells"), py::arg("uv"), py::arg("targets"), py::kw_only(),
       py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
-      py::arg("held_normals") = py::tuple(), py::arg("radius") = 0.0, py::arg("mirrored") = false,
+      py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
+      py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
+      py::arg("radius") = 0.0, py::arg("mirrored") = false,
       "The Pull that takes the places cells (k,), uv (k, 2) to targets (k, 3), m, with the least "
       "sum of squared moves of the control points that have a weight there. locked (n,): control "
       "points that stay. held_points (h,), held_normals (h, 3): points that move across their "
-      "normal only; a point may be there several times.\n\n"
+      "normal only; a point may be there several times. tied, tied_directions, kept: as for "
+      "Reshape.\n\n"
       "With a radius (m) the control points within it follow, the less the farther they are from "
       "the place, and fade out towards points that are held; the targets are met all the same. "
       "mirrored: the mesh is half of a hull, and what is pulled on the other side of y = 0 "

@@ -105,10 +105,9 @@ void bind_reshape(py::module_& module) {
                       const py::iterable& conditions, double stiffness,
                       const SurfacePlaces* places) {
             modelling::ReshapeOptions options;
-            options.limits.limits = limits_from(locked, held_points, held_normals);
-            options.limits.tied = ties_from(tied, tied_directions);
+            options.limits =
+                limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
             options.limits.prescribed = integers_from(prescribed, "prescribed");
-            options.limits.kept = conditions_from(kept, "kept");
             options.conditions = conditions_from(conditions, "conditions");
             options.stiffness = stiffness;
             if (places) options.weights = places->weights();

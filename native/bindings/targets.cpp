@@ -169,9 +169,8 @@ void bind_targets(py::module_& module) {
         const double at = draft_at.value_or(0.5 * options.water.project.length_pp);
         options.water.position = {draft, trim, 0.0, at};
         options.water.density = water_density;
-        options.limits.limits = limits_from(locked, held_points, held_normals);
-        options.limits.tied = ties_from(tied, tied_directions);
-        options.limits.kept = conditions_from(kept, "kept");
+        options.limits =
+            limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
         for (const py::handle mode : modes) {
           options.modes.push_back(
               points_from(DoubleArray(py::reinterpret_borrow<py::object>(mode)), "modes"));

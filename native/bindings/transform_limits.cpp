@@ -2,6 +2,7 @@
 #include "bindings/transform_limits.h"
 
 #include <string>
+#include <utility>
 
 #include "bindings/move_limits.h"
 
@@ -14,10 +15,10 @@ void bind_transform_limits(py::module_& module) {
                        const DoubleArray& held_normals, const py::object& tied,
                        const DoubleArray& tied_directions, const py::iterable& kept,
                        const py::iterable& rigid) {
-             modelling::TransformLimits limits;
-             limits.limits = limits_from(locked, held_points, held_normals);
-             limits.tied = ties_from(tied, tied_directions);
-             limits.kept = conditions_from(kept, "kept");
+             modelling::ReshapeLimits own =
+                 limits_from(locked, held_points, held_normals, tied, tied_directions, kept);
+             modelling::TransformLimits limits{
+                 std::move(own.limits), std::move(own.tied), std::move(own.kept), {}};
              for (const py::handle group : rigid) {
                const std::string name = "rigid[" + std::to_string(limits.rigid.size()) + "]";
                limits.rigid.push_back(
@@ -30,8 +31,8 @@ void bind_transform_limits(py::module_& module) {
            py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
            py::arg("rigid") = py::tuple(),
            "locked, held_points, held_normals, tied, tied_directions, kept: as for Reshape. rigid: "
-           "groups "
-           "of control points that move along the ship as one, as transoms and bulbs; a group with "
+           "groups of "
+           "control points that move along the ship as one, as transoms and bulbs; a group with "
            "a locked point, or one held in a plane that is not along the ship, stays. Sections "
            "that are inflated leave rigid groups where they are.");
   module.def(

@@ -95,7 +95,7 @@ class Fitting {
         curves_(curves),
         options_(options),
         pieces_(surface),
-        freedoms_(freedoms_within(options.limits, surface.mesh().topology().vertex_count())),
+        space_(options.limits, surface.mesh().topology().vertex_count()),
         size_(surface.mesh().size()),
         start_(surface),
         state_{surface, surface::SurfaceTree(surface), {}, {}} {
@@ -171,7 +171,7 @@ class Fitting {
     const FitEquations system = equations();
     const double before = cost(state_);
     for (; damping_ <= kMostDamping; damping_ *= 10.0) {
-      const auto moves = system.solve(freedoms_, damping_);
+      const auto moves = system.solve(space_, damping_);
       if (!moves) continue;
       std::vector<Vector3d> points = state_.surface.mesh().points();
       double largest = 0.0;
@@ -202,7 +202,7 @@ class Fitting {
   const std::vector<FitCurve>& curves_;
   const FitOptions& options_;
   surface::PieceWeights pieces_;
-  std::vector<Freedom> freedoms_;
+  MoveSpace space_;
   double size_;
   const surface::LimitSurface& start_;
   State state_;

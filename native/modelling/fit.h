@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "modelling/freedom.h"
+#include "modelling/reshape/move_space.h"
 #include "surface/limit_surface.h"
 #include "surface/progress.h"
 
@@ -33,7 +33,7 @@ struct FitCurve {
 inline constexpr int kMostFitSteps = 1000;
 
 struct FitOptions {
-  MoveLimits limits;
+  ReshapeLimits limits;  // nothing of it is prescribed
   // What fair costs: this squared, times the mesh's size squared, times the thin-plate energy, is
   // added to the mean squared distance. 0: nothing.
   double fairness = 1e-4;

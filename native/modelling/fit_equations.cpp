@@ -2,6 +2,7 @@
 #include "modelling/fit_equations.h"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 namespace hull::modelling {
 
@@ -32,50 +33,38 @@ void FitEquations::add_scalar(const std::vector<int>& points, const Eigen::Matri
   }
 }
 
-std::optional<std::vector<Vector3d>> FitEquations::solve(const std::vector<Freedom>& freedoms,
-                                                         double damping) const {
-  std::vector<Eigen::Index> first;
-  Eigen::Index size = 0;
-  for (const Freedom& freedom : freedoms) {
-    first.push_back(size);
-    size += freedom.count;
-  }
-  std::vector<Vector3d> moves(freedoms.size(), Vector3d::Zero());
-  if (size == 0) return moves;
-  std::vector<Eigen::Triplet<double>> entries;
-  double trace = 0.0;
+Eigen::SparseMatrix<double> FitEquations::hessian() const {
+  std::vector<Eigen::Triplet<double>> lower;
+  lower.reserve(9 * blocks_.size());
   for (const auto& [key, values] : blocks_) {
-    const auto i = static_cast<std::size_t>(key / count_),
-               j = static_cast<std::size_t>(key % count_);
-    const Freedom &of_i = freedoms[i], &of_j = freedoms[j];
-    for (int a = 0; a < of_i.count; ++a) {
-      const Eigen::RowVector3d row = of_i.directions[a].transpose() * values;
-      for (int b = 0; b < (i == j ? a + 1 : of_j.count); ++b) {
-        const double value = row.dot(of_j.directions[b]);
-        entries.emplace_back(first[i] + a, first[j] + b, value);
-        if (i == j && a == b) trace += value;
+    const auto row = static_cast<Eigen::Index>(3 * (key / count_)),
+               column = static_cast<Eigen::Index>(3 * (key % count_));
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < (row == column ? a + 1 : 3); ++b) {
+        lower.emplace_back(row + a, column + b, values(a, b));
       }
     }
   }
-  const double add = damping * trace / static_cast<double>(size);
-  for (Eigen::Index i = 0; i < size; ++i) entries.emplace_back(i, i, add);
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd right(size);
-  for (std::size_t i = 0; i < freedoms.size(); ++i) {
-    for (int a = 0; a < freedoms[i].count; ++a) {
-      right[first[i] + a] =
-          freedoms[i].directions[a].dot(gradient_.segment<3>(3 * static_cast<Eigen::Index>(i)));
-    }
-  }
+  Eigen::SparseMatrix<double> matrix(gradient_.size(), gradient_.size());
+  matrix.setFromTriplets(lower.begin(), lower.end());
+  return matrix.selfadjointView<Eigen::Lower>();
+}
+
+std::optional<std::vector<Vector3d>> FitEquations::solve(const MoveSpace& space,
+                                                         double damping) const {
+  const Eigen::SparseMatrix<double>& basis = space.basis();
+  std::vector<Vector3d> moves(count_, Vector3d::Zero());
+  if (space.size() == 0) return moves;
+  Eigen::SparseMatrix<double> matrix = basis.transpose() * (hessian() * basis);
+  Eigen::SparseMatrix<double> unit(matrix.rows(), matrix.cols());
+  unit.setIdentity();
+  matrix += damping * matrix.diagonal().sum() / static_cast<double>(matrix.rows()) * unit;
   const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors(matrix);
   if (factors.info() != Eigen::Success) return std::nullopt;
-  const Eigen::VectorXd x = factors.solve(right);
+  const Eigen::VectorXd x = basis * factors.solve(basis.transpose() * gradient_);
   if (!x.allFinite()) return std::nullopt;
-  for (std::size_t i = 0; i < freedoms.size(); ++i) {
-    for (int a = 0; a < freedoms[i].count; ++a) {
-      moves[i] += x[first[i] + a] * freedoms[i].directions[a];
-    }
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    moves[i] = x.segment<3>(3 * static_cast<Eigen::Index>(i));
   }
   return moves;
 }

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "modelling/freedom.h"
+#include "modelling/reshape/move_space.h"
 
 namespace hull::modelling {
 
@@ -27,10 +27,9 @@ class FitEquations {
   void add_scalar(const std::vector<int>& points, const Eigen::MatrixXd& form,
                   const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient);
 
-  // Moves of all points within what they may do, of (H + damping · m · 1) x = g, m the mean of the
-  // diagonal. None where that is not positive definite to rounding.
-  std::optional<std::vector<Vector3d>> solve(const std::vector<Freedom>& freedoms,
-                                             double damping) const;
+  // Moves of all points within the space, of (H + damping · m · 1) x = g in its basis, m the mean
+  // of the diagonal. None where that is not positive definite to rounding.
+  std::optional<std::vector<Vector3d>> solve(const MoveSpace& space, double damping) const;
 
  private:
   Eigen::Matrix3d& block(int row, int column) {
@@ -39,6 +38,8 @@ class FitEquations {
     if (is_new) it->second.setZero();
     return it->second;
   }
+
+  Eigen::SparseMatrix<double> hessian() const;
 
   std::unordered_map<std::uint64_t, Eigen::Matrix3d> blocks_;  // row >= column
   Eigen::VectorXd gradient_;

@@ -57,14 +57,20 @@ struct Sample {
   Side left, right;
 };
 
+ReshapeLimits with_locked(ReshapeLimits limits, const std::vector<int>& points) {
+  std::vector<int>& locked = limits.limits.locked;
+  locked.insert(locked.end(), points.begin(), points.end());
+  return limits;
+}
+
 class KnuckleProblem {
  public:
   KnuckleProblem(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
-                 const MoveLimits& limits, const std::vector<int>& edges)
-      : surface_(surface), start_(surface.mesh().points()), pieces_(surface) {
-    MoveLimits all = limits;
-    all.locked.insert(all.locked.end(), curve.vertices().begin(), curve.vertices().end());
-    freedoms_ = freedoms_within(all, static_cast<int>(start_.size()));
+                 const ReshapeLimits& limits, const std::vector<int>& edges)
+      : surface_(surface),
+        start_(surface.mesh().points()),
+        pieces_(surface),
+        space_(with_locked(limits, curve.vertices()), static_cast<int>(start_.size())) {
     for (int edge : edges) {
       for (int i = 0; i < kSolvedSamples; ++i) {
         const double t = edge + (i + 0.5) / kSolvedSamples;
@@ -72,33 +78,28 @@ class KnuckleProblem {
             {t, curve.evaluate(t, 1).d1.normalized(), side(curve.left(t)), side(curve.right(t))});
       }
     }
-    first_column_.assign(start_.size(), -1);
-    for (const Sample& sample : samples_) {
-      for (const Side* s : {&sample.left, &sample.right}) {
-        for (int point : *s->points) add_columns(point);
-      }
-    }
-    if (columns_ == 0) {
+    if (jacobian().nonZeros() == 0) {
       throw std::invalid_argument(
           "No control point beside the knuckle may move: unlock some, or release a flat.");
     }
   }
 
-  Eigen::Index columns() const { return columns_; }
+  Eigen::Index freedom() const { return space_.size(); }
 
-  void move(const Eigen::VectorXd& x) {
-    std::vector<Vector3d> points = start_;
-    for (std::size_t p = 0; p < points.size(); ++p) points[p] += move_of(static_cast<int>(p), x);
-    surface_.set_points(std::move(points));
+  // Of all control points, by as many numbers as freedom() says.
+  std::vector<Vector3d> moves(const Eigen::VectorXd& x) const {
+    const Eigen::VectorXd all = space_.basis() * x;
+    std::vector<Vector3d> moves;
+    for (std::size_t p = 0; p < start_.size(); ++p) {
+      moves.emplace_back(all.segment<3>(3 * static_cast<Eigen::Index>(p)));
+    }
+    return moves;
   }
 
-  Vector3d move_of(int point, const Eigen::VectorXd& x) const {
-    Vector3d move = Vector3d::Zero();
-    if (first_column_[point] < 0) return move;
-    for (int k = 0; k < freedoms_[point].count; ++k) {
-      move += x[first_column_[point] + k] * freedoms_[point].directions[k];
-    }
-    return move;
+  void move(const Eigen::VectorXd& x) {
+    std::vector<Vector3d> points = moves(x);
+    for (std::size_t p = 0; p < points.size(); ++p) points[p] += start_[p];
+    surface_.set_points(std::move(points));
   }
 
   // By how much the angles are more than is wanted, the short way round.
@@ -123,9 +124,9 @@ class KnuckleProblem {
       add_tilt(static_cast<int>(i), samples_[i].left, samples_[i].along, entries);
       add_tilt(static_cast<int>(i), samples_[i].right, -samples_[i].along, entries);
     }
-    Sparse J(static_cast<Eigen::Index>(samples_.size()), columns_);
+    Sparse J(static_cast<Eigen::Index>(samples_.size()), space_.basis().rows());
     J.setFromTriplets(entries.begin(), entries.end());
-    return J;
+    return J * space_.basis();
   }
 
   const surface::LimitSurface& surface() const { return surface_; }
@@ -135,12 +136,6 @@ class KnuckleProblem {
     const auto found = pieces_.find(place.cell, place.u, place.v);
     surface::PieceWeights::Jet jet = pieces_.jet(*found);
     return {place, &pieces_.piece(found->piece).points, std::move(jet.ds), std::move(jet.dt)};
-  }
-
-  void add_columns(int point) {
-    if (first_column_[point] >= 0 || freedoms_[point].count == 0) return;
-    first_column_[point] = columns_;
-    columns_ += freedoms_[point].count;
   }
 
   Vector3d normal(const Side& side) const {
@@ -161,13 +156,10 @@ class KnuckleProblem {
     plane << ds.dot(along), dt.dot(along), ds.dot(outwards), dt.dot(outwards);
     const Eigen::Vector2d step = plane.fullPivLu().solve(Eigen::Vector2d(0.0, 1.0));
     for (std::size_t k = 0; k < side.points->size(); ++k) {
-      const int point = (*side.points)[k];
-      if (first_column_[point] < 0) continue;
       const auto index = static_cast<Eigen::Index>(k);
       const double weight = step.x() * side.ds[index] + step.y() * side.dt[index];
-      for (int d = 0; d < freedoms_[point].count; ++d) {
-        entries.emplace_back(row, static_cast<int>(first_column_[point]) + d,
-                             -weight * n.dot(freedoms_[point].directions[d]));
+      for (int axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(row, 3 * (*side.points)[k] + axis, -weight * n[axis]);
       }
     }
   }
@@ -175,10 +167,8 @@ class KnuckleProblem {
   surface::LimitSurface surface_;
   std::vector<Vector3d> start_;
   surface::PieceWeights pieces_;
-  std::vector<Freedom> freedoms_;
+  MoveSpace space_;
   std::vector<Sample> samples_;
-  std::vector<Eigen::Index> first_column_;
-  Eigen::Index columns_ = 0;
 };
 
 // Jᵀ (J Jᵀ + μ)^-1 r.
@@ -212,14 +202,14 @@ double deviation_of(const surface::LimitSurface& surface, const surface::CreaseC
 
 KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
                                  const surface::CreaseCurve& curve, double angle,
-                                 const MoveLimits& limits, const KnuckleOptions& options) {
+                                 const ReshapeLimits& limits, const KnuckleOptions& options) {
   if (!(std::abs(angle) <= kMostAngle)) {
     throw std::invalid_argument("The angle of a knuckle is within -170° and 170°.");
   }
   KnuckleSetting result{};
   result.edges = edges_to_set(surface, curve, options.edges);
   KnuckleProblem problem(surface, curve, limits, result.edges);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.columns());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.freedom());
   Eigen::VectorXd e = problem.errors(angle);
   while (result.steps < options.most_steps) {
     ++result.steps;
@@ -232,11 +222,11 @@ KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
     e = problem.errors(angle);
     if (part == 1.0 && (J * change).cwiseAbs().maxCoeff() < kStill) break;
   }
-  for (int p = 0; p < static_cast<int>(surface.mesh().points().size()); ++p) {
-    const Vector3d move = problem.move_of(p, x);
-    if (move.isZero(0.0)) continue;
-    result.points.push_back(p);
-    result.moves.push_back(move);
+  const std::vector<Vector3d> moves = problem.moves(x);
+  for (std::size_t p = 0; p < moves.size(); ++p) {
+    if (moves[p].isZero(0.0)) continue;
+    result.points.push_back(static_cast<int>(p));
+    result.moves.push_back(moves[p]);
   }
   result.deviation = deviation_of(problem.surface(), curve, result.edges, angle);
   result.met = result.deviation <= options.tolerance;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "modelling/freedom.h"
+#include "modelling/reshape/move_space.h"
 #include "surface/creases/crease_curves.h"
 
 namespace hull::modelling {
@@ -39,6 +39,7 @@ struct KnuckleSetting {
 // edges are left out, no point beside them may move, or the surface has no tangent plane there.
 KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
                                  const surface::CreaseCurve& curve, double angle,
-                                 const MoveLimits& limits = {}, const KnuckleOptions& options = {});
+                                 const ReshapeLimits& limits = {},
+                                 const KnuckleOptions& options = {});
 
 }  // namespace hull::modelling

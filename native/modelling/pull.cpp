@@ -2,11 +2,10 @@
 #include "modelling/pull.h"
 
 #include <Eigen/SVD>
+#include <Eigen/SparseCore>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -39,54 +38,23 @@ void check_targets(const surface::LimitSurface& surface, const std::vector<PullT
   }
 }
 
-// What each of the control points with a weight may do; not those that may do nothing.
-std::map<int, Freedom> with_weight(const std::vector<Freedom>& freedoms,
-                                   const std::vector<std::vector<surface::PointWeight>>& rows) {
-  std::map<int, Freedom> result;
-  for (const auto& row : rows) {
-    for (const surface::PointWeight& w : row) {
-      if (freedoms[w.point].count > 0) result.try_emplace(w.point, freedoms[w.point]);
-    }
-  }
-  return result;
-}
+using Sparse = Eigen::SparseMatrix<double>;
+using WeightRows = std::vector<std::vector<surface::PointWeight>>;
 
-// The columns of each point's freedom, then A.
-struct LinearProblem {
-  std::map<int, Freedom> freedoms;
-  std::map<int, Eigen::Index> first_column;
-  Eigen::MatrixXd A;
-
-  LinearProblem(std::map<int, Freedom> of_points,
-                const std::vector<std::vector<surface::PointWeight>>& rows)
-      : freedoms(std::move(of_points)) {
-    Eigen::Index columns = 0;
-    for (const auto& [point, freedom] : freedoms) {
-      first_column[point] = columns;
-      columns += freedom.count;
-    }
-    A.setZero(3 * static_cast<Eigen::Index>(rows.size()), columns);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const surface::PointWeight& w : rows[i]) {
-        const auto it = freedoms.find(w.point);
-        if (it == freedoms.end()) continue;
-        for (int k = 0; k < it->second.count; ++k) {
-          A.block<3, 1>(3 * static_cast<Eigen::Index>(i), first_column[w.point] + k) =
-              w.weight * it->second.directions[k];
-        }
+// A column for each coordinate of all control points' moves, in threes of rows for each place.
+Sparse weights_of(const WeightRows& rows, Eigen::Index columns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const surface::PointWeight& w : rows[i]) {
+      for (int axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(3 * static_cast<Eigen::Index>(i) + axis, 3 * w.point + axis, w.weight);
       }
     }
   }
-
-  Vector3d move_of(int point, const Eigen::VectorXd& x) const {
-    Vector3d move = Vector3d::Zero();
-    const Freedom& freedom = freedoms.at(point);
-    for (int k = 0; k < freedom.count; ++k) {
-      move += x[first_column.at(point) + k] * freedom.directions[k];
-    }
-    return move;
-  }
-};
+  Sparse weights(3 * static_cast<Eigen::Index>(rows.size()), columns);
+  weights.setFromTriplets(entries.begin(), entries.end());
+  return weights;
+}
 
 // A⁺ r, where singular values below kLeastWeight count as zero.
 Eigen::VectorXd least_norm(const Eigen::MatrixXd& A, const Eigen::VectorXd& r) {
@@ -119,64 +87,57 @@ std::string number(double value) {
                               "the plane.");
 }
 
-// Moves by point, and what is left of r.
+// Moves of all control points, and what is left of r.
 struct Solution {
-  std::map<int, Vector3d> moves;
-  Eigen::VectorXd left;
+  Eigen::VectorXd moves, left;
 };
 
-Solution least_moves(const std::map<int, Freedom>& freedoms,
-                     const std::vector<std::vector<surface::PointWeight>>& rows,
-                     const Eigen::VectorXd& r) {
-  const LinearProblem problem(freedoms, rows);
-  const Eigen::VectorXd x = least_norm(problem.A, r);
-  Solution solution{{}, r - problem.A * x};
-  for (const auto& [point, freedom] : problem.freedoms) {
-    solution.moves[point] = problem.move_of(point, x);
+// The shortest sum of `directions`, moves of all control points, that takes the places to r.
+Solution least_moves(const Sparse& weights, const Sparse& directions, const Eigen::VectorXd& r) {
+  const Sparse by_direction = weights * directions;
+  std::vector<Eigen::Index> used;
+  for (Eigen::Index k = 0; k < by_direction.cols(); ++k) {
+    if (by_direction.col(k).nonZeros() > 0) used.push_back(k);
   }
-  return solution;
+  Eigen::MatrixXd A(r.size(), static_cast<Eigen::Index>(used.size()));
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    A.col(static_cast<Eigen::Index>(k)) = by_direction.col(used[k]);
+  }
+  const Eigen::VectorXd x = least_norm(A, r);
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(directions.cols());
+  all(used) = x;
+  return {directions * all, r - A * x};
 }
 
-Solution spread_moves(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
-                      const std::vector<std::vector<surface::PointWeight>>& rows,
-                      const std::vector<Freedom>& freedoms, const PullSpread& spread,
-                      const Eigen::VectorXd& r) {
-  std::vector<Following> followings;
+// What all control points do as each place moves along each axis, within the limits.
+Sparse following_moves(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
+                       const WeightRows& rows, const ReshapeLimits& limits,
+                       const PullSpread& spread, const MoveSpace& space) {
+  const std::vector<Freedom> freedoms = freedoms_within(limits.limits, space.point_count());
+  std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const PullTarget& t = targets[i];
-    followings.push_back(
-        following(surface, rows[i], surface.position(t.cell, t.u, t.v), freedoms, spread));
-  }
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(r.size(), r.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      for (const surface::PointWeight& w : rows[i]) {
-        const auto it = followings[k].find(w.point);
-        if (it == followings[k].end()) continue;
-        A.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(k)) +=
-            w.weight * it->second;
+    const Vector3d place = surface.position(targets[i].cell, targets[i].u, targets[i].v);
+    for (const auto& [point, follows] : following(surface, rows[i], place, freedoms, spread)) {
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+          entries.emplace_back(3 * point + a, 3 * static_cast<Eigen::Index>(i) + b, follows(a, b));
+        }
       }
     }
   }
-  const Eigen::VectorXd x = least_norm(A, r);
-  Solution solution{{}, r - A * x};
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const auto& [point, follows] : followings[k]) {
-      const auto [it, is_new] = solution.moves.try_emplace(point, Vector3d::Zero());
-      it->second += follows * x.segment<3>(3 * static_cast<Eigen::Index>(k));
-    }
-  }
-  return solution;
+  Sparse moves(space.basis().rows(), 3 * static_cast<Eigen::Index>(targets.size()));
+  moves.setFromTriplets(entries.begin(), entries.end());
+  return space.basis() * (space.basis().transpose() * moves);
 }
 
 }  // namespace
 
 Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
-          const MoveLimits& limits, const PullSpread& spread) {
+          const ReshapeLimits& limits, const PullSpread& spread) {
   check_targets(surface, targets);
   check_spread(spread);
   surface::PointWeights weights(surface);
-  std::vector<std::vector<surface::PointWeight>> rows;
+  WeightRows rows;
   Eigen::VectorXd r(3 * static_cast<Eigen::Index>(targets.size()));
   double longest = 0.0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -186,11 +147,12 @@ Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& t
     r.segment<3>(3 * static_cast<Eigen::Index>(i)) = pulled;
     longest = std::max(longest, pulled.norm());
   }
-  const std::vector<Freedom> freedoms =
-      freedoms_within(limits, surface.mesh().topology().vertex_count());
-  const Solution solution = spread.radius > 0.0
-                                ? spread_moves(surface, targets, rows, freedoms, spread, r)
-                                : least_moves(with_weight(freedoms, rows), rows, r);
+  const MoveSpace space(limits, surface.mesh().topology().vertex_count());
+  const Sparse places = weights_of(rows, space.basis().rows());
+  const Solution solution =
+      spread.radius > 0.0
+          ? least_moves(places, following_moves(surface, targets, rows, limits, spread, space), r)
+          : least_moves(places, space.basis(), r);
 
   Pull result{{}, {}, 0.0, 0.0};
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -198,7 +160,8 @@ Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& t
     if (miss > kMiss * longest) throw_unreachable(i, miss);
     result.miss = std::max(result.miss, miss);
   }
-  for (const auto& [point, move] : solution.moves) {
+  for (int point = 0; point < space.point_count(); ++point) {
+    const Vector3d move = solution.moves.segment<3>(3 * static_cast<Eigen::Index>(point));
     if (move.isZero(0.0)) continue;
     result.points.push_back(point);
     result.moves.push_back(move);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "modelling/freedom.h"
 #include "modelling/pull_spread.h"
+#include "modelling/reshape/move_space.h"
 #include "surface/limit_surface.h"
 
 namespace hull::modelling {
@@ -27,8 +27,9 @@ struct Pull {
 // Pulls places of the surface to targets: of all moves of the control points that take every place
 // to its target and stay within the limits, the one with the least Σ |move|². With the weights w of
 // the control points in a place (point_weights.h) that is a linear least-norm problem: the moves
-// are A⁺ r for the matrix A of the weights times what each point may do, and the targets' distances
-// r. Only control points with a weight in a place move.
+// are B (W B)⁺ r for the weights W, the basis B of all moves within the limits (move_space.h) and
+// the targets' distances r. Only control points with a weight in a place move, and such as limits
+// tie to them.
 //
 // With a radius the control points around follow, too, as pull_spread.h says: each place has one
 // vector, and these are such that all places are met all the same. There are as many unknowns as
@@ -42,6 +43,6 @@ struct Pull {
 // in which a place can be moved by less than 1e-6 of its control points' moves count as held) or
 // targets contradict one another; for places, points, normals or a radius that are none.
 Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
-          const MoveLimits& limits = {}, const PullSpread& spread = {});
+          const ReshapeLimits& limits = {}, const PullSpread& spread = {});
 
 }  // namespace hull::modelling

@@ -81,3 +81,12 @@ def at(i, j, rows=5):
 
 def tags_of(hull):
     return part("features.hull.tags").of_hull(hull, bpy.context.scene)
+
+
+def centre_normals(surface):
+    """(n, 3) in the middle of the sides of cells that are on the centre plane."""
+    middles = np.array([(0.5, 0.0), (1.0, 0.5), (0.5, 1.0), (0.0, 0.5)])
+    cells = np.repeat(np.arange(surface.cell_count), 4)
+    uv = np.tile(middles, (surface.cell_count, 1))
+    on_plane = np.abs(surface.positions(cells, uv)[:, 1]) < 1e-6
+    return surface.normals(cells[on_plane], uv[on_plane])

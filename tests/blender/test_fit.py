@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import add_hull, make_active, part, state_of
+from edited_hulls import centre_normals
 
 SEED = 1122
 
@@ -121,6 +122,25 @@ def test_locked_points_stay():
     assert bpy.ops.hull.fit() == {"FINISHED"}
     moved = np.abs(points_of(hull) - before).max(axis=1)
     assert (moved[locked] == 0.0).all() and moved.max() > 0.05
+
+
+@pytest.mark.parametrize("stay_square", [True, False])
+def test_a_smooth_centre_line_stays_smooth_on_demand(stay_square):
+    hull = sample("container_ship")
+    surface = wanted(hull)
+    points = surface.tessellate(6).points.copy()
+    points[:, 2] -= 0.1 * np.maximum(0.0, 1.0 - points[:, 1] / 4.0)  # a V
+    mesh = bpy.data.meshes.new("scan")
+    mesh.from_pydata(points.tolist(), [], [])
+    target = bpy.data.objects.new("scan", mesh)
+    bpy.context.scene.collection.objects.link(target)
+    hull.hull.fit.target, hull.hull.fit.stay_square = target, stay_square
+    hull.hull.fit.fairness = hull.hull.fit.stiffness = 1e-6
+    was_square = np.abs(centre_normals(surface)[:, 1]) < 1e-6
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    normals = centre_normals(state_of(hull).ship.surface)
+    lean = np.abs(normals[was_square, 1]).max()
+    assert lean < 1e-5 if stay_square else lean > 1e-2
 
 
 def test_points_alone_are_a_target():

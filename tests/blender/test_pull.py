@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import part, state_of
-from edited_hulls import at, edit, grid_hull, select
+from edited_hulls import at, centre_normals, edit, grid_hull, select
 
 SEED = 1122
 
@@ -222,6 +222,21 @@ def test_points_on_the_centre_plane_stay_there():
     assert (edited_points(hull)[on_centre, 1] == 0.0).all()
     with pytest.raises(ValueError, match="cannot be pulled this way"):
         pull.pull(keel, keel.point + (0.0, 0.3, 0.0))
+
+
+@pytest.mark.parametrize("radius", [0.0, 12.0])
+def test_a_smooth_keel_stays_smooth(radius):
+    """The bottom of the run, which crosses the centre plane smoothly, pulled close beside it."""
+    hull = sample("container_ship")
+    pull = pull_of(hull)
+    was_square = np.abs(centre_normals(pull.surface)[:, 1]) < 1e-6
+    assert was_square.sum() > 40
+    grip = pull.nearest((3.0, 1.0, 13.8))
+    moved, longest = pull.pull(grip, grip.point + (0.0, 0.2, -0.5), radius)
+    assert moved and longest > 0.3
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    normals = centre_normals(state_of(hull).ship.surface)
+    assert np.abs(normals[was_square, 1]).max() < 1e-5  # points are in single precision
 
 
 def on_centre_place(pull):

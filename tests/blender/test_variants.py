@@ -193,9 +193,7 @@ def kept_of(hull):
         arrays = geometry[: -2 - marked]
         kept = part("features.constraints.kept_points").read(entry.mesh)
         axes = [kept.along(axis).tolist() for axis in range(3)]
-        told.append(
-            (entry.name, entry.note, arrays, geometry[-2:], flat, axes, settings, places)
-        )
+        told.append((entry.name, entry.note, arrays, geometry[-2:], flat, axes, settings, places))
         assert len(planes) == len(flat)
     return told
 

@@ -28,6 +28,8 @@ class HULL_PT_fit(HullPanel, bpy.types.Panel):
         if settings.use_edges:
             column.prop(settings, "edge_angle")
         column.prop(settings, "draw_border")
+        if hull.hull.half:
+            column.prop(settings, "stay_square")
         column = layout.column(align=True)
         column.prop(settings, "fairness")
         column.prop(settings, "stiffness")

@@ -75,6 +75,12 @@ class HullFit(bpy.types.PropertyGroup):
         "else they are left out",
         default=True,
     )
+    stay_square: BoolProperty(
+        name="Smooth centre line",
+        description="Where the two halves join smoothly they go on doing so: a round or flat keel "
+        "gets no knuckle; else it is as the target has it",
+        default=False,
+    )
     samples: IntProperty(
         name="Points",
         description="How many points are spread over the target's faces",

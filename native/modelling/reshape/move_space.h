@@ -23,10 +23,10 @@ struct MoveCondition {
 
 // What control points may do while a surface is reshaped.
 struct ReshapeLimits {
-  MoveLimits limits;                // locked points, and points held in planes
-  std::vector<TiedPoint> tied;      // where the surface is to stay square to a plane, for one
-  std::vector<int> prescribed;      // control points that move as they are told, each time anew
-  std::vector<MoveCondition> kept;  // sums that stay zero; they may depend on one another
+  MoveLimits limits;                 // locked points, and points held in planes
+  std::vector<TiedPoint> tied = {};  // where the surface is to stay square to a plane, for one
+  std::vector<int> prescribed = {};  // control points that move as they are told, each time anew
+  std::vector<MoveCondition> kept = {};  // sums that stay zero; they may depend on one another
 };
 
 // All moves of the control points within limits, Δ = basis() · y + particular(prescribed moves):

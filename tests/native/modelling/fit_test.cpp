@@ -102,9 +102,9 @@ TEST(Fit, StaysWithinLimits) {
   const surface::LimitSurface surface = sheet();
   const surface::LimitSurface start = with_points(surface, shaken(surface, random, 0.2));
   FitOptions options;
-  options.limits.locked = {10, 11};
+  options.limits.limits.locked = {10, 11};
   const Vector3d across(0.0, 0.6, 0.8);
-  options.limits.held = {{20, across}, {21, across}, {21, Vector3d::UnitX()}};
+  options.limits.limits.held = {{20, across}, {21, across}, {21, Vector3d::UnitX()}};
   const Fit found = fit(start, {samples_of(surface, 4), {}, {}}, {}, options);
   const std::vector<Vector3d>& before = start.mesh().points();
   for (int point : {10, 11}) EXPECT_EQ(found.points[point], before[point]);
@@ -207,7 +207,7 @@ TEST(Fit, NamesWhatIsWrong) {
   options.fairness = -1.0;
   expect_wrong({one, {}, {}}, {}, options);
   options = {};
-  options.limits.locked = {12345};
+  options.limits.limits.locked = {12345};
   expect_wrong({one, {}, {}}, {}, options);
 }
 

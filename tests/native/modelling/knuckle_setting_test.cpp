@@ -98,7 +98,7 @@ TEST(KnuckleSetting, KeepsWhatIsLockedOrHeld) {
     if (x == 1.0) limits.held.push_back({static_cast<int>(p), Vector3d::UnitZ()});
   }
   const surface::CreaseCurve knuckle = knuckle_of(surface);
-  const KnuckleSetting setting = set_knuckle_angle(surface, knuckle, 70.0 * kDegree, limits);
+  const KnuckleSetting setting = set_knuckle_angle(surface, knuckle, 70.0 * kDegree, {limits});
   EXPECT_TRUE(setting.met);
   for (std::size_t i = 0; i < setting.points.size(); ++i) {
     EXPECT_EQ(surface.mesh().points()[setting.points[i]].x(), 1.0);
@@ -137,7 +137,7 @@ TEST(KnuckleSetting, SaysWhatCannotBe) {
   for (int p = 0; p < static_cast<int>(surface.mesh().points().size()); ++p) {
     limits.locked.push_back(p);
   }
-  EXPECT_THROW(set_knuckle_angle(surface, knuckle, 0.5, limits), std::invalid_argument);
+  EXPECT_THROW(set_knuckle_angle(surface, knuckle, 0.5, {limits}), std::invalid_argument);
   const surface::LimitSurface dart = bent_net(3, 4);
   EXPECT_THROW(set_knuckle_angle(dart, knuckle_of(dart), 0.5), std::invalid_argument);
   for (const surface::CreaseCurve& curve : surface::crease_curves(surface)) {

@@ -102,7 +102,7 @@ TEST(PullSpread, MeetsTargetsWithinLimitsWhateverTheRadius) {
                             trial % 3 == 0};
     Pull pulled;
     try {
-      pulled = pull(surface, targets, limits, spread);
+      pulled = pull(surface, targets, {limits}, spread);
     } catch (const std::invalid_argument&) {
       continue;  // two places of one small mesh may be out of reach of one another
     }
@@ -171,7 +171,7 @@ TEST(PullSpread, FadesOutTowardsWhatIsHeld) {
       net.surface, moves_of(net.surface, pull(net.surface, {net.up}, {}, {12.0, false})));
   for (const MoveLimits& limits : {locked, held}) {
     const std::vector<Vector3d> moves =
-        moves_of(net.surface, pull(net.surface, {net.up}, limits, {12.0, false}));
+        moves_of(net.surface, pull(net.surface, {net.up}, {limits}, {12.0, false}));
     // A step would be (1 - 16/144)³ = 0.7 m beside the row; falling by 1 m over 5 m takes 0.3 m.
     EXPECT_LT(steepest_edge(net.surface, moves), 0.35);
     EXPECT_GT(steepest_edge(net.surface, moves), free);
@@ -179,7 +179,7 @@ TEST(PullSpread, FadesOutTowardsWhatIsHeld) {
   }
   // What is behind a row of locked points stays; in a flat's plane points move as ever.
   const std::vector<Vector3d> behind =
-      moves_of(net.surface, pull(net.surface, {net.up}, locked, {12.0, false}));
+      moves_of(net.surface, pull(net.surface, {net.up}, {locked}, {12.0, false}));
   for (std::size_t p = 0; p < points.size(); ++p) {
     const bool is_behind = points[p].x() > net.place.x() + 5.0;
     EXPECT_TRUE(!is_behind || behind[p].isZero(0.0));
@@ -187,7 +187,7 @@ TEST(PullSpread, FadesOutTowardsWhatIsHeld) {
   PullTarget along = net.up;
   along.point = net.place + Vector3d::UnitY();
   const auto free_moves = moves_of(net.surface, pull(net.surface, {along}, {}, {12.0, false}));
-  const auto held_moves = moves_of(net.surface, pull(net.surface, {along}, held, {12.0, false}));
+  const auto held_moves = moves_of(net.surface, pull(net.surface, {along}, {held}, {12.0, false}));
   for (std::size_t p = 0; p < points.size(); ++p) {
     EXPECT_LT((free_moves[p] - held_moves[p]).norm(), 1e-13);
   }
@@ -216,7 +216,7 @@ TEST(PullSpread, StaysSmoothAcrossTheCentrePlane) {
   ASSERT_GE(target.cell, 0);
   const auto slope_on_border = [&](bool mirrored) {
     const std::vector<Vector3d> moves =
-        moves_of(surface, pull(surface, {target}, centre, {8.0, mirrored}));
+        moves_of(surface, pull(surface, {target}, {centre}, {8.0, mirrored}));
     double most = 0.0;
     for (std::size_t p = 0; p < moves.size(); ++p) {
       if (arrays.points[p].y() != 0.0) continue;

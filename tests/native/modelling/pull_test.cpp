@@ -91,7 +91,7 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
       t.point = surface.position(t.cell, t.u, t.v) + testing::random_vector(random);
       targets.push_back(t);
     }
-    const Pull pulled = pull(surface, targets, limits);
+    const Pull pulled = pull(surface, targets, {limits});
     std::vector<Vector3d> moves(49, Vector3d::Zero());
     for (std::size_t i = 0; i < pulled.points.size(); ++i) {
       moves[pulled.points[i]] = pulled.moves[i];
@@ -119,7 +119,7 @@ TEST(Pull, StaysWithinLimitsAndIsTheLeast) {
       std::vector<Vector3d> points = surface.mesh().points();
       for (int p = 0; p < 49; ++p) points[p] += start[p];
       shaken.set_points(points);
-      const Pull second = pull(shaken, targets, limits);
+      const Pull second = pull(shaken, targets, {limits});
       for (std::size_t i = 0; i < second.points.size(); ++i) {
         start[second.points[i]] += second.moves[i];
       }
@@ -147,16 +147,16 @@ TEST(Pull, SaysWhatCannotBe) {
   const Vector3d at = surface.position(20, 0.5, 0.5);
   MoveLimits flat;
   for (int p = 0; p < 25; ++p) flat.held.push_back({p, {0.0, 0.0, 2.0}});
-  EXPECT_THROW(pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.0, 0.0, 1.0)}}, flat),
+  EXPECT_THROW(pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.0, 0.0, 1.0)}}, {flat}),
                std::invalid_argument);
-  const Pull within = pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.1, 0.2, 0.0)}}, flat);
+  const Pull within = pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.1, 0.2, 0.0)}}, {flat});
   for (const Vector3d& move : within.moves) EXPECT_EQ(move.z(), 0.0);
 
   MoveLimits all;
   for (int p = 0; p < 25; ++p) all.locked.push_back(p);
-  EXPECT_THROW(pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.1, 0.0, 0.0)}}, all),
+  EXPECT_THROW(pull(surface, {{20, 0.5, 0.5, at + Vector3d(0.1, 0.0, 0.0)}}, {all}),
                std::invalid_argument);
-  EXPECT_TRUE(pull(surface, {{20, 0.5, 0.5, at}}, all).points.empty());
+  EXPECT_TRUE(pull(surface, {{20, 0.5, 0.5, at}}, {all}).points.empty());
 
   const PullTarget here{20, 0.5, 0.5, at}, there{20, 0.5, 0.5, at + Vector3d(0.0, 0.0, 1.0)};
   EXPECT_THROW(pull(surface, {here, there}), std::invalid_argument);
@@ -165,8 +165,9 @@ TEST(Pull, SaysWhatCannotBe) {
   EXPECT_THROW(pull(surface, {{64, 0.5, 0.5, at}}), std::invalid_argument);
   EXPECT_THROW(pull(surface, {{0, 1.5, 0.5, at}}), std::invalid_argument);
   EXPECT_THROW(pull(surface, {{0, 0.5, 0.5, {NAN, 0.0, 0.0}}}), std::invalid_argument);
-  EXPECT_THROW(pull(surface, {here}, {{25}, {}}), std::invalid_argument);
-  EXPECT_THROW(pull(surface, {here}, {{}, {{3, Vector3d::Zero()}}}), std::invalid_argument);
+  EXPECT_THROW(pull(surface, {here}, {MoveLimits{{25}, {}}}), std::invalid_argument);
+  EXPECT_THROW(pull(surface, {here}, {MoveLimits{{}, {{3, Vector3d::Zero()}}}}),
+               std::invalid_argument);
 }
 
 }  // namespace

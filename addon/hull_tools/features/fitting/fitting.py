@@ -131,8 +131,12 @@ def _arguments(obj, surface, control, scale):
     moves = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     turned = _turned_as(surface, target, reach)
     alone, faces_alone = coverage.uncovered(control, surface, target.points, turned, reach)
+    moves = moves.with_locked(alone)
+    limits_of_moves = (
+        moves.reshape_arguments(surface) if settings.stay_square else moves.arguments()
+    )
     options = {
-        **moves.with_locked(alone).arguments(),
+        **limits_of_moves,
         "normals": turned,
         "curves": curves,
         "fairness": settings.fairness,

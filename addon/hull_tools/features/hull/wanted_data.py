@@ -2,14 +2,7 @@
 """What is wanted of a hull, targets and area curve: from hull_io's HullData to Object.hull, and
 back."""
 
-from ....hull_io.wanted import (
-    DIMENSIONS,
-    AreaPoint,
-    AreaTarget,
-    FreeDimension,
-    Target,
-    Targets,
-)
+from ....hull_io.wanted import DIMENSIONS, AreaPoint, AreaTarget, FreeDimension, Target, Targets
 from ...bridge.blender.units import as_stored
 
 # By the names of hull files, those in Object.hull.targets.

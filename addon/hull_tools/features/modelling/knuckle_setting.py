@@ -61,7 +61,7 @@ def set_selected(obj, scene, angle):
             angle,
             edges=edges,
             tolerance=TOLERANCE,
-            **limits.arguments(),
+            **limits.reshape_arguments(surface),
         )
         points[one.points] += one.moves
         found.append(one)

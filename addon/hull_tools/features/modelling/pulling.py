@@ -74,6 +74,7 @@ class SurfacePull:
         self._limits = move_limits.of_hull(
             obj, self._ids, control.points, lines.size_of(self.surface)
         )
+        self._moves = self._limits.reshape_arguments(self.surface)
         self._is_locked = np.zeros(len(self._ids), dtype=bool)
         self._is_locked[self._limits.locked] = True
         self._is_free = np.ones((len(self._ids), 3), dtype=bool)
@@ -176,9 +177,9 @@ class SurfacePull:
         target = np.asarray(target, dtype=np.float64)
         if grip.is_image:
             target = lines.mirror_image(target)
-        limits = self._limits
+        locked = self._limits.locked
         if not grip.moves_creases:
-            limits = limits.with_locked(np.flatnonzero(self._is_crease))
+            locked = np.union1d(locked, np.flatnonzero(self._is_crease))
         try:
             found = native.require().pull_surface(
                 self.surface,
@@ -187,7 +188,7 @@ class SurfacePull:
                 target[None],
                 radius=radius,
                 mirrored=self.is_half,
-                **limits.arguments(),
+                **{**self._moves, "locked": locked},
             )
         except ValueError as error:
             raise ValueError(_UNREACHABLE) from error

@@ -46,7 +46,7 @@ def refitted(obj, old, surface, control, rows, longest):
         stiffness=_STIFFNESS,
         reach=reach,
         most_steps=_MOST_STEPS,
-        **limits.with_locked(np.flatnonzero(~free)).arguments(),
+        **limits.with_locked(np.flatnonzero(~free)).reshape_arguments(surface),
     )
     return np.flatnonzero(free), found.points[free]
 
