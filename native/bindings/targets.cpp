@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "bindings/arrays.h"
 #include "bindings/move_limits.h"
@@ -19,18 +20,34 @@ using modelling::FormTarget;
 using modelling::TargetOutcome;
 using modelling::TargetsReached;
 
-FormTarget target_from(const std::string& name, double value, double tolerance,
-                       const std::string& sense, std::optional<double> station, double weight) {
+using Place = std::tuple<int, double, double>;
+
+FormTarget target_of(const std::string& name, std::optional<double> station,
+                     const std::optional<Place>& place, const std::array<double, 3>& direction) {
   FormTarget target;
   target.is_section = name == "section_area";
   if (target.is_section != station.has_value()) {
     throw std::invalid_argument("A station is given with \"section_area\", and with it only.");
   }
+  if ((name == "coordinate") != place.has_value()) {
+    throw std::invalid_argument("A place is given with \"coordinate\", and with it only.");
+  }
   if (target.is_section) {
     target.station = *station;
+  } else if (place) {
+    const auto& [cell, u, v] = *place;
+    target.coordinate = FormTarget::Coordinate{cell, {u, v}, Eigen::Vector3d(direction.data())};
   } else {
     target.number = analysis::form_number_named(name);
   }
+  return target;
+}
+
+FormTarget target_from(const std::string& name, double value, double tolerance,
+                       const std::string& sense, std::optional<double> station,
+                       const std::optional<Place>& place, const std::array<double, 3>& direction,
+                       double weight) {
+  FormTarget target = target_of(name, station, place, direction);
   if (!std::isfinite(value) || !(tolerance >= 0.0) || !std::isfinite(tolerance)) {
     throw std::invalid_argument("The wanted value of " + name +
                                 " must be a number, and its tolerance 0 or more.");
@@ -73,9 +90,12 @@ void bind_target(py::module_& module) {
   py::class_<FormTarget>(module, "FormTarget", "A number of a hull's form and what it is to be.")
       .def(py::init(&target_from), py::arg("name"), py::arg("value"), py::kw_only(),
            py::arg("tolerance") = 0.0, py::arg("sense") = "equal", py::arg("station") = py::none(),
-           py::arg("weight") = 1.0,
-           "name: one of FORM_NUMBERS, or \"section_area\" of the station at x = station. sense: "
-           "\"equal\", \"at least\" or \"at most\" the value, by the tolerance more or less. "
+           py::arg("place") = py::none(),
+           py::arg("direction") = std::array<double, 3>{0.0, 1.0, 0.0}, py::arg("weight") = 1.0,
+           "name: one of FORM_NUMBERS, \"section_area\" of the station at x = station, or "
+           "\"coordinate\" of the surface along a direction at place = (cell, u, v), before "
+           "dimensions are scaled. sense: \"equal\", \"at least\" or \"at most\" the value, by the "
+           "tolerance more or less. "
            "weight: where not all targets can be met those of more weight are rather met. "
            "ValueError for what is none.")
       .def_readonly("low", &FormTarget::low)

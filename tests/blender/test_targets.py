@@ -107,10 +107,48 @@ def test_what_cannot_be_met_is_told():
     add(hull, "VOLUME", 1.05 * before.displaced_volume)
     assert bpy.ops.hull.solve_targets() == {"FINISHED"}
     report = report_of(hull)
-    assert report.status == "unreachable" and report.held == ("beam",)
+    assert report.status == "unreachable" and report.held == ("the limit of beam",)
     assert report.rows[0].reached == pytest.approx(1.02 * before.displaced_volume, rel=1e-6)
     text = part("features.targets.reports").warning(report, bpy.context.scene)
     assert "∇" in text and "limit of beam" in text
+
+
+@pytest.mark.parametrize("name, more", [("coaster", 0.15), ("naval_vessel", 0.15)])
+def test_the_greatest_beam_is_kept_where_points_move_beside_it(name, more):
+    hull = sample(name)
+    before = values_of(hull)
+    half = half_breadth(hull)
+    add(hull, "VOLUME", before.displaced_volume)
+    add(hull, "LCB_PERCENT", before.lcb_percent)
+    add(hull, "KMT", before.kmt + more, "at least")
+    bpy.ops.ed.undo_push(message="before")
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    report = report_of(hull)
+    assert report.is_met and report.held == ("the greatest beam",)
+    after = values_of(hull)
+    assert after.kmt == pytest.approx(before.kmt + more, rel=SINGLE)
+    assert half_breadth(hull) == pytest.approx(half, rel=3e-7)
+    assert after.waterline_beam <= 2.0 * (1.0 + 3e-7) * half
+    # Let go, it is cheaper, and the hull gets wider.
+    bpy.ops.ed.undo_push(message="solved")
+    bpy.ops.ed.undo()
+    hull = bpy.context.object
+    hull.hull.targets.keep_side = False
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    assert report_of(hull).rms < report.rms and half_breadth(hull) > (1.0 + 1e-4) * half
+
+
+def test_a_waterline_wider_than_the_greatest_beam_is_refused():
+    hull = sample()
+    add(hull, "BWL", 13.9)
+    with pytest.raises(RuntimeError, match="greatest beam, 13.6 m, is kept: let it go"):
+        bpy.ops.hull.solve_targets()
+
+
+def half_breadth(hull):
+    values_of(hull)
+    native = part("bridge.native").require()
+    return native.half_breadth(state_of(hull).ship.source.new_surface())
 
 
 def test_rows_come_and_go():

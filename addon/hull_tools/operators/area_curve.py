@@ -234,7 +234,7 @@ class HULL_OT_transform_to_area_curve(bpy.types.Operator, TaskOperator):
     )
     keep_side: BoolProperty(
         name="Keep greatest beam",
-        description="Points as far out as any keep their breadth",
+        description="The hull stays as wide as it is where it is widest, and becomes no wider",
         default=True,
     )
 

@@ -86,7 +86,7 @@ class HullTargets(bpy.types.PropertyGroup):
     )
     keep_side: BoolProperty(
         name="Greatest beam",
-        description="Points as far out as any keep their breadth",
+        description="The hull stays as wide as it is where it is widest, and becomes no wider",
         default=True,
     )
     free_length: _free("Length", "The hull may become longer or shorter")

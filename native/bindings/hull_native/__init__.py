@@ -21,6 +21,8 @@ _LATER = {
     "difference": ".comparison",
     "DistanceField": ".distances",
     "surface_distances": ".distances",
+    "half_breadth": ".breadth",
+    "reach_within_breadth": ".breadth",
     "kept_ranges": ".kept_parts",
     "bilge_of": ".kept_parts",
     "map_surface": ".mapped_surface",

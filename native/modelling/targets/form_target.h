@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <limits>
+#include <optional>
 
 #include "analysis/derivatives/form_numbers.h"
 
@@ -13,6 +15,14 @@ struct FormTarget {
   analysis::FormNumber number = analysis::FormNumber::kDisplacedVolume;
   bool is_section = false;
   double station = 0.0;
+  // … or how far the surface lies along a direction at a place, before dimensions are scaled: a sum
+  // of control points, of which many may be bounded.
+  struct Coordinate {
+    int cell = 0;
+    Eigen::Vector2d uv = Eigen::Vector2d::Zero();
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitY();
+  };
+  std::optional<Coordinate> coordinate;
 
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

@@ -8,15 +8,31 @@
 namespace hull::modelling {
 namespace {
 
-void check(const std::vector<FormTarget>& targets) {
+std::string name_of(const FormTarget& target) {
+  if (target.coordinate) return "coordinate";
+  return target.is_section ? "section_area" : analysis::name_of(target.number);
+}
+
+bool is_sound(const std::optional<FormTarget::Coordinate>& coordinate, int cells) {
+  if (!coordinate) return true;
+  const Eigen::Vector2d& uv = coordinate->uv;
+  return coordinate->cell >= 0 && coordinate->cell < cells && uv.minCoeff() >= 0.0 &&
+         uv.maxCoeff() <= 1.0 && coordinate->direction.allFinite();
+}
+
+void check(const std::vector<FormTarget>& targets, int cells) {
   if (targets.empty()) throw std::invalid_argument("No target is given: at least one is needed.");
   for (const FormTarget& target : targets) {
-    const bool is_sound = target.low <= target.high && target.weight > 0.0 &&
-                          std::isfinite(target.weight) && std::isfinite(target.station) &&
-                          (std::isfinite(target.low) || std::isfinite(target.high));
-    if (is_sound) continue;
-    const std::string name = target.is_section ? "section_area" : analysis::name_of(target.number);
-    throw std::invalid_argument("The target of " + name +
+    if (!is_sound(target.coordinate, cells)) {
+      throw std::invalid_argument("A coordinate is wanted of no place: a surface of " +
+                                  std::to_string(cells) +
+                                  " cells has their numbers from 0 on, with u and v from 0 to 1.");
+    }
+    const bool is_bounded = target.low <= target.high && target.weight > 0.0 &&
+                            std::isfinite(target.weight) && std::isfinite(target.station) &&
+                            (std::isfinite(target.low) || std::isfinite(target.high));
+    if (is_bounded) continue;
+    throw std::invalid_argument("The target of " + name_of(target) +
                                 " is none: a wanted value must be a number, a tolerance 0 or "
                                 "more, and a weight positive.");
   }
@@ -33,7 +49,7 @@ TargetProblem::TargetProblem(const surface::LimitSurface& surface, const TargetW
       start_(surface.mesh().points()),
       body_(surface_, water.mirrored, water.openings),
       derivatives_(body_) {
-  check(targets);
+  check(targets, surface.cell_count());
   numbers_.emplace(derivatives_, water_.position, water_.project, water_.density);
 }
 
@@ -66,33 +82,52 @@ int TargetProblem::first_fold() const {
 Eigen::VectorXd TargetProblem::values() {
   Eigen::VectorXd values(static_cast<Eigen::Index>(targets_.size()));
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const FormTarget& target = targets_[i];
-    values[static_cast<Eigen::Index>(i)] = target.is_section
-                                               ? numbers_->section_area(target.station * scale_.x())
-                                               : numbers_->value(target.number);
+    values[static_cast<Eigen::Index>(i)] = value(targets_[i]);
   }
   return values;
+}
+
+double TargetProblem::value(const FormTarget& target) {
+  if (target.coordinate) {
+    const auto& [cell, uv, direction] = *target.coordinate;
+    return direction.dot(surface_.position(cell, uv[0], uv[1]).cwiseQuotient(scale_));
+  }
+  if (target.is_section) return numbers_->section_area(target.station * scale_.x());
+  return numbers_->value(target.number);
+}
+
+Eigen::VectorXd TargetProblem::gradient(Eigen::Index row) {
+  const FormTarget& target = targets_[row];
+  const double station = target.station * scale_.x();
+  Vector3d scale = scale_;
+  analysis::Gradient by_points;
+  if (target.coordinate) {
+    const auto& [cell, uv, direction] = *target.coordinate;
+    by_points = derivatives_.adjoint().at(cell, uv, direction);
+    scale.setOnes();
+  } else if (target.is_section) {
+    by_points = numbers_->section_area_gradient(station);
+  } else {
+    by_points = numbers_->gradient(target.number);
+  }
+  if (water_.position.trim == 0.0 && !target.coordinate) {
+    const Vector3d by_logarithm = target.is_section
+                                      ? numbers_->section_area_scaling(station, by_points)
+                                      : numbers_->scaling(target.number, by_points);
+    by_scale_.row(row) = by_logarithm.cwiseQuotient(scale_).transpose();
+  }
+  Eigen::VectorXd found(3 * by_points.rows());
+  for (Eigen::Index k = 0; k < by_points.rows(); ++k) {
+    found.segment<3>(3 * k) = by_points.row(k).transpose().cwiseProduct(scale);
+  }
+  return found;
 }
 
 void TargetProblem::differentiate() {
   const auto rows = static_cast<Eigen::Index>(targets_.size());
   Eigen::MatrixXd gradients(3 * static_cast<Eigen::Index>(start_.size()), rows);
   by_scale_.setZero(rows, 3);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const FormTarget& target = targets_[i];
-    const double station = target.station * scale_.x();
-    const analysis::Gradient gradient = target.is_section ? numbers_->section_area_gradient(station)
-                                                          : numbers_->gradient(target.number);
-    if (water_.position.trim == 0.0) {
-      const Vector3d by_logarithm = target.is_section
-                                        ? numbers_->section_area_scaling(station, gradient)
-                                        : numbers_->scaling(target.number, gradient);
-      by_scale_.row(i) = by_logarithm.cwiseQuotient(scale_).transpose();
-    }
-    for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
-      gradients.block<3, 1>(3 * k, i) = gradient.row(k).transpose().cwiseProduct(scale_);
-    }
-  }
+  for (Eigen::Index i = 0; i < rows; ++i) gradients.col(i) = gradient(i);
   by_moves_ = family_.by_freedoms(gradients).transpose();
 }
 

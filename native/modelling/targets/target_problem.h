@@ -52,6 +52,9 @@ class TargetProblem {
   Eigen::MatrixX3d by_scale();
 
  private:
+  double value(const FormTarget& target);
+  // Of a row by control points that are not scaled yet; its scaling is noted in by_scale_.
+  Eigen::VectorXd gradient(Eigen::Index row);
   void differentiate();
 
   surface::LimitSurface surface_;

@@ -117,7 +117,7 @@ class Approach:
 
     def _reached(self, way, progress):
         parent = self.parent
-        return native.require().reach_targets(
+        reached, _ = held_points.solver(self.asked.side)(
             parent.surface,
             self._stations(way),
             progress=progress,
@@ -127,6 +127,7 @@ class Approach:
             **parent.where.project(),
             **self._holds(),
         )
+        return reached
 
     def _is_reached(self, way, tell):
         return self._reached(way, tell).status == "met"

@@ -31,7 +31,8 @@ _AS_FAR_OUT = 1e-3
 def of_outline(surface, points, size, profile, deck, side):
     """(control points (h,), normals (h, 3)) of what keeps a hull's outlines, where these are asked
     for: profile, points on the centre plane stay; deck, those of the borders beside it; side, those
-    as far out as any keep their breadth. surface: hull_native.LimitSurface of points (n, 3)."""
+    as far out as any keep their breadth; solver() sees to what is beside them. surface:
+    hull_native.LimitSurface of points (n, 3)."""
     stays = np.zeros(len(points), dtype=bool)
     at_centre = on_centre(points, size)
     border = np.zeros(len(points), dtype=bool)
@@ -47,6 +48,19 @@ def of_outline(surface, points, size, profile, deck, side):
         held = np.concatenate([held, widest])
         normals = np.concatenate([normals, np.tile((0.0, 1.0, 0.0), (len(widest), 1))])
     return held, normals
+
+
+def solver(keeps_side):
+    """hull_native.reach_targets, or where the greatest breadth is kept what lets the surface become
+    no wider either; returns (TargetsReached, whether that binds)."""
+    hull_native = native.require()
+    if keeps_side:
+        return hull_native.reach_within_breadth
+
+    def solve(surface, targets, **options):
+        return hull_native.reach_targets(surface, targets, **options), False
+
+    return solve
 
 
 def all_ways(points):

@@ -24,7 +24,7 @@ class Reached:
 @dataclass(frozen=True, eq=False)
 class Report:
     """What came of a solution. key: the geometry of the hull it gave; status: as hull_native's
-    TargetsReached has it; rows: Reached; rms in m; held: dimensions that are at their limits."""
+    TargetsReached has it; rows: Reached; rms in m; held: what else is at its limit, in words."""
 
     key: object
     status: str
@@ -64,7 +64,7 @@ def warning(report, scene):
         for row in missed(report)
     )
     binding = [row.label for row in report.rows if row.binds and not row.miss]
-    binding += [f"the limit of {name}" for name in report.held]
+    binding += report.held
     text = f"Not all can be met. {short}" if short else "Not all is settled"
     if binding:
         text += f". Held by {', '.join(binding)}"

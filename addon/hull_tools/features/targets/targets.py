@@ -20,6 +20,8 @@ from . import quantities, reports, rows
 _CHANGED = "The hull was changed meanwhile, and stays as it is: solve it again"
 # Of a price's own size: what does not bind.
 _NO_PRICE = 1e-9
+# Of a breadth: what single precision leaves.
+_ROUNDING = 1e-6
 _DIMENSIONS = ("length", "beam", "draft")
 
 
@@ -39,22 +41,23 @@ class Solving(jobs.JobTask):
         self._ids, self._points = control.vertex_ids, control.points
         surface = self.state.ship.source.new_surface()
         self._targets = [_target(row, obj, self.scale) for row in self._rows]
+        _check_breadth(obj, surface, self._targets, self.scale)
         options = _options(obj, surface, control, self.state.ship.source, self.scale)
+        solve = held_points.solver(obj.hull.targets.keep_side)
         self._job = jobs.Job(
-            lambda progress: native.require().reach_targets(
-                surface, self._targets, progress=progress, **options
-            )
+            lambda progress: solve(surface, self._targets, progress=progress, **options)
         )
         conversions.watch(self)
 
     def result(self):
-        """The hull_native.TargetsReached, which is waited for; raises what went wrong."""
+        """(hull_native.TargetsReached, whether the greatest beam binds), which are waited for;
+        raises what went wrong."""
         return self._job.result()
 
     def write(self, scene):
         """Moves the hull's control points to what is reached; returns the reports.Report.
         ValueError when the hull is no longer what it was."""
-        reached = self.result()
+        reached, beam_binds = self.result()
         obj = scene.objects.get(self._name)
         if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
             raise ValueError(_CHANGED)
@@ -68,9 +71,9 @@ class Solving(jobs.JobTask):
             dimensions.scale_hull(obj, scene, reached.scale)
         mesh_points.write(obj.data, self._ids, (self._points + reached.moves) / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        held = tuple(
-            name for name, price in zip(_DIMENSIONS, reached.scale_prices) if abs(price) > _NO_PRICE
-        )
+        prices = zip(_DIMENSIONS, reached.scale_prices)
+        held = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]
+        held += ["the greatest beam"] if beam_binds else []
         report = state.of(reports.LastSolution).report = reports.Report(
             state.ship.geometry_key,
             reached.status,
@@ -78,7 +81,7 @@ class Solving(jobs.JobTask):
             reached.iterations,
             reached.rms,
             tuple(reached.scale),
-            held,
+            tuple(held),
         )
         return report
 
@@ -106,6 +109,21 @@ def _target(row, obj, scale):
     return native.require().FormTarget(
         quantity.number, value, tolerance=tolerance, sense=row.sense, **station
     )
+
+
+def _check_breadth(obj, surface, wanted, scale):
+    """ValueError for a waterline that would have to be wider than the hull may become."""
+    settings = obj.hull.targets
+    if not settings.keep_side or settings.free_beam:
+        return
+    rows_of_beam = [row.quantity == "BWL" for row in rows.in_use(obj)]
+    widest = 2.0 * native.require().half_breadth(surface)
+    for target, is_beam in zip(wanted, rows_of_beam):
+        if is_beam and target.low > widest * (1.0 + _ROUNDING):
+            raise ValueError(
+                f"Bwl cannot become {target.low:g} m while the greatest beam, {widest:.6g} m, is "
+                "kept: let it go, or free the dimension"
+            )
 
 
 def _options(obj, surface, control, source, scale):
