@@ -9,6 +9,7 @@ from ..bridge import limits
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.area_curves import handles, matching, reports, sources, stored
+from ..properties.outline_settings import KeptOutline
 from .shared import HullOperator, can_change
 from .tasks import TaskOperator
 
@@ -180,7 +181,7 @@ class HULL_OT_remove_area_point(bpy.types.Operator, HullOperator):
         handles.remove_handle(hull, hull.hull.area_target.active_area_point)
 
 
-class HULL_OT_transform_to_area_curve(bpy.types.Operator, TaskOperator):
+class HULL_OT_transform_to_area_curve(bpy.types.Operator, TaskOperator, KeptOutline):
     """Move the control points so that the sections have the areas of the target curve. Locked
     points stay, flats stay flat, and what is kept in the panel Transform stays"""
 
@@ -222,32 +223,18 @@ class HULL_OT_transform_to_area_curve(bpy.types.Operator, TaskOperator):
         min=3,
         max=limits.MOST_AREA_STATIONS,
     )
-    keep_profile: BoolProperty(
-        name="Keep profile",
-        description="Points on the centre plane stay: stem, keel and stern",
-        default=True,
-    )
-    keep_deck: BoolProperty(
-        name="Keep deck edge",
-        description="Points of the surface's borders stay, the deck edge and openings",
-        default=True,
-    )
-    keep_side: BoolProperty(
-        name="Keep greatest beam",
-        description="The hull stays as wide as it is where it is widest, and becomes no wider",
-        default=True,
-    )
-
     needs = (*TaskOperator.needs, can_change, _has_target)
 
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        names = ["by", "way", "tolerance"]
-        if self.by == "LEAST":
-            names += ["stations", "keep_profile", "keep_deck", "keep_side"]
-        for name in names:
+        for name in ("by", "way", "tolerance"):
             layout.prop(self, name)
+        if self.by == "LEAST":
+            layout.prop(self, "stations")
+            column = layout.column(heading="Keep", align=True)
+            for name in ("keep_profile", "keep_deck", "keep_side"):
+                column.prop(self, name)
 
     def begin(self, hull, scene):
         asked = matching.Asked(

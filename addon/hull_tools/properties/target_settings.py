@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatPrope
 
 from ..bridge import limits
 from ..features.targets import quantities
+from .outline_settings import KeptOutline
 from .shared import length
 
 _SENSES = (
@@ -60,7 +61,7 @@ class HullTarget(bpy.types.PropertyGroup):
     )
 
 
-class HullTargets(bpy.types.PropertyGroup):
+class HullTargets(KeptOutline, bpy.types.PropertyGroup):
     """Nothing here changes what is shown of the hull."""
 
     rows: CollectionProperty(type=HullTarget)
@@ -73,21 +74,6 @@ class HullTargets(bpy.types.PropertyGroup):
             ("SELECTED", "Selected", "Those that are selected in edit mode"),
             ("NONE", "None", "None: dimensions alone"),
         ),
-    )
-    keep_profile: BoolProperty(
-        name="Profile",
-        description="Points on the centre plane stay: stem, keel and stern",
-        default=True,
-    )
-    keep_deck: BoolProperty(
-        name="Deck edge",
-        description="Points of the surface's borders stay, the deck edge and openings",
-        default=True,
-    )
-    keep_side: BoolProperty(
-        name="Greatest beam",
-        description="The hull stays as wide as it is where it is widest, and becomes no wider",
-        default=True,
     )
     free_length: _free("Length", "The hull may become longer or shorter")
     length_change: _change("± %", "the length")
