@@ -51,8 +51,8 @@ class Keeping:
         return (np.array([numbers.value(name) for name in self.names]) - self.values) / self.sizes
 
     def solve(self, solution):
-        """The hull_native.Faired with which the numbers stay. solution(values): that with values of
-        the conditions."""
+        """(the hull_native.Faired with which the numbers stay, what it misses as misses() has it).
+        solution(values): that with values of the conditions."""
         values = np.zeros(len(self.names))
         for _ in range(_MOST_STEPS):
             faired = solution(values)
@@ -60,7 +60,7 @@ class Keeping:
             if np.abs(missed).max(initial=0.0) <= _ENOUGH:
                 break
             values = values - missed
-        return faired
+        return faired, missed
 
 
 def keeping(obj, scale, source, names):

@@ -152,20 +152,20 @@ class _Start:
             largest = asked.largest or np.inf
             return region.solve(deviation, largest=largest, values=values, progress=told)
 
+        missed = {}  # by the last solution, which is the one that is taken
+
         def faired_for(deviation):
             if self.keeping is None:
                 return solution(deviation)
-            return self.keeping.solve(lambda values: solution(deviation, values))
+            faired, shares = self.keeping.solve(lambda values: solution(deviation, values))
+            missed.update(zip(self.keeping.names, shares * self.keeping.sizes))
+            return faired
 
         if asked.by_marks:
             tell = progress or (lambda share: None)
             faired = marks_out.best(faired_for, self.seen.count, asked.deviation, tell)
         else:
             faired = faired_for(asked.deviation)
-        missed = {}
-        if self.keeping is not None:
-            shares = self.keeping.misses(faired.moves) * self.keeping.sizes
-            missed = dict(zip(self.keeping.names, shares))
         if faired.folded_place is not None:
             place = ", ".join(f"{x:.2f}" for x in faired.folded_place)
             raise ValueError(
