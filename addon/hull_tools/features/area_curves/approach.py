@@ -83,19 +83,14 @@ class Approach:
             )
         return found
 
-    def wanted(self, places, way=None):
-        """Areas (k,) at places (k,): so far on the way from the present curve to the target."""
+    def wanted(self, way=None):
+        """The target_curve.PartWay to the target, by default as far as is asked for."""
         way = self.asked.way if way is None else way
-        target = self.curve.at(places)
-        if way == 1.0:
-            return target
-        found = self.areas
-        present = np.interp(places, found.positions, found.areas, left=0.0, right=0.0)
-        return present + way * (target - present)
+        return target_curve.PartWay(self.areas.positions, self.areas.areas, self.curve, way)
 
     def difference(self, areas):
         """The target_curve.Difference of sectional_areas.Areas from what is wanted."""
-        return target_curve.difference(areas.positions, areas.areas, _Wanted(self))
+        return target_curve.difference(areas.positions, areas.areas, self.wanted())
 
     # Of all changes the least
 
@@ -138,7 +133,7 @@ class Approach:
         low, high = max(aft, found.positions[0]), min(forward, found.positions[-1])
         margin = _FROM_ENDS * (high - low)
         places = np.linspace(low + margin, high - margin, self.asked.stations)
-        areas = self.wanted(places, way)
+        areas = self.wanted(way).at(places)
         tolerance = self.asked.tolerance * float(areas.max())
         return [
             native.require().FormTarget("section_area", area, tolerance=tolerance, station=x)
@@ -180,11 +175,9 @@ class Approach:
         return Moved(found.moves, status, None, self._areas_after(found.moves))
 
     def _match(self, way):
-        x, _ = self.curve.drawn()
         return native.require().match_areas(
             self.parent.body,
-            x,
-            self.wanted(x, way),
+            *self.wanted(way).drawn(),
             by=self.asked.by.lower(),
             tolerance=self.asked.tolerance,
             limits=native.require().TransformLimits(**self.limits),
@@ -219,14 +212,3 @@ class Approach:
 
     def _areas_of(self, body):
         return sectional_areas.compute(ship.Ship(body, ()), self.parent.where).areas
-
-
-class _Wanted:
-    """What is asked for, for target_curve.difference."""
-
-    def __init__(self, work):
-        self.ends, self.at, self._work = work.curve.ends, work.wanted, work
-
-    def drawn(self):
-        x, _ = self._work.curve.drawn()
-        return x, self.at(x)

@@ -84,6 +84,32 @@ class TargetCurve:
         return TargetCurve(self.base_x, self.base_areas, x, self.at(x))
 
 
+@dataclass(frozen=True, eq=False)
+class PartWay:
+    """So far on the way from the areas (n,) that a hull has at positions (n,) to a TargetCurve: way
+    0 to 1. As that it has ends, areas at() places, and drawn()."""
+
+    positions: np.ndarray
+    areas: np.ndarray
+    target: TargetCurve
+    way: float
+
+    @property
+    def ends(self):
+        return self.target.ends
+
+    def at(self, places):
+        wanted = self.target.at(places)
+        if self.way == 1.0:
+            return wanted
+        present = np.interp(places, self.positions, self.areas, left=0.0, right=0.0)
+        return present + self.way * (wanted - present)
+
+    def drawn(self):
+        x, _ = self.target.drawn()
+        return x, self.at(x)
+
+
 def through(x, areas, handles):
     """The TargetCurve whose base are areas (n,) at x (n,), with so many handles on it."""
     x, areas = np.asarray(x, dtype=np.float64), np.asarray(areas, dtype=np.float64)
@@ -103,7 +129,8 @@ class Difference:
 
 
 def difference(x, areas, target):
-    """The Difference of areas (n,) of a hull at its stations x (n,) from a TargetCurve. Where only
+    """The Difference of areas (n,) of a hull at its stations x (n,) from a TargetCurve, or from a
+    PartWay to one. Where only
     one of both is, all of it counts, but for rounding at the ends."""
     aft, forward = target.ends
     beyond = np.linspace(aft, forward, 201)
