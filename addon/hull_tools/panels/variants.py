@@ -5,6 +5,7 @@ import bpy
 
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
+from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
 from ..features.variants import distances, ghosts, kept_hulls
 from .shared import (
@@ -104,11 +105,14 @@ class HULL_PT_differences(HullPanel, bpy.types.Panel):
         export_buttons(layout, "area_differences")
 
 
+_UNITS = {quantity.name: quantity.unit for quantity in hydrostatics.QUANTITIES}
+
+
 def _draw_differences(column, scene, found):
     column.scale_y = 0.8
     for name, symbol in _KEY_DIFFERENCES:
         row = found.rows[name]
-        text = _signed(scene, row.difference, row.quantity.unit)
+        text = _signed(scene, row.difference, _UNITS[name])
         if row.percent is not None:
             text += f"  {_with_sign(f'{row.percent:.2f}', row.percent)} %"
         label_value(column, symbol, text)

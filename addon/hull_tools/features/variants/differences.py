@@ -2,7 +2,7 @@
 """The differences of all particulars between a hull and the other hull: each at its own draft, trim
 and heel, and both at those of the hull. A difference is the hull's value less the other's."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,25 +31,11 @@ class Inputs:
     places: line_places.LinePlaces
 
 
-@dataclass(frozen=True)
-class Row:
-    """quantity: a hydrostatics.Quantity; value, other: of both hulls, None where undefined, and so
-    are the difference and its percentage, see hull_native.Difference."""
-
-    quantity: hydrostatics.Quantity
-    value: float
-    other: float
-    percent: float
-
-    @property
-    def difference(self):
-        return None if None in (self.value, self.other) else self.value - self.other
-
-
 @dataclass(frozen=True, eq=False)
 class Compared:
-    """rows by name of the quantity; areas: hull_native.AreaDifference. Both are empty where the
-    other hull does not float there; message says so."""
+    """rows: hull_native.Difference by name of the hydrostatics.QUANTITIES, of which values and what
+    follows from them are None where they are undefined; areas: hull_native.AreaDifference. Both
+    are empty where the other hull does not float there; message says so."""
 
     rows: dict
     areas: object = None
@@ -96,12 +82,11 @@ def _compared(ship, found, wanted, other, where):
     rows = {}
     for quantity in hydrostatics.QUANTITIES:
         value, beside = getattr(values, quantity.name), getattr(other_values, quantity.name)
-        percent = None
-        if None not in (value, beside):
-            percent = (
-                native.require().difference(quantity.path, found, others, where.length_pp).percent
-            )
-        rows[quantity.name] = Row(quantity, value, beside, percent)
+        row = native.require().difference(quantity.path, found, others, where.length_pp)
+        is_defined = None not in (value, beside)
+        rows[quantity.name] = replace(
+            row, value=value, other=beside, percent=row.percent if is_defined else None
+        )
     areas = native.require().compare_areas(
         _as_compared(ship, wanted.where),
         _as_compared(other, where),
