@@ -4,6 +4,7 @@
 import numpy as np
 
 from ._core import FormTarget, LimitSurface, reach_targets
+from .mapped_surface import surface_ends
 
 # Divisions of a cell's side where the widest places are looked for, and of what is left around them
 # at each look.
@@ -53,9 +54,8 @@ def _closer(surface, cells, uv, half):
 
 def half_breadth(surface):
     """The greatest distance of a surface from the centre plane."""
-    grid = float(np.abs(surface.evaluate_grid(_GRID)[0][..., 1]).max())
-    _, _, y = widest_places(surface, (1.0 - 1e-12) * grid)
-    return max(grid, float(np.abs(y).max(initial=0.0)))
+    low, high = surface_ends(surface)
+    return float(max(-low[1], high[1]))
 
 
 def reach_within_breadth(surface, targets, *, progress=None, **options):
