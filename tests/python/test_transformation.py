@@ -323,6 +323,24 @@ def test_another_area_curve(by, largest):
     assert result.volume == pytest.approx(found.displaced_volume, rel=1e-12)
 
 
+def test_a_jump_of_areas_does_not_end_the_search():
+    """At the naval vessel's transom the largest difference stands, and all others fall."""
+    sample = Sample("naval_vessel")
+    points = sample.surface.mesh.points
+    x = np.linspace(points[:, 0].min(), points[:, 0].max(), 161)
+    areas = hn.section_areas(sample.body, x, draft=sample.ship.draft).areas
+    x, areas = x[areas > 0.0], areas[areas > 0.0]
+    along = (x - x[0]) / (x[-1] - x[0])
+    wanted = areas * (1.0 + 0.12 * np.sin(np.pi * along) ** 2 * (along - 0.5))
+    result = hn.match_areas(
+        sample.body, x, wanted, draft=sample.ship.draft, by="shift", tolerance=1e-4
+    )
+    _, now = moved_body(sample.surface, result.moves)
+    found = hn.section_areas(now, x, draft=sample.ship.draft).areas
+    before, after = (np.sqrt(np.mean((one - wanted) ** 2)) for one in (areas, found))
+    assert after < 0.7 * before
+
+
 def test_target_curves_rise_and_fall_as_their_points():
     x, areas = [0.0, 1.0, 2.0, 5.0, 6.0], [0.0, 8.0, 10.0, 10.0, 0.0]
     curve = hn.target_area_curve(x, areas, np.linspace(0.0, 6.0, 601))

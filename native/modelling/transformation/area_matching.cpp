@@ -103,8 +103,9 @@ class InflateWay : public Way {
   const TargetCurve& target_;
 };
 
+// In parts of the largest area wanted; rms: over all places.
 struct Difference {
-  double largest = 0.0, at = 0.0;
+  double largest = 0.0, at = 0.0, rms = 0.0;
 };
 
 Difference difference(const WorkingHull& hull, const TargetCurve& target,
@@ -112,8 +113,13 @@ Difference difference(const WorkingHull& hull, const TargetCurve& target,
   Difference found;
   for (const analysis::SectionArea& section : hull.sections(places)) {
     const double lack = std::abs(section.area - target.at(section.position)) / target.largest();
-    if (lack > found.largest) found = {lack, section.position};
+    found.rms += lack * lack;
+    if (lack > found.largest) {
+      found.largest = lack;
+      found.at = section.position;
+    }
   }
+  found.rms = std::sqrt(found.rms / static_cast<double>(places.size()));
   return found;
 }
 
@@ -149,7 +155,9 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
   const Difference first = difference(hull, target, compared);
   result.difference_before = result.difference = first.largest;
   result.difference_at = first.at;
-  double last = first.largest;
+  // A jump of areas, as at a transom or a rudder, may be beyond what sections can follow: the
+  // largest difference stands there while all others fall.
+  double last = first.rms, least = first.rms;
   for (int slow = 0; result.difference > tolerance && result.iterations < kMostSteps;) {
     values = way->improved(hull, stations, values);
     const StationSpline change(stations, values);
@@ -162,7 +170,8 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
     hull.move(reshaped.moves);
     ++result.iterations;
     const Difference now = difference(hull, target, compared);
-    if (now.largest < result.difference) {
+    if (now.rms < least) {
+      least = now.rms;
       result.difference = now.largest;
       result.difference_at = now.at;
       result.moves = reshaped.moves;
@@ -170,9 +179,9 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
       result.largest = reshaped.largest;
       result.largest_place = way->places().position(reshaped.largest_place);
     }
-    slow = now.largest > kSlowest * last ? slow + 1 : 0;
+    slow = now.rms > kSlowest * last ? slow + 1 : 0;
     if (slow >= kMostSlow) break;
-    last = now.largest;
+    last = now.rms;
   }
   result.converged = result.difference <= tolerance;
   hull.move(result.moves);

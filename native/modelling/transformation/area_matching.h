@@ -23,12 +23,13 @@ struct AreasMatched {
   Vector3d largest_place;  // where on the surface as it was
   double volume, lcb;      // of the resulting surface: m³, x in m
   int iterations;
-  bool converged;  // the difference is below the tolerance; else it is the least that was found
+  bool converged;  // the difference is below the tolerance; else its root mean square is the least
 };
 
 // Brings the sectional area curve to a wanted one: stations are cut, shifted or inflated by what
 // their exact areas lack, and cut again, until the largest difference at places all along both
-// curves is below `tolerance`, in parts of the largest area wanted, or falls no further.
+// curves is below `tolerance`, in parts of the largest area wanted, or their root mean square falls
+// no further.
 //
 // By shifts, areas are compared in parts of the largest of each curve: they leave the largest
 // section as it is. Throws std::invalid_argument where sections would have to overtake one another
