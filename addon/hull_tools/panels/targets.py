@@ -19,13 +19,18 @@ class HULL_UL_rows(bpy.types.UIList):
         quantity = quantities.quantity_of(item)
         row = layout.row(align=True)
         row.prop(item, "use", text="")
-        split = row.split(factor=0.6)
+        split = row.split(factor=0.65)
         split.active = item.use
-        split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {item.value:.5g}")
+        split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {_short(item.value)}")
         now = rows.present(item, data.id_data, context.scene)
         right = split.row()
         right.alignment = "RIGHT"
-        right.label(text=format_value(context.scene, now, quantity.unit))
+        # Without its unit: a sidebar of the usual width has no place for more.
+        right.label(text=format_value(context.scene, now, quantity.unit).split(" ")[0])
+
+
+def _short(value):
+    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.4g}"
 
 
 class HULL_PT_targets(HullPanel, bpy.types.Panel):
