@@ -75,10 +75,14 @@ ShapeField field_from(const FieldSettings& settings) {
   return field;
 }
 
-py::tuple shifts_at(const ShapeFields& fields, const DoubleArray& points) {
-  const std::vector<Vector3d> at = points_from(points, "points");
+// At points, or at a FieldPlaces.
+py::tuple shifts_at(const ShapeFields& fields, const py::object& points) {
   std::vector<modelling::FieldShift> found;
-  {
+  if (py::isinstance<modelling::FieldPlaces>(points)) {
+    // With the lock held: places are not for several threads at once.
+    found = fields.at(points.cast<modelling::FieldPlaces&>());
+  } else {
+    const std::vector<Vector3d> at = points_from(DoubleArray(points), "points");
     const py::gil_scoped_release release;
     found = fields.at(at);
   }
@@ -213,6 +217,15 @@ void bind_field(py::module_& module) {
 void bind_shape_fields(py::module_& module) {
   bind_field_curve(module);
   bind_field(module);
+  py::class_<modelling::FieldPlaces>(
+      module, "FieldPlaces",
+      "Points (n, 3), m, at which fields are asked for again and again, as while a slider moves: "
+      "where bases are nearest to them is kept, so that ShapeFields.at() takes a fraction of the "
+      "time for other extents, falloffs or shifts.")
+      .def(py::init([](const DoubleArray& points) {
+             return std::make_unique<modelling::FieldPlaces>(points_from(points, "points"));
+           }),
+           py::arg("points"));
   py::class_<ShapeFields>(
       module, "ShapeFields",
       "Shape fields that together shift points of space. Protection comes first: within a "
@@ -234,7 +247,7 @@ void bind_shape_fields(py::module_& module) {
            "not positive, falloffs not from 0 to 1, and what is no number.")
       .def("at", &shifts_at, py::arg("points"),
            "(shifts (n, 3), m; gradients (n, 3, 3), of coordinate i by coordinate j of the point) "
-           "at points (n, 3), m.")
+           "at points (n, 3), m, or at FieldPlaces.")
       .def("deltas", &deltas_at, py::arg("field"), py::arg("points"),
            "(n,) distances of points (n, 3), m, from the base of a field, by its index, or from "
            "its image, divided by the extent.");

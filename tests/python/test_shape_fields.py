@@ -116,6 +116,19 @@ def test_quantities_vary_along_a_curve():
     np.testing.assert_allclose(shifts[:, 1], [1, 2, 1, 0], atol=1e-14)
 
 
+def test_remembered_places_get_the_same_shifts():
+    surface = surface_of("coaster")
+    points = hn.Reshape(surface).positions
+    places = hn.FieldPlaces(points)
+    for falloff in (0.3, 0.8):
+        curve = hn.FieldCurve([(60, 6, 7), (70, 6, 7), (80, 2, 7)])  # another object, the same base
+        field = hn.ShapeField.along(curve, (0, 0.3, 0.1), extent=9, falloff=falloff)
+        fields = hn.ShapeFields([field], mirrored=True)
+        for found, wanted in zip(fields.at(places), fields.at(points)):
+            np.testing.assert_array_equal(found, wanted)
+        assert np.abs(fields.at(places)[0]).max() > 0.1
+
+
 def test_what_is_wrong_is_said():
     at = hn.ShapeField.at_point
     with pytest.raises(ValueError, match="Field 0: the extent must be positive"):

@@ -17,8 +17,12 @@ BaseFoot foot_at(const Vector3d& p, const Vector3d& closest, double distance) {
 class PointBase final : public FieldBase {
  public:
   explicit PointBase(const Vector3d& point) : point_(point) {}
-  BaseFoot foot(const Vector3d& p) const override {
+  BaseFoot foot(const Vector3d& p, bool) const override {
     return foot_at(p, point_, (p - point_).norm());
+  }
+  bool is_same(const FieldBase& other) const override {
+    const auto* point = dynamic_cast<const PointBase*>(&other);
+    return point && point->point_ == point_;
   }
   bool is_in_centre_plane(double near) const override { return std::abs(point_.y()) <= near; }
 
@@ -29,9 +33,13 @@ class PointBase final : public FieldBase {
 class PlaneBase final : public FieldBase {
  public:
   PlaneBase(const Vector3d& point, const Vector3d& normal) : point_(point), normal_(normal) {}
-  BaseFoot foot(const Vector3d& p) const override {
+  BaseFoot foot(const Vector3d& p, bool) const override {
     const double height = (p - point_).dot(normal_);
     return {std::abs(height), height < 0.0 ? Vector3d(-normal_) : normal_, 0.0, Vector3d::Zero()};
+  }
+  bool is_same(const FieldBase& other) const override {
+    const auto* plane = dynamic_cast<const PlaneBase*>(&other);
+    return plane && plane->point_ == point_ && plane->normal_ == normal_;
   }
   bool is_in_centre_plane(double near) const override {
     return std::abs(normal_.x()) + std::abs(normal_.z()) == 0.0 && std::abs(point_.y()) <= near;
@@ -44,12 +52,16 @@ class PlaneBase final : public FieldBase {
 class CurveBase final : public FieldBase {
  public:
   explicit CurveBase(FieldCurve curve) : curve_(std::move(curve)) {}
-  BaseFoot foot(const Vector3d& p) const override {
-    const CurveFoot found = curve_.foot(p);
+  BaseFoot foot(const Vector3d& p, bool with_length) const override {
+    const CurveFoot found = curve_.foot(p, with_length);
     BaseFoot foot = foot_at(p, found.point, found.distance);
     foot.length = found.length;
     foot.length_slope = found.length_slope;
     return foot;
+  }
+  bool is_same(const FieldBase& other) const override {
+    const auto* curve = dynamic_cast<const CurveBase*>(&other);
+    return curve && curve->curve_.arcs() == curve_.arcs();
   }
   bool is_in_centre_plane(double near) const override {
     for (const FieldCurve::Arc& arc : curve_.arcs()) {

@@ -24,7 +24,10 @@ class FieldBase {
  public:
   virtual ~FieldBase() = default;
 
-  virtual BaseFoot foot(const Vector3d& p) const = 0;
+  // Without the length, which takes longer than all else, it is 0.
+  virtual BaseFoot foot(const Vector3d& p, bool with_length) const = 0;
+  // Whether the other is the same set of points, given alike.
+  virtual bool is_same(const FieldBase& other) const = 0;
   // Whether all of it is in the centre plane, within `near`, m.
   virtual bool is_in_centre_plane(double near) const = 0;
 };

@@ -209,7 +209,7 @@ Vector3d FieldCurve::tangent_at(double length) const {
   return arc_jet(arcs_[place.arc], place.t).d1.normalized();
 }
 
-CurveFoot FieldCurve::foot(const Vector3d& p) const {
+CurveFoot FieldCurve::foot(const Vector3d& p, bool with_length) const {
   // Arcs in the order of how near they may be, so that most are left out at once.
   std::vector<std::pair<double, int>> order;
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
@@ -227,7 +227,7 @@ CurveFoot FieldCurve::foot(const Vector3d& p) const {
     }
   }
   const surface::CurveJet jet = arc_jet(arcs_[best.arc], best.t);
-  CurveFoot foot{jet.point, least, length_at(best), Vector3d::Zero()};
+  CurveFoot foot{jet.point, least, with_length ? length_at(best) : 0.0, Vector3d::Zero()};
   const Vector3d from = p - jet.point;
   const bool is_square = std::abs(from.dot(jet.d1)) <= kSquare * least * jet.d1.norm();
   if (is_square || (best.t > 0.0 && best.t < 1.0)) {

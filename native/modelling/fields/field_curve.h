@@ -49,8 +49,9 @@ class FieldCurve {
   Vector3d point_at(double length) const;
   Vector3d tangent_at(double length) const;
 
-  // The nearest of all points of the curve; of several at the same distance one of them.
-  CurveFoot foot(const Vector3d& p) const;
+  // The nearest of all points of the curve; of several at the same distance one of them. The length
+  // up to it takes longer than all else: it is 0 where it is not asked for.
+  CurveFoot foot(const Vector3d& p, bool with_length = true) const;
 
  private:
   struct Place {

@@ -60,9 +60,18 @@ Intensity intensity_at(const ShapeField& field, const BaseFoot& foot, Vector3d& 
   return found;
 }
 
+// Whether anything of it goes by the length along the base.
+bool varies(const ShapeField& field) {
+  return field.change || !field.extent.is_constant() || !field.kappa.is_constant() ||
+         !field.shift.is_constant();
+}
+
 // At a point, or for the image of the field at the point's image.
-Share share_of(const ShapeField& field, const Vector3d& p, bool is_image, bool stays_in_plane) {
-  const BaseFoot foot = field.base->foot(is_image ? Vector3d(kMirror.cwiseProduct(p)) : p);
+BaseFoot foot_of(const ShapeField& field, const Vector3d& p, bool is_image) {
+  return field.base->foot(is_image ? Vector3d(kMirror.cwiseProduct(p)) : p, varies(field));
+}
+
+Share share_of(const ShapeField& field, const BaseFoot& foot, bool is_image, bool stays_in_plane) {
   Share share{&field, 0.0, 1.0, Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Zero()};
   const Intensity found = intensity_at(field, foot, share.slope);
   share.intensity = found.value;
@@ -176,6 +185,18 @@ Blended along_axis(const std::vector<Share>& shares, int axis, FieldBlend blend)
   return {kept.value * shift.value, kept.value * shift.slope + shift.value * kept.slope};
 }
 
+// On all processors.
+template <class Work>
+void for_all(std::size_t count, const Work& work) {
+  constexpr std::size_t kGrain = 256;
+  surface::parallel_for(
+      count, kAllProcessors,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) work(i);
+      },
+      kGrain);
+}
+
 }  // namespace
 
 ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBlend blend)
@@ -196,14 +217,17 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
     }
     const double extent = *std::ranges::min_element(field.extent.values());
     is_in_plane_.push_back(mirrored && field.base->is_in_centre_plane(kInPlane * extent));
+    sides_.push_back({i, false});
+    if (mirrored_ && !is_in_plane_[i]) sides_.push_back({i, true});
   }
 }
 
-FieldShift ShapeFields::at(const Vector3d& p) const {
+// By the foot of each side.
+FieldShift ShapeFields::blended(const std::vector<BaseFoot>& feet) const {
   std::vector<Share> shares;
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    shares.push_back(share_of(fields_[i], p, false, is_in_plane_[i]));
-    if (mirrored_ && !is_in_plane_[i]) shares.push_back(share_of(fields_[i], p, true, false));
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const auto [field, is_image] = sides_[i];
+    shares.push_back(share_of(fields_[field], feet[i], is_image, is_in_plane_[field]));
   }
   FieldShift result;
   for (int axis = 0; axis < 3; ++axis) {
@@ -214,21 +238,50 @@ FieldShift ShapeFields::at(const Vector3d& p) const {
   return result;
 }
 
+FieldShift ShapeFields::at(const Vector3d& p) const {
+  std::vector<BaseFoot> feet;
+  for (const auto& [field, is_image] : sides_) feet.push_back(foot_of(fields_[field], p, is_image));
+  return blended(feet);
+}
+
 std::vector<FieldShift> ShapeFields::at(const std::vector<Vector3d>& points) const {
-  constexpr std::size_t kGrain = 256;
   std::vector<FieldShift> result(points.size());
-  surface::parallel_for(
-      points.size(), kAllProcessors,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) result[i] = at(points[i]);
-      },
-      kGrain);
+  for_all(points.size(), [&](std::size_t i) { result[i] = at(points[i]); });
+  return result;
+}
+
+std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
+  std::vector<std::shared_ptr<const FieldPlaces::Feet>> own;
+  for (const auto& [index, is_image] : sides_) {
+    const ShapeField& field = fields_[index];
+    const auto known = std::ranges::find_if(places.known_, [&](const auto& feet) {
+      return feet->is_image == is_image && feet->with_length >= varies(field) &&
+             feet->base->is_same(*field.base);
+    });
+    if (known != places.known_.end()) {
+      own.push_back(*known);
+      continue;
+    }
+    auto feet = std::make_shared<FieldPlaces::Feet>(
+        FieldPlaces::Feet{field.base, is_image, varies(field), {}});
+    feet->feet.resize(places.points_.size());
+    for_all(places.points_.size(),
+            [&](std::size_t i) { feet->feet[i] = foot_of(field, places.points_[i], is_image); });
+    own.push_back(std::move(feet));
+  }
+  std::vector<FieldShift> result(places.points_.size());
+  for_all(result.size(), [&](std::size_t i) {
+    std::vector<BaseFoot> feet;
+    for (const auto& of_side : own) feet.push_back(of_side->feet[i]);
+    result[i] = blended(feet);
+  });
+  places.known_ = std::move(own);
   return result;
 }
 
 double ShapeFields::delta(int field, const Vector3d& p) const {
   const auto of = [&](const Vector3d& at) {
-    const BaseFoot foot = fields_[field].base->foot(at);
+    const BaseFoot foot = foot_of(fields_[field], at, false);
     return foot.distance / fields_[field].extent.at(foot.length).value;
   };
   const double own = of(p);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "modelling/fields/along_base.h"
@@ -39,6 +40,27 @@ struct FieldShift {
   Eigen::Matrix3d gradient;  // of the shift by the point: row i is that of coordinate i
 };
 
+// Points at which fields are asked for again and again, as while a slider moves: where the bases
+// are nearest to them is kept, and found anew for those bases alone that have changed. Not for
+// several threads at once.
+class FieldPlaces {
+ public:
+  explicit FieldPlaces(std::vector<Vector3d> points) : points_(std::move(points)) {}
+
+  const std::vector<Vector3d>& points() const { return points_; }
+
+ private:
+  friend class ShapeFields;
+  struct Feet {
+    std::shared_ptr<const FieldBase> base;
+    bool is_image, with_length;
+    std::vector<BaseFoot> feet;
+  };
+
+  std::vector<Vector3d> points_;
+  std::vector<std::shared_ptr<const Feet>> known_;  // of the fields asked for last
+};
+
 // Fields that together shift points of space.
 //
 // `mirrored`: each field works on both sides of the centre plane, so that the shift is symmetric
@@ -58,6 +80,7 @@ class ShapeFields {
   FieldShift at(const Vector3d& p) const;
   // The same for many points, on all processors.
   std::vector<FieldShift> at(const std::vector<Vector3d>& points) const;
+  std::vector<FieldShift> at(FieldPlaces& places) const;
 
   // The distance divided by the extent, of one field; of the nearer of the field and its image.
   double delta(int field, const Vector3d& p) const;
@@ -65,7 +88,15 @@ class ShapeFields {
   const std::vector<ShapeField>& fields() const { return fields_; }
 
  private:
+  // A field, or its image.
+  struct Side {
+    std::size_t field;
+    bool is_image;
+  };
+  FieldShift blended(const std::vector<BaseFoot>& feet) const;
+
   std::vector<ShapeField> fields_;
+  std::vector<Side> sides_;
   std::vector<char> is_in_plane_;
   FieldBlend blend_;
   bool mirrored_;

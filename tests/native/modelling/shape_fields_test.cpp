@@ -252,6 +252,44 @@ TEST(ShapeFields, ABaseInTheCentrePlaneIsItsOwnImage) {
   EXPECT_EQ(fields.at({1, 0, 1}).shift, Vector3d(1, 0, 0.5));
 }
 
+// Whatever is changed between two calls: falloffs, a shift, a base, one that varies along its base.
+TEST(ShapeFields, RememberedPlacesGetTheSameShifts) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  Points points;
+  for (int k = 0; k < 2000; ++k) {
+    points.emplace_back(3.0 + 4.0 * part(random), 3.0 * part(random), 2.0 * part(random));
+  }
+  FieldPlaces places(points);
+  std::vector<ShapeField> fields{field_along(kBent, 2.0, {0.0, 0.2, 0.1}),
+                                 field_along(kCrossing, 1.5, {0.1, 0.0, 0.0}),
+                                 field_at({1, 1, 0}, 1.0, {0.0, 0.1, 0.0})};
+  const auto check = [&] {
+    for (bool mirrored : {false, true}) {
+      const ShapeFields all(fields, mirrored, FieldBlend::kExact);
+      const std::vector<FieldShift> wanted = all.at(points), found = all.at(places);
+      bool moves = false;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_EQ(found[i].shift, wanted[i].shift);
+        EXPECT_EQ(found[i].gradient, wanted[i].gradient);
+        moves = moves || !wanted[i].shift.isZero(0.0);
+      }
+      EXPECT_TRUE(moves);
+    }
+  };
+  check();
+  for (ShapeField& field : fields) field.kappa = AlongBase<double>(0.8);
+  fields[0].shift = AlongBase<Vector3d>({0.3, 0.0, 0.0});
+  check();
+  fields[1].extent = AlongBase<double>({0.0, 2.0}, {1.0, 2.0});
+  check();
+  fields[0].base = curve_base(FieldCurve::through({{0, 1, 0}, {2, 2, 0.5}, {4, 2.4, 0}}));
+  fields[2].base = point_base({1, 1.5, 0});
+  check();
+  fields.erase(fields.begin());
+  check();
+}
+
 TEST(ShapeFields, RefuseWhatIsNone) {
   const auto made = [](const std::function<void(ShapeField&)>& spoil) {
     ShapeField field = field_at({0, 0, 0}, 1.0, {0, 0, 1});
