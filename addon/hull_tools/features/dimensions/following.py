@@ -65,7 +65,7 @@ STAYING = frozenset(
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach
       transform.kept_group
       targets.rows.value targets.rows.tolerance targets.length_change targets.beam_change
-      targets.draft_change targets.stiffness""".split()
+      targets.draft_change targets.stiffness area_target.source""".split()
 )
 # Groups of which all stays: hulls as they were.
 STAYING_GROUPS = frozenset(("variants",))
