@@ -117,6 +117,12 @@ class AxisStretch:
         return np.abs(x) if self.mirrored else x
 
 
+def _left(free, first, last):
+    """The length that is free between two coordinates, m."""
+    low, high = min(first, last), max(first, last)
+    return sum(max(0.0, min(part.high, high) - max(part.low, low)) for part in free)
+
+
 def axis_stretch(name, kept, *, extent, anchors, present, wanted, mirrored=False):
     """The AxisStretch by which the dimension of this name becomes wanted instead of present, both
     in m: the distance of the anchors, two coordinates, grows in that proportion.
@@ -132,9 +138,11 @@ def axis_stretch(name, kept, *, extent, anchors, present, wanted, mirrored=False
     extra = (wanted / present - 1.0) / share
     if not SLOPES[0] <= 1.0 + extra <= SLOPES[1]:
         reach = [present * (1.0 + (slope - 1.0) * share) for slope in SLOPES]
+        left = _left(stretch.free, first, last)
         raise ValueError(
-            f"With what is kept the {name} can become {reach[0]:.5g} to {reach[1]:.5g} m, not "
-            f"{wanted:.5g}: ask for that, or keep less"
+            f"What is kept leaves {left:.3g} m of the {name} of {present:.5g} m to be changed: the "
+            f"{name} can become {reach[0]:.5g} to {reach[1]:.5g} m, not {wanted:.5g}; ask for that "
+            "or keep less"
         )
     return AxisStretch(stretch.free, extra, mirrored)
 

@@ -26,8 +26,8 @@ _ENDS_MET = 1e-11
 _STIFFNESS = 1e-3
 # Passes, and what each leaves of the distance at the most, to be worth it.
 _PASSES, _GAIN = 2, 0.9
-# More control points follow the map closely by themselves, and would take a Reshape many seconds.
-_MOST_POINTS = 400
+# More control points follow the map closely by themselves, and would take a Reshape some seconds.
+_MOST_POINTS = 2000
 # Divisions of a cell's side where ends are sought first, and around the furthest place then.
 _FIRST, _CLOSER, _ROUNDS = 8, 4, 16
 
@@ -64,9 +64,9 @@ def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(),
     points = _into_planes(stretch.points(surface.mesh.points), flats, planes)
     start = LimitSurface(surface.mesh.with_points(points), surface.scheme)
     target = _Target(surface, stretch)
-    first = _outcome(start, planes, SurfacePlaces(start), target)
+    first = _Tried(start, planes, SurfacePlaces(start), target)
     if len(points) > _MOST_POINTS:
-        return first
+        return first.outcome
     kept, across, rigid = _kept_coordinates(surface.mesh.points, stretch)
     tied, directions = square_ties(start)
     reshape = Reshape(
@@ -132,29 +132,39 @@ class _Target:
         return np.unique(point_weights(surface, cells, uv)[1])
 
 
-def _nearest(start, best, reshape, target, met):
-    """The nearest to the target of the best so far and of some passes that meet its ends."""
-    made, places = LimitSurface(start.mesh, start.scheme), reshape.places
+def _nearest(start, first, reshape, target, met):
+    """The MappedSurface nearest to the target, of the first _Tried and of some passes that meet its
+    ends."""
+    made, tried = LimitSurface(start.mesh, start.scheme), first
+    best = first.outcome
     for _ in range(_PASSES):
-        here = places.positions
-        result = reshape.solve(here + target.off(here) - reshape.positions)
+        result = reshape.solve(tried.positions + tried.off - reshape.positions)
         if result.folded_place is not None:
             break
         made.set_points(start.mesh.points + result.moves)
         places = SurfacePlaces(made, places=reshape.places)
-        outcome = _outcome(made, best.planes, places, target)
+        tried = _Tried(made, best.planes, places, target)
+        outcome = tried.outcome
         if outcome.ends_missed > max(met, best.ends_missed) or outcome.rms > _GAIN * best.rms:
             break
         best = outcome
     return best
 
 
-def _outcome(surface, planes, places, target):
-    left = np.linalg.norm(target.off(places.positions), axis=1)
-    worst = int(left.argmax())
-    rms = float(np.sqrt(places.areas @ left**2 / places.areas.sum()))
-    place, missed = places.positions[worst], target.missed(surface)
-    return MappedSurface(surface.mesh.points, planes, rms, float(left[worst]), place, missed)
+class _Tried:
+    """A surface beside the target: positions (k, 3) of its places, off (k, 3) from there to the
+    target, and its outcome, a MappedSurface."""
+
+    def __init__(self, surface, planes, places, target):
+        self.positions = places.positions
+        self.off = target.off(self.positions)
+        left = np.linalg.norm(self.off, axis=1)
+        worst = int(left.argmax())
+        rms = float(np.sqrt(places.areas @ left**2 / places.areas.sum()))
+        self.outcome = MappedSurface(
+            surface.mesh.points, planes, rms, float(left[worst]), self.positions[worst],
+            target.missed(surface),
+        )  # fmt: skip
 
 
 def _into_planes(points, flats, planes):

@@ -2,6 +2,7 @@
 """Hulls brought to main dimensions while bilge, bulb or knuckles keep their shape."""
 
 import re
+import sys
 from copy import deepcopy
 from dataclasses import replace
 from math import inf
@@ -144,6 +145,29 @@ def test_knuckles_keep_their_heights_and_the_depth_is_met():
             assert np.abs(after - before).max() < 1e-9
     assert kept and made.particulars.depth == 1.1 * now.depth
     assert made.particulars.draft == now.draft  # below the knuckles
+
+
+def test_fine_meshes_are_brought_nearer_too(monkeypatch):
+    data = sample("coaster")
+    surface = surface_of(data)
+    for _ in range(2):
+        surface = hn.LimitSurface(surface.refined_mesh(), data.scheme)
+    now, body = data.particulars, hn.HullBody(surface, mirrored=data.half)
+    assert 1500 < len(surface.mesh.points) < 2000
+    kept = hn.kept_ranges(body, draft=now.draft, depth=now.depth, bilge=True)
+    wanted = {"beam": 1.1 * now.beam, "draft": 1.05 * now.draft}
+    stretch = stretching.stretch_to(now, kept, *hn.surface_ends(surface), **wanted)
+    mapped = hn.map_surface(surface, stretch)
+    monkeypatch.setattr(sys.modules[hn.map_surface.__module__], "_MOST_POINTS", 1)
+    plain = hn.map_surface(surface, stretch)
+    assert mapped.rms < 0.7 * plain.rms and mapped.largest < 0.7 * plain.largest
+    assert mapped.ends_missed < 1e-9
+
+
+def test_a_knuckle_that_leaves_no_side_to_grow_says_so():
+    data = sample("roro")
+    with pytest.raises(ValueError, match="leaves 0.75 m of the depth of 15.5 m .* or keep less"):
+        hull_io.to_dimensions_keeping(data, hn, ("knuckles",), depth=1.05 * data.particulars.depth)
 
 
 @pytest.mark.parametrize(
