@@ -21,8 +21,9 @@ namespace {
 constexpr double kSquare = 1e-4;
 // Places on a piece's side: what is to vanish there is a polynomial of the seventh degree.
 constexpr int kPlaces = 8;
-// Of rows of unit length: what is shorter follows from others.
-constexpr double kFollows = 1e-9;
+// Of rows of unit length: what is shorter follows from others, but for rounding, which leaves some
+// 1e-13. Beside knots of many faces the last of the rows are of 1e-10.
+constexpr double kFollows = 1e-12;
 
 // Weights of the derivative of what the control points carry, in a direction of the surface.
 using Row = std::map<int, double>;
