@@ -19,18 +19,20 @@ class HULL_UL_rows(bpy.types.UIList):
         quantity = quantities.quantity_of(item)
         row = layout.row(align=True)
         row.prop(item, "use", text="")
-        split = row.split(factor=0.65)
+        # A sidebar of the usual width has place for twelve and for five characters.
+        split = row.split(factor=0.7)
         split.active = item.use
-        split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {_short(item.value)}")
+        wanted = f"{item.value:.2f}" if quantity.unit == "%" else _short(f"{item.value:.3f}")
+        split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {wanted}")
         now = rows.present(item, data.id_data, context.scene)
         right = split.row()
         right.alignment = "RIGHT"
-        # Without its unit: a sidebar of the usual width has no place for more.
-        right.label(text=format_value(context.scene, now, quantity.unit).split(" ")[0])
+        right.label(text=_short(format_value(context.scene, now, quantity.unit).split(" ")[0]))
 
 
-def _short(value):
-    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.4g}"
+def _short(number):
+    """A number as text, in whole where it is long."""
+    return number.split(".")[0] if len(number) > 6 else number
 
 
 class HULL_PT_targets(HullPanel, bpy.types.Panel):
