@@ -11,7 +11,9 @@ from .mapped_surface import surface_ends
 _GRID, _CLOSER, _LOOKS = 6, 2, 14
 # Of the half breadth: by so much the surface may be wider, as single precision rounds points.
 _WIDER = 1e-7
-_MOST_ROUNDS = 20
+# Rounds of which the targets were met, and of which not all were: those take long, and what is
+# reached is not wanted so anyway.
+_MOST_ROUNDS, _MOST_IN_VAIN = 20, 4
 # A breadth is rather kept than a number met.
 _WEIGHT = 100.0
 
@@ -68,13 +70,15 @@ def reach_within_breadth(surface, targets, *, progress=None, **options):
     limit = half_breadth(surface)
     targets, bounds = list(targets), []
     changed = LimitSurface(surface.mesh, surface.scheme)
+    in_vain = 0
     for step in range(_MOST_ROUNDS):
         reached = reach_targets(
             surface, [*targets, *bounds], progress=_part(progress, step), **options
         )
         changed.set_points((surface.mesh.points + reached.moves) / reached.scale)
         places = widest_places(changed, (1.0 + _WIDER) * limit)
-        if not len(places[0]):
+        in_vain += reached.status != "met"
+        if not len(places[0]) or in_vain == _MOST_IN_VAIN:
             break
         bounds += [_bound(limit, *place) for place in zip(*places)]
     binds = np.abs(reached.prices[len(targets) :]) > 0.0
