@@ -102,6 +102,17 @@ def _with_targets(hull):
         bpy.ops.hull.solve_targets()
 
 
+def _with_fields(hull):
+    """A fuller fore shoulder, with the deck edge protected."""
+    bpy.context.scene.cursor.location = (68.0, 6.5, 4.0)
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.add_field(role="PROTECT", base="CREASE")
+        bpy.ops.hull.add_field()
+    deck, shoulder = hull.hull.fields.fields
+    deck.name, deck.place, deck.extent = "Deck edge", (68.0, 6.5, 9.0), 2.0
+    shoulder.name, shoulder.shift = "Fore shoulder", (0.0, 0.3, 0.0)
+
+
 def _with_variants(hull):
     """Two, the first of them as it is behind the hull."""
     with bpy.context.temp_override(object=hull, active_object=hull):
@@ -152,6 +163,7 @@ PANELS = {
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
+    "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),
         _with_variants,

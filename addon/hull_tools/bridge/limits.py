@@ -37,6 +37,8 @@ MOST_LOADING_ENTRIES = of_files.MAX_LOADING_ENTRIES
 # Kept of one hull, each with a mesh of its own.
 MOST_VARIANTS = of_files.MAX_VARIANTS
 
+# Of one hull.
+MOST_FIELDS = 32
 FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
 MOST_TARGETS = of_files.MAX_TARGETS
 GREATEST_TARGET = of_files.GREATEST_TARGET

@@ -13,6 +13,7 @@ from . import (
     area_target_settings,
     export_settings,
     fairness_settings,
+    field_settings,
     fit_settings,
     output_settings,
     ship_settings,
@@ -70,6 +71,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     targets: PointerProperty(type=target_settings.HullTargets)
     variants: PointerProperty(type=variant_settings.HullVariants)
     transform: PointerProperty(type=transform_settings.HullTransform)
+    fields: PointerProperty(type=field_settings.HullFields)
     area_target: PointerProperty(type=area_target_settings.HullAreaTarget)
 
 
@@ -77,6 +79,7 @@ CLASSES = (
     *ship_settings.CLASSES,
     *tag_settings.CLASSES,
     *fairness_settings.CLASSES,
+    *field_settings.CLASSES,
     *fit_settings.CLASSES,
     *transform_settings.CLASSES,
     *area_target_settings.CLASSES,

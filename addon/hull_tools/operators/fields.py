@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shape fields come and go, and the hull is changed by them."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from ..bridge.objects import hull_objects
+from ..features.fields import field_list, shaping
+from ..properties.field_settings import BASES, ROLES
+from .shared import HullOperator
+
+
+def _has_field(cls, context):
+    if not hull_objects.hull_of(context.object).hull.fields.fields:
+        cls.poll_message_set("There is no field")
+        return False
+    return True
+
+
+class FieldOperator(HullOperator):
+    """Works on the field that is chosen."""
+
+    needs = (*HullOperator.needs, _has_field)
+
+
+class HULL_OT_add_field(bpy.types.Operator, HullOperator):
+    """Add a shape field at the points selected in edit mode, else at the 3D cursor"""
+
+    bl_idname = "hull.add_field"
+    bl_label = "Add Field"
+
+    role: EnumProperty(name="Role", description="What the field does", items=ROLES)
+    base: EnumProperty(name="Base", description="From what distances are measured", items=BASES)
+
+    def run_on(self, hull, context):
+        field_list.add(hull, context.scene, self.role, self.base)
+
+
+class HULL_OT_remove_field(bpy.types.Operator, FieldOperator):
+    """Remove the shape field that is chosen in the list"""
+
+    bl_idname = "hull.remove_field"
+    bl_label = "Remove Field"
+
+    def run_on(self, hull, context):
+        field_list.remove(hull)
+
+
+class HULL_OT_duplicate_field(bpy.types.Operator, FieldOperator):
+    """Add a copy of the chosen shape field"""
+
+    bl_idname = "hull.duplicate_field"
+    bl_label = "Duplicate Field"
+
+    def run_on(self, hull, context):
+        field_list.duplicate(hull)
+
+
+class HULL_OT_move_field(bpy.types.Operator, FieldOperator):
+    """Move the chosen shape field within the list"""
+
+    bl_idname = "hull.move_field"
+    bl_label = "Move Field"
+
+    direction: EnumProperty(
+        name="Direction",
+        description="Where to",
+        items=(("UP", "Up", "Towards the top"), ("DOWN", "Down", "Towards the bottom")),
+    )
+
+    def run_on(self, hull, context):
+        field_list.move(hull, -1 if self.direction == "UP" else 1)
+
+
+class HULL_OT_place_field(bpy.types.Operator, FieldOperator):
+    """Place the chosen shape field at the points selected in edit mode, else at the 3D cursor"""
+
+    bl_idname = "hull.place_field"
+    bl_label = "Place Field"
+
+    def run_on(self, hull, context):
+        field_list.put(field_list.chosen(hull), hull, context.scene)
+
+
+class HULL_OT_apply_fields(bpy.types.Operator, FieldOperator):
+    """Move the control points so that the surface follows the shape fields that are on"""
+
+    bl_idname = "hull.apply_fields"
+    bl_label = "Apply Fields"
+
+    def run_on(self, hull, context):
+        applied = shaping.apply(hull, context.scene)
+        self.report({"INFO"} if applied.is_followed else {"WARNING"}, shaping.summary(applied))
+
+
+CLASSES = (
+    HULL_OT_add_field,
+    HULL_OT_remove_field,
+    HULL_OT_duplicate_field,
+    HULL_OT_move_field,
+    HULL_OT_place_field,
+    HULL_OT_apply_fields,
+)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shape fields of the hull: panel."""
+
+import bpy
+
+from ..bridge.objects import hull_objects
+from .shared import HullPanel, draw_entries, text_field
+
+
+class HULL_UL_fields(bpy.types.UIList):
+    """Whether a field counts, its colour, its name and what it does."""
+
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        row = layout.row(align=True)
+        row.prop(item, "use", text="")
+        line = row.row(align=True)
+        line.active = item.use
+        colour = line.row()
+        colour.ui_units_x = 0.8
+        colour.prop(item, "colour", text="")
+        line.prop(item, "name", text="", emboss=False)
+        if item.role == "PROTECT":
+            line.label(text="", icon="LOCKED")
+
+
+class HULL_PT_fields(HullPanel, bpy.types.Panel):
+    """Shift regions of the hull smoothly, and protect others"""
+
+    bl_label = "Fields"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        settings = hull_objects.hull_of(context.object).hull.fields
+        field = draw_entries(layout, settings, "fields", "active_field", "field")
+        if field is None:
+            return
+        row = layout.row(align=True)
+        row.operator("hull.duplicate_field", text="Duplicate", icon="DUPLICATE")
+        row.operator("hull.move_field", text="", icon="TRIA_UP").direction = "UP"
+        row.operator("hull.move_field", text="", icon="TRIA_DOWN").direction = "DOWN"
+        layout.row(align=True).prop(field, "role", expand=True)
+        self._draw_base(layout, field)
+        column = layout.column(align=True)
+        column.prop(field, "extent")
+        column.prop(field, "falloff", slider=True)
+        if field.role == "MOVE":
+            layout.column(align=True).prop(field, "shift")
+        layout.row(align=True).prop(field, "axes", toggle=True)
+        layout.operator("hull.apply_fields", icon="CHECKMARK")
+
+    def _draw_base(self, layout, field):
+        text_field(layout, field, "base")
+        if field.base == "CURVE":
+            text_field(layout, field, "curve")
+            return
+        if field.base == "PLANE":
+            text_field(layout, field, "axis")
+        layout.column(align=True).prop(field, "place")
+        layout.operator("hull.place_field", text="Place Here", icon="PIVOT_CURSOR")
+
+
+CLASSES = (HULL_UL_fields, HULL_PT_fields)

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Object.hull.fields: shape fields that are kept with the hull."""
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    BoolVectorProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    IntProperty,
+    PointerProperty,
+)
+
+from .shared import length
+
+ROLES = (
+    ("MOVE", "Move", "What is near is shifted"),
+    ("PROTECT", "Protect", "What is near keeps its place and shape"),
+)
+BASES = (
+    ("POINT", "Point", "A point, on the hull or beside it"),
+    ("CREASE", "Crease", "The crease or border of the surface that is nearest to the place"),
+    ("CURVE", "Curve", "A curve object"),
+    ("PLANE", "Plane", "A plane square to an axis"),
+)
+
+
+def _is_curve(field, obj):
+    return obj.type == "CURVE"
+
+
+class HullShapeField(bpy.types.PropertyGroup):
+    """Lengths and places in Blender's units and the hull's own axes."""
+
+    use: BoolProperty(name="On", description="The field counts", default=True)
+    role: EnumProperty(name="Role", description="What the field does", items=ROLES)
+    colour: FloatVectorProperty(
+        name="Colour",
+        description="By which the field is told from others",
+        subtype="COLOR",
+        min=0.0,
+        max=1.0,
+        default=(0.9, 0.5, 0.1),
+    )
+    base: EnumProperty(name="Base", description="From what distances are measured", items=BASES)
+    place: FloatVectorProperty(
+        name="Place",
+        description="Of the point; where the plane goes through; near the crease",
+        subtype="XYZ_LENGTH",
+        unit="LENGTH",
+        precision=3,
+    )
+    axis: EnumProperty(
+        name="Square to",
+        description="The axis to which the plane is square",
+        items=[(axis, axis.lower(), f"Along {axis.lower()}") for axis in "XYZ"],
+    )
+    curve: PointerProperty(
+        name="Curve", description="The curve object", type=bpy.types.Object, poll=_is_curve
+    )
+    extent: length("Extent", "How far from its base the field works", 5.0, update=None)
+    falloff: FloatProperty(
+        name="Falloff",
+        description="From steep to full: above 0.9 the surface's curvature jumps at the extent, at "
+        "0 it has a cusp at the base",
+        default=0.6,
+        min=0.0,
+        max=1.0,
+        soft_min=0.3,
+        soft_max=0.9,
+        precision=2,
+    )
+    shift: FloatVectorProperty(
+        name="Shift",
+        description="Of the base, and less and less of what is around it",
+        subtype="XYZ_LENGTH",
+        unit="LENGTH",
+        precision=3,
+    )
+    axes: BoolVectorProperty(
+        name="Axes",
+        description="The coordinates that the field has a say in",
+        subtype="XYZ",
+        default=(True, True, True),
+    )
+
+
+class HullFields(bpy.types.PropertyGroup):
+    """Nothing here changes the hull before the fields are applied."""
+
+    fields: CollectionProperty(type=HullShapeField)
+    active_field: IntProperty(name="Field", description="The field that is edited", min=0)
+
+
+CLASSES = (HullShapeField, HullFields)
