@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "benchmarks/half_hull.h"
+#include "benchmarks/half_hull_limits.h"
 #include "benchmarks/ratio_report.h"
 #include "modelling/fields/shape_fields.h"
 #include "modelling/reshape/reshape.h"
-#include "modelling/reshape/square_sums.h"
-#include "modelling/reshape/square_ties.h"
 
 namespace {
 
@@ -25,12 +24,7 @@ using hull::surface::LimitSurface;
 
 ReshapeOptions options(const LimitSurface& hull) {
   ReshapeOptions options;
-  options.limits.tied = hull::modelling::square_ties(hull);
-  options.limits.kept = hull::modelling::square_sums(hull, options.limits.tied);
-  for (std::size_t i = 0; i < hull.mesh().points().size(); ++i) {
-    if (hull.mesh().points()[i].y() != 0.0) continue;
-    options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitY()});
-  }
+  options.limits = hull::benchmarks::half_hull_limits(hull);
   options.weights = std::make_shared<hull::modelling::PlaceWeights>(hull);
   return options;
 }
