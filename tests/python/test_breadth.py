@@ -47,9 +47,7 @@ def test_a_stiffer_hull_is_no_wider(name):
     before = hn.half_breadth(sample.surface)
     free = hn.reach_targets(sample.surface, targets, **arguments(sample), **limits)
     assert seen_half_breadth(sample, free.moves) > (1.0 + 1e-4) * before
-    reached, binds = hn.reach_within_breadth(
-        sample.surface, targets, **arguments(sample), **limits
-    )
+    reached, binds = hn.reach_within_breadth(sample.surface, targets, **arguments(sample), **limits)
     assert binds and reached.status == "met" and reached.cost > free.cost
     assert seen_half_breadth(sample, reached.moves) <= (1.0 + WIDER) * before
     after = moved(sample, reached.moves)
@@ -62,9 +60,7 @@ def test_a_stiffer_hull_is_no_wider(name):
 def test_what_does_not_become_wider_costs_nothing():
     sample = Sample("sailing_yacht")
     targets, limits = stiffer(sample, 0.05), outline_limits(sample)
-    reached, binds = hn.reach_within_breadth(
-        sample.surface, targets, **arguments(sample), **limits
-    )
+    reached, binds = hn.reach_within_breadth(sample.surface, targets, **arguments(sample), **limits)
     free = hn.reach_targets(sample.surface, targets, **arguments(sample), **limits)
     assert not binds and np.array_equal(reached.moves, free.moves)
 

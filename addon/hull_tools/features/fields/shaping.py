@@ -59,9 +59,8 @@ def _solve(obj, rows, parent):
     )
     size = lines.size_of(surface)
     found = move_limits.of_hull(obj, parent.control.vertex_ids, parent.control.points, size)
-    reshape = hull_native.Reshape(surface, **found.reshape_arguments(surface))
-    places = reshape.places
-    shifts, gradients = fields.at(reshape.positions)
+    places = hull_native.SurfacePlaces(surface)
+    shifts, gradients = fields.at(places.positions)
     if not shifts.any():
         raise ValueError("The fields shift nothing of the hull: place them nearer or give a shift")
     kept = [places.points_beyond(shifts)]
