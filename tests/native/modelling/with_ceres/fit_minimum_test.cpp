@@ -25,7 +25,7 @@ class Cost : public ceres::FirstOrderFunction {
        const FitOptions& options)
       : start_(start),
         targets_(targets),
-        locked_(options.limits.locked),
+        locked_(options.limits.limits.locked),
         stiffness_(std::pow(options.stiffness * start.mesh().size(), 2)) {}
 
   double at(const std::vector<Vector3d>& points) const {
@@ -132,7 +132,7 @@ TEST(FitMinimum, NoOtherMethodFindsLess) {
   FitOptions options;
   options.fairness = 0.0;
   options.stiffness = 0.01;
-  options.limits.locked = borders(start.mesh().topology());
+  options.limits.limits.locked = borders(start.mesh().topology());
   const Fit found = fit(start, {targets, {}, {}}, {}, options);
   EXPECT_TRUE(found.settled);
 
