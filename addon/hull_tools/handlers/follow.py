@@ -9,6 +9,7 @@ from ..features import studio
 from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
 from ..features.conversion import conversions
+from ..features.fields import preview
 from ..features.hull import hull_state, live_normals
 from ..features.surface import colour_views
 from ..features.variants import following
@@ -33,6 +34,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
     try:
         for hull in hulls:
             hull_state.follow_edit(hull, scene, is_by_hand)
+            preview.follow(hull, scene)
             live_target.follow(hull, scene)
             if hull.mode == "EDIT":
                 live_normals.ask()

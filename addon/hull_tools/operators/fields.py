@@ -5,7 +5,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..bridge.objects import hull_objects
-from ..features.fields import field_list, shaping
+from ..features.fields import field_list, preview, shaping
 from ..properties.field_settings import BASES, ROLES
 from .shared import HullOperator
 
@@ -82,6 +82,36 @@ class HULL_OT_place_field(bpy.types.Operator, FieldOperator):
         field_list.put(field_list.chosen(hull), hull, context.scene)
 
 
+def _is_previewed(cls, context):
+    if not hull_objects.hull_of(context.object).hull.fields.is_previewed:
+        cls.poll_message_set("The fields are not previewed")
+        return False
+    return True
+
+
+class HULL_OT_preview_fields(bpy.types.Operator, FieldOperator):
+    """Show the hull as the shape fields make it, while they are changed"""
+
+    bl_idname = "hull.preview_fields"
+    bl_label = "Preview Fields"
+
+    def run_on(self, hull, context):
+        if not hull.hull.fields.is_previewed:
+            preview.begin(hull, context.scene)
+
+
+class HULL_OT_cancel_fields(bpy.types.Operator, FieldOperator):
+    """Put all points back where they were before the preview"""
+
+    bl_idname = "hull.cancel_fields"
+    bl_label = "Cancel Fields"
+
+    needs = (*HullOperator.needs, _is_previewed)
+
+    def run_on(self, hull, context):
+        preview.end(hull, context.scene, is_kept=False)
+
+
 class HULL_OT_apply_fields(bpy.types.Operator, FieldOperator):
     """Move the control points so that the surface follows the shape fields that are on"""
 
@@ -89,7 +119,14 @@ class HULL_OT_apply_fields(bpy.types.Operator, FieldOperator):
     bl_label = "Apply Fields"
 
     def run_on(self, hull, context):
-        applied = shaping.apply(hull, context.scene)
+        if hull.hull.fields.is_previewed:
+            shown = preview.of_hull(hull)
+            preview.end(hull, context.scene, is_kept=True)
+            applied = None if shown is None else shown.applied
+            if applied is None:
+                return
+        else:
+            applied = shaping.apply(hull, context.scene)
         self.report({"INFO"} if applied.is_followed else {"WARNING"}, shaping.summary(applied))
 
 
@@ -99,5 +136,7 @@ CLASSES = (
     HULL_OT_duplicate_field,
     HULL_OT_move_field,
     HULL_OT_place_field,
+    HULL_OT_preview_fields,
+    HULL_OT_cancel_fields,
     HULL_OT_apply_fields,
 )

@@ -4,7 +4,8 @@
 import bpy
 
 from ..bridge.objects import hull_objects
-from .shared import HullPanel, draw_entries, text_field
+from ..features.fields import preview, shaping
+from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
 
 
 class HULL_UL_fields(bpy.types.UIList):
@@ -47,7 +48,31 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         if field.role == "MOVE":
             layout.column(align=True).prop(field, "shift")
         layout.row(align=True).prop(field, "axes", toggle=True)
-        layout.operator("hull.apply_fields", icon="CHECKMARK")
+        hull = hull_objects.hull_of(context.object)
+        if settings.is_previewed:
+            row = layout.row(align=True)
+            row.operator("hull.apply_fields", text="Apply", icon="CHECKMARK")
+            row.operator("hull.cancel_fields", text="Cancel", icon="X")
+        else:
+            layout.operator("hull.preview_fields", text="Preview", icon="HIDE_OFF")
+            layout.operator("hull.apply_fields", text="Apply", icon="CHECKMARK")
+        self._draw_preview(context, preview.of_hull(hull))
+
+    def _draw_preview(self, context, shown):
+        layout = self.layout
+        if shown is None:
+            return
+        if shown.problem:
+            label_wrapped(layout, context, shown.problem, icon="ERROR")
+        elif shown.applied is None:
+            label_wrapped(layout, context, "The fields shift nothing of the hull", icon="INFO")
+        else:
+            if not shown.applied.is_followed:
+                label_wrapped(layout, context, shaping.advice(shown.applied), icon="INFO")
+            column = layout.column(align=True)
+            result = shown.applied.result
+            label_value(column, "Residual, RMS", f"{1e3 * result.rms:.1f} mm")
+            label_value(column, "Residual, largest", f"{1e3 * result.largest:.1f} mm")
 
     def _draw_base(self, layout, field):
         text_field(layout, field, "base")

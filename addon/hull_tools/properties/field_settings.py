@@ -13,7 +13,7 @@ from bpy.props import (
     PointerProperty,
 )
 
-from .shared import length
+from .shared import changed, length, switch
 
 ROLES = (
     ("MOVE", "Move", "What is near is shifted"),
@@ -34,8 +34,8 @@ def _is_curve(field, obj):
 class HullShapeField(bpy.types.PropertyGroup):
     """Lengths and places in Blender's units and the hull's own axes."""
 
-    use: BoolProperty(name="On", description="The field counts", default=True)
-    role: EnumProperty(name="Role", description="What the field does", items=ROLES)
+    use: switch("On", "The field counts", default=True)
+    role: EnumProperty(name="Role", description="What the field does", items=ROLES, update=changed)
     colour: FloatVectorProperty(
         name="Colour",
         description="By which the field is told from others",
@@ -44,23 +44,34 @@ class HullShapeField(bpy.types.PropertyGroup):
         max=1.0,
         default=(0.9, 0.5, 0.1),
     )
-    base: EnumProperty(name="Base", description="From what distances are measured", items=BASES)
+    base: EnumProperty(
+        name="Base",
+        description="From what distances are measured",
+        items=BASES,
+        update=changed,
+    )
     place: FloatVectorProperty(
         name="Place",
         description="Of the point; where the plane goes through; near the crease",
         subtype="XYZ_LENGTH",
         unit="LENGTH",
         precision=3,
+        update=changed,
     )
     axis: EnumProperty(
         name="Square to",
         description="The axis to which the plane is square",
         items=[(axis, axis.lower(), f"Along {axis.lower()}") for axis in "XYZ"],
+        update=changed,
     )
     curve: PointerProperty(
-        name="Curve", description="The curve object", type=bpy.types.Object, poll=_is_curve
+        name="Curve",
+        description="The curve object",
+        type=bpy.types.Object,
+        poll=_is_curve,
+        update=changed,
     )
-    extent: length("Extent", "How far from its base the field works", 5.0, update=None)
+    extent: length("Extent", "How far from its base the field works", 5.0)
     falloff: FloatProperty(
         name="Falloff",
         description="From steep to full: above 0.9 the surface's curvature jumps at the extent, at "
@@ -71,6 +82,7 @@ class HullShapeField(bpy.types.PropertyGroup):
         soft_min=0.3,
         soft_max=0.9,
         precision=2,
+        update=changed,
     )
     shift: FloatVectorProperty(
         name="Shift",
@@ -78,18 +90,23 @@ class HullShapeField(bpy.types.PropertyGroup):
         subtype="XYZ_LENGTH",
         unit="LENGTH",
         precision=3,
+        update=changed,
     )
     axes: BoolVectorProperty(
         name="Axes",
         description="The coordinates that the field has a say in",
         subtype="XYZ",
         default=(True, True, True),
+        update=changed,
     )
 
 
 class HullFields(bpy.types.PropertyGroup):
-    """Nothing here changes the hull before the fields are applied."""
+    """Nothing here changes the hull before the fields are previewed or applied."""
 
+    is_previewed: BoolProperty(
+        name="Previewed", description="The hull is shown as the fields make it", options={"HIDDEN"}
+    )
     fields: CollectionProperty(type=HullShapeField)
     active_field: IntProperty(name="Field", description="The field that is edited", min=0)
 

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import native
-from ..constraints import move_limits
-from ..lines import lines
-from ..transformation import parents, reports
-from . import bases, field_list
+from ...bridge.blender import units
+from ...bridge.mesh import mesh_points
+from ...bridge.objects import hull_mesh
+from ..hull import hull_state
+from ..transformation import reports
+from . import bases, field_list, prepared
 
 # Of the largest shift: residuals beyond it show that the control points are too far apart.
 _COARSE = 0.1
@@ -32,42 +34,53 @@ def apply(obj, scene):
     """Moves a hull's control points so that its surface follows its shape fields; returns
     Applied. ValueError where it cannot be, with the place where it would fold:
     nothing moves then."""
+    hull_state.up_to_date(obj, scene)
     rows = field_list.in_use(obj)
-    parent = parents.of_hull(obj, scene)
-    applied = _solve(obj, rows, parent)
-    parent.write(scene, applied.result.moves)
+    own = prepared.of_hull(obj, hull_mesh.read(obj), units.metres_per_unit(scene))
+    applied = solve(obj, rows, own)
+    if applied is None:
+        raise ValueError("The fields shift nothing of the hull: place them nearer or give a shift")
+    which, places = moved_points(applied.result.moves, own)
+    mesh_points.write(obj.data, which, places)
+    hull_state.follow_edit(obj, scene, is_by_hand=False).checked()
     return applied
+
+
+def moved_points(moves, own):
+    """(indices (k,) of points of the mesh, their places (k, 3) in Blender's units) after moves
+    (n, 3), m, of the control points of a Prepared."""
+    moved = np.flatnonzero((moves != 0.0).any(axis=1))
+    return own.control.vertex_ids[moved], (own.control.points[moved] + moves[moved]) / own.scale
 
 
 def summary(applied):
     """What came of fields, as a sentence."""
     text = f"Fields applied: {reports.residual(applied.result)}"
-    if applied.is_followed:
-        return text
+    return text if applied.is_followed else f"{text}. {advice(applied)}"
+
+
+def advice(applied):
+    """What to do where control points could not follow, as sentences."""
     x, y, z = applied.result.largest_place
     return (
-        f"{text}, at x {x:.2f}, y {y:.2f}, z {z:.2f} m: the control points are too far apart to "
-        "follow. Undo, then Subdivide Exactly or insert a row there, or take a larger extent"
+        f"At x {x:.2f}, y {y:.2f}, z {z:.2f} m the control points are too far apart to follow: "
+        "Subdivide Exactly or insert a row there first, or take a larger extent"
     )
 
 
-def _solve(obj, rows, parent):
-    hull_native, surface = native.require(), parent.surface
-    fields = hull_native.ShapeFields(
-        [bases.shape_field(row, obj, surface, parent.scale) for row in rows],
-        mirrored=parent.body.mirrored,
+def solve(obj, rows, own):
+    """What becomes of a hull by these fields, as Applied; None where they shift nothing of it. own:
+    the Prepared. ValueError where it cannot be, with the place where it would fold."""
+    surface = own.surface
+    fields = native.require().ShapeFields(
+        [bases.shape_field(row, obj, surface, own.scale) for row in rows], mirrored=obj.hull.half
     )
-    size = lines.size_of(surface)
-    found = move_limits.of_hull(obj, parent.control.vertex_ids, parent.control.points, size)
-    places = hull_native.SurfacePlaces(surface)
-    shifts, gradients = fields.at(places.positions)
+    shifts, gradients = fields.at(own.field_places)
     if not shifts.any():
-        raise ValueError("The fields shift nothing of the hull: place them nearer or give a shift")
-    kept = [places.points_beyond(shifts)]
-    kept += [_protected(row, surface, parent.scale) for row in rows]
-    found = found.with_locked(np.concatenate(kept))
-    reshape = hull_native.Reshape(surface, **found.reshape_arguments(surface), places=places)
-    result = reshape.solve(shifts, gradients=gradients)
+        return None
+    staying = [own.places.points_beyond(shifts)]
+    staying += [_protected(row, surface, own.scale) for row in rows]
+    result = own.reshape(np.concatenate(staying)).solve(shifts, gradients=gradients)
     if result.folded_place is not None:
         x, y, z = result.folded_place
         raise ValueError(

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The preview of shape fields: the hull follows each change, and comes back bit by bit."""
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import part, state_of
+from edited_hulls import edit
+from test_fields import add, points_of, sample, side_point
+
+
+def changed():
+    """As Blender does after a change in the window."""
+    bpy.context.view_layer.update()
+
+
+def shown(hull):
+    return part("features.fields.preview").of_hull(hull)
+
+
+def previewed(name="coaster"):
+    """(hull, its field, its points before), previewed."""
+    hull = sample(name)
+    before = points_of(hull)
+    field = add(hull, side_point(hull), extent=20.0, shift=(0.0, 0.3, 0.0))
+    assert bpy.ops.hull.preview_fields() == {"FINISHED"}
+    return hull, field, before
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_the_hull_follows_each_change_and_comes_back(mode):
+    hull = sample()
+    before, volume = points_of(hull), state_of(hull).hydrostatics.values.displaced_volume
+    field = add(hull, side_point(hull), extent=20.0, shift=(0.0, 0.3, 0.0))
+    changed()
+    if mode == "EDIT":
+        edit(hull)
+    assert np.array_equal(points_of(hull), before)  # nothing before it is asked for
+    bpy.ops.hull.preview_fields()
+    volumes = [volume, state_of(hull).hydrostatics.values.displaced_volume]
+    for name, value in (("shift", (0.0, 0.6, 0.0)), ("extent", 30.0)):
+        setattr(field, name, value)
+        changed()
+        volumes.append(state_of(hull).hydrostatics.values.displaced_volume)
+    assert (np.diff(volumes) > 0.0).all()
+    assert shown(hull).problem == "" and shown(hull).applied.result.rms > 0.0
+    field.use = False
+    changed()
+    assert np.array_equal(points_of(hull), before) and shown(hull).applied is None
+    field.use = True
+    changed()
+    assert not np.array_equal(points_of(hull), before)
+    assert bpy.ops.hull.cancel_fields() == {"FINISHED"}
+    assert np.array_equal(points_of(hull), before)
+    assert state_of(hull).hydrostatics.values.displaced_volume == volume
+    assert not bpy.ops.hull.cancel_fields.poll()
+    assert part("bridge.mesh.start_points").read(hull.data) is None
+    if mode == "EDIT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_applied_it_is_as_without_preview():
+    hull, field, before = previewed()
+    field.falloff = 0.4
+    changed()
+    assert bpy.ops.hull.apply_fields() == {"FINISHED"}
+    assert not hull.hull.fields.is_previewed and shown(hull) is None
+    after = points_of(hull)
+    other = sample()
+    add(other, side_point(other), extent=20.0, shift=(0.0, 0.3, 0.0), falloff=0.4)
+    bpy.ops.hull.apply_fields()
+    assert np.array_equal(points_of(other), after) and not np.array_equal(after, before)
+    field.falloff = 0.8  # nothing follows any longer
+    changed()
+    assert np.array_equal(points_of(hull), after)
+
+
+def test_what_would_fold_is_told_and_not_shown():
+    hull, field, before = previewed()
+    good = points_of(hull)
+    field.extent, field.shift = 12.0, (9.0, 0.0, 0.0)
+    changed()
+    assert "fold" in shown(hull).problem
+    assert np.array_equal(points_of(hull), good)
+    field.shift = (0.0, 0.2, 0.0)
+    changed()
+    assert shown(hull).problem == "" and not np.array_equal(points_of(hull), good)
+    bpy.ops.hull.cancel_fields()
+    assert np.array_equal(points_of(hull), before)
+
+
+def test_points_moved_by_hand_meanwhile_are_not_lost():
+    hull, field, before = previewed()
+    hull.data.vertices[5].co.z += 0.5
+    hull.data.update()
+    changed()
+    mine = points_of(hull)
+    field.extent = 25.0
+    changed()
+    assert "Apply keeps the hull as it is" in shown(hull).problem
+    assert np.array_equal(points_of(hull), mine)
+    with pytest.raises(RuntimeError, match="changed while the fields are previewed"):
+        bpy.ops.hull.cancel_fields()
+    assert bpy.ops.hull.apply_fields() == {"FINISHED"}
+    assert np.array_equal(points_of(hull), mine)
+
+
+def test_locked_points_and_flats_stay_where_they_are():
+    hull = sample("barge")
+    before, place = points_of(hull), side_point(hull)
+    nearest = int(np.linalg.norm(before - place, axis=1).argmin())
+    part("features.constraints.point_locks").write(hull.data, [nearest])
+    add(hull, place, extent=40.0, shift=(0.0, 0.2, 0.1))
+    bpy.ops.hull.preview_fields()
+    assert np.array_equal(points_of(hull)[nearest], before[nearest])
+    assert not np.array_equal(points_of(hull), before)
+    changed()  # nothing put the points elsewhere since
+    assert shown(hull).problem == ""
+    bpy.ops.hull.cancel_fields()
+    assert np.array_equal(points_of(hull), before)
+
+
+def test_undo_goes_through_it(tmp_path):
+    hull, field, before = previewed()
+    bpy.ops.ed.undo_push(message="previewed")
+    first = points_of(hull)
+    field.extent = 35.0
+    changed()
+    bpy.ops.ed.undo_push(message="extent")
+    assert not np.array_equal(points_of(hull), first)
+    bpy.ops.ed.undo()
+    hull = bpy.context.view_layer.objects.active
+    assert hull.hull.fields.fields[0].extent == 20.0
+    assert np.array_equal(points_of(hull), first)
+    path = str(tmp_path / "previewed.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    hull = bpy.context.view_layer.objects.active
+    hull.hull.fields.fields[0].extent = 25.0
+    changed()
+    assert not np.array_equal(points_of(hull), first)
+    bpy.ops.hull.cancel_fields()
+    assert np.array_equal(points_of(hull), before)
