@@ -111,6 +111,8 @@ def _with_fields(hull):
     deck, shoulder = hull.hull.fields.fields
     deck.name, deck.place, deck.extent = "Deck edge", (68.0, 6.5, 9.0), 2.0
     shoulder.name, shoulder.shift = "Fore shoulder", (0.0, 0.3, 0.0)
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.preview_fields()
 
 
 def _with_variants(hull):

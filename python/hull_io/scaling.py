@@ -167,6 +167,7 @@ def _shown(value):
 # counted from the mesh's zero is "at" a place, and is shifted too.
 CHANGES = {
     "point": lambda scale, holder, value: _like(value, scale.points(value)),
+    "vector": lambda scale, holder, value: _like(value, np.multiply(scale.factors, value)),
     "normal": lambda scale, holder, value: _like(value, scale.normal(value)),
     "x": lambda scale, holder, value: scale.length(0, value),
     "y": lambda scale, holder, value: scale.length(1, value),

@@ -151,6 +151,17 @@ def test_locked_points_stay():
     assert np.array_equal(points_of(hull)[nearest], before[nearest])
 
 
+def test_fields_follow_when_the_hull_is_scaled():
+    hull = sample()
+    place = side_point(hull)
+    add(hull, place, extent=20.0, shift=(1.0, 0.2, 0.1))
+    assert bpy.ops.hull.set_dimensions(length=92.4, beam=15.0) == {"FINISHED"}
+    field = hull.hull.fields.fields[0]
+    assert field.extent == pytest.approx(22.0)
+    assert tuple(field.shift) == pytest.approx((1.1, 0.2 * 15.0 / 13.6, 0.1))
+    assert field.place[1] == pytest.approx(place[1] * 15.0 / 13.6)
+
+
 def test_fields_are_saved_and_undone(tmp_path):
     hull = sample()
     add(hull, side_point(hull), extent=20.0, shift=(0.0, 0.2, 0.0))

@@ -49,6 +49,9 @@ FOLLOWING = {
     "area_target.base.area": "section",
     "area_target.area_points.x": "at x",
     "area_target.area_points.area": "section",
+    "fields.fields.place": "point",
+    "fields.fields.extent": "x",
+    "fields.fields.shift": "vector",
 }
 # Planes of flats: their normals and offsets go together.
 PLANES = frozenset(("flats.normal", "flats.offset"))
@@ -65,7 +68,8 @@ STAYING = frozenset(
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach
       transform.kept_group
       targets.rows.value targets.rows.tolerance targets.length_change targets.beam_change
-      targets.draft_change targets.stiffness area_target.source""".split()
+      targets.draft_change targets.stiffness area_target.source fields.fields.colour
+      fields.fields.falloff""".split()
 )
 # Groups of which all stays: hulls as they were.
 STAYING_GROUPS = frozenset(("variants",))
