@@ -173,6 +173,30 @@ class LineChoice:
 
 
 @dataclass
+class ShapeField:
+    """A field that shifts or protects what is near its base, in m and the hull's axes.
+
+    role: "move" or "protect". base: "point", "crease" (that nearest to the place), "plane" (through
+    the place, square to the axis) or "line" (points, closed or not). extent: how far it works;
+    falloff: 0 to 1; shift: of the base; axes: of "xyz", those it has a say in.
+    """
+
+    name: str
+    extent: float
+    role: str = "move"
+    on: bool = True
+    colour: tuple = (0.9, 0.5, 0.1)
+    base: str = "point"
+    place: tuple = (0.0, 0.0, 0.0)
+    axis: str = "x"
+    line: list = field(default_factory=list)
+    closed: bool = False
+    falloff: float = 0.6
+    shift: tuple = (0.0, 0.0, 0.0)
+    axes: str = "xyz"
+
+
+@dataclass
 class HullData:
     """One hull, as read.
 
@@ -182,7 +206,8 @@ class HullData:
     creases, the edges that are marked so. flats: Flat, no face in two. locked: point indices that
     tools do not move; kept: those that they move in a plane only. lines: a LineChoice, None where
     the file does not say. targets: wanted.Targets; area_target: a wanted.AreaTarget, None without
-    one. variants: Variant, whose hulls have no variants or targets of their own. units: the file's
+    one. fields: ShapeField. variants: Variant, whose hulls have no variants, targets or fields of
+    their own. units: the file's
     own unit of length, "m" or "ft". source: where the hull comes from. notes: what the reader had
     to mend, one sentence each, for the user.
     """
@@ -209,6 +234,7 @@ class HullData:
     lines: object = None
     targets: Targets = field(default_factory=Targets)
     area_target: object = None
+    fields: list = field(default_factory=list)
     variants: list = field(default_factory=list)
     units: str = "m"
     source: str = ""

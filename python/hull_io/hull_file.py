@@ -11,7 +11,8 @@
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
      "locked" and "kept" as hull_points tells, "lines" as hull_lines tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind";
-     "targets" and "area_target" as hull_targets tells, "variants" as hull_variants tells}
+     "targets" and "area_target" as hull_targets tells, "fields" as hull_fields tells,
+     "variants" as hull_variants tells}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
 without face_layers all are in the first layer. A particular that is left out is 0: not given.
@@ -22,14 +23,14 @@ mended on reading: a mistake is refused with the key and index where it stands.
 import json
 from pathlib import Path
 
-from . import hull_content, hull_targets, hull_variants
+from . import hull_content, hull_fields, hull_targets, hull_variants
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .errors import HullFileError
 from .limits import MAX_HULL_FILE_BYTES
 
 REQUIRED = ("format", "version", "units", *hull_content.REQUIRED)
-OPTIONAL = (*hull_content.OPTIONAL, *hull_targets.KEYS, hull_variants.KEY)
+OPTIONAL = (*hull_content.OPTIONAL, *hull_targets.KEYS, hull_fields.KEY, hull_variants.KEY)
 # Lists of single numbers, which stand in one line.
 _IN_ONE_LINE = ("corners", "face_layers")
 
@@ -48,6 +49,7 @@ def parse_hull_file(data, file_name):
     hull = hull_content.parsed(check, content, file_name.split(".")[0])
     for name, value in hull_targets.parsed(check, content).items():
         setattr(hull, name, value)
+    hull.fields = hull_fields.parsed(check, content)
     hull.variants = hull_variants.parsed(check, content)
     return hull
 
@@ -83,6 +85,7 @@ def write_hull_file(data, path):
         "units": "m",
         **own,
         **hull_targets.entries(data),
+        **hull_fields.entries(data),
         **hull_variants.entries(data),
     }
     lines = [_entry(key, value) for key, value in entries.items()]

@@ -29,6 +29,9 @@ MAX_LINE_SPACES = 200
 # Of a hull: numbers that are wanted of it (a sectional area curve takes 21), their size in their
 # own unit, what bending costs, how far dimensions may go, in percent; hulls kept beside it.
 MAX_TARGETS = 60
+# Shape fields, and points of a line that one is based on.
+MAX_FIELDS = 32
+MAX_LINE_POINTS = 10_000
 GREATEST_TARGET = 1e9
 GREATEST_TARGET_STIFFNESS = 10.0
 GREATEST_DIMENSION_CHANGE = 50.0

@@ -52,6 +52,10 @@ FOLLOWING = {
     "area_target.base.area": "section",
     "area_target.points.x": "at x",
     "area_target.points.area": "section",
+    "fields.place": "point",
+    "fields.extent": "x",
+    "fields.shift": "vector",
+    "fields.line": "points",
 }  # an offset of a flat goes with its normal
 
 # What stays: no lengths, or not the hull's.
@@ -64,6 +68,8 @@ STAYING = frozenset(
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
     targets.rows.tolerance targets.rows.on targets.moving targets.staying targets.length
     targets.beam targets.draft targets.fairness area_target.source variants units source
+    fields.name fields.role fields.on fields.colour fields.base fields.axis fields.closed
+    fields.falloff fields.axes
     notes""".split()
 )
 
@@ -167,6 +173,7 @@ def _shown(value):
 # counted from the mesh's zero is "at" a place, and is shifted too.
 CHANGES = {
     "point": lambda scale, holder, value: _like(value, scale.points(value)),
+    "points": lambda scale, holder, value: [_like(one, scale.points(one)) for one in value],
     "vector": lambda scale, holder, value: _like(value, np.multiply(scale.factors, value)),
     "normal": lambda scale, holder, value: _like(value, scale.normal(value)),
     "x": lambda scale, holder, value: scale.length(0, value),

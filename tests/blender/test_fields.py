@@ -151,6 +151,27 @@ def test_locked_points_stay():
     assert np.array_equal(points_of(hull)[nearest], before[nearest])
 
 
+def test_hull_files_have_them(tmp_path):
+    hull = sample()
+    line = part("bridge.objects.curve_lines").made("Knuckle", [(60, 6, 5), (70, 5, 5)], False, hull)
+    bow = add(hull, side_point(hull), name="Bow", extent=20.0, shift=(0.0, 0.2, 0.0), use=False)
+    add(hull, (60.0, 6.0, 9.0), name="Deck", role="PROTECT", base="CREASE", extent=2.5)
+    add(hull, (0.0, 0.0, 0.0), name="Knuckle", base="CURVE", axes=(False, True, False)).curve = line
+    place, colour = tuple(bow.place), tuple(bow.colour)
+    path = str(tmp_path / "fields.hull.json")
+    assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
+    again = bpy.context.view_layer.objects.active
+    assert again != hull and names(again) == ["Bow", "Deck", "Knuckle"]
+    first, second, third = again.hull.fields.fields
+    assert (first.use, tuple(first.place), tuple(first.colour)) == (False, place, colour)
+    assert (first.extent, tuple(first.shift)) == (20.0, tuple(bow.shift))
+    assert (second.role, second.base, second.extent) == ("PROTECT", "CREASE", 2.5)
+    assert tuple(third.axes) == (False, True, False) and third.curve not in (None, line)
+    points, is_closed = part("bridge.objects.curve_lines").points_of(third.curve, again)
+    assert points.tolist() == [[60, 6, 5], [70, 5, 5]] and not is_closed
+
+
 def test_fields_follow_when_the_hull_is_scaled():
     hull = sample()
     place = side_point(hull)

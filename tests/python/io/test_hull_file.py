@@ -82,6 +82,13 @@ def content(**changes):
             "base": [[0, 0], [5, 4.5], [10, 0]],
             "points": [[0, 0], [5, 4], [10, 0.5]],
         },
+        "fields": [
+            {"extent": 5, "shift": [0, 0.3, 0], "falloff": 0.4, "place": [1, 2, 3]},
+            {"name": "Deck edge", "role": "protect", "on": False, "colour": [0, 0.5, 1],
+             "base": "line", "line": [[0, 1, 2], [1, 1, 2], [2, 0, 2]], "closed": True,
+             "extent": 2, "axes": "xz"},
+            {"base": "plane", "axis": "z", "extent": 1},
+        ],
         "variants": [variant(), {"half": False, "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0]],
                                  "faces": [[0, 1, 2]]}],
     }  # fmt: skip
@@ -107,7 +114,7 @@ def assert_same(first, second):
     assert first.particulars == second.particulars
     assert first.source == second.source
     for key in ("scheme", "deck_edge", "flats", "locked", "kept", "afloat", "load", "load_cases",
-                "openings", "wind", "lines", "targets", "area_target"):  # fmt: skip
+                "openings", "wind", "lines", "targets", "area_target", "fields"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key
     assert len(first.variants) == len(second.variants)
     for one, other in zip(first.variants, second.variants):
@@ -143,6 +150,13 @@ def test_a_file_is_read(read):
         frame_spacing=0.6,
         planes=[hull_io.CutPlane("bow", (1.0, 0.0, 0.0), (9.0, 0.0, 0.0), False)],
     )
+    first, second, third = hull.fields
+    assert first == hull_io.ShapeField(
+        "Field 1", 5, place=(1, 2, 3), falloff=0.4, shift=(0, 0.3, 0)
+    )
+    assert (second.name, second.role, second.on) == ("Deck edge", "protect", False)
+    assert second.line[2] == (2, 0, 2) and second.closed and second.axes == "xz"
+    assert (third.base, third.axis, third.line) == ("plane", "z", [])
     assert hull.targets == hull_io.Targets(
         rows=[
             hull_io.Target("kmt", 6.3, "at least", 0.1),
@@ -179,6 +193,7 @@ def test_what_may_be_left_out(read):
     assert not hull.load.kg_is_guess and read(content(load={"kg_is_guess": True})).load.kg_is_guess
     assert read(content(lines={})).lines == hull_io.LineChoice()
     assert hull.targets == hull_io.Targets() and hull.area_target is None and hull.variants == []
+    assert hull.fields == []
     assert read(content(targets={})).targets == hull_io.Targets()
     assert read(content(area_target={})).area_target == hull_io.AreaTarget()
     hull = read(content(load={}, load_cases=[{"mass_t": 1}], openings=[{"position": [1, 2, 3]}]))
@@ -332,6 +347,44 @@ MISTAKES = {
         "load_cases[0].name: character 0 is no letter ('\\x00')",
     ),
     "long name": (content(name="x" * 10001), "name: it is no text of at most 10000"),
+    "fields": (content(fields={}), "fields: dict is no list"),
+    "many fields": (content(fields=[{"extent": 1}] * 33), "fields: it has 33 entries"),
+    "field": (content(fields=[[]]), "fields[0]: list is no object"),
+    "field key": (content(fields=[{"kappa": 1}]), 'fields[0]: the key "kappa" is unknown'),
+    "field extent": (content(fields=[{}]), "fields[0].extent: it is missing"),
+    "field extent's size": (
+        content(fields=[{"extent": -1}]),
+        "fields[0].extent: -1 is not a number from 0 to",
+    ),
+    "field role": (
+        content(fields=[{"extent": 1, "role": "shift"}]),
+        'fields[0].role: "shift" is unknown; write "move" or "protect"',
+    ),
+    "field base": (
+        content(fields=[{"extent": 1, "base": "curve"}]),
+        'fields[0].base: "curve" is unknown; write "point", "crease", "plane" or "line"',
+    ),
+    "field falloff": (
+        content(fields=[{"extent": 1, "falloff": 1.5}]),
+        "fields[0].falloff: 1.5 is not a number from 0 to 1",
+    ),
+    "field shift": (content(fields=[{"extent": 1, "shift": [1, 2]}]), "fields[0].shift: "),
+    "field axes": (
+        content(fields=[{"extent": 1, "axes": "zx"}]),
+        "fields[0].axes: 'zx' are no axes",
+    ),
+    "field without line": (
+        content(fields=[{"extent": 1, "base": "line"}]),
+        'fields[0].line: a base "line" has points',
+    ),
+    "field with line": (
+        content(fields=[{"extent": 1, "line": [[0, 0, 0], [1, 0, 0]]}]),
+        'fields[0].line: a base "line" has points',
+    ),
+    "field's short line": (
+        content(fields=[{"extent": 1, "base": "line", "line": [[0, 0, 0]]}]),
+        "fields[0].line: one point is no line",
+    ),
     "targets": (content(targets=[]), "targets: list is no object"),
     "target key": (content(targets={"row": []}), 'targets: the key "row" is unknown'),
     "target rows": (content(targets={"rows": {}}), "targets.rows: dict is no list"),

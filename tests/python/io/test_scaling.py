@@ -40,11 +40,12 @@ def paths(cls, before=""):
         "load_cases": hull_io.LoadCase, "openings": hull_io.Opening, "wind": hull_io.Wind,
         "areas": hull_io.WindArea, "lines": hull_io.LineChoice, "planes": hull_io.CutPlane,
         "targets": hull_io.Targets, "rows": hull_io.Target, "area_target": hull_io.AreaTarget,
-        "base": hull_io.AreaPoint,
+        "fields": hull_io.ShapeField,
     }  # fmt: skip
     for field in dataclasses.fields(cls):
-        kind = hull_io.AreaPoint if before == "area_target." and field.name == "points" else None
-        kind = kind or parts.get(field.name)
+        kind = parts.get(field.name)
+        if before == "area_target." and field.name in ("base", "points"):
+            kind = hull_io.AreaPoint
         if kind:
             yield from paths(kind, f"{before}{field.name}.")
         else:
@@ -117,8 +118,16 @@ def test_what_is_wanted_follows_and_variants_stay():
     data.area_target = hull_io.AreaTarget(
         [hull_io.AreaPoint(10.0, 40.0)], [hull_io.AreaPoint(30.0, 60.0)], "a table"
     )
+    data.fields = [
+        hull_io.ShapeField("Deck", 10.0, base="line", line=[(1.0, 2.0, 3.0), (4.0, 5.0, 6.0)]),
+        hull_io.ShapeField("Bow", 5.0, place=(80.0, 0.0, 5.0), shift=(1.0, 1.0, 1.0)),
+    ]
     data.variants = [hull_io.Variant(sample("coaster"), "as built")]
     made = hull_io.scaled(data, (1.1, 0.9, 1.05))
+    assert made.fields[0].extent == 1.1 * 10.0 and made.fields[0].falloff == 0.6
+    np.testing.assert_allclose(made.fields[0].line[1], (4.4, 4.5, 6.3))
+    np.testing.assert_allclose(made.fields[1].place, (88.0, 0.0, 5.25))
+    np.testing.assert_allclose(made.fields[1].shift, (1.1, 0.9, 1.05))
     assert made.targets.rows == [hull_io.Target("section_area", 50.0, station=1.1 * 20.0)]
     assert made.area_target.base == [hull_io.AreaPoint(1.1 * 10.0, 40.0 * 0.9 * 1.05)]
     assert made.area_target.points == [hull_io.AreaPoint(1.1 * 30.0, 60.0 * 0.9 * 1.05)]

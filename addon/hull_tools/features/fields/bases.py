@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rows of Object.hull.fields as hull_native.ShapeFields, in metres in the hull's axes."""
 
-import bpy
 import numpy as np
 
 from ...bridge import limits, native
 from ...bridge.blender import units
+from ...bridge.objects import curve_lines
 
 _NORMALS = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 # Cosine of the angle from which on a Blender curve is taken to have a knuckle where it is sampled.
@@ -65,28 +65,9 @@ def _curve(field, obj, surface, scale):
         return native.require().FieldCurve.of_crease(base_crease(field, surface, scale))
     if field.curve is None:
         raise ValueError("Choose the curve object that is its base")
-    points, is_closed = _line(field.curve, obj, scale)
+    points, is_closed = curve_lines.points_of(field.curve, obj)
+    points *= scale
     return native.require().FieldCurve(points, knuckles=_knuckles(points), closed=is_closed)
-
-
-def _line(curve, hull, scale):
-    """(points (n, 3), whether they close) of a Blender curve as the view shows it."""
-    if len(curve.data.splines) != 1:
-        raise ValueError(
-            f"{curve.name} has {len(curve.data.splines)} splines: take a curve object of one"
-        )
-    shown = curve.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    mesh = shown.to_mesh()
-    try:
-        points = np.array([vertex.co for vertex in mesh.vertices], dtype=np.float64)
-        is_line = len(mesh.polygons) == 0
-    finally:
-        shown.to_mesh_clear()
-    if not is_line or len(points) < 2:
-        raise ValueError(f"{curve.name} is no line: take off its bevel, extrusion and fill")
-    matrix = np.array(hull.matrix_world.inverted() @ curve.matrix_world, dtype=np.float64)
-    points = scale * (points @ matrix[:3, :3].T + matrix[:3, 3])
-    return points, curve.data.splines[0].use_cyclic_u
 
 
 def _knuckles(points):

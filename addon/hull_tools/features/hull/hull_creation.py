@@ -12,7 +12,7 @@ from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
-from . import hull_state, wanted_data
+from . import field_data, hull_state, wanted_data
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -45,6 +45,7 @@ def hull_object(hull, scene, collection):
     collection.objects.link(obj)
     give_ship(obj, hull, scale)
     wanted_data.give_wanted(obj.hull, hull, scale)
+    field_data.give_fields(obj, hull, scale)
     make_hull(obj, scene, hull.half)
     return obj
 

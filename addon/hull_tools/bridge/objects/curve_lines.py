@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's curve objects as lines of points, and lines as curve objects."""
+
+import bpy
+import numpy as np
+
+
+def points_of(curve, obj):
+    """(points (n, 3) in another object's axes and units, whether they close) of a curve object as
+    the view shows it; ValueError, naming it, where it is no single line."""
+    if len(curve.data.splines) != 1:
+        raise ValueError(
+            f"{curve.name} has {len(curve.data.splines)} splines: take a curve object of one"
+        )
+    shown = curve.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = shown.to_mesh()
+    try:
+        points = np.array([vertex.co for vertex in mesh.vertices], dtype=np.float64)
+        is_line = len(mesh.polygons) == 0
+    finally:
+        shown.to_mesh_clear()
+    if not is_line or len(points) < 2:
+        raise ValueError(f"{curve.name} is no line: take off its bevel, extrusion and fill")
+    matrix = np.array(obj.matrix_world.inverted() @ curve.matrix_world, dtype=np.float64)
+    return points @ matrix[:3, :3].T + matrix[:3, 3], curve.data.splines[0].use_cyclic_u
+
+
+def made(name, points, is_closed, obj):
+    """A new curve object through points (n, 3) in another object's axes and units, in its
+    collections."""
+    data = bpy.data.curves.new(name, "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new("POLY")
+    spline.points.add(len(points) - 1)
+    corners = np.ones((len(points), 4), dtype=np.float32)
+    corners[:, :3] = points
+    spline.points.foreach_set("co", corners.reshape(-1))
+    spline.use_cyclic_u = is_closed
+    curve = bpy.data.objects.new(name, data)
+    curve.matrix_world = obj.matrix_world
+    for collection in obj.users_collection:
+        collection.objects.link(curve)
+    return curve
