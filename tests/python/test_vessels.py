@@ -48,10 +48,23 @@ def test_every_source_has_numbers():
     assert set(EXPECTED) <= set(vessels.names())
 
 
+def agree(made, stored):
+    """Whether what JSON tells is the same, numbers to their last place but one: the last one of
+    NumPy's powers differs from processor to processor."""
+    if isinstance(stored, dict):
+        return made.keys() == stored.keys() and all(agree(made[key], stored[key]) for key in stored)
+    if isinstance(stored, list):
+        return len(made) == len(stored) and all(map(agree, made, stored))
+    if isinstance(stored, float):
+        return abs(made - stored) <= 1e-15 * max(1.0, abs(stored))
+    return made == stored
+
+
 def test_file_and_source_agree(vessel, tmp_path):
     path = tmp_path / "made.hull.json"
     vessels.hull_io.write_hull_file(vessel.source.make(vessels.hull_io), path)
-    assert path.read_text() == (vessels.SAMPLES / f"{vessel.name}.hull.json").read_text()
+    stored = vessels.SAMPLES / f"{vessel.name}.hull.json"
+    assert agree(json.loads(path.read_text()), json.loads(stored.read_text()))
 
 
 def test_mesh_is_sound_and_small(vessel):
