@@ -176,6 +176,14 @@ def test_every_quantity_has_a_present_value():
         assert found is not None or quantity.identifier == quantities.SECTION, quantity
 
 
+def test_another_quantity_begins_with_its_present_value():
+    hull = sample()
+    values = values_of(hull)
+    row = add(hull, "VOLUME", 1e3)
+    row.quantity = "LCB_PERCENT"
+    assert abs(row.value - values.lcb_percent) < 1e-5
+
+
 def test_nonsense_is_refused():
     hull = sample()
     row = add(hull, "VOLUME", 1e3)

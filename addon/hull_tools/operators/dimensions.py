@@ -38,7 +38,7 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
     belongs to it follow"""
 
     bl_idname = "hull.set_dimensions"
-    bl_label = "Set Dimensions"
+    bl_label = "Scale to Dimensions"
 
     needs = (*HullOperator.needs, in_object_mode)
 

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.blender.units import format_value
+from ..bridge.blender.units import metric_symbol
 from ..bridge.objects import hull_objects
 from ..features.targets import quantities, reports, rows
 from .conversion import draw_task
@@ -22,17 +22,20 @@ class HULL_UL_rows(bpy.types.UIList):
         # A sidebar of the usual width has place for twelve and for five characters.
         split = row.split(factor=0.7)
         split.active = item.use
-        wanted = f"{item.value:.2f}" if quantity.unit == "%" else _short(f"{item.value:.3f}")
+        wanted = _number(item.value, 2 if quantity.unit == "%" else 3)
         split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {wanted}")
         now = rows.present(item, data.id_data, context.scene)
         right = split.row()
         right.alignment = "RIGHT"
-        right.label(text=_short(format_value(context.scene, now, quantity.unit).split(" ")[0]))
+        decimals = {"%": 2, "": 4}.get(quantity.unit, 3)
+        right.label(text="–" if now is None else _number(now, decimals))
 
 
-def _short(number):
-    """A number as text, in whole where it is long."""
-    return number.split(".")[0] if len(number) > 6 else number
+def _number(value, decimals):
+    """A number as text, rounded to a whole one where it is long. Wanted numbers are metric in any
+    scene: what there is beside them is, too."""
+    text = f"{value:.{decimals}f}"
+    return f"{value:.0f}" if len(text) > 6 else text
 
 
 class HULL_PT_targets(HullPanel, bpy.types.Panel):
@@ -61,7 +64,8 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
         line.prop(row, "sense", expand=True)
         column = layout.column(align=True)
         line = column.row(align=True)
-        line.prop(row, "value")
+        symbol = metric_symbol(quantities.quantity_of(row).unit)
+        line.prop(row, "value", text=f"Wanted, {symbol}" if symbol else "Wanted")
         line.operator("hull.take_present_target", text="", icon="EYEDROPPER")
         column.prop(row, "tolerance")
 

@@ -167,7 +167,9 @@ def _draw_distances(column, scene, found):
         label_value(column, name, format_value(scene, value, "m"))
         if at is not None:
             label_value(column, "at x", format_value(scene, at[0], "m"))
-            label_value(column, "y, z", f"{at[1]:.2f}, {at[2]:.2f} m")
+            # Rounded to zero a number may still have a minus.
+            y, z = (round(part, 2) + 0.0 for part in at[1:])
+            label_value(column, "y, z", f"{y:.2f}, {z:.2f} m")
     label_value(column, "Mean size", format_value(scene, found.mean_size, "m"))
     label_value(column, "RMS", format_value(scene, found.rms, "m"))
     label_value(column, "Beyond", f"{100.0 * (1.0 - found.share):.2f} % of area")

@@ -5,7 +5,7 @@ import bpy
 from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatProperty, IntProperty
 
 from ..bridge import limits
-from ..features.targets import quantities
+from ..features.targets import quantities, rows
 from .outline_settings import KeptOutline
 from .shared import length
 
@@ -35,6 +35,11 @@ def _change(name, what):
     )
 
 
+def _of_another_quantity(row, context):
+    """One quantity's number means nothing for another: it begins with its present one."""
+    rows.take_present(row, row.id_data, context.scene)
+
+
 class HullTarget(bpy.types.PropertyGroup):
     """A row: the names of its settings are those of hull_native.FormTarget where they are there."""
 
@@ -43,6 +48,7 @@ class HullTarget(bpy.types.PropertyGroup):
         name="Quantity",
         description="What of the hull, as it lies in the water, is to have a value",
         items=quantities.ITEMS,
+        update=_of_another_quantity,
     )
     station: length("Station x", "Where the section is whose area is wanted", minimum=None)
     sense: EnumProperty(name="Sense", description="How the value is meant", items=_SENSES)

@@ -77,6 +77,11 @@ def format_value(scene, value, unit):
     return f"{_digits(value)} {_METRIC_SYMBOLS[unit]}"
 
 
+def metric_symbol(unit):
+    """How one of the units of tables is written: "m³"; "" where there is none."""
+    return _METRIC_SYMBOLS.get(unit, unit)
+
+
 # What is smaller is rounding of the numbers, and of no use to people.
 _LEAST_SHOWN = 1e-6
 
