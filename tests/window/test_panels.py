@@ -3,12 +3,7 @@
 
 import bpy
 from addon_under_test import part
-
-
-def hull_panels():
-    """The classes of all panels of the tab, those of all parts included."""
-    classes = part("panels")._CLASSES
-    return [cls for cls in classes if getattr(cls, "bl_category", "") == "Hull"]
+from sidebar import hull_panels
 
 
 def open_all():

@@ -6,28 +6,10 @@ import numpy as np
 from addon_under_test import state_of
 from editing import hull_at_hand
 from expect import assert_follows, snapshot
-from test_panels import hull_panels
+from sidebar import show_all_panels, show_panels
 
 # From the sidebar's upper left corner to fields of its only panel.
 DRAFT, TRIM, HEEL = (90, -46), (90, -67), (90, -88)
-
-
-def only(name):
-    """Registers one panel of the tab alone."""
-    classes = hull_panels()
-    for cls in reversed(classes):
-        bpy.utils.unregister_class(cls)
-    for cls in classes:
-        if cls.__name__ == name:
-            bpy.utils.register_class(cls)
-
-
-def all_panels():
-    for cls in hull_panels():
-        if cls.is_registered:
-            bpy.utils.unregister_class(cls)
-    for cls in hull_panels():
-        bpy.utils.register_class(cls)
 
 
 def a_hull(window):
@@ -44,11 +26,11 @@ def move_to_field(window, place):
 
 
 def test_numbers_follow_the_fields_of_hydrostatics(window):
-    only("HULL_PT_hydrostatics")
+    show_panels(window, "hydrostatics")
     try:
         yield from _numbers_follow(window)
     finally:
-        all_panels()
+        show_all_panels()
 
 
 def _numbers_follow(window):

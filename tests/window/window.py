@@ -198,5 +198,6 @@ class Window:
         self.move_to_middle()
 
     def screenshot(self, path):
-        with bpy.context.temp_override(window=self.window, area=self.area):
+        # A file dialog may fill the window.
+        with bpy.context.temp_override(window=self.window, area=self.window.screen.areas[0]):
             bpy.ops.screen.screenshot(filepath=str(path))
