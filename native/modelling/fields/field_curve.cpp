@@ -156,7 +156,7 @@ FieldCurve FieldCurve::through(const std::vector<Vector3d>& points,
     }
   }
   std::ranges::sort(ends);
-  ends.erase(std::ranges::unique(ends).begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   std::vector<Arc> arcs;
   if (closed && ends.empty()) {
     add_smooth_part(points, true, arcs);

@@ -16,7 +16,7 @@ SquareWeights dense_rows(const std::vector<const WeightRow*>& rows) {
     for (const PointWeight& w : row->entries()) dense.points.push_back(w.point);
   }
   std::ranges::sort(dense.points);
-  dense.points.erase(std::ranges::unique(dense.points).begin(), dense.points.end());
+  dense.points.erase(std::unique(dense.points.begin(), dense.points.end()), dense.points.end());
   dense.rows.setZero(static_cast<Eigen::Index>(rows.size()),
                      static_cast<Eigen::Index>(dense.points.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
