@@ -270,3 +270,21 @@ def test_a_row_needs_points_enough():
     with pytest.raises(ValueError, match="5 points or more"):
         fairing.fair_rows(hull, bpy.context.scene, fairing.Asked(0.01))
     bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_a_row_that_would_turn_the_surface_over_is_refused():
+    hull = grid_hull(COLUMNS, ROWS)
+    bm = edit(hull, (False, True, False))
+    for vertex in bm.verts:
+        vertex.co.z += 6.0 * (-1.0) ** (vertex.index // ROWS)  # rows zigzag one beside the other
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    fairing = part("features.fairing.row_fairing")
+    select(hull, "edge", zip(along(3), along(3)[1:]))
+    start = mesh_points_now(hull)
+    with pytest.raises(ValueError, match=r"turned over at \(\d.*give a smaller deviation"):
+        fairing.fair_rows(hull, bpy.context.scene, fairing.Asked(10.0))
+    np.testing.assert_array_equal(mesh_points_now(hull), start)
+    report = fairing.fair_rows(hull, bpy.context.scene, fairing.Asked(0.1))
+    assert report.rms == pytest.approx(0.1, rel=1e-9)
+    bpy.ops.object.mode_set(mode="OBJECT")

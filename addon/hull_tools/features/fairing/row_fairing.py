@@ -14,7 +14,7 @@ from ..constraints import move_limits
 from ..fairness import row_combs
 from ..hull import hull_state
 from ..lines import lines
-from . import local_marks, row_choice, row_smoothing
+from . import folds, local_marks, row_choice, row_smoothing
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,7 @@ def fair_rows(obj, scene, asked):
     moves[points] = smoothed.moves
     is_moved = moves.any(axis=1)
     moved = hull_native.LimitSurface(mesh.with_points(control.points + moves), found.scheme)
+    folds.refuse(surface, moved)
     box = local_marks.around(control.points[points])
     marks = [local_marks.count(each, box, size) for each in (surface, moved)]
     inflections = [
