@@ -199,6 +199,22 @@ void bind_field(py::module_& module) {
           py::arg("extent"), py::arg("falloff") = 0.5, py::arg("protects") = false,
           py::arg("axes") = "xyz", "Around a FieldCurve.")
       .def_static(
+          "of_region",
+          [](const surface::LimitSurface& surface, const py::object& cells, const py::object& shift,
+             const py::object& extent, const py::object& falloff, bool protects,
+             const std::string& axes) {
+            ShapeField field = field_from({extent, falloff, axes, protects});
+            field.base = modelling::region_base(surface, integers_from(cells, "cells"));
+            field.shift = vector_along(shift, "shift");
+            return field;
+          },
+          py::arg("surface"), py::arg("cells"), py::arg("shift") = py::make_tuple(0.0, 0.0, 0.0),
+          py::kw_only(), py::arg("extent"), py::arg("falloff") = 0.5, py::arg("protects") = false,
+          py::arg("axes") = "xyz",
+          "Around cells (k,) of a surface as it is now: all of them are base. Intensity falls from "
+          "their rim by delta² (2 - delta) in place of delta, as curvature would jump at the rim "
+          "else.")
+      .def_static(
           "to_curve",
           [](const FieldCurve& curve, const FieldCurve& other, const py::object& extent,
              const py::object& falloff, const std::string& axes) {

@@ -184,8 +184,17 @@ void bind_surface_tree(py::module_& module) {
       "exactly, some microseconds each.\n\n"
       "The tree keeps a copy of the surface as it is now; after surface.set_points() it needs "
       "refit().")
-      .def(py::init<const surface::LimitSurface&>(), py::arg("surface"),
-           py::call_guard<py::gil_scoped_release>())
+      .def(py::init([](const surface::LimitSurface& surface, const py::object& cells) {
+             if (cells.is_none()) {
+               const py::gil_scoped_release release;
+               return std::make_unique<surface::SurfaceTree>(surface);
+             }
+             const std::vector<int> own = integers_from(cells, "cells");
+             const py::gil_scoped_release release;
+             return std::make_unique<surface::SurfaceTree>(surface, own);
+           }),
+           py::arg("surface"), py::kw_only(), py::arg("cells") = py::none(),
+           "cells: (k,) of these alone, as if the others were not there.")
       .def("refit", &surface::SurfaceTree::refit, py::arg("surface"),
            py::call_guard<py::gil_scoped_release>(),
            "Follows the surface the tree was made of after set_points(); quicker than a new tree. "

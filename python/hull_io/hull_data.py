@@ -173,12 +173,24 @@ class LineChoice:
 
 
 @dataclass
+class FieldEnd:
+    """What a ShapeField is at the fore end of its base, or its upper one."""
+
+    extent: float
+    falloff: float = 0.6
+    shift: tuple = (0.0, 0.0, 0.0)
+
+
+@dataclass
 class ShapeField:
     """A field that shifts or protects what is near its base, in m and the hull's axes.
 
     role: "move" or "protect". base: "point", "crease" (that nearest to the place), "plane" (through
-    the place, square to the axis) or "line" (points, closed or not). extent: how far it works;
-    falloff: 0 to 1; shift: of the base; axes: of "xyz", those it has a say in.
+    the place, square to the axis), "section" (of such a plane, nearest to the place), "line"
+    (points, closed or not) or "faces" (by index). extent: how far it works; falloff: 0 to 1; shift:
+    of the base; axes: of "xyz", those it has a say in. becomes: points of the curve that the base
+    becomes, without any its shift says where it goes. end: a FieldEnd where it varies along the
+    base; all else is at its aft or lower end then.
     """
 
     name: str
@@ -194,6 +206,9 @@ class ShapeField:
     falloff: float = 0.6
     shift: tuple = (0.0, 0.0, 0.0)
     axes: str = "xyz"
+    faces: list = field(default_factory=list)
+    becomes: list = field(default_factory=list)
+    end: object = None
 
 
 @dataclass

@@ -49,7 +49,7 @@ def parse_hull_file(data, file_name):
     hull = hull_content.parsed(check, content, file_name.split(".")[0])
     for name, value in hull_targets.parsed(check, content).items():
         setattr(hull, name, value)
-    hull.fields = hull_fields.parsed(check, content)
+    hull.fields = hull_fields.parsed(check, content, len(hull.faces))
     hull.variants = hull_variants.parsed(check, content)
     return hull
 

@@ -56,6 +56,9 @@ FOLLOWING = {
     "fields.extent": "x",
     "fields.shift": "vector",
     "fields.line": "points",
+    "fields.becomes": "points",
+    "fields.end.extent": "x",
+    "fields.end.shift": "vector",
 }  # an offset of a flat goes with its normal
 
 # What stays: no lengths, or not the hull's.
@@ -69,7 +72,7 @@ STAYING = frozenset(
     targets.rows.tolerance targets.rows.on targets.moving targets.staying targets.length
     targets.beam targets.draft targets.fairness area_target.source variants units source
     fields.name fields.role fields.on fields.colour fields.base fields.axis fields.closed
-    fields.falloff fields.axes
+    fields.falloff fields.axes fields.faces fields.end.falloff
     notes""".split()
 )
 

@@ -75,7 +75,7 @@ def test_a_shoulder_follows_and_what_is_beyond_stays_bit_by_bit():
 
 def test_a_protected_crease_stays_exactly():
     hull = sample()
-    tool, place = part("features.fields.bases"), side_point(hull)
+    tool, place = part("features.fields.base_curves"), side_point(hull)
     before = points_of(hull)
     deck = before[before[:, 2].argmax()]
     add(hull, place, extent=40.0, shift=(0.0, 0.3, 0.2))

@@ -145,3 +145,93 @@ def test_what_is_wrong_is_said():
         hn.ShapeFields([at((0, 0, 0), extent=1)]).deltas(1, [(0, 0, 0)])
     with pytest.raises(ValueError, match="constant, or a tuple"):
         at((0, 0, 0), extent=(1, 2, 3))
+
+
+def near_side(surface, random, count=300, off=0.5):
+    """Points about the surface."""
+    cells = random.integers(0, surface.cell_count, count)
+    return surface.evaluate(cells, random.random((count, 2)))[0] + off * random.normal(
+        size=(count, 3)
+    )
+
+
+def test_all_of_a_region_is_base():
+    surface = surface_of("coaster")
+    cells = np.arange(5, 9)
+    shift, extent = (0.1, 0.3, -0.2), 6.0
+    field = hn.ShapeField.of_region(surface, cells, shift, extent=extent, falloff=0.6)
+    random = np.random.default_rng(SEED)
+    uv = random.random((len(cells), 2))
+    own = surface.evaluate(cells, uv)[0]
+    fields = hn.ShapeFields([field])
+    shifts, gradients = fields.at(own)
+    np.testing.assert_array_equal(shifts, np.tile(shift, (len(cells), 1)))
+    assert not gradients.any()
+    # By distances from very many points of the region, which are never smaller.
+    u = np.linspace(0.0, 1.0, 41)
+    grid = np.stack(np.meshgrid(u, u), axis=-1).reshape(-1, 2)
+    every = surface.evaluate(np.repeat(cells, len(grid)), np.tile(grid, (len(cells), 1)))[0]
+    points = near_side(surface, random)
+    deltas = fields.deltas(0, points)
+    least = np.linalg.norm(points[:, None] - every, axis=2).min(axis=1) / extent
+    assert (deltas <= least * (1.0 + 1e-12)).all() and (least - deltas).max() < 0.02
+    # delta² (2 - delta) in place of delta, by a point at that distance.
+    point = hn.ShapeFields([hn.ShapeField.at_point((0, 0, 0), shift, extent=1.0, falloff=0.6)])
+    flat = np.where(deltas < 1.0, deltas**2 * (2.0 - deltas), 1.0)
+    of_point = point.at(np.column_stack([flat, 0 * flat, 0 * flat]))[0]
+    np.testing.assert_allclose(fields.at(points)[0], of_point, atol=1e-15)
+    assert (deltas < 1.0).sum() > 10 and (deltas > 1.0).sum() > 10
+
+
+def test_gradients_of_regions_are_those_of_differences():
+    surface = surface_of("coaster")
+    field = hn.ShapeField.of_region(surface, np.arange(5, 9), (0, 0.3, 0.1), extent=6)
+    fields = hn.ShapeFields([field], mirrored=True)
+    points = near_side(surface, np.random.default_rng(SEED))
+    gradients, step = fields.at(points)[1], 1e-6
+    ways = [(fields.at(points + step * e)[0] - fields.at(points - step * e)[0]) for e in np.eye(3)]
+    np.testing.assert_allclose(gradients, np.stack(ways, axis=2) / (2.0 * step), atol=1e-8)
+    assert (np.abs(gradients).max(axis=(1, 2)) > 0.0).sum() > 10
+
+
+def test_no_curvature_jumps_at_the_rim_of_a_region():
+    """Second differences on a line that leaves a flat region: they shrink with the step there."""
+    mesh = hn.ControlMesh(
+        [(x, y, 0.0) for x in range(7) for y in range(4)],
+        [4] * 18,
+        [k for x in range(6) for y in range(3) for k in
+         (4 * x + y, 4 * x + 4 + y, 4 * x + 5 + y, 4 * x + 1 + y)],
+        [], [],
+    )  # fmt: skip
+    surface = hn.LimitSurface(mesh)
+    middles = surface.evaluate(np.arange(surface.cell_count), np.full((surface.cell_count, 2), 0.5))
+    cells = np.flatnonzero(middles[0][:, 0] < 3.0)
+    fields = hn.ShapeFields([hn.ShapeField.of_region(surface, cells, (0, 0, 1), extent=2)])
+    for step in (1e-2, 1e-3):
+        line = np.column_stack([3.0 + step * np.arange(-1, 2), [1.5] * 3, [0.0] * 3])
+        z = fields.at(line)[0][:, 2]
+        assert abs(z[0] - 2.0 * z[1] + z[2]) / step**2 < 20.0 * step**2
+
+
+def test_remembered_regions_are_known_again():
+    surface = surface_of("coaster")
+    places = hn.FieldPlaces(hn.SurfacePlaces(surface).positions)
+    for points in (surface.mesh.points, surface.mesh.points * [1.0, 1.01, 1.0]):
+        moved = hn.LimitSurface(surface.mesh.with_points(points))
+        for cells in ([3, 4], [3]):
+            field = hn.ShapeField.of_region(moved, cells, (0, 0.3, 0), extent=8)
+            fields = hn.ShapeFields([field])
+            at = fields.at(places)
+            for one, other in zip(at, fields.at(hn.SurfacePlaces(surface).positions)):
+                np.testing.assert_array_equal(one, other)
+            assert at[0].any()
+
+
+@pytest.mark.parametrize(
+    "cells, message", [([], "one cell at least"), ([9999], "cell 9999 is none"), ([-1], "cell -1")]
+)
+def test_regions_that_are_none_are_refused(cells, message):
+    with pytest.raises(ValueError, match=message):
+        hn.ShapeField.of_region(surface_of("coaster"), cells, extent=1)
+    with pytest.raises(ValueError, match=message):
+        hn.SurfaceTree(surface_of("coaster"), cells=cells)

@@ -108,3 +108,15 @@ def test_mistakes_are_named(tree):
         tree.all_ray_hits(np.zeros((1, 3)), [1, 0, 0])
     with pytest.raises(ValueError, match="points"):
         tree.closest_points([[0, 0]])
+
+
+def test_a_tree_of_some_cells_knows_no_others(surface):
+    middles = surface.positions(np.arange(24), np.full((24, 2), 0.5))
+    low = np.flatnonzero(middles[:, 2] == 0.0)
+    tree = hn.SurfaceTree(surface, cells=low)
+    found = tree.closest_points([[0.25, 0.5, 3.0], [2.0, 0.5, 0.5]])
+    np.testing.assert_allclose(found.points, [[0.25, 0.5, 0.0], [1.0, 0.5, 0.0]], atol=1e-14)
+    assert set(found.cells) <= set(low)
+    surface.set_points(CORNERS - [0.0, 0.0, 1.0])
+    tree.refit(surface)
+    np.testing.assert_allclose(tree.closest_points([[0.25, 0.5, 3.0]]).distances, [4.0], atol=1e-14)

@@ -4,10 +4,10 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ..bridge.objects import hull_objects
+from ..bridge.objects import field_faces, hull_objects
 from ..features.fields import field_list, preview, shaping
 from ..properties.field_settings import BASES, ROLES
-from .shared import HullOperator
+from .shared import HullOperator, in_mesh_edit_mode
 
 
 def _has_field(cls, context):
@@ -82,6 +82,19 @@ class HULL_OT_place_field(bpy.types.Operator, FieldOperator):
         field_list.put(field_list.chosen(hull), hull, context.scene)
 
 
+class HULL_OT_take_field_faces(bpy.types.Operator, FieldOperator):
+    """Make the faces selected in edit mode the base of the chosen shape field"""
+
+    bl_idname = "hull.take_field_faces"
+    bl_label = "Take Faces"
+
+    needs = (in_mesh_edit_mode, *FieldOperator.needs)
+
+    def run_on(self, hull, context):
+        field_faces.choose(hull, field_list.chosen(hull))
+        preview.follow(hull, context.scene)
+
+
 def _is_previewed(cls, context):
     if not hull_objects.hull_of(context.object).hull.fields.is_previewed:
         cls.poll_message_set("The fields are not previewed")
@@ -136,6 +149,7 @@ CLASSES = (
     HULL_OT_duplicate_field,
     HULL_OT_move_field,
     HULL_OT_place_field,
+    HULL_OT_take_field_faces,
     HULL_OT_preview_fields,
     HULL_OT_cancel_fields,
     HULL_OT_apply_fields,

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.objects import hull_objects
+from ..bridge.objects import field_rows, hull_objects
 from ..features.fields import preview, shaping
 from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
 
@@ -42,11 +42,7 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         row.operator("hull.move_field", text="", icon="TRIA_DOWN").direction = "DOWN"
         layout.row(align=True).prop(field, "role", expand=True)
         self._draw_base(layout, field)
-        column = layout.column(align=True)
-        column.prop(field, "extent")
-        column.prop(field, "falloff", slider=True)
-        if field.role == "MOVE":
-            layout.column(align=True).prop(field, "shift")
+        self._draw_values(layout, field)
         layout.row(align=True).prop(field, "axes", toggle=True)
         hull = hull_objects.hull_of(context.object)
         if settings.is_previewed:
@@ -57,6 +53,20 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
             layout.operator("hull.preview_fields", text="Preview", icon="HIDE_OFF")
             layout.operator("hull.apply_fields", text="Apply", icon="CHECKMARK")
         self._draw_preview(context, preview.of_hull(hull))
+
+    def _draw_values(self, layout, field):
+        varies, has_shift = field_rows.varies(field), field.role == "MOVE"
+        has_shift = has_shift and not field_rows.becomes_another(field)
+        if field.base in field_rows.CURVES:
+            if field.role == "MOVE":
+                text_field(layout, field, "becomes")
+            layout.prop(field, "varies")
+        for end in ("", "_end") if varies else ("",):
+            column = layout.column(align=True)
+            column.prop(field, f"extent{end}")
+            column.prop(field, f"falloff{end}", slider=True)
+            if has_shift:
+                layout.column(align=True).prop(field, f"shift{end}")
 
     def _draw_preview(self, context, shown):
         layout = self.layout
@@ -79,7 +89,10 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         if field.base == "CURVE":
             text_field(layout, field, "curve")
             return
-        if field.base == "PLANE":
+        if field.base == "FACES":
+            layout.operator("hull.take_field_faces", icon="FACESEL")
+            return
+        if field.base in ("PLANE", "SECTION"):
             text_field(layout, field, "axis")
         layout.column(align=True).prop(field, "place")
         layout.operator("hull.place_field", text="Place Here", icon="PIVOT_CURSOR")

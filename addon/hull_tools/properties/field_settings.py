@@ -23,12 +23,39 @@ BASES = (
     ("POINT", "Point", "A point, on the hull or beside it"),
     ("CREASE", "Crease", "The crease or border of the surface that is nearest to the place"),
     ("CURVE", "Curve", "A curve object"),
+    ("SECTION", "Section", "The line in which a plane square to an axis cuts the hull"),
     ("PLANE", "Plane", "A plane square to an axis"),
+    ("FACES", "Faces", "The surface of faces of the control mesh"),
 )
 
 
 def _is_curve(field, obj):
     return obj.type == "CURVE"
+
+
+def _falloff(name, description):
+    return FloatProperty(
+        name=name,
+        description=description,
+        default=0.6,
+        min=0.0,
+        max=1.0,
+        soft_min=0.3,
+        soft_max=0.9,
+        precision=2,
+        update=changed,
+    )
+
+
+def _shift(name, description):
+    return FloatVectorProperty(
+        name=name,
+        description=description,
+        subtype="XYZ_LENGTH",
+        unit="LENGTH",
+        precision=3,
+        update=changed,
+    )
 
 
 class HullShapeField(bpy.types.PropertyGroup):
@@ -71,27 +98,31 @@ class HullShapeField(bpy.types.PropertyGroup):
         poll=_is_curve,
         update=changed,
     )
+    becomes: PointerProperty(
+        name="Becomes",
+        description="The curve object that the base becomes; without one, Shift says where it goes",
+        type=bpy.types.Object,
+        poll=_is_curve,
+        update=changed,
+    )
+    faces_number: IntProperty(
+        name="Faces", description="By which the mesh tells its faces", options={"HIDDEN"}
+    )
     extent: length("Extent", "How far from its base the field works", 5.0)
-    falloff: FloatProperty(
-        name="Falloff",
-        description="From steep to full: above 0.9 the surface's curvature jumps at the extent, at "
-        "0 it has a cusp at the base",
-        default=0.6,
-        min=0.0,
-        max=1.0,
-        soft_min=0.3,
-        soft_max=0.9,
-        precision=2,
-        update=changed,
+    falloff: _falloff(
+        "Falloff",
+        "From steep to full: above 0.9 the surface's curvature jumps at the extent, at 0 it has a "
+        "cusp at the base",
     )
-    shift: FloatVectorProperty(
-        name="Shift",
-        description="Of the base, and less and less of what is around it",
-        subtype="XYZ_LENGTH",
-        unit="LENGTH",
-        precision=3,
-        update=changed,
+    shift: _shift("Shift", "Of the base, and less and less of what is around it")
+    varies: switch(
+        "Varies",
+        "Extent, falloff and shift are those of the aft end of the base, or its lower one, and "
+        "become those of its other end along it",
     )
+    extent_end: length("Extent at Fore End", "At the fore end of the base, or its upper one", 5.0)
+    falloff_end: _falloff("Falloff at Fore End", "At the fore end of the base, or its upper one")
+    shift_end: _shift("Shift at Fore End", "Of the fore end of the base, or its upper one")
     axes: BoolVectorProperty(
         name="Axes",
         description="The coordinates that the field has a say in",

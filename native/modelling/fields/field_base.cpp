@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/fields/field_base.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include "surface/queries/closest_point.h"
+#include "surface/queries/surface_tree.h"
 
 namespace hull::modelling {
 namespace {
@@ -76,6 +80,36 @@ class CurveBase final : public FieldBase {
   FieldCurve curve_;
 };
 
+class RegionBase final : public FieldBase {
+ public:
+  RegionBase(const surface::LimitSurface& surface, const std::vector<int>& cells)
+      : tree_(surface, cells) {}
+  BaseFoot foot(const Vector3d& p, bool) const override {
+    const surface::ClosestPoint closest = surface::closest_point(tree_, p);
+    // Of its own points rounding is left.
+    const bool is_on_it = closest.distance <= kOnRegion * tree_.error_size();
+    return foot_at(p, closest.point, is_on_it ? 0.0 : closest.distance);
+  }
+  bool is_same(const FieldBase& other) const override {
+    const auto* region = dynamic_cast<const RegionBase*>(&other);
+    if (!region || region->tree_.piece_count() != tree_.piece_count()) return false;
+    for (int i = 0; i < tree_.piece_count(); ++i) {
+      const surface::PiecePlace &own = tree_.place(i), &its = region->tree_.place(i);
+      const double *points = tree_.patch(i).x[0], *others = region->tree_.patch(i).x[0];
+      if (own.cell != its.cell || !std::equal(points, points + 48, others)) return false;
+    }
+    return true;
+  }
+  bool is_in_centre_plane(double near) const override {
+    return std::max(std::abs(tree_.box().min().y()), std::abs(tree_.box().max().y())) <= near;
+  }
+  bool has_rim() const override { return true; }
+
+ private:
+  static constexpr double kOnRegion = 1e-13;  // of the size
+  surface::SurfaceTree tree_;
+};
+
 }  // namespace
 
 std::shared_ptr<const FieldBase> point_base(const Vector3d& point) {
@@ -93,6 +127,11 @@ std::shared_ptr<const FieldBase> plane_base(const Vector3d& point, const Vector3
 
 std::shared_ptr<const FieldBase> curve_base(FieldCurve curve) {
   return std::make_shared<CurveBase>(std::move(curve));
+}
+
+std::shared_ptr<const FieldBase> region_base(const surface::LimitSurface& surface,
+                                             const std::vector<int>& cells) {
+  return std::make_shared<RegionBase>(surface, cells);
 }
 
 }  // namespace hull::modelling

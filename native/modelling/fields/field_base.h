@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "mesh/vectors.h"
 #include "modelling/fields/field_curve.h"
+#include "surface/limit_surface.h"
 
 namespace hull::modelling {
 
@@ -16,7 +18,8 @@ struct BaseFoot {
   Vector3d length_slope;    // by the point
 };
 
-// The base of a field: a point, a curve or a plane. None need be on the hull.
+// The base of a field: a point, a curve, a plane or a region of a surface. None need be on the
+// hull.
 //
 // Where several points of a base are the closest the distance has a kink and what varies along the
 // base may jump: keep the extent below the distance at which that begins.
@@ -30,6 +33,9 @@ class FieldBase {
   virtual bool is_same(const FieldBase& other) const = 0;
   // Whether all of it is in the centre plane, within `near`, m.
   virtual bool is_in_centre_plane(double near) const = 0;
+  // Whether it has a rim inside which the distance is 0 all over a surface: there the square of
+  // the distance, smooth about a point or a curve, has a second derivative that jumps.
+  virtual bool has_rim() const { return false; }
 };
 
 // Throws std::invalid_argument for what is no number.
@@ -37,5 +43,8 @@ std::shared_ptr<const FieldBase> point_base(const Vector3d& point);
 // The plane through a point, square to a normal of any length but zero.
 std::shared_ptr<const FieldBase> plane_base(const Vector3d& point, const Vector3d& normal);
 std::shared_ptr<const FieldBase> curve_base(FieldCurve curve);
+// Cells of a surface as it is now; see surface::SurfaceTree.
+std::shared_ptr<const FieldBase> region_base(const surface::LimitSurface& surface,
+                                             const std::vector<int>& cells);
 
 }  // namespace hull::modelling

@@ -49,11 +49,22 @@ void check_all(const AlongBase<double>& along, const std::function<bool(double)>
   }
 }
 
+// From a rim: delta² (2 - delta) in place of delta, which goes from 0 to 1 as that does, and so
+// flatly at the rim that no curvature jumps there.
+Intensity rim_intensity(double delta, double kappa) {
+  if (delta >= 1.0) return selection_intensity(delta, kappa);
+  Intensity found = selection_intensity(delta * delta * (2.0 - delta), kappa);
+  found.slope *= delta * (4.0 - 3.0 * delta);
+  return found;
+}
+
 Intensity intensity_at(const ShapeField& field, const BaseFoot& foot, Vector3d& slope) {
   const ValueAlong<double> extent = field.extent.at(foot.length),
                            kappa = field.kappa.at(foot.length);
   const double delta = foot.distance / extent.value;
-  const Intensity found = selection_intensity(delta, std::clamp(kappa.value, 0.0, 1.0));
+  const double clamped = std::clamp(kappa.value, 0.0, 1.0);
+  const Intensity found =
+      field.base->has_rim() ? rim_intensity(delta, clamped) : selection_intensity(delta, clamped);
   slope = (found.slope / extent.value) * foot.distance_slope +
           (found.kappa_slope * kappa.slope - found.slope * delta / extent.value * extent.slope) *
               foot.length_slope;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "surface/queries/infinity.h"
 
@@ -25,10 +26,24 @@ int* halve(int* begin, int* end, const std::vector<Eigen::AlignedBox3d>& boxes) 
   return middle;
 }
 
+std::vector<int> all_cells(const LimitSurface& surface) {
+  std::vector<int> cells(surface.shared_layout()->cells().face_count());
+  std::iota(cells.begin(), cells.end(), 0);
+  return cells;
+}
+
 }  // namespace
 
-SurfaceTree::SurfaceTree(const LimitSurface& surface) : layout_(surface.shared_layout()) {
-  for (int cell = 0; cell < cell_count(); ++cell) {
+SurfaceTree::SurfaceTree(const LimitSurface& surface) : SurfaceTree(surface, all_cells(surface)) {}
+
+SurfaceTree::SurfaceTree(const LimitSurface& surface, const std::vector<int>& cells)
+    : layout_(surface.shared_layout()) {
+  if (cells.empty()) throw std::invalid_argument("a tree needs one cell at least.");
+  for (int cell : cells) {
+    if (cell < 0 || cell >= cell_count()) {
+      throw std::invalid_argument("cell " + std::to_string(cell) + " is none of the surface's " +
+                                  std::to_string(cell_count()) + " cells.");
+    }
     collect(cell, layout_->root(cell), {0.0, 0.0, 1.0});
   }
   take_pieces(surface);

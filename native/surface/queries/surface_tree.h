@@ -43,6 +43,9 @@ struct DeepCorner {
 class SurfaceTree {
  public:
   explicit SurfaceTree(const LimitSurface& surface);
+  // Of these cells alone, as if the others were not there. Throws std::invalid_argument for none,
+  // and for cells that the surface does not have.
+  SurfaceTree(const LimitSurface& surface, const std::vector<int>& cells);
 
   // Takes the pieces of a surface of the same layout: that of the construction after set_points(),
   // or a copy of it. Nothing is sorted again, so that boxes overlap more when points have moved by

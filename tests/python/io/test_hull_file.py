@@ -88,6 +88,9 @@ def content(**changes):
              "base": "line", "line": [[0, 1, 2], [1, 1, 2], [2, 0, 2]], "closed": True,
              "extent": 2, "axes": "xz"},
             {"base": "plane", "axis": "z", "extent": 1},
+            {"base": "faces", "faces": [1, 0, 1], "extent": 1},
+            {"base": "section", "place": [5, 2, 1], "extent": 3, "becomes": [[5, 0, 0], [5, 2, 1]],
+             "end": {"extent": 2, "falloff": 0.5, "shift": [0, 0, 0.1]}},
         ],
         "variants": [variant(), {"half": False, "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0]],
                                  "faces": [[0, 1, 2]]}],
@@ -150,13 +153,16 @@ def test_a_file_is_read(read):
         frame_spacing=0.6,
         planes=[hull_io.CutPlane("bow", (1.0, 0.0, 0.0), (9.0, 0.0, 0.0), False)],
     )
-    first, second, third = hull.fields
+    first, second, third, faces, section = hull.fields
     assert first == hull_io.ShapeField(
         "Field 1", 5, place=(1, 2, 3), falloff=0.4, shift=(0, 0.3, 0)
     )
     assert (second.name, second.role, second.on) == ("Deck edge", "protect", False)
     assert second.line[2] == (2, 0, 2) and second.closed and second.axes == "xz"
     assert (third.base, third.axis, third.line) == ("plane", "z", [])
+    assert (faces.base, faces.faces, faces.end) == ("faces", [0, 1], None)
+    assert section.becomes == [(5, 0, 0), (5, 2, 1)]
+    assert section.end == hull_io.FieldEnd(2, 0.5, (0, 0, 0.1))
     assert hull.targets == hull_io.Targets(
         rows=[
             hull_io.Target("kmt", 6.3, "at least", 0.1),
@@ -362,11 +368,27 @@ MISTAKES = {
     ),
     "field base": (
         content(fields=[{"extent": 1, "base": "curve"}]),
-        'fields[0].base: "curve" is unknown; write "point", "crease", "plane" or "line"',
+        'fields[0].base: "curve" is unknown; write "point", "crease", "plane", "section", "line" or "faces"',
     ),
     "field falloff": (
         content(fields=[{"extent": 1, "falloff": 1.5}]),
         "fields[0].falloff: 1.5 is not a number from 0 to 1",
+    ),
+    "field end": (
+        content(fields=[{"extent": 1, "base": "section", "end": {}}]),
+        "fields[0].end.extent: it is missing",
+    ),
+    "end of a point": (
+        content(fields=[{"extent": 1, "end": {"extent": 1}}]),
+        'fields[0].end: a base "point" has none',
+    ),
+    "field face": (
+        content(fields=[{"extent": 1, "base": "faces", "faces": [9]}]),
+        "fields[0].faces[0]: ",
+    ),
+    "faces of a point": (
+        content(fields=[{"extent": 1, "faces": [0]}]),
+        'fields[0].faces: a base "point" has none',
     ),
     "field shift": (content(fields=[{"extent": 1, "shift": [1, 2]}]), "fields[0].shift: "),
     "field axes": (

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The faces of a Blender mesh that are kept flat: each has the number of its region, 0 for none.
-
-The numbers are an attribute of the mesh, so that they survive saving, undo, copying and joining,
-and a face that is divided leaves its number on all its parts.
-"""
+"""The faces of a Blender mesh that are kept flat: each has the number of its region, 0 for none."""
 
 from dataclasses import dataclass
 
 import bmesh
 import numpy as np
+
+from ...bridge.mesh import face_numbers
 
 ATTRIBUTE = "hull_flat"
 
@@ -63,7 +61,7 @@ def _read_edited(mesh):
 
 
 def _read_stored(mesh):
-    numbers = _stored_numbers(mesh)
+    numbers = face_numbers.stored(mesh, ATTRIBUTE)
     faces = np.flatnonzero(numbers)
     if not len(faces):
         return None
@@ -80,50 +78,7 @@ def _read_stored(mesh):
     )
 
 
-def _stored_numbers(mesh):
-    numbers = np.zeros(len(mesh.polygons), dtype=np.int32)
-    attribute = _own_attribute(mesh)
-    if attribute is not None:
-        attribute.data.foreach_get("value", numbers)
-    return numbers
-
-
-def _own_attribute(mesh):
-    """The mesh's attribute; None too for one of another kind with this name."""
-    attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None or (attribute.data_type, attribute.domain) != ("INT", "FACE"):
-        return None
-    return attribute
-
-
 def write(mesh, faces, regions):
     """Gives numbers (k,) to faces (k,) of a Blender mesh, in edit mode or not; one number may be
     given for all. In edit mode every BMFace that the caller holds may become invalid."""
-    faces = np.asarray(faces, dtype=np.int64).reshape(-1)
-    regions = np.broadcast_to(regions, faces.shape)
-    if mesh.is_editmode:
-        _write_edited(mesh, faces, regions)
-    else:
-        _write_stored(mesh, faces, regions)
-
-
-def _write_edited(mesh, faces, regions):
-    bm = bmesh.from_edit_mesh(mesh)
-    layers = bm.faces.layers.int
-    layer = layers.get(ATTRIBUTE) or layers.new(ATTRIBUTE)
-    bm.faces.ensure_lookup_table()
-    for face, region in zip(faces.tolist(), regions.tolist()):
-        bm.faces[face][layer] = region
-    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
-
-
-def _write_stored(mesh, faces, regions):
-    numbers = _stored_numbers(mesh)
-    numbers[faces] = regions
-    if _own_attribute(mesh) is None:
-        of_another_kind = mesh.attributes.get(ATTRIBUTE)
-        if of_another_kind is not None:
-            mesh.attributes.remove(of_another_kind)
-        mesh.attributes.new(ATTRIBUTE, "INT", "FACE")
-    _own_attribute(mesh).data.foreach_set("value", numbers)
-    mesh.update_tag()
+    face_numbers.write(mesh, ATTRIBUTE, faces, regions)

@@ -52,6 +52,8 @@ FOLLOWING = {
     "fields.fields.place": "point",
     "fields.fields.extent": "x",
     "fields.fields.shift": "vector",
+    "fields.fields.extent_end": "x",
+    "fields.fields.shift_end": "vector",
 }
 # Planes of flats: their normals and offsets go together.
 PLANES = frozenset(("flats.normal", "flats.offset"))
@@ -69,7 +71,7 @@ STAYING = frozenset(
       transform.kept_group
       targets.rows.value targets.rows.tolerance targets.length_change targets.beam_change
       targets.draft_change targets.stiffness area_target.source fields.fields.colour
-      fields.fields.falloff""".split()
+      fields.fields.falloff fields.fields.falloff_end""".split()
 )
 # Groups of which all stays: hulls as they were.
 STAYING_GROUPS = frozenset(("variants",))

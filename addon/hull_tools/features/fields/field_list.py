@@ -5,9 +5,11 @@ import numpy as np
 
 from ...bridge import limits
 from ...bridge.mesh import mesh_points
+from ...bridge.objects import field_faces
 
 # What a copy of a field has of it.
-_KEPT = "use role colour base place axis curve extent falloff shift axes".split()
+_KEPT = """use role colour base place axis curve becomes extent falloff shift axes varies extent_end
+    falloff_end shift_end""".split()
 # Of a palette of colours that are told apart on light and dark grounds.
 _COLOURS = ((0.9, 0.5, 0.1), (0.1, 0.6, 0.9), (0.2, 0.7, 0.3), (0.8, 0.3, 0.6), (0.7, 0.7, 0.1))
 # Of the hull's longest side: what a new field reaches.
@@ -59,8 +61,8 @@ def chosen(obj):
 
 def remove(obj):
     """Removes the field that is chosen."""
-    chosen(obj)
     settings = obj.hull.fields
+    field_faces.forget(obj, chosen(obj))
     settings.fields.remove(settings.active_field)
     settings.active_field = max(min(settings.active_field, len(settings.fields) - 1), 0)
 
@@ -75,6 +77,7 @@ def duplicate(obj):
     for name in _KEPT:
         setattr(copy, name, getattr(old, name))
     copy.name = f"{old.name} copy"
+    field_faces.give(obj, copy, field_faces.of_field(obj, old))
     settings.fields.move(len(settings.fields) - 1, index + 1)
     settings.active_field = index + 1
     return settings.fields[index + 1]

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
-from ...bridge.objects import hull_mesh
+from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh
 from ..hull import hull_state
 from . import field_list, prepared, shaping
 
@@ -105,13 +105,38 @@ def _show(obj, scene, start, preview):
     start_points.set_shown(obj.data, hull_mesh.read(obj).points_digest)
 
 
+def based_on(changed, objects):
+    """The hulls among objects that are previewed with fields whose curves are in a set."""
+    return [
+        obj
+        for obj in objects
+        if obj.hull.fields.is_previewed
+        and any({field.curve, field.becomes} & changed for field in obj.hull.fields.fields)
+    ]
+
+
 def _values(obj):
-    """All of the fields that a preview goes by; bases that are Blender curves by what they show."""
-    return tuple(
-        (
-            *(field.use, field.role, field.base, tuple(field.place), field.axis, field.extent),
-            *(field.falloff, tuple(field.shift), tuple(field.axes)),
-            None if field.curve is None else field.curve.name_full,
-        )
-        for field in obj.hull.fields.fields
+    """All of the fields that a preview goes by; curves and faces by what they are now."""
+    return tuple(_values_of(field, obj) for field in obj.hull.fields.fields)
+
+
+def _values_of(field, obj):
+    return (
+        *(field.use, field.role, field.base, tuple(field.place), field.axis, field.extent),
+        *(field.falloff, tuple(field.shift), tuple(field.axes), field.varies, field.extent_end),
+        *(field.falloff_end, tuple(field.shift_end)),
+        _points_of(field.curve, obj) if field.base == "CURVE" else None,
+        _points_of(field.becomes, obj) if field_rows.becomes_another(field) else None,
+        field_faces.of_field(obj, field).tobytes() if field.base == "FACES" else None,
     )
+
+
+def _points_of(curve, obj):
+    """Equal for a curve object that shows the same; of one that is no line its name."""
+    if curve is None:
+        return None
+    try:
+        points, is_closed = curve_lines.points_of(curve, obj)
+    except ValueError:
+        return curve.name_full
+    return points.tobytes(), is_closed

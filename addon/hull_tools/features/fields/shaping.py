@@ -11,7 +11,7 @@ from ...bridge.mesh import mesh_points
 from ...bridge.objects import hull_mesh
 from ..hull import hull_state
 from ..transformation import reports
-from . import bases, field_list, prepared
+from . import base_curves, bases, field_list, prepared
 
 # Of the largest shift: residuals beyond it show that the control points are too far apart.
 _COARSE = 0.1
@@ -71,15 +71,14 @@ def advice(applied):
 def solve(obj, rows, own):
     """What becomes of a hull by these fields, as Applied; None where they shift nothing of it. own:
     the Prepared. ValueError where it cannot be, with the place where it would fold."""
-    surface = own.surface
     fields = native.require().ShapeFields(
-        [bases.shape_field(row, obj, surface, own.scale) for row in rows], mirrored=obj.hull.half
+        [bases.shape_field(row, obj, own) for row in rows], mirrored=obj.hull.half
     )
     shifts, gradients = fields.at(own.field_places)
     if not shifts.any():
         return None
     staying = [own.places.points_beyond(shifts)]
-    staying += [_protected(row, surface, own.scale) for row in rows]
+    staying += [_protected(row, obj, own) for row in rows]
     result = own.reshape(np.concatenate(staying)).solve(shifts, gradients=gradients)
     if result.folded_place is not None:
         x, y, z = result.folded_place
@@ -90,8 +89,16 @@ def solve(obj, rows, own):
     return Applied(result, float(np.linalg.norm(shifts, axis=1).max()))
 
 
-def _protected(row, surface, scale):
-    """Control points of a crease that is kept exactly: it depends on no others."""
-    if row.role != "PROTECT" or row.base != "CREASE" or not all(row.axes):
-        return np.empty(0, dtype=np.int64)
-    return np.asarray(bases.base_crease(row, surface, scale).vertices, dtype=np.int64)
+def _protected(row, obj, own):
+    """Control points by which what a row protects stays exactly: of a crease its own, as it depends
+    on no others; of faces all that shape them."""
+    none = np.empty(0, dtype=np.int64)
+    if row.role != "PROTECT" or not all(row.axes):
+        return none
+    if row.base == "CREASE":
+        return np.asarray(base_curves.base_crease(row, own.surface, own.scale).vertices)
+    if row.base != "FACES":
+        return none
+    is_there = np.isin(own.places.cells, bases.cells_of(obj, row, own.control))
+    beyond = own.places.points_beyond(np.where(is_there[:, None], (1.0, 0.0, 0.0), 0.0))
+    return np.setdiff1d(np.arange(len(own.control.points)), beyond)
