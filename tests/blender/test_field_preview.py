@@ -141,3 +141,24 @@ def test_undo_goes_through_it(tmp_path):
     assert not np.array_equal(points_of(hull), first)
     bpy.ops.hull.cancel_fields()
     assert np.array_equal(points_of(hull), before)
+
+
+def test_it_follows_the_curve_that_a_base_is():
+    hull = sample()
+    before, place = points_of(hull), side_point(hull)
+    line = [(place[0] + x, place[1], place[2]) for x in (-8.0, 0.0, 8.0)]
+    curve = part("bridge.objects.curve_lines").made("Line", line, False, hull)
+    field = add(hull, place, base="CURVE", extent=12.0, shift=(0.0, 0.2, 0.0))
+    field.curve = curve
+    bpy.ops.hull.preview_fields()
+    first = points_of(hull)
+    curve.location.x += 10.0
+    changed()
+    second = points_of(hull)
+    assert not np.array_equal(second, first)
+    curve.data.splines[0].points[1].co.z += 1.0
+    curve.data.update_tag()
+    changed()
+    assert not np.array_equal(points_of(hull), second)
+    bpy.ops.hull.cancel_fields()
+    assert np.array_equal(points_of(hull), before)
