@@ -5,8 +5,8 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..bridge.objects import field_faces, hull_objects
-from ..features.fields import field_list, preview, shaping
-from ..properties.field_settings import BASES, ROLES
+from ..features.fields import field_list, preview, recipes, shaping
+from ..properties.field_settings import BASES, RECIPES, ROLES
 from .shared import HullOperator, in_mesh_edit_mode
 
 
@@ -34,6 +34,19 @@ class HULL_OT_add_field(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         field_list.add(hull, context.scene, self.role, self.base)
+
+
+class HULL_OT_add_field_recipe(bpy.types.Operator, HullOperator):
+    """Add shape fields that are often wanted, in sizes that suit the hull: preview them, and change
+    what they shift"""
+
+    bl_idname = "hull.add_field_recipe"
+    bl_label = "Recipe"
+
+    recipe: EnumProperty(name="Recipe", description="What is to become of it", items=RECIPES)
+
+    def run_on(self, hull, context):
+        recipes.add(hull, context.scene, self.recipe)
 
 
 class HULL_OT_remove_field(bpy.types.Operator, FieldOperator):
@@ -145,6 +158,7 @@ class HULL_OT_apply_fields(bpy.types.Operator, FieldOperator):
 
 CLASSES = (
     HULL_OT_add_field,
+    HULL_OT_add_field_recipe,
     HULL_OT_remove_field,
     HULL_OT_duplicate_field,
     HULL_OT_move_field,

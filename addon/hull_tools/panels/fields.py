@@ -34,6 +34,7 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         layout = self.layout
         settings = hull_objects.hull_of(context.object).hull.fields
         field = draw_entries(layout, settings, "fields", "active_field", "field")
+        layout.operator_menu_enum("hull.add_field_recipe", "recipe", text="Recipes")
         if field is None:
             return
         row = layout.row(align=True)

@@ -28,6 +28,15 @@ BASES = (
     ("FACES", "Faces", "The surface of faces of the control mesh"),
 )
 
+RECIPES = (
+    ("SHARPEN", "Sharper Fore Ship", "Finer waterlines; deck edge or knuckle kept"),
+    ("FATTEN", "Fuller Fore Ship", "Fuller waterlines; deck edge or knuckle kept"),
+    ("SHEER", "Raise the Sheer", "The deck edge rises towards the bow"),
+    ("BILGE", "Move the Bilge", "Fuller or slacker, along the middle of the ship"),
+    ("TUNNEL", "Tunnel", "The bottom over a propeller rises towards the stern"),
+    ("FLARE", "Flare", "The bow widens towards the deck; the waterline is kept"),
+)
+
 
 def _is_curve(field, obj):
     return obj.type == "CURVE"

@@ -86,13 +86,14 @@ def _of_object(curve, obj, scale):
 
 def _section(field, surface, scale):
     place = place_of(field, scale)
+    return section_near(surface, field.axis, place["XYZ".index(field.axis)], place)
+
+
+def section_near(surface, axis, position, place):
+    """The BaseCurve in which the plane across axis "X", "Y" or "Z" at a position, m, cuts a
+    hull_native.LimitSurface, that nearest to a place (3,). ValueError where it does not."""
     size = float(np.ptp(surface.mesh.points, axis=0).max())
-    found = native.require().section(
-        surface,
-        field.axis.lower(),
-        place["XYZ".index(field.axis)],
-        chord_tolerance=_CHORD * size,
-    )
+    found = native.require().section(surface, axis.lower(), position, chord_tolerance=_CHORD * size)
     curves = [_of_section(each, size) for each in found if len(each.points) > 1]
     if not curves:
         raise ValueError("Its plane does not cut the hull: place it where the hull is")

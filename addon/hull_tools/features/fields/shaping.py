@@ -72,7 +72,7 @@ def solve(obj, rows, own):
     """What becomes of a hull by these fields, as Applied; None where they shift nothing of it. own:
     the Prepared. ValueError where it cannot be, with the place where it would fold."""
     fields = native.require().ShapeFields(
-        [bases.shape_field(row, obj, own) for row in rows], mirrored=obj.hull.half
+        [bases.shape_field(row, obj, own) for row in rows], mirrored=True
     )
     shifts, gradients = fields.at(own.field_places)
     if not shifts.any():
