@@ -199,3 +199,39 @@ def test_fields_are_saved_and_undone(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=path)
     field = bpy.context.view_layer.objects.active.hull.fields.fields[0]
     assert field.extent == 20.0 and tuple(field.shift) == pytest.approx((0.0, 0.2, 0.0))
+
+
+def test_another_hull_gets_them_in_proportion():
+    source, other = sample(), sample("naval_vessel")
+    bpy.context.view_layer.objects.active = source
+    place = side_point(source)
+    add(source, place, extent=20.0, shift=(0.0, 0.2, 0.0), name="Side")
+    line = part("bridge.objects.curve_lines").made("Line", [(60, 6, 5), (70, 5, 5)], False, source)
+    add(source, place, base="CURVE", extent=8.0).curve = line
+    faces = part("bridge.objects.field_faces")
+    faces.give(source, add(source, place, base="FACES", extent=5.0), [0, 1, 2, 3])
+    other.select_set(False)
+    assert not bpy.ops.hull.copy_fields.poll()
+    other.select_set(True)
+    source.select_set(True)
+    assert bpy.ops.hull.copy_fields() == {"FINISHED"}
+    side, curve, region = other.hull.fields.fields
+    own, wanted = points_of(source), points_of(other)
+    factors = np.ptp(wanted, axis=0) / np.ptp(own, axis=0)
+    factors[1] = wanted[:, 1].max() / own[:, 1].max()
+    assert side.name == "Side" and side.extent == pytest.approx(20.0 * factors[0])
+    assert side.shift[1] == pytest.approx(0.2 * factors[1])
+    low, size = own.min(axis=0), np.ptp(own, axis=0)
+    part_of = (place - low) / size
+    assert np.array(side.place) == pytest.approx(
+        wanted.min(axis=0) + part_of * np.ptp(wanted, axis=0), abs=1e-4
+    )
+    assert curve.curve not in (None, line) and 0 < len(faces.of_field(other, region))
+    assert len(source.hull.fields.fields) == 3
+    # What is applied there is found where it should be.
+    other.hull.fields.fields[1].use = other.hull.fields.fields[2].use = False
+    bpy.context.view_layer.objects.active = other
+    assert bpy.ops.hull.apply_fields() == {"FINISHED"}
+    moved = (points_of(other) - wanted)[:, 1]
+    assert np.abs(moved).max() > 0.05
+    assert np.linalg.norm(wanted[moved.argmax()] - np.array(side.place)) < 0.5 * side.extent

@@ -4,10 +4,11 @@
 import bpy
 from bpy.props import EnumProperty
 
+from ..bridge.counts import counted
 from ..bridge.objects import field_faces, hull_objects
-from ..features.fields import field_list, preview, recipes, shaping
+from ..features.fields import copying, field_list, preview, recipes, shaping
 from ..properties.field_settings import BASES, RECIPES, ROLES
-from .shared import HullOperator, in_mesh_edit_mode
+from .shared import HullOperator, in_mesh_edit_mode, in_object_mode
 
 
 def _has_field(cls, context):
@@ -67,6 +68,39 @@ class HULL_OT_duplicate_field(bpy.types.Operator, FieldOperator):
 
     def run_on(self, hull, context):
         field_list.duplicate(hull)
+
+
+def _others(context):
+    """The hulls that are selected besides the active one."""
+    active = hull_objects.hull_of(context.object)
+    return [hull for hull in hull_objects.hulls(context.selected_objects) if hull != active]
+
+
+def _has_others(cls, context):
+    if not _others(context):
+        cls.poll_message_set("Select the hulls that are to have the fields too")
+        return False
+    return True
+
+
+class HULL_OT_copy_fields(bpy.types.Operator, FieldOperator):
+    """Add the shape fields of this hull to the other selected hulls, in proportion to their length,
+    breadth and height"""
+
+    bl_idname = "hull.copy_fields"
+    bl_label = "Copy to Selected Hulls"
+
+    needs = (*FieldOperator.needs, in_object_mode, _has_others)
+
+    def run_on(self, hull, context):
+        others = _others(context)
+        for other in others:
+            reason = hull_objects.refusal(other) or hull_objects.locked(other)
+            if reason:
+                raise ValueError(f"{other.name}: {reason}")
+        for other in others:
+            copying.copy(hull, other)
+        self.report({"INFO"}, f"Fields copied to {counted(len(others), 'hull')}")
 
 
 class HULL_OT_move_field(bpy.types.Operator, FieldOperator):
@@ -161,6 +195,7 @@ CLASSES = (
     HULL_OT_add_field_recipe,
     HULL_OT_remove_field,
     HULL_OT_duplicate_field,
+    HULL_OT_copy_fields,
     HULL_OT_move_field,
     HULL_OT_place_field,
     HULL_OT_take_field_faces,

@@ -41,6 +41,7 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         row.operator("hull.duplicate_field", text="Duplicate", icon="DUPLICATE")
         row.operator("hull.move_field", text="", icon="TRIA_UP").direction = "UP"
         row.operator("hull.move_field", text="", icon="TRIA_DOWN").direction = "DOWN"
+        layout.operator("hull.copy_fields", icon="COPYDOWN")
         layout.row(align=True).prop(field, "role", expand=True)
         self._draw_base(layout, field)
         self._draw_values(layout, field)

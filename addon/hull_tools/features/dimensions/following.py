@@ -97,6 +97,14 @@ def _plane(entry):
     return plane[:3], plane[3]
 
 
+def follow_entry(entry, place, scale):
+    """Gives one entry of a list, whose settings FOLLOWING has after such a place, what a Scale in
+    Blender's units makes of them."""
+    for path, change in FOLLOWING.items():
+        if path.startswith(place):
+            _follow(entry, path[len(place) :].split("."), change, scale, False)
+
+
 def _follow(group, names, change, scale, zero_is_none):
     name, *rest = names
     if rest:

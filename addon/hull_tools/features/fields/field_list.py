@@ -73,14 +73,24 @@ def duplicate(obj):
     settings = obj.hull.fields
     limits.at_most(len(settings.fields) + 1, "fields", limits.MOST_FIELDS)
     index = settings.active_field
-    copy, old = settings.fields.add(), settings.fields[index]
-    for name in _KEPT:
-        setattr(copy, name, getattr(old, name))
-    copy.name = f"{old.name} copy"
-    field_faces.give(obj, copy, field_faces.of_field(obj, old))
+    old = settings.fields[index]
+    copy = copied(old, obj, f"{old.name} copy")
+    field_faces.give(obj, copy, field_faces.of_field(obj, settings.fields[index]))
     settings.fields.move(len(settings.fields) - 1, index + 1)
     settings.active_field = index + 1
     return settings.fields[index + 1]
+
+
+def copied(field, obj, name):
+    """A new field, the last of a hull's, that is as another one, but for its faces."""
+    kept = {key: getattr(field, key) for key in _KEPT}
+    kept = {key: tuple(v) if hasattr(v, "__len__") and not isinstance(v, str) else v
+            for key, v in kept.items()}  # fmt: skip
+    made = obj.hull.fields.fields.add()
+    for key, value in kept.items():
+        setattr(made, key, value)
+    made.name = name
+    return made
 
 
 def move(obj, steps):
