@@ -50,7 +50,7 @@ STEPS = (
     ("features.lines.live_lines", "LiveLines.follow", "lines"),
     ("features.fairness.live_fairness", "LiveFairness.follow", "combs"),
     ("features.analyses.live_analyses", "show_plots", "sectional areas, plots"),
-    ("overlays.lines", "_batch_of", "lines to the graphics card"),
+    ("overlays.lines", "batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
 DRAWN = ("lines", "marks", "tags", "legend", "spots", "status")

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What scripts/live_benchmark.py times by name is there."""
+
+import ast
+import functools
+from pathlib import Path
+
+import pytest
+from addon_under_test import part
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts/live_benchmark.py"
+
+
+def constants():
+    """The literals that the script gives names in capitals; it starts to work when it is run."""
+    found = {}
+    for node in ast.parse(SCRIPT.read_text()).body:
+        if isinstance(node, ast.Assign) and node.targets[0].id in ("STEPS", "DRAWN"):
+            found[node.targets[0].id] = ast.literal_eval(node.value)
+    return found
+
+
+@pytest.mark.parametrize("module, name, label", constants()["STEPS"])
+def test_steps_are_there(module, name, label):
+    assert callable(functools.reduce(getattr, name.split("."), part(module)))
+
+
+@pytest.mark.parametrize("name", constants()["DRAWN"])
+def test_what_is_drawn_is_there(name):
+    assert callable(part(f"overlays.{name}")._handler._draw)
