@@ -15,8 +15,9 @@ def constants():
     """The literals that the script gives names in capitals; it starts to work when it is run."""
     found = {}
     for node in ast.parse(SCRIPT.read_text()).body:
-        if isinstance(node, ast.Assign) and node.targets[0].id in ("STEPS", "DRAWN"):
-            found[node.targets[0].id] = ast.literal_eval(node.value)
+        names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+        if isinstance(node, ast.Assign) and names in ({"STEPS"}, {"DRAWN"}):
+            found[names.pop()] = ast.literal_eval(node.value)
     return found
 
 
