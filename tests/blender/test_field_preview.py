@@ -162,3 +162,40 @@ def test_it_follows_the_curve_that_a_base_is():
     assert not np.array_equal(points_of(hull), second)
     bpy.ops.hull.cancel_fields()
     assert np.array_equal(points_of(hull), before)
+
+
+def test_a_hull_that_is_too_coarse_is_subdivided_meanwhile():
+    hull = sample()
+    field = add(hull, side_point(hull), extent=8.0, shift=(0.0, 0.5, 0.0))
+    bpy.ops.hull.preview_fields()
+    assert not shown(hull).applied.is_followed
+    coarse, count = shown(hull).applied.result.largest, len(points_of(hull))
+    assert bpy.ops.hull.subdivide_for_fields() == {"FINISHED"}
+    assert len(points_of(hull)) > 3 * count and hull.hull.fields.is_previewed
+    assert shown(hull).applied.result.largest < 0.5 * coarse
+    volume = state_of(hull).hydrostatics.values.displaced_volume
+    field.use = False
+    changed()
+    bpy.ops.hull.cancel_fields()
+    assert state_of(hull).hydrostatics.values.displaced_volume < volume
+    assert not bpy.ops.hull.subdivide_for_fields.poll()
+
+
+def test_it_can_be_had_again():
+    hull, field, before = previewed()
+    moved = points_of(hull)
+    bpy.ops.hull.cancel_fields()
+    bpy.ops.hull.preview_fields()
+    assert np.array_equal(points_of(hull), moved) and not np.array_equal(moved, before)
+    bpy.ops.hull.cancel_fields()
+
+
+def test_what_cannot_be_subdivided_stays_previewed(monkeypatch):
+    hull, field, before = previewed()
+    monkeypatch.setattr(part("bridge.limits"), "MOST_CONTROL_FACES", 10)
+    now = points_of(hull)
+    with pytest.raises(RuntimeError, match="more than 10"):
+        bpy.ops.hull.subdivide_for_fields()
+    assert hull.hull.fields.is_previewed and np.array_equal(points_of(hull), now)
+    bpy.ops.hull.cancel_fields()
+    assert np.array_equal(points_of(hull), before)

@@ -160,6 +160,20 @@ class HULL_OT_preview_fields(bpy.types.Operator, FieldOperator):
             preview.begin(hull, context.scene)
 
 
+class HULL_OT_subdivide_for_fields(bpy.types.Operator, FieldOperator):
+    """Subdivide the control mesh exactly, so that it has more points to follow the shape fields,
+    and go on with the preview: a Cancel afterwards leaves the finer mesh, with the same surface"""
+
+    bl_idname = "hull.subdivide_for_fields"
+    bl_label = "Subdivide Exactly"
+
+    needs = (*HullOperator.needs, _is_previewed)
+
+    def run_on(self, hull, context):
+        made = preview.subdivide(hull, context.scene)
+        self.report({"INFO"}, f"{made.points} points and {made.faces} faces, the same surface")
+
+
 class HULL_OT_cancel_fields(bpy.types.Operator, FieldOperator):
     """Put all points back where they were before the preview"""
 
@@ -200,6 +214,7 @@ CLASSES = (
     HULL_OT_place_field,
     HULL_OT_take_field_faces,
     HULL_OT_preview_fields,
+    HULL_OT_subdivide_for_fields,
     HULL_OT_cancel_fields,
     HULL_OT_apply_fields,
 )

@@ -81,6 +81,7 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         else:
             if not shown.applied.is_followed:
                 label_wrapped(layout, context, shaping.advice(shown.applied), icon="INFO")
+                layout.operator("hull.subdivide_for_fields", icon="MOD_SUBSURF")
             column = layout.column(align=True)
             result = shown.applied.result
             label_value(column, "Residual, RMS", f"{1e3 * result.rms:.1f} mm")

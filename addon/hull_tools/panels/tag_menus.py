@@ -40,6 +40,25 @@ class HULL_MT_keep(bpy.types.Menu):
         layout.separator()
         layout.operator("hull.lock_points")
         layout.operator("hull.unlock_points")
+        layout.separator()
+        layout.menu("HULL_MT_fields")
+
+
+class HULL_MT_fields(bpy.types.Menu):
+    """Shift regions of the hull smoothly, and protect others"""
+
+    bl_label = "Shape Fields"
+
+    def draw(self, context):
+        layout = self.layout
+        for role, text in (("MOVE", "Shift Here"), ("PROTECT", "Protect Here")):
+            layout.operator("hull.add_field", text=text).role = role
+        layout.operator_menu_enum("hull.add_field_recipe", "recipe", text="Recipes")
+        layout.operator("hull.take_field_faces")
+        layout.separator()
+        layout.operator("hull.preview_fields")
+        layout.operator("hull.apply_fields")
+        layout.operator("hull.cancel_fields")
 
 
 def _draw_keeping(layout):
@@ -128,7 +147,7 @@ def _appended(draw):
     return draw_in_menu
 
 
-CLASSES = (HULL_MT_pie, HULL_MT_keep, HULL_MT_select)
+CLASSES = (HULL_MT_pie, HULL_MT_keep, HULL_MT_fields, HULL_MT_select)
 
 # By the name of Blender's menu or panel.
 DRAWN_IN = {

@@ -10,6 +10,7 @@ from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
 from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh
 from ..hull import hull_state
+from ..modelling import exact_subdivision
 from . import field_list, prepared, shaping
 
 _FOREIGN = (
@@ -42,6 +43,7 @@ def begin(obj, scene):
     start_points.keep(obj.data, found.data.points)
     start_points.set_shown(obj.data, found.points_digest)
     obj.hull.fields.is_previewed = True
+    of_hull(obj).key = None  # of a preview before, which showed the same
     follow(obj, scene)
 
 
@@ -103,6 +105,17 @@ def _show(obj, scene, start, preview):
     mesh_points.write(obj.data, np.arange(len(points)), points)
     hull_state.follow_edit(obj, scene, is_by_hand=False)
     start_points.set_shown(obj.data, hull_mesh.read(obj).points_digest)
+
+
+def subdivide(obj, scene):
+    """Subdivides the start of a hull that is previewed exactly, so that it has more control points
+    to follow its fields, and previews it again; returns the exact_subdivision.Subdivided.
+    ValueError where that cannot be: the preview stays then."""
+    end(obj, scene, is_kept=False)
+    try:
+        return exact_subdivision.subdivide(obj, scene)
+    finally:
+        begin(obj, scene)
 
 
 def based_on(changed, objects):
