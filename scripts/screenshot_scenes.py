@@ -103,14 +103,16 @@ def _with_targets(hull):
 
 
 def _with_fields(hull):
-    """A fuller fore shoulder, with the deck edge protected."""
+    """A waterline that is fuller forward, with the deck edge protected."""
     bpy.context.scene.cursor.location = (68.0, 6.5, 4.0)
     with bpy.context.temp_override(object=hull, active_object=hull):
         bpy.ops.hull.add_field(role="PROTECT", base="CREASE")
         bpy.ops.hull.add_field()
     deck, shoulder = hull.hull.fields.fields
     deck.name, deck.place, deck.extent = "Deck edge", (68.0, 6.5, 9.0), 2.0
-    shoulder.name, shoulder.shift = "Fore shoulder", (0.0, 0.3, 0.0)
+    shoulder.name, shoulder.base, shoulder.axis = "Fore waterline", "SECTION", "Z"
+    shoulder.varies, shoulder.extent, shoulder.extent_end = True, 5.0, 5.0
+    shoulder.shift_end, shoulder.axes = (0.0, 0.3, 0.0), (False, True, False)
     with bpy.context.temp_override(object=hull, active_object=hull):
         bpy.ops.hull.preview_fields()
 
