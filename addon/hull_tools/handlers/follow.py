@@ -76,7 +76,7 @@ def after_update(scene, depsgraph):
     hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
     # That a surface is not sculpted any longer is no change of its geometry.
     hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
-    hulls += preview.based_on(changed, hull_objects.hulls(depsgraph.view_layer.objects))
+    hulls += preview.based_on(changed, depsgraph.view_layer.objects)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
-from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh
+from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh, hull_objects
 from ..hull import hull_state
 from ..modelling import exact_subdivision
 from . import field_list, prepared, shaping
@@ -119,13 +119,17 @@ def subdivide(obj, scene):
 
 
 def based_on(changed, objects):
-    """The hulls among objects that are previewed with fields whose curves are in a set."""
-    return [
-        obj
-        for obj in objects
-        if obj.hull.fields.is_previewed
-        and any({field.curve, field.becomes} & changed for field in obj.hull.fields.fields)
-    ]
+    """The hulls among objects that are previewed with fields whose curves are among changed
+    ones."""
+    curves = {obj for obj in changed if obj.type == "CURVE"}
+    if not curves:  # as at nearly every change
+        return []
+    hulls = [obj for obj in hull_objects.hulls(objects) if obj.hull.fields.is_previewed]
+    return [obj for obj in hulls if any(map(curves.intersection, _curves_of(obj)))]
+
+
+def _curves_of(obj):
+    return ({field.curve, field.becomes} for field in obj.hull.fields.fields)
 
 
 def _values(obj):
