@@ -10,6 +10,7 @@
 
 #include "bindings/arrays.h"
 #include "modelling/fields/field_curve.h"
+#include "modelling/fields/geodesic_net.h"
 #include "surface/creases/crease_curves.h"
 
 namespace hull::bindings {
@@ -225,13 +226,34 @@ void bind_field(py::module_& module) {
           py::arg("curve"), py::arg("other"), py::kw_only(), py::arg("extent"),
           py::arg("falloff") = 0.5, py::arg("axes") = "xyz",
           "Around a FieldCurve, which becomes the other one: by lengths, and without a kink where "
-          "the curves begin to differ. What they have in common at either end stays.");
+          "the curves begin to differ. What they have in common at either end stays.")
+      .def(
+          "along_surface",
+          [](const ShapeField& given,
+             const std::shared_ptr<const modelling::GeodesicNet>& distances) {
+            ShapeField field = given;
+            if (!field.base) field.base = modelling::curve_base(field.change->curve());
+            const py::gil_scoped_release release;
+            field.base = modelling::along_surface(field.base, distances);
+            return field;
+          },
+          py::arg("net"),
+          "The same field with distances measured along a surface, by its GeodesicNet: asked "
+          "for at points of that surface. ValueError for a base that is nowhere on it.");
 }
 
 }  // namespace
 
 void bind_shape_fields(py::module_& module) {
   bind_field_curve(module);
+  py::class_<modelling::GeodesicNet, std::shared_ptr<modelling::GeodesicNet>>(
+      module, "GeodesicNet",
+      "Distances along a surface as it is now, for ShapeField.along_surface: what is near through "
+      "thin parts, or across the gap between two hulls, is far. Fronts march over a net of some "
+      "50,000 points (Kimmel and Sethian 1998): within about two per cent.")
+      .def(py::init<const surface::LimitSurface&, bool>(), py::arg("surface"), py::kw_only(),
+           py::arg("mirrored") = false, py::call_guard<py::gil_scoped_release>(),
+           "mirrored: the surface is a half, and ways lead over its image, too.");
   bind_field(module);
   py::class_<modelling::FieldPlaces>(
       module, "FieldPlaces",

@@ -190,7 +190,8 @@ class ShapeField:
     (points, closed or not) or "faces" (by index). extent: how far it works; falloff: 0 to 1; shift:
     of the base; axes: of "xyz", those it has a say in. becomes: points of the curve that the base
     becomes, without any its shift says where it goes. end: a FieldEnd where it varies along the
-    base; all else is at its aft or lower end then.
+    base; all else is at its aft or lower end then. along_surface: whether distances from the base
+    are measured along the hull's surface.
     """
 
     name: str
@@ -209,6 +210,7 @@ class ShapeField:
     faces: list = field(default_factory=list)
     becomes: list = field(default_factory=list)
     end: object = None
+    along_surface: bool = False
 
 
 @dataclass

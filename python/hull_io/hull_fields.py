@@ -6,7 +6,7 @@
                 "place": [x, y, z], "axis": "x", "line": [[x, y, z], ...], "closed": false,
                 "faces": [face, ...], "becomes": [[x, y, z], ...],
                 "extent": m, "falloff": 0 to 1, "shift": [x, y, z], "axes": "xyz",
-                "end": {"extent": m, "falloff": 0 to 1, "shift": [x, y, z]}}, ...]
+                "along_surface": false, "end": {"extent": m, "falloff": 0 to 1, "shift": [x, y, z]}}, ...]
 
 All but the extents may be left out. A crease is the one nearest to the place; a plane goes through
 the place, square to the axis; a section is the line in which such a plane cuts the hull, nearest to
@@ -58,6 +58,7 @@ def _field(check, value, index, face_count):
         faces=_faces(check, *given("faces"), face_count),
         becomes=_line(check, *given("becomes")),
         end=_end(check, *given("end")),
+        along_surface=check.flag(*given("along_surface")),
     )
     if (found.base == "line") != bool(found.line):
         raise check.error(
@@ -129,7 +130,7 @@ def _entry(field):
     entry = {key: _plain(value) for key, value in vars(field).items() if value is not None}
     if field.base != "line":
         del entry["line"], entry["closed"]
-    for key in ("faces", "becomes"):
+    for key in ("faces", "becomes", "along_surface"):
         if not entry[key]:
             del entry[key]
     return entry

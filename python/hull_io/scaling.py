@@ -73,6 +73,7 @@ STAYING = frozenset(
     targets.beam targets.draft targets.fairness area_target.source variants units source
     fields.name fields.role fields.on fields.colour fields.base fields.axis fields.closed
     fields.falloff fields.axes fields.faces fields.end.falloff
+    fields.along_surface
     notes""".split()
 )
 

@@ -113,11 +113,34 @@ def test_a_base_becomes_a_curve(is_drawn_back):
         bpy.ops.hull.apply_fields()
 
 
+def test_along_the_surface_the_other_side_of_a_thin_part_is_far():
+    """Of two hulls, each thin: what is shifted on the outer side stays on the inner one."""
+    hull = sample("catamaran")
+    before = points_of(hull)
+    outer = before[before[:, 1].argmax()]
+    add(hull, outer, extent=0.9 * np.ptp(before[:, 1]), shift=(0.0, 0.05, 0.0))
+    moved = []
+    for along in (False, True):
+        hull.hull.fields.fields[0].along_surface = along
+        bpy.ops.hull.preview_fields()
+        assert part("features.fields.preview").of_hull(hull).problem == ""
+        moved.append(np.abs(points_of(hull) - before).max(axis=1))
+        bpy.ops.hull.cancel_fields()
+    inner = before[:, 1] < 0.5 * (before[:, 1].min() + before[:, 1].max())
+    assert moved[1][inner].max() < 0.5 * moved[0][inner].max()
+    assert moved[1].max() > 0.03
+    field = hull.hull.fields.fields[0]
+    field.along_surface, field.place = True, (0.0, 100.0, 0.0)
+    with pytest.raises(RuntimeError, match="Field 1: The base is nowhere on the hull"):
+        bpy.ops.hull.apply_fields()
+
+
 def test_all_that_fields_have_is_kept_by_hull_files(tmp_path):
     hull = sample()
     place = side_point(hull)
     section = add(hull, place, base="SECTION", axis="Z", varies=True, extent_end=3.0)
     section.shift_end, section.falloff_end = (0.0, 0.25, 0.0), 0.5
+    section.along_surface = True
     section.becomes = line_object("Target", [(60, 6, 5), (70, 5, 5)], hull)
     faces = part("bridge.objects.field_faces")
     faces.give(hull, add(hull, place, base="FACES"), [3, 4, 9])
@@ -127,7 +150,11 @@ def test_all_that_fields_have_is_kept_by_hull_files(tmp_path):
     again = bpy.context.view_layer.objects.active
     first, second = again.hull.fields.fields
     assert (first.base, first.axis, first.varies, first.extent_end) == ("SECTION", "Z", True, 3.0)
-    assert first.falloff_end == 0.5 and tuple(first.shift_end) == (0.0, 0.25, 0.0)
+    assert (
+        first.along_surface
+        and first.falloff_end == 0.5
+        and tuple(first.shift_end) == (0.0, 0.25, 0.0)
+    )
     points, _ = part("bridge.objects.curve_lines").points_of(first.becomes, again)
     assert points.tolist() == [[60, 6, 5], [70, 5, 5]]
     assert faces.of_field(again, second).tolist() == [3, 4, 9]

@@ -53,7 +53,7 @@ class Session:
     def change(self, field):
         name = self.random.choice(
             """use role base place axis curve becomes extent falloff shift axes varies extent_end
-            falloff_end shift_end faces""".split()
+            falloff_end shift_end faces along_surface""".split()
         )
         if name == "faces":
             count = len(self.hull.data.polygons)
@@ -71,6 +71,7 @@ class Session:
             "curve": self.line,
             "becomes": self.line,
             "axes": lambda: [self.random.random() < 0.8 for _ in range(3)],
+            "along_surface": lambda: self.random.random() < 0.4,
             "varies": lambda: self.random.random() < 0.5,
         }
         of_kind = {"extent": self.length, "falloff": self.random.random, "shift": self.shift}

@@ -63,6 +63,8 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
             if field.role == "MOVE":
                 text_field(layout, field, "becomes")
             layout.prop(field, "varies")
+        if field.base != "PLANE":
+            layout.prop(field, "along_surface")
         for end in ("", "_end") if varies else ("",):
             column = layout.column(align=True)
             column.prop(field, f"extent{end}")

@@ -117,6 +117,11 @@ class HullShapeField(bpy.types.PropertyGroup):
     faces_number: IntProperty(
         name="Faces", description="By which the mesh tells its faces", options={"HIDDEN"}
     )
+    along_surface: switch(
+        "Along the Surface",
+        "Distances are measured along the hull's surface: what is near through thin parts, or across "
+        "the gap between two hulls, is far",
+    )
     extent: length("Extent", "How far from its base the field works", 5.0)
     falloff: _falloff(
         "Falloff",

@@ -215,7 +215,7 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     ShapeField& field = fields_[i];
     const std::string name = "Field " + std::to_string(i);
-    if (field.change) field.base = curve_base(field.change->curve());
+    if (field.change && !field.base) field.base = curve_base(field.change->curve());
     if (!field.base) throw std::invalid_argument(name + " has no base.");
     check_all(
         field.extent, [](double v) { return v > 0.0 && std::isfinite(v); },

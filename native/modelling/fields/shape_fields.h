@@ -22,7 +22,8 @@ struct ShapeField {
   AlongBase<double> extent{1.0};               // m, positive
   AlongBase<double> kappa{0.5};                // 0 to 1; above 0.9 curvature jumps at the extent
   AlongBase<Vector3d> shift{Vector3d::Zero().eval()};  // m, of the base
-  // Instead of base and shift: the curve, which becomes the other curve.
+  // Instead of base and shift: the curve, which becomes the other curve. With a base, distances are
+  // those from that, which has the same lengths.
   std::shared_ptr<const CurveChange> change;
 };
 

@@ -13,3 +13,8 @@ def becomes_another(field):
 def varies(field):
     """Whether what a row wants varies along its base."""
     return field.varies and field.base in CURVES
+
+
+def goes_along_surface(field):
+    """Whether distances of a row are measured along the hull's surface."""
+    return field.along_surface and field.base != "PLANE"

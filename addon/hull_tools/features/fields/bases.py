@@ -15,7 +15,8 @@ def shape_field(field, obj, own):
     """The hull_native.ShapeField of a row; own: the prepared.Prepared. ValueError, naming the
     field, where it has no meaning."""
     try:
-        return _shape_field(field, obj, own)
+        made = _shape_field(field, obj, own)
+        return made.along_surface(own.net()) if field_rows.goes_along_surface(field) else made
     except ValueError as error:
         raise ValueError(f"{field.name}: {error}") from error
 

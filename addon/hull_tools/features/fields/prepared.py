@@ -24,7 +24,16 @@ class Prepared:
     places: object
     field_places: object
     limits: dict
+    is_half: bool
     _reshape: tuple = (None, None)  # what stays, as bytes, and the hull_native.Reshape with that
+    _net: object = None
+
+    def net(self):
+        """The hull_native.GeodesicNet of the surface, both sides of it; made when it is asked
+        for."""
+        if self._net is None:
+            self._net = native.require().GeodesicNet(self.surface, mirrored=self.is_half)
+        return self._net
 
     def reshape(self, staying):
         """The hull_native.Reshape by which these control points (k,) stay, besides the limits."""
@@ -57,4 +66,5 @@ def of_hull(obj, found, scale, before=None):
         places,
         hull_native.FieldPlaces(places.positions),
         allowed.reshape_arguments(surface),
+        found.half,
     )

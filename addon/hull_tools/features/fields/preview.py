@@ -141,7 +141,7 @@ def _values_of(field, obj):
     return (
         *(field.use, field.role, field.base, tuple(field.place), field.axis, field.extent),
         *(field.falloff, tuple(field.shift), tuple(field.axes), field.varies, field.extent_end),
-        *(field.falloff_end, tuple(field.shift_end)),
+        *(field.falloff_end, tuple(field.shift_end), field_rows.goes_along_surface(field)),
         _points_of(field.curve, obj) if field.base == "CURVE" else None,
         _points_of(field.becomes, obj) if field_rows.becomes_another(field) else None,
         field_faces.of_field(obj, field).tobytes() if field.base == "FACES" else None,

@@ -27,6 +27,7 @@ def give_fields(obj, hull, scale):
         entry.shift = [part / scale for part in field.shift]
         entry.extent = field.extent / scale
         entry.axes = [axis in field.axes for axis in "xyz"]
+        entry.along_surface = field.along_surface
         if field.line:
             entry.curve = _made(field.name, field.line, field.closed, obj, scale)
         if field.becomes:
@@ -73,6 +74,7 @@ def _taken(entry, obj, scale):
         faces=field_faces.of_field(obj, entry).tolist() if base == "faces" else [],
         becomes=_line(entry.becomes, obj, scale)[0] if field_rows.becomes_another(entry) else [],
         end=_end(entry, scale) if field_rows.varies(entry) else None,
+        along_surface=entry.along_surface,
     )
 
 
