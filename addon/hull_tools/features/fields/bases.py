@@ -32,6 +32,11 @@ def base_crease(field, surface, scale):
     return min(curves, key=lambda curve: along(curve).distances(place)[0])
 
 
+def base_curve(field, obj, surface, scale):
+    """The hull_native.FieldCurve on which a row is based that is along a curve."""
+    return _curve(field, obj, surface, scale)
+
+
 def _shape_field(field, obj, surface, scale):
     options = {
         "extent": limits.within(
