@@ -24,7 +24,8 @@ def level_strokes(segments, is_mirrored):
 
 
 def dots(base):
-    """(k, 3), m: where dots of a seen_bases.Base are: none of one that is drawn as a line."""
+    """(k, 3), m: where dots of a seen_bases.Base are, the second one that of its image; none of one
+    that is drawn as a line."""
     if base.polylines:
         return np.empty((0, 3))
     if base.is_mirrored and base.anchor[1] != 0.0:

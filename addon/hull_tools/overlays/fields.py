@@ -20,8 +20,8 @@ from .spots import ring
 from .view import Handler, hulls_in_view
 
 # Dots, at a scale of 1.
-_BASE, _CHOSEN_BASE, _LEVEL, _EDGE, _ARROW = 1.8, 3.6, 1.3, 2.4, 2.6
-_DOT, _CHOSEN_DOT, _HANDLE, _HELD = 4.5, 6.0, 5.0, 9.0
+_BASE, _CHOSEN_BASE, _LEVEL, _EDGE, _CIRCLE, _ARROW = 1.8, 3.6, 1.3, 2.2, 1.2, 2.6
+_DOT, _CHOSEN_DOT, _IMAGE_DOT, _HANDLE, _HELD = 4.5, 6.0, 2.5, 5.0, 8.0
 _HALO, _HALO_WIDTH = (1.0, 1.0, 1.0, 0.9), 1.5
 _BEHIND = 0.3  # how much is seen of what is behind the surface
 _LAYER = 3  # before the hull's lines
@@ -114,9 +114,9 @@ def _draw_marks():
 def _draw_dots(shown, base, row, radius):
     scale = shown.context.preferences.system.ui_scale
     places = _in_picture(_eye(shown), field_arrays.dots(base))
-    places = places[~np.isnan(places).any(axis=1)]
-    if len(places):
-        _draw_discs(places, radius * scale, (*colour_of(row), 1.0), scale)
+    for place, size in zip(places, (radius, _IMAGE_DOT)):
+        if not np.isnan(place).any():
+            _draw_discs(place[None], size * scale, (*colour_of(row), 1.0), scale)
 
 
 def _draw_handles(shown, base, row):
@@ -131,13 +131,13 @@ def _draw_handles(shown, base, row):
     colour = (*colour_of(row), 1.0)
     if "shift" in places and not np.isnan((start, places["shift"])).any():
         segments, head = field_arrays.arrow(start, places["shift"], scale)
-        _draw_segments(segments, _ARROW * scale, colour, scale)
+        _draw_segments(segments, _ARROW * scale, colour, halo=_HALO_WIDTH * scale)
         _draw_triangles(head, colour)
     if not held.is_on:
         return
     if row.base != "PLANE" and not np.isnan((start, places["extent"])).any():
         circle = ring(start, float(np.hypot(*(places["extent"] - start))), 96)
-        _draw_segments(circle, _LEVEL * scale, colour, scale)
+        _draw_segments(circle, _CIRCLE * scale, colour)
     for kind, place in places.items():
         radius = _HELD if held.kind == kind else _HANDLE
         if not np.isnan(place).any():
@@ -169,13 +169,13 @@ def _draw_triangles(corners, colour):
     batch_for_shader(shader, "TRIS", {"pos": corners}).draw(shader)
 
 
-def _draw_segments(corners, width, colour, scale):
+def _draw_segments(corners, width, colour, halo=0.0):
     if not len(corners):
         return
     shader = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
     shader.bind()
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-    for shade, wide in ((_HALO, width + 2.0 * _HALO_WIDTH * scale), (colour, width)):
+    for shade, wide in ((_HALO, width + 2.0 * halo), (colour, width))[halo == 0.0 :]:
         shader.uniform_float("lineWidth", wide)
         shader.uniform_float("color", shade)
         batch_for_shader(shader, "LINES", {"pos": corners}).draw(shader)
