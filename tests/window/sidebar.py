@@ -96,7 +96,7 @@ def choose(window, what, is_chosen):
     for _ in range(60):
         if is_chosen():
             return
-        window.press("WHEELDOWNMOUSE", ctrl=True)
+        window.hold("WHEELDOWNMOUSE", ctrl=True)  # a wheel is not let go: that were another turn
         yield
     raise LookupError(f"{what} has no such choice")
 

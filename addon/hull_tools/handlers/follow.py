@@ -9,7 +9,7 @@ from ..features import studio
 from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
 from ..features.conversion import conversions
-from ..features.fields import preview
+from ..features.fields import preview, seen
 from ..features.hull import hull_state, live_normals
 from ..features.surface import colour_views
 from ..features.variants import following
@@ -35,6 +35,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
         for hull in hulls:
             hull_state.follow_edit(hull, scene, is_by_hand)
             preview.follow(hull, scene)
+            seen.follow(hull, scene)
             live_target.follow(hull, scene)
             if hull.mode == "EDIT":
                 live_normals.ask()

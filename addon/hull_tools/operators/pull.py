@@ -4,7 +4,6 @@
 import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
-from mathutils import Matrix
 
 from ..bridge.blender import units
 from ..bridge.counts import counted
@@ -294,11 +293,8 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         return next(region for region in self._area.regions if region.type == "WINDOW")
 
     def _eye(self):
-        view, region = self._area.spaces.active.region_3d, self._region()
-        scale = 1.0 / self._pull.scale
-        to_world = self._pull.obj.matrix_world @ Matrix.Diagonal((scale, scale, scale, 1.0))
-        to_clip = np.array(view.perspective_matrix @ to_world, dtype=np.float64)
-        return pull_lines.Eye(to_clip, (region.width, region.height))
+        view = self._area.spaces.active.region_3d
+        return pull_lines.eye_of(self._pull.obj, self._pull.scale, view, self._region())
 
     def _mouse(self, event):
         region = self._region()

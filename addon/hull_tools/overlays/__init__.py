@@ -2,9 +2,22 @@
 """What is drawn over the 3D view. Each overlay has a headless half that makes arrays, and a half
 that draws them with the graphics card."""
 
-from . import area_handles, ghost, legend, lines, marks, net, plots, pulls, spots, status, tags
+from . import (
+    area_handles,
+    fields,
+    ghost,
+    legend,
+    lines,
+    marks,
+    net,
+    plots,
+    pulls,
+    spots,
+    status,
+    tags,
+)
 
-_PARTS = (net, ghost, lines, marks, tags, legend, spots, pulls)
+_PARTS = (net, ghost, lines, marks, tags, legend, spots, pulls, fields)
 
 
 def register():

@@ -152,8 +152,15 @@ class HullFields(bpy.types.PropertyGroup):
     is_previewed: BoolProperty(
         name="Previewed", description="The hull is shown as the fields make it", options={"HIDDEN"}
     )
+    show_fields: switch(
+        "Show Fields",
+        "Bases of fields that are on; of the chosen one, its shift and lines of equal intensity, too",
+        default=True,
+    )
     fields: CollectionProperty(type=HullShapeField)
-    active_field: IntProperty(name="Field", description="The field that is edited", min=0)
+    active_field: IntProperty(
+        name="Field", description="The field that is edited", min=0, update=changed
+    )
 
 
 CLASSES = (HullShapeField, HullFields)

@@ -11,20 +11,26 @@ from ..flotation import ship
 
 
 @dataclass(eq=False)
-class Prepared:
-    """key: equal for hulls of which all this is the same. scale: metres a unit; control:
-    mesh_arrays.ControlArrays, surface: of these; places: the hull_native.SurfacePlaces where shifts
-    are wanted, and field_places: the same for fields; limits: of moves, as arguments of
-    hull_native.Reshape."""
+class Ground:
+    """A hull that fields are on. scale: metres a unit; control: mesh_arrays.ControlArrays, surface:
+    of these."""
 
-    key: tuple
     scale: float
     control: object
     surface: object
+    is_half: bool
+
+
+@dataclass(eq=False)
+class Prepared(Ground):
+    """key: equal for hulls of which all this is the same. places: the hull_native.SurfacePlaces
+    where shifts are wanted, and field_places: the same for fields; limits: of moves, as arguments
+    of hull_native.Reshape."""
+
+    key: tuple
     places: object
     field_places: object
     limits: dict
-    is_half: bool
     _reshape: tuple = (None, None)  # what stays, as bytes, and the hull_native.Reshape with that
     _net: object = None
 
@@ -59,12 +65,12 @@ def of_hull(obj, found, scale, before=None):
     hull_native, surface = native.require(), ship.source_of(found, control).new_surface()
     places = hull_native.SurfacePlaces(surface)
     return Prepared(
-        key,
         scale,
         control,
         surface,
+        found.half,
+        key,
         places,
         hull_native.FieldPlaces(places.positions),
         allowed.reshape_arguments(surface),
-        found.half,
     )

@@ -27,6 +27,7 @@ class Preview:
     applied: object = None
     problem: str = ""
     key: tuple = None  # what the hull was shown for
+    shown: bytes = None  # the digest of its points then, which undo takes back alone
     own: object = None  # the Prepared
 
 
@@ -62,9 +63,9 @@ def follow(obj, scene):
         preview.problem, preview.key = _FOREIGN, None
         return
     key = (_values(obj), start.tobytes(), found.topology_key, scale)
-    if preview.key == key:
+    if (preview.key, preview.shown) == (key, found.points_digest):
         return
-    preview.key, preview.problem = key, ""
+    preview.key, preview.shown, preview.problem = key, found.points_digest, ""
     try:
         at_start = found.with_points(replace(found.data, points=start))
         preview.own = prepared.of_hull(obj, at_start, scale, preview.own)
@@ -104,7 +105,8 @@ def _show(obj, scene, start, preview):
         points[which] = places
     mesh_points.write(obj.data, np.arange(len(points)), points)
     hull_state.follow_edit(obj, scene, is_by_hand=False)
-    start_points.set_shown(obj.data, hull_mesh.read(obj).points_digest)
+    preview.shown = hull_mesh.read(obj).points_digest
+    start_points.set_shown(obj.data, preview.shown)
 
 
 def subdivide(obj, scene):

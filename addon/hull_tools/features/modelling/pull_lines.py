@@ -5,6 +5,7 @@ eye's ray meets it; and the mark that shows what is held."""
 from dataclasses import dataclass
 
 import numpy as np
+from mathutils import Matrix
 
 from ..hull import hull_state
 from ..lines import lines
@@ -77,6 +78,21 @@ class Eye:
     def direction(self):
         """(3,) the way the eye looks in the middle of its picture."""
         return self.ray(0.5 * np.asarray(self.size))[1]
+
+    @property
+    def right(self):
+        """(3,) the direction that goes to the right in its picture."""
+        middle = 0.5 * np.asarray(self.size)
+        way = self.ray(middle + (1.0, 0.0))[0] - self.ray(middle)[0]
+        return way / np.linalg.norm(way)
+
+
+def eye_of(obj, scale, view, region):
+    """The Eye of a hull in a region of a 3D view, of which `view` is the RegionView3D; scale:
+    metres a unit."""
+    to_world = obj.matrix_world @ Matrix.Diagonal((1.0 / scale, 1.0 / scale, 1.0 / scale, 1.0))
+    to_clip = np.array(view.perspective_matrix @ to_world, dtype=np.float64)
+    return Eye(to_clip, (region.width, region.height))
 
 
 def _line_at(pull, eye, mouse, reach, hit):
