@@ -6,7 +6,8 @@
                 "place": [x, y, z], "axis": "x", "line": [[x, y, z], ...], "closed": false,
                 "faces": [face, ...], "becomes": [[x, y, z], ...],
                 "extent": m, "falloff": 0 to 1, "shift": [x, y, z], "axes": "xyz",
-                "along_surface": false, "end": {"extent": m, "falloff": 0 to 1, "shift": [x, y, z]}}, ...]
+                "along_surface": false,
+                "end": {"extent": m, "falloff": 0 to 1, "shift": [x, y, z]}}, ...]
 
 All but the extents may be left out. A crease is the one nearest to the place; a plane goes through
 the place, square to the axis; a section is the line in which such a plane cuts the hull, nearest to

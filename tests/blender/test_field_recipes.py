@@ -74,7 +74,7 @@ def test_the_bilge_moves(name):
 @pytest.mark.parametrize("name", HULLS)
 def test_the_bow_flares_above_the_waterline(name):
     before, after, outcome = applied(name, "FLARE")
-    (low, high), (_, now) = ends_of(before), ends_of(after)
+    low, high = ends_of(before)
     x = low[0] + 0.85 * (high[0] - low[0])
     heights = np.linspace(state_draft(), high[2], 11)
     widened = [breadth_at(after, x, z) - breadth_at(before, x, z) for z in heights]

@@ -8,7 +8,6 @@ import pytest
 from addon_under_test import part
 from test_fields import add, sample, side_point
 
-
 BASES = [("POINT", 6.0), ("PLANE", 12.0), ("CREASE", 3.0), ("SECTION", 8.0), ("FACES", 6.0)]
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shape fields by distances along the surface: of shapes that unroll, of parts that no way leads to,
-and across the centre plane."""
+"""Shape fields by distances along the surface: of shapes that unroll, of parts that no way leads
+to, and across the centre plane."""
 
 import hull_native as hn
 import numpy as np

@@ -119,8 +119,8 @@ class HullShapeField(bpy.types.PropertyGroup):
     )
     along_surface: switch(
         "Along the Surface",
-        "Distances are measured along the hull's surface: what is near through thin parts, or across "
-        "the gap between two hulls, is far",
+        "Distances are measured along the hull's surface: what is near through thin parts, or "
+        "across the gap between two hulls, is far",
     )
     extent: length("Extent", "How far from its base the field works", 5.0)
     falloff: _falloff(
@@ -154,7 +154,8 @@ class HullFields(bpy.types.PropertyGroup):
     )
     show_fields: switch(
         "Show Fields",
-        "Bases of fields that are on; of the chosen one, its shift and lines of equal intensity, too",
+        "Bases of fields that are on; of the chosen one, its shift and lines of equal intensity "
+        "too",
         default=True,
     )
     fields: CollectionProperty(type=HullShapeField)

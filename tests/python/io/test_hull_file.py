@@ -368,7 +368,8 @@ MISTAKES = {
     ),
     "field base": (
         content(fields=[{"extent": 1, "base": "curve"}]),
-        'fields[0].base: "curve" is unknown; write "point", "crease", "plane", "section", "line" or "faces"',
+        'fields[0].base: "curve" is unknown; write "point", "crease", "plane", "section", "line" '
+        'or "faces"',
     ),
     "field falloff": (
         content(fields=[{"extent": 1, "falloff": 1.5}]),

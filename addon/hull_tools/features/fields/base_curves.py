@@ -50,8 +50,8 @@ def base_crease(field, surface, scale):
 
 
 def of_field(field, obj, surface, scale):
-    """The BaseCurve of a row whose base is one of field_rows.CURVES; surface: a hull_native.LimitSurface;
-    scale: metres a unit. ValueError where there is none."""
+    """The BaseCurve of a row whose base is one of field_rows.CURVES; surface: a
+    hull_native.LimitSurface; scale: metres a unit. ValueError where there is none."""
     if field.base == "CREASE":
         crease = base_crease(field, surface, scale)
         return BaseCurve(native.require().FieldCurve.of_crease(crease), crease.closed)

@@ -8,8 +8,8 @@ from ...bridge.mesh import mesh_points
 from ...bridge.objects import field_faces
 
 # What a copy of a field has of it.
-_KEPT = """use role colour base place axis curve becomes along_surface extent falloff shift axes varies extent_end
-    falloff_end shift_end""".split()
+_KEPT = """use role colour base place axis curve becomes along_surface extent falloff shift axes
+    varies extent_end falloff_end shift_end""".split()
 # Of a palette of colours that are told apart on light and dark grounds.
 _COLOURS = ((0.9, 0.5, 0.1), (0.1, 0.6, 0.9), (0.2, 0.7, 0.3), (0.8, 0.3, 0.6), (0.7, 0.7, 0.1))
 # Of the hull's longest side: what a new field reaches.

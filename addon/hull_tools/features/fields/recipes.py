@@ -237,8 +237,8 @@ def _tunnel(form):
     found = found[found[:, 2] < form.low[2] + form.draft] if len(found) else found
     if len(found) < 2:
         raise ValueError(
-            "There is no bottom over the propellers, at a third of the breadth: place a field there "
-            "by hand"
+            "There is no bottom over the propellers, at a third of the breadth: place a field "
+            "there by hand"
         )
     return [
         {
