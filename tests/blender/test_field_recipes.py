@@ -82,6 +82,31 @@ def test_the_bow_flares_above_the_waterline(name):
     assert abs(widened[0]) < 0.6 * np.nanmax(widened)
 
 
+@pytest.mark.parametrize("name", ("naval_vessel", "NEW"))
+def test_a_bulb_is_drawn_out(name):
+    if name == "NEW":
+        bpy.ops.hull.add_hull(kind="ROUND_BILGE")
+        hull = bpy.context.view_layer.objects.active
+    else:
+        hull = sample(name)
+    for _ in range(2):
+        bpy.ops.hull.subdivide_exactly()
+    before = surface_of(hull)
+    bpy.ops.hull.add_field_recipe(recipe="BULB")
+    outcome = part("features.fields.shaping").apply(hull, bpy.context.scene)
+    low = ends_of(before)[0][2]
+    draft = state_draft() - low
+    height = low + 0.37 * draft
+
+    def stem(surface):
+        tree = part("bridge.native").hull_native.SurfaceTree(surface)
+        return tree.ray_hits([(1e4, 1e-3, height)], [(-1.0, 0.0, 0.0)]).points[0, 0]
+
+    grown = stem(surface_of(hull)) - stem(before)
+    assert outcome.is_followed
+    assert 0.15 * draft < grown < 0.35 * draft
+
+
 @pytest.mark.parametrize("name", HULLS)
 def test_a_tunnel_is_made_or_refused(name):
     hull = sample(name)

@@ -35,6 +35,7 @@ RECIPES = (
     ("BILGE", "Move the Bilge", "Fuller or slacker, along the middle of the ship"),
     ("TUNNEL", "Tunnel", "The bottom over a propeller rises towards the stern"),
     ("FLARE", "Flare", "The bow widens towards the deck; the waterline is kept"),
+    ("BULB", "Bulb", "The stem is drawn out below the waterline, and widened"),
 )
 
 

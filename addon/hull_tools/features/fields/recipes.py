@@ -281,6 +281,41 @@ def _flare(form):
     ]
 
 
+def _bulb(form):
+    """The stem is drawn out below the waterline around an upright line: fields around the stem
+    itself, which bends sharply at its foot, fold the bow."""
+    low, draft = form.low[2], form.draft
+    x = _stem_at(form, low + 0.4 * draft)
+    heights = np.linspace(low + 0.25 * draft, low + 0.5 * draft, _ALONG)
+    return [
+        {
+            "name": "Bulb",
+            "base": "CURVE",
+            "curve": [(x, 0.0, height) for height in heights],
+            "extent": 0.7 * draft,
+            "shift": (0.25 * draft, 0.0, 0.0),
+        },
+        {
+            "name": "Width of the bulb",
+            "base": "POINT",
+            "place": (x - 0.1 * draft, 0.1 * draft, low + 0.35 * draft),
+            "extent": 0.4 * draft,
+            "shift": (0.0, 0.05 * draft, 0.0),
+            "axes": "y",
+        },
+    ]
+
+
+def _stem_at(form, height):
+    """Where a ray from ahead meets the hull beside the centre plane."""
+    tree = native.require().SurfaceTree(form.surface)
+    ahead = (form.high[0] + form.length, 1e-3 * form.half_breadth, height)
+    hits = tree.ray_hits([ahead], [(-1.0, 0.0, 0.0)])
+    if not np.isfinite(hits.points).all():
+        raise ValueError("The hull has no stem in its centre plane: place fields by hand")
+    return float(hits.points[0, 0])
+
+
 # By what properties.field_settings.RECIPES names them.
 RECIPES = {
     "SHARPEN": _sharpen,
@@ -289,4 +324,5 @@ RECIPES = {
     "BILGE": _bilge,
     "TUNNEL": _tunnel,
     "FLARE": _flare,
+    "BULB": _bulb,
 }
