@@ -181,9 +181,15 @@ std::vector<double> GeodesicNet::from(const FieldBase& base) const {
 
 GeodesicNet::Reading GeodesicNet::at(const std::vector<double>& distances,
                                      const Vector3d& p) const {
-  const bool is_image = mirrored_ && side_ * p.y() < -near_;
-  const Vector3d mirror(1.0, is_image ? -1.0 : 1.0, 1.0);
-  const surface::ClosestPoint foot = surface::closest_point(tree_, mirror.cwiseProduct(p));
+  surface::ClosestPoint foot = surface::closest_point(tree_, p);
+  bool is_image = false;
+  // Halves may reach over the centre plane a little.
+  if (mirrored_ && side_ * p.y() < -near_) {
+    const surface::ClosestPoint image =
+        surface::closest_point(tree_, Vector3d(p.x(), -p.y(), p.z()));
+    is_image = image.distance < foot.distance;
+    if (is_image) foot = image;
+  }
   const double n = per_side_;
   const int i = std::clamp(static_cast<int>(foot.u * n), 0, per_side_ - 1),
             j = std::clamp(static_cast<int>(foot.v * n), 0, per_side_ - 1);
