@@ -65,7 +65,7 @@ def crease_points(hull):
     """Which points of the mesh are those of the crease of the chosen field."""
     parent = part("features.transformation.parents").of_hull(hull, bpy.context.scene)
     row = fields().fields[fields().active_field]
-    crease = part("features.fields.bases").base_crease(row, parent.surface, parent.scale)
+    crease = part("features.fields.base_curves").base_crease(row, parent.surface, parent.scale)
     return parent.control.vertex_ids[np.asarray(crease.vertices)]
 
 

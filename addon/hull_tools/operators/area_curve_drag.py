@@ -8,24 +8,23 @@ from ..bridge import limits
 from ..bridge.objects import hull_objects
 from ..features.area_curves import handles, sources, stored
 from .shared import HullOperator
+from .view_drag import DONE, ViewDrag
 
 _HELP = (
     "Drag: a handle   Shift: its area alone   Ctrl click: add a handle   X: remove one   "
     "Enter: done   Esc: cancel"
 )
-_DONE = ("RET", "NUMPAD_ENTER", "SPACE")
 _USUAL_HANDLES = 11
-# What goes on to Blender meanwhile: turning and moving the view. Undo and clicks on other objects
-# would take the hull away below the mouse.
-_OF_THE_VIEW = ("MIDDLEMOUSE", "WHEEL", "NUMPAD", "TRACKPAD", "NDOF", "TIMER", "MOUSEMOVE")
 
 
-class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
+class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
     """Drag the target's handles in the plot of sectional areas over the view. Without a target the
     present curve is taken first"""
 
     bl_idname = "hull.drag_area_curve"
     bl_label = "Drag Handles"
+
+    help_text = _HELP
 
     points: StringProperty(
         name="Points",
@@ -37,24 +36,13 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         handles.write_text(hull, self.points)
 
-    def invoke(self, context, event):
-        if context.region_data is None:
-            return self.execute(context)
-        return self.reporting(self._begin, context)
-
-    def _begin(self, context):
+    def begin(self, context):
         hull = hull_objects.hull_of(context.object)
         self._is_new = not stored.is_there(hull)
         if self._is_new:
             sources.take_present(hull, context.scene, _USUAL_HANDLES)
         self._drag = handles.Drag(hull, context.scene)
         self._held = handles.held(hull)
-        self._area = context.area
-        context.window.cursor_modal_set("CROSSHAIR")
-        context.workspace.status_text_set(_HELP)
-        context.window_manager.modal_handler_add(self)
-        self._area.tag_redraw()
-        return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
@@ -63,7 +51,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
                 stored.clear(self._drag.obj)
             self._leave(context)
             return {"CANCELLED"}
-        if event.type in _DONE and event.value == "PRESS":
+        if event.type in DONE and event.value == "PRESS":
             self._drag.keep_frame(None)
             self.points = handles.text_of(self._drag.obj)
             has_changed = self._is_new or self._drag.has_changed
@@ -72,17 +60,11 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
         shown = handles.diagram(self._drag.obj, context.scene, self._area)
         if shown is not None and self._work(context, event, shown):
             return {"RUNNING_MODAL"}
-        is_of_view = event.type.startswith(_OF_THE_VIEW)
-        return {"PASS_THROUGH"} if is_of_view else {"RUNNING_MODAL"}
-
-    def cancel(self, context):
-        """Blender ends the operator, as when another file is loaded."""
-        self._leave(context)
+        return self._rest(event)
 
     def _work(self, context, event, shown):
         """Whether the event was one for the plot."""
-        region = next(one for one in self._area.regions if one.type == "WINDOW")
-        mouse = event.mouse_x - region.x, event.mouse_y - region.y
+        mouse = self._mouse(event)
         if event.type == "MOUSEMOVE":
             if self._held.is_dragged:
                 self._move(shown, mouse, event.shift)
@@ -144,12 +126,8 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, HullOperator):
         self._area.header_text_set(text or _HELP)
         self._area.tag_redraw()
 
-    def _leave(self, context):
+    def leave(self, context):
         self._held.index, self._held.is_dragged, self._held.text = None, False, ""
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        self._area.header_text_set(None)
-        self._area.tag_redraw()
 
 
 CLASSES = (HULL_OT_drag_area_curve,)

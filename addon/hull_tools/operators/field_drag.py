@@ -2,29 +2,26 @@
 """The chosen shape field changed by its handles in the 3D view."""
 
 import bpy
-import numpy as np
 from bpy.props import FloatVectorProperty
 
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.fields import field_list, handles
-from ..features.modelling import pull_lines
 from .fields import FieldOperator
 from .shared import asked_length
+from .view_drag import DONE, ViewDrag
 
 _HELP = "Drag: a handle   X, Y, Z: along one axis   Enter: done   Esc: cancel"
-_DONE = ("RET", "NUMPAD_ENTER", "SPACE")
 _AXES = ("X", "Y", "Z")
-# What goes on to Blender meanwhile: turning and moving the view. Undo and clicks on other objects
-# would take the hull away below the mouse.
-_OF_THE_VIEW = ("MIDDLEMOUSE", "WHEEL", "NUMPAD", "TRACKPAD", "NDOF", "TIMER", "MOUSEMOVE")
 
 
-class HULL_OT_drag_field(bpy.types.Operator, FieldOperator):
+class HULL_OT_drag_field(bpy.types.Operator, ViewDrag, FieldOperator):
     """Drag the chosen field's handles in the view: the tip of its shift, and its extent"""
 
     bl_idname = "hull.drag_field"
     bl_label = "Handles in the View"
+
+    help_text = _HELP
 
     shift: FloatVectorProperty(
         name="Shift",
@@ -44,12 +41,7 @@ class HULL_OT_drag_field(bpy.types.Operator, FieldOperator):
         for name in given:
             setattr(row, name, getattr(self, name))
 
-    def invoke(self, context, event):
-        if context.region_data is None:
-            return self.execute(context)
-        return self.reporting(self._begin, context)
-
-    def _begin(self, context):
+    def begin(self, context):
         hull = hull_objects.hull_of(context.object)
         hull.hull.fields.show_fields = True
         row, _ = handles.at_hand(hull, context.scene)
@@ -57,12 +49,6 @@ class HULL_OT_drag_field(bpy.types.Operator, FieldOperator):
         self._before = _values(row)
         self._held, self._drag, self._axis = handles.held(hull), None, None
         self._held.is_on = True
-        self._area = context.area
-        context.window.cursor_modal_set("CROSSHAIR")
-        context.workspace.status_text_set(_HELP)
-        context.window_manager.modal_handler_add(self)
-        self._area.tag_redraw()
-        return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
@@ -71,7 +57,7 @@ class HULL_OT_drag_field(bpy.types.Operator, FieldOperator):
                 row.shift, row.extent = self._before
             self._leave(context)
             return {"CANCELLED"}
-        if event.type in _DONE and event.value == "PRESS":
+        if event.type in DONE and event.value == "PRESS":
             return self._finish(context)
         if event.type == "MOUSEMOVE":
             self._follow_mouse(context, event)
@@ -81,12 +67,7 @@ class HULL_OT_drag_field(bpy.types.Operator, FieldOperator):
             axis = _AXES.index(event.type)
             self._axis = None if self._axis == axis else axis
             self._follow_mouse(context, event)
-        is_of_view = event.type.startswith(_OF_THE_VIEW)
-        return {"PASS_THROUGH"} if is_of_view else {"RUNNING_MODAL"}
-
-    def cancel(self, context):
-        """Blender ends the operator, as when another file is loaded."""
-        self._leave(context)
+        return self._rest(event)
 
     def _finish(self, context):
         self.shift, self.extent = values = _values(self._row())
@@ -129,23 +110,11 @@ class HULL_OT_drag_field(bpy.types.Operator, FieldOperator):
         self._area.tag_redraw()
 
     def _eye(self):
-        view, scale = self._area.spaces.active.region_3d, units.metres_per_unit(bpy.context.scene)
-        return pull_lines.eye_of(self._hull, scale, view, self._region())
+        return self._eye_on(self._hull, bpy.context.scene)
 
-    def _region(self):
-        return next(region for region in self._area.regions if region.type == "WINDOW")
-
-    def _mouse(self, event):
-        region = self._region()
-        return np.array([event.mouse_x - region.x, event.mouse_y - region.y], dtype=np.float64)
-
-    def _leave(self, context):
+    def leave(self, context):
         self._held.is_on = self._held.is_dragged = False
         self._held.kind = None
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        self._area.header_text_set(None)
-        self._area.tag_redraw()
 
 
 def _values(row):

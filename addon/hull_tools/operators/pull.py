@@ -11,6 +11,7 @@ from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.modelling import drags, pull_lines, pulling
 from .shared import HullOperator
+from .view_drag import ViewDrag
 
 _AXES = {"X": 0, "Y": 1, "Z": 2}
 # The planes that a point may be dragged in, by key; and the axis each is across.
@@ -63,12 +64,14 @@ def _radius():
     )
 
 
-class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
+class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
     """Pull the surface by one of its points, or by a point of a section line: the control points
     around follow, as far as the radius says. Locked points stay, flats stay flat"""
 
     bl_idname = "hull.pull_surface"
     bl_label = "Pull Surface"
+
+    help_text = _PICK_HELP
 
     point: _place("Point", "The point of the surface nearest to this place is pulled")
     target: _place("To", "Where this point of the surface comes to lie")
@@ -90,22 +93,12 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         length = units.format_value(context.scene, longest, "m")
         self.report({"INFO"}, f"{counted(count, 'control point')} moved, {length} at most")
 
-    def invoke(self, context, event):
-        if context.area is None or context.area.type != "VIEW_3D":
-            return self.execute(context)
-        return self.reporting(self._begin, context)
-
-    def _begin(self, context):
+    def begin(self, context):
         hull = hull_objects.hull_of(context.object)
         self._pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
         self._held = pull_lines.held(hull, context.scene)
         self._grip, self._target, self._typed = None, None, ""
         self._mode, self._is_pressed, self._pressed_at = "V", False, (0, 0)
-        self._area = context.area
-        context.window.cursor_modal_set("CROSSHAIR")
-        context.workspace.status_text_set(_PICK_HELP)
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
@@ -115,10 +108,6 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
             return {"CANCELLED"}
         handle = self._pick if self._grip is None else self._drag
         return handle(context, event)
-
-    def cancel(self, context):
-        """Blender ends the operator, as when another file is loaded."""
-        self._leave(context)
 
     # Before a point is held
 
@@ -282,23 +271,11 @@ class HULL_OT_pull_surface(bpy.types.Operator, HullOperator):
         typed = f"    [{self._typed}]" if self._typed else ""
         return f"{places}    {where}{within}{typed}"
 
-    def _leave(self, context):
+    def leave(self, context):
         self._held.mark = None
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        self._area.header_text_set(None)
-        self._area.tag_redraw()
-
-    def _region(self):
-        return next(region for region in self._area.regions if region.type == "WINDOW")
 
     def _eye(self):
-        view = self._area.spaces.active.region_3d
-        return pull_lines.eye_of(self._pull.obj, self._pull.scale, view, self._region())
-
-    def _mouse(self, event):
-        region = self._region()
-        return event.mouse_x - region.x, event.mouse_y - region.y
+        return self._eye_on(self._pull.obj, bpy.context.scene)
 
     def _distance(self, event):
         return np.hypot(event.mouse_x - self._pressed_at[0], event.mouse_y - self._pressed_at[1])

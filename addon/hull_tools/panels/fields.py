@@ -34,17 +34,19 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         layout = self.layout
         settings = hull_objects.hull_of(context.object).hull.fields
         field = draw_entries(layout, settings, "fields", "active_field", "field")
-        layout.operator_menu_enum("hull.add_field_recipe", "recipe", text="Recipes")
+        row = layout.row(align=True)
+        row.operator_menu_enum("hull.add_field_recipe", "recipe", text="Recipes")
         if field is None:
             return
-        row = layout.row(align=True)
-        row.operator("hull.duplicate_field", text="Duplicate", icon="DUPLICATE")
+        row.operator("hull.duplicate_field", text="", icon="DUPLICATE")
+        row.operator("hull.copy_fields", text="", icon="COPYDOWN")
         row.operator("hull.move_field", text="", icon="TRIA_UP").direction = "UP"
         row.operator("hull.move_field", text="", icon="TRIA_DOWN").direction = "DOWN"
-        layout.operator("hull.copy_fields", icon="COPYDOWN")
-        layout.prop(settings, "show_fields")
-        if settings.show_fields:
-            layout.operator("hull.drag_field", icon="HANDLE_AUTO")
+        row = layout.row(align=True)
+        row.prop(settings, "show_fields", text="", icon="HIDE_OFF", toggle=True)
+        handles = row.row(align=True)
+        handles.active = settings.show_fields
+        handles.operator("hull.drag_field", icon="HANDLE_AUTO")
         layout.row(align=True).prop(field, "role", expand=True)
         self._draw_base(layout, field)
         self._draw_values(layout, field)

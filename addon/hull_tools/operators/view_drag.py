@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What operators have in common that follow the mouse in a 3D view until they are done."""
+
+import numpy as np
+
+from ..bridge.blender import units
+from ..features.modelling import pull_lines
+
+DONE = ("RET", "NUMPAD_ENTER", "SPACE")
+# What goes on to Blender meanwhile: turning and moving the view. Undo and clicks on other objects
+# would take the hull away below the mouse.
+_OF_THE_VIEW = ("MIDDLEMOUSE", "WHEEL", "NUMPAD", "TRACKPAD", "NDOF", "TIMER", "MOUSEMOVE")
+
+
+class ViewDrag:
+    """Subclasses: begin(context), which may refuse with a ValueError; modal(); leave(context),
+    which forgets what they hold. help_text: of the status bar."""
+
+    help_text = ""
+
+    def invoke(self, context, event):
+        if context.region_data is None:
+            return self.execute(context)
+        return self.reporting(self._begin, context)
+
+    def _begin(self, context):
+        self.begin(context)
+        self._area = context.area
+        context.window.cursor_modal_set("CROSSHAIR")
+        context.workspace.status_text_set(self.help_text)
+        context.window_manager.modal_handler_add(self)
+        self._area.tag_redraw()
+        return {"RUNNING_MODAL"}
+
+    def cancel(self, context):
+        """Blender ends the operator, as when another file is loaded."""
+        self._leave(context)
+
+    def _leave(self, context):
+        self.leave(context)
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        self._area.header_text_set(None)
+        self._area.tag_redraw()
+
+    def _rest(self, event):
+        """What modal() returns for an event that is not the operator's."""
+        is_of_view = event.type.startswith(_OF_THE_VIEW)
+        return {"PASS_THROUGH"} if is_of_view else {"RUNNING_MODAL"}
+
+    def _region(self):
+        return next(region for region in self._area.regions if region.type == "WINDOW")
+
+    def _mouse(self, event):
+        """(2,) in the region, pixels."""
+        region = self._region()
+        return np.array([event.mouse_x - region.x, event.mouse_y - region.y], dtype=np.float64)
+
+    def _eye_on(self, hull, scene):
+        """The pull_lines.Eye of the view on a hull."""
+        view = self._area.spaces.active.region_3d
+        return pull_lines.eye_of(hull, units.metres_per_unit(scene), view, self._region())
