@@ -16,19 +16,24 @@ template <class GoesOn, class AddSpan>
 PointColumns corner_derivatives(const surface::CornerBasis& basis,
                                 const surface::CornerPoints& points, Eigen::Index columns,
                                 const GoesOn& goes_on, const AddSpan& add_span) {
-  std::vector<PointColumns> rings;
+  using PointRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const surface::SparseRows& refinement = basis.refinement();
+  std::vector<PointRows> rings;  // by the points of one subdivision
+  PointColumns by_span(16, columns);
   for (surface::CornerRing ring(basis, points); goes_on(ring.points()); ring.advance()) {
-    PointColumns sum = PointColumns::Zero(basis.point_count(), columns);
+    PointRows& by_refined = rings.emplace_back(PointRows::Zero(refinement.count(), columns));
     for (int s = 0; s < basis.segment_count(); ++s) {
-      PointColumns by_points = PointColumns::Zero(16, columns);
-      add_span(ring.segment_points(s), by_points);
-      sum += basis.segments()[s].rows.transpose() * by_points;
+      by_span.setZero();
+      add_span(ring.segment_points(s), by_span);
+      const std::array<int, 16>& rows = basis.segment_rows(s);
+      for (int i = 0; i < 16; ++i) by_refined.row(rows[i]) += by_span.row(i);
     }
-    rings.push_back(std::move(sum));
   }
-  PointColumns total = PointColumns::Zero(basis.point_count(), columns);
+  PointRows total = PointRows::Zero(basis.point_count(), columns);
   for (auto ring = rings.rbegin(); ring != rings.rend(); ++ring) {
-    total = (basis.matrix().transpose() * total + *ring).eval();
+    for (int i = 0; i < basis.point_count(); ++i) ring->row(basis.next_square()[i]) += total.row(i);
+    total.setZero();
+    refinement.add_back(ring->data(), static_cast<int>(columns), total.data());
   }
   return total;
 }

@@ -5,6 +5,7 @@
 #include "analysis/arithmetic/estimating_rule.h"
 #include "analysis/derivatives/span_derivatives.h"
 #include "analysis/derivatives/span_nodes.h"
+#include "analysis/derivatives/whole_span.h"
 
 namespace hull::analysis {
 namespace {
@@ -146,62 +147,6 @@ class SpanIntegrator {
   PointColumns& sum_;
 };
 
-// Weights and derivatives at the nodes of a rule on a whole span, a row a node.
-struct RuleTables {
-  using Table = Eigen::Matrix<double, Eigen::Dynamic, 16>;
-  Table at, du, dv;
-  Eigen::VectorXd weights;
-
-  explicit RuleTables(SpanRule rule) {
-    const GaussRule& g = gauss(rule);
-    const auto n = static_cast<Eigen::Index>(g.nodes.size());
-    at.resize(n * n, 16);
-    du.resize(n * n, 16);
-    dv.resize(n * n, 16);
-    weights.resize(n * n);
-    surface::BicubicPoints none;
-    none.fill(Vector3d::Zero());
-    for (Eigen::Index k = 0; k < n * n; ++k) {
-      const SpanNode node(none, g.nodes[k % n], g.nodes[k / n]);
-      at.row(k) = node.at.transpose();
-      du.row(k) = node.du.transpose();
-      dv.row(k) = node.dv.transpose();
-      weights[k] = g.weights[k % n] * g.weights[k / n];
-    }
-  }
-  static const RuleTables& of(SpanRule rule) {
-    static const RuleTables exact(SpanRule::kExact), small(SpanRule::kSmall);
-    return rule == SpanRule::kExact ? exact : small;
-  }
-};
-
-// As SpanIntegrator::add_square() of the whole span, for many of them.
-void add_whole(const surface::BicubicPoints& points, const ImmersionFrame& frame, SpanRule rule,
-               PointColumns& sum) {
-  const RuleTables& tables = RuleTables::of(rule);
-  Eigen::Matrix<double, 16, 3> x;
-  for (int k = 0; k < 16; ++k) x.row(k) = points[k].transpose();
-  const Eigen::Index count = tables.weights.size();
-  const Eigen::MatrixX3d p = tables.at * x, u = tables.du * x, v = tables.dv * x;
-  Eigen::Matrix<double, Eigen::Dynamic, 12> rows(count, 12);
-  Eigen::MatrixX3d by_u(count, 3), by_v(count, 3);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Vector3d along_u = u.row(k), along_v = v.row(k), normal = along_u.cross(along_v);
-    const Vector3d n = tables.weights[k] * normal;
-    const Vector3d arm = p.row(k).transpose() - frame.buoyancy;
-    rows.row(k) << n.transpose(), arm.x() * n.transpose(), arm.y() * n.transpose(),
-        arm.z() * n.transpose();
-    const double length = normal.norm();
-    const Vector3d unit =
-        length > 0.0 ? Vector3d(normal * (tables.weights[k] / length)) : Vector3d::Zero();
-    by_u.row(k) = along_v.cross(unit).transpose();
-    by_v.row(k) = unit.cross(along_u).transpose();
-  }
-  sum.leftCols<12>() += tables.at.transpose() * rows;
-  sum.middleCols<3>(3 * kWettedSurface) +=
-      tables.du.transpose() * by_u + tables.dv.transpose() * by_v;
-}
-
 }  // namespace
 
 void add_immersion_derivatives(const surface::BicubicPoints& points, const ImmersionFrame& frame,
@@ -212,7 +157,7 @@ void add_immersion_derivatives(const surface::BicubicPoints& points, const Immer
     high = std::max(high, frame.water.height(p));
   }
   if (low > -frame.zero) return;
-  if (high < -frame.zero) return add_whole(points, frame, rule, sum);
+  if (high < -frame.zero) return add_whole_span(points, frame, rule, sum);
   SpanIntegrator integrator(points, frame, sum);
   cut_piece(heights(points, frame.water, frame.zero), [&](const CutSquare& square) {
     if (square.side == CutSquare::Side::kBelow) {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "surface/pieces/bicubic.h"
+#include "surface/pieces/bicubic_basis.h"
 
 namespace hull::analysis {
 
@@ -15,18 +15,14 @@ struct SpanNode {
 
   SpanNode(const surface::BicubicPoints& points, double u, double v) {
     const surface::Basis a = surface::cubic_basis(u), b = surface::cubic_basis(v);
-    const surface::Basis a1 = surface::cubic_basis_d1(u), b1 = surface::cubic_basis_d1(v);
+    at = surface::bicubic_basis(a, b);
+    du = surface::bicubic_basis(surface::cubic_basis_d1(u), b);
+    dv = surface::bicubic_basis(a, surface::cubic_basis_d1(v));
     point = along_u = along_v = Vector3d::Zero();
-    for (int j = 0; j < 4; ++j) {
-      for (int i = 0; i < 4; ++i) {
-        const int k = 4 * j + i;
-        at[k] = b[j] * a[i];
-        du[k] = b[j] * a1[i];
-        dv[k] = b1[j] * a[i];
-        point += at[k] * points[k];
-        along_u += du[k] * points[k];
-        along_v += dv[k] * points[k];
-      }
+    for (int k = 0; k < 16; ++k) {
+      point += at[k] * points[k];
+      along_u += du[k] * points[k];
+      along_v += dv[k] * points[k];
     }
     normal = along_u.cross(along_v);
   }

@@ -59,30 +59,11 @@ void take_back_ghosts(PointColumns& by_points, const std::array<int, 16>& presen
 
 }  // namespace
 
-SurfaceAdjoint::SurfaceAdjoint(const surface::LimitSurface& surface) : surface_(&surface) {
-  const surface::SurfaceLayout& layout = surface.layout();
+SurfaceAdjoint::SurfaceAdjoint(const surface::LimitSurface& surface)
+    : surface_(&surface), refined_(surface::refined_weights(surface)) {
   const auto points = static_cast<Eigen::Index>(surface.mesh().points().size());
-  const int refined = layout.cells().vertex_count() +
-                      static_cast<int>(layout.second_half_edges().size()) +
-                      static_cast<int>(layout.third_half_edges().size());
-  std::vector<char> used(refined, 0);
-  for (int leaf = 0; leaf < layout.leaf_count(); ++leaf) {
-    for (int point : layout.leaf_points(leaf)) {
-      if (point != surface::kNoPoint) used[point] = 1;
-    }
-  }
-  for (int corner = 0; corner < layout.corner_count(); ++corner) {
-    for (int point : layout.corner_points(corner)) used[point] = 1;
-  }
   surface::PointWeights weights(surface);
   Entries entries;
-  for (int point = 0; point < refined; ++point) {
-    if (used[point]) add_entries(point, weights.refined(point).entries(), 1.0, entries);
-  }
-  refined_.resize(refined, points);
-  refined_.setFromTriplets(entries.begin(), entries.end());
-
-  entries.clear();
   const std::vector<BorderEdge> edges = border_edges(surface);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (int place = 0; place < 4; ++place) {
@@ -110,8 +91,8 @@ Gradient SurfaceAdjoint::at(int cell, const Eigen::Vector2d& uv, const Vector3d&
 
 SurfaceAdjoint::Sum::Sum(const SurfaceAdjoint& adjoint, int numbers)
     : adjoint_(adjoint),
-      refined_(PointColumns::Zero(adjoint.refined_.rows(), 3 * numbers)),
-      border_(PointColumns::Zero(adjoint.border_.rows(), 3 * numbers)) {}
+      refined_(Rows::Zero(adjoint.refined_.rows(), 3 * numbers)),
+      border_(Rows::Zero(adjoint.border_.rows(), 3 * numbers)) {}
 
 void SurfaceAdjoint::Sum::add_leaf(int leaf, PointColumns by_points) {
   const std::array<int, 16>& points = adjoint_.surface_->layout().leaf_points(leaf);

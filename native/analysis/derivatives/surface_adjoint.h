@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "analysis/derivatives/gradient.h"
 #include "surface/limit_surface.h"
+#include "surface/pieces/surface_squares.h"
 
 namespace hull::analysis {
 
@@ -38,18 +38,20 @@ class SurfaceAdjoint {
     PointColumns by_control_points() const;
 
    private:
+    // A point's numbers side by side: products with sparse matrices go through these once.
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
     const SurfaceAdjoint& adjoint_;
-    PointColumns refined_, border_;
+    Rows refined_, border_;
   };
 
   // Of a point of the surface: the weights of control points, times a direction.
   Gradient at(int cell, const Eigen::Vector2d& uv, const Vector3d& direction) const;
 
  private:
-  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
   const surface::LimitSurface* surface_;
-  Rows refined_, border_;  // refined points, and four of each border edge, by control points
+  // Refined points, and four of each border edge, by control points.
+  surface::WeightRows refined_, border_;
 };
 
 }  // namespace hull::analysis

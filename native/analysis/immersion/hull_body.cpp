@@ -2,12 +2,14 @@
 #include "analysis/immersion/hull_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/immersion/wedge_moments.h"
 #include "analysis/sections/port_side.h"
 #include "mesh/tolerances.h"
 
@@ -94,8 +96,8 @@ std::string HullBody::inversion() const {
   return {};
 }
 
-// The part of a corner's square below the water, which crosses the hull of its control points.
-ShellMoments HullBody::wet_corner(int corner, const Plane& water) const {
+// The part of a corner's square below the planes, which cross the hull of its control points.
+ShellMoments HullBody::wet_corner(int corner, Planes planes) const {
   const surface::CornerBasis& basis = surface().layout().basis(corner);
   const surface::CornerPoints& kept = surface().corner(corner);
   const BodyRules& rules = parts_.rules();
@@ -103,35 +105,43 @@ ShellMoments HullBody::wet_corner(int corner, const Plane& water) const {
   ShellMoments sum;
   for (surface::CornerRing ring(basis, kept);; ring.advance()) {
     const std::vector<Vector3d>& points = ring.points();
-    double lowest = water.height(points[0]), highest = lowest, farthest = 0.0;
-    for (const Vector3d& p : points) {
-      lowest = std::min(lowest, water.height(p));
-      highest = std::max(highest, water.height(p));
-      farthest = std::max(farthest, (p - points[0]).squaredNorm());
+    bool is_below = true;
+    for (const Plane& plane : planes) {
+      double lowest = plane.height(points[0]), highest = lowest;
+      for (const Vector3d& p : points) {
+        lowest = std::min(lowest, plane.height(p));
+        highest = std::max(highest, plane.height(p));
+      }
+      if (lowest > -rules.cut.zero) return sum;
+      is_below = is_below && highest < -rules.cut.zero;
     }
-    if (lowest > -rules.cut.zero) return sum;
-    if (highest < -rules.cut.zero) {
+    if (is_below) {
       sum += corner_moments(ring, basis, kept, parts_.series(corner), rules.centre, rules.corner);
       return sum;
     }
+    double farthest = 0.0;
+    for (const Vector3d& p : points) farthest = std::max(farthest, (p - points[0]).squaredNorm());
     if (farthest < smallest * smallest) return sum;
     for (int s = 0; s < basis.segment_count(); ++s) {
-      sum += wet_moments(ring.segment_points(s), rules.centre, water, rules.cut);
+      sum += wedge_moments(ring.segment_points(s), rules.centre, planes, rules.cut);
     }
   }
 }
 
 template <class Cut>
-void HullBody::add_wet(const std::vector<ShellPart>& parts, const Plane& water, const Cut& cut,
+void HullBody::add_wet(const std::vector<ShellPart>& parts, Planes planes, const Cut& cut,
                        ShellMoments& sum) const {
   const BodyRules& rules = parts_.rules();
-  const double level = -water.height(rules.centre);
-  const Vector3d extent = water.normal.cwiseAbs();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double height = water.normal.dot(parts[i].middle) - level;
-    const double half = extent.dot(parts[i].half) + rules.cut.zero;
-    if (height >= half) continue;
-    if (height < -half) {
+    bool is_above = false, is_below = true;
+    for (const Plane& plane : planes) {
+      const double height = plane.normal.dot(parts[i].middle) + plane.height(rules.centre);
+      const double half = plane.normal.cwiseAbs().dot(parts[i].half) + rules.cut.zero;
+      is_above = is_above || height >= half;
+      is_below = is_below && height < -half;
+    }
+    if (is_above) continue;
+    if (is_below) {
       sum += parts[i].moments;
     } else {
       sum += cut(static_cast<int>(i));
@@ -139,18 +149,18 @@ void HullBody::add_wet(const std::vector<ShellPart>& parts, const Plane& water, 
   }
 }
 
-HullBody::Wet HullBody::wet_part(const Plane& water) const {
+HullBody::Wet HullBody::wet_part(Planes planes) const {
   const BodyRules& rules = parts_.rules();
   const auto wet_span = [&](const surface::BicubicPoints& points) {
-    return wet_moments(points, rules.centre, water, rules.cut);
+    return wedge_moments(points, rules.centre, planes, rules.cut);
   };
   Wet wet;
   add_wet(
-      parts_.leaves(), water, [&](int i) { return wet_span(surface().leaf(i)); }, wet.shell);
+      parts_.leaves(), planes, [&](int i) { return wet_span(surface().leaf(i)); }, wet.shell);
   add_wet(
-      parts_.corners(), water, [&](int i) { return wet_corner(i, water); }, wet.shell);
+      parts_.corners(), planes, [&](int i) { return wet_corner(i, planes); }, wet.shell);
   add_wet(
-      caps_, water, [&](int i) { return wet_span(closings_[i].cap); }, wet.caps);
+      caps_, planes, [&](int i) { return wet_span(closings_[i].cap); }, wet.caps);
   return wet;
 }
 
@@ -199,7 +209,7 @@ void HullBody::refuse_flooding(const Plane& water) const {
   throw std::invalid_argument(words.str());
 }
 
-Immersion HullBody::immersion(const Plane& water) const {
+void HullBody::check_immersed(const Plane& water) const {
   current();
   if (!water.normal.allFinite() || !std::isfinite(water.offset)) {
     throw std::invalid_argument("The water's surface must be given by finite numbers.");
@@ -208,10 +218,27 @@ Immersion HullBody::immersion(const Plane& water) const {
   if (!missing.empty()) throw std::invalid_argument(missing);
   if (!inversion_.empty()) throw std::invalid_argument(inversion_);
   refuse_flooding(water);
+}
+
+// By the flux of (0, y, 0), of which nothing goes through the water's surface or the station.
+double HullBody::volume_abaft(const Plane& water, double x) const {
+  check_immersed(water);
+  if (water.normal.y() != 0.0) {
+    throw std::invalid_argument("The body is divided by a station upright: set the heel to zero.");
+  }
+  if (!std::isfinite(x)) throw std::invalid_argument("The station's x must be a finite number.");
+  const std::array<Plane, 2> planes{water, Plane{Vector3d::UnitX(), x}};
+  const Wet wet = wet_part(planes);
+  return (mirrored_ ? 2.0 : 1.0) * (wet.shell.first(1, 1) + wet.caps.first(1, 1));
+}
+
+Immersion HullBody::immersion(const Plane& water) const {
+  check_immersed(water);
   const Vector3d& centre = parts_.rules().centre;
-  Wet wet = wet_part(water);
+  Wet wet = wet_part({&water, 1});
   if (mirrored_) {
-    const Wet other = water.normal.y() == 0.0 ? wet : wet_part(mirror_image(water));
+    const Plane image = mirror_image(water);
+    const Wet other = water.normal.y() == 0.0 ? wet : wet_part({&image, 1});
     wet.shell += analysis::mirrored(other.shell);
     wet.caps += analysis::mirrored(other.caps);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,10 @@ class HullBody {
   // is not finite, as refuse_flooding() does, and if the faces of a body are turned inwards.
   Immersion immersion(const Plane& water) const;
 
+  // m³ of the immersed body abaft x, both sides; as exact as the volume of immersion(). Throws
+  // std::invalid_argument as that does, if the water is heeled, and if x is not finite.
+  double volume_abaft(const Plane& water, double x) const;
+
   // Throws std::invalid_argument if the water rises above an opening that is not closed ("floods at
   // …").
   void refuse_flooding(const Plane& water) const;
@@ -77,14 +82,17 @@ class HullBody {
   void close();
   std::string inversion() const;
 
+  void check_immersed(const Plane& water) const;
+  // What lies below all of one or two planes, the water's surface among them.
+  using Planes = std::span<const Plane>;
   template <class Cut>
-  void add_wet(const std::vector<ShellPart>& parts, const Plane& water, const Cut& cut,
+  void add_wet(const std::vector<ShellPart>& parts, Planes planes, const Cut& cut,
                ShellMoments& sum) const;
   struct Wet {
     ShellMoments shell, caps;
   };
-  Wet wet_part(const Plane& water) const;
-  ShellMoments wet_corner(int corner, const Plane& water) const;
+  Wet wet_part(Planes planes) const;
+  ShellMoments wet_corner(int corner, Planes planes) const;
 
   surface::SurfaceStamp stamp_;
   bool mirrored_;

@@ -3,78 +3,17 @@
 
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
-#include "surface/wide_code.h"
+#include "analysis/arithmetic/four.h"
+#include "analysis/immersion/line_rule.h"
 
 namespace hull::analysis {
 namespace {
 
-constexpr int kMostNodes = 8;  // along a line, padded with nodes of no weight
 constexpr int kDeepestArea = 6;
-
-// Basis functions at the nodes of a Gauss rule on an interval, node by node, and for each function.
-struct LineRule {
-  int count = 0;
-  std::array<surface::Basis, kMostNodes> value{}, slope{};
-  alignas(32) std::array<std::array<double, kMostNodes>, 4> values{}, slopes{};
-  alignas(32) std::array<double, kMostNodes> weights{};
-
-  LineRule(const GaussRule& rule, double begin, double size)
-      : count(static_cast<int>(rule.nodes.size())) {
-    for (int i = 0; i < count; ++i) {
-      value[i] = surface::cubic_basis(begin + size * rule.nodes[i]);
-      slope[i] = surface::cubic_basis_d1(begin + size * rule.nodes[i]);
-      weights[i] = rule.weights[i] * size;
-      for (int a = 0; a < 4; ++a) {
-        values[a][i] = value[i][a];
-        slopes[a][i] = slope[i][a];
-      }
-    }
-  }
-};
-
-// Of all rules, the smallest first.
-template <class Value>
-class PerRule {
- public:
-  template <class Make>
-  explicit PerRule(const Make& make)
-      : values_{make(SpanRule::kSmallest), make(SpanRule::kSmall), make(SpanRule::kVolume),
-                make(SpanRule::kExact)} {}
-  const Value& operator[](SpanRule rule) const {
-    return values_[static_cast<int>(rule) - static_cast<int>(SpanRule::kSmallest)];
-  }
-
- private:
-  std::array<Value, 4> values_;
-};
-
-}  // namespace
-
-const GaussRule& gauss(SpanRule rule) {
-  static const PerRule<GaussRule> rules(
-      [](SpanRule which) { return gauss_rule(static_cast<int>(which)); });
-  return rules[rule];
-}
-
-namespace {
-
-const LineRule& whole_line(SpanRule rule) {
-  static const PerRule<LineRule> lines(
-      [](SpanRule which) { return LineRule(gauss(which), 0.0, 1.0); });
-  return lines[rule];
-}
 
 // From one row's beginning to the next's. Rules of up to four nodes keep their padding.
 int row_stride(int nodes) { return nodes <= 4 ? 4 : nodes; }
-
-// Four doubles that are added and multiplied at once, by whatever instructions there are.
-using Four = double __attribute__((vector_size(32)));
-
-inline void load(Four& four, const double* from) { std::memcpy(&four, from, sizeof(Four)); }
-
-inline void store(const Four& four, double* to) { std::memcpy(to, &four, sizeof(Four)); }
 
 // Nodes of a span at the tensor product of two lines, those of equal v in a row, of which columns
 // [4 quad, 4 quad + 4) are taken. Padding has no weight; the next row may overwrite it.
@@ -139,8 +78,6 @@ void take_nodes(const SpanSquare& square, const LineRule& u, const LineRule& v, 
   nodes.count = (v.count * row_stride(u.count) + 3) / 4 * 4;
 }
 
-inline double total(const Four& four) { return (four[0] + four[1]) + (four[2] + four[3]); }
-
 // Adds ∫ f n_c dS for f = 1, x, y, z and the six products: one component at a time, so that all ten
 // sums stay in registers.
 HULL_WIDE void sum_nodes(const ShellNodes& nodes, ShellMoments& sum) {
@@ -191,7 +128,7 @@ HULL_WIDE double area_elements(const ShellNodes& nodes, Elements& elements) {
 
 void take_square(const SpanSquare& square, SpanRule rule, ShellNodes& nodes) {
   if (square.size == 1.0) {
-    take_nodes(square, whole_line(rule), whole_line(rule), nodes);
+    take_nodes(square, LineRule::whole(rule), LineRule::whole(rule), nodes);
   } else {
     take_nodes(square, LineRule(gauss(rule), square.u, square.size),
                LineRule(gauss(rule), square.v, square.size), nodes);
@@ -209,7 +146,7 @@ struct TopPolynomials {
     }
   }
   int count;
-  std::array<double, kMostNodes> high{}, highest{};
+  std::array<double, LineRule::kMostNodes> high{}, highest{};
 };
 
 // Estimated error of the area: the coefficients of the area element's Legendre series fall
@@ -221,7 +158,7 @@ double area_error(const Elements& elements, SpanRule rule, double area) {
   const TopPolynomials& top = rules[rule];
   const int n = top.count, stride = row_stride(n);
   double high = 0.0, highest = 0.0;
-  std::array<double, kMostNodes> column_high{}, column_highest{};
+  std::array<double, LineRule::kMostNodes> column_high{}, column_highest{};
   for (int j = 0; j < n; ++j) {
     const double* row = &elements[j * stride];
     double row_high = 0.0, row_highest = 0.0;

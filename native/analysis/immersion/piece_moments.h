@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "analysis/arithmetic/gauss.h"
 #include "analysis/immersion/shell_moments.h"
+#include "analysis/immersion/span_rule.h"
 #include "surface/pieces/bicubic.h"
 
 namespace hull::analysis {
@@ -27,12 +27,6 @@ struct SpanSquare {
   Vector3d origin = Vector3d::Zero();
   double u = 0.0, v = 0.0, size = 1.0;
 };
-
-// Number of Gauss nodes in each direction. The highest polynomial integrand, a second moment, has
-// degree 3 + 3 + 5 = 11 in u and in v: six nodes are exact. Five are exact for volumes (degree 8).
-// Fewer serve for small pieces, and where 1e-9 of a span's share will do.
-enum class SpanRule { kExact = 6, kVolume = 5, kSmall = 4, kSmallest = 3 };
-const GaussRule& gauss(SpanRule rule);
 
 // Moments of the square, without an estimate of the area's error.
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule);

@@ -32,6 +32,16 @@ ShellMoments& ShellMoments::operator-=(const ShellMoments& other) {
   return *this;
 }
 
+ShellMoments& ShellMoments::operator*=(double factor) {
+  area *= factor;
+  area_error *= factor;
+  volume_error *= factor;
+  normal *= factor;
+  first *= factor;
+  second *= factor;
+  return *this;
+}
+
 Eigen::Matrix3d ShellMoments::second_along(const Vector3d& e) const {
   const Eigen::Matrix<double, 6, 1> s = second * e;
   Eigen::Matrix3d result;

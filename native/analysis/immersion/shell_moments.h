@@ -21,6 +21,7 @@ struct ShellMoments {
 
   ShellMoments& operator+=(const ShellMoments& other);
   ShellMoments& operator-=(const ShellMoments& other);
+  ShellMoments& operator*=(double factor);
 
   // ∫ p pᵀ (e·n) dS.
   Eigen::Matrix3d second_along(const Vector3d& e) const;

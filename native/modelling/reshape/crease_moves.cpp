@@ -2,6 +2,7 @@
 #include "modelling/reshape/crease_moves.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -11,25 +12,30 @@
 namespace hull::modelling {
 namespace {
 
-void check(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
-           const std::vector<double>& t, const std::vector<Vector3d>& shifts) {
-  if (t.size() != shifts.size() || t.empty()) {
-    throw std::invalid_argument("There must be a shift for each t, and one at least: there are " +
-                                std::to_string(shifts.size()) + " for " + std::to_string(t.size()) +
-                                ".");
-  }
+void check_curve(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
+                 const std::vector<double>& t) {
   for (std::size_t k = 0; k < t.size(); ++k) {
     if (!(t[k] >= 0.0 && t[k] <= curve.edge_count())) {
       throw std::invalid_argument("t[" + std::to_string(k) + "] is outside of [0, " +
                                   std::to_string(curve.edge_count()) + "].");
     }
-    if (!shifts[k].allFinite()) throw std::invalid_argument("A wanted shift is no number.");
   }
   for (int vertex : curve.vertices()) {
     if (surface.mesh().topology().kind(vertex) == mesh::VertexKind::kDart) {
       throw std::invalid_argument("The crease fades out at point " + std::to_string(vertex) +
                                   ", where it depends on points beside it: make that a corner.");
     }
+  }
+}
+
+void check_shifts(const std::vector<double>& t, const std::vector<Vector3d>& shifts) {
+  if (t.size() != shifts.size() || t.empty()) {
+    throw std::invalid_argument("There must be a shift for each t, and one at least: there are " +
+                                std::to_string(shifts.size()) + " for " + std::to_string(t.size()) +
+                                ".");
+  }
+  for (const Vector3d& shift : shifts) {
+    if (!shift.allFinite()) throw std::invalid_argument("A wanted shift is no number.");
   }
 }
 
@@ -57,8 +63,10 @@ Eigen::MatrixXd weights_of(const surface::LimitSurface& surface, const surface::
 }  // namespace
 
 CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
-                         const std::vector<double>& t, const std::vector<Vector3d>& shifts) {
-  check(surface, curve, t, shifts);
+                         const std::vector<double>& t, const std::vector<Vector3d>& shifts,
+                         const std::vector<int>& staying) {
+  check_shifts(t, shifts);
+  check_curve(surface, curve, t);
   const Eigen::MatrixXd rows = weights_of(surface, curve, t);
   Eigen::MatrixX3d wanted(rows.rows(), 3);
   for (Eigen::Index k = 0; k < rows.rows(); ++k) wanted.row(k) = shifts[k].transpose();
@@ -70,6 +78,11 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
     const Eigen::Index end = is_first ? 0 : rows.cols() - 1;
     moves.row(end) = wanted.row(k);
     free.col(end).setZero();
+  }
+  for (Eigen::Index i = 0; i < moves.rows(); ++i) {
+    if (std::ranges::find(staying, curve.vertices()[i]) == staying.end()) continue;
+    moves.row(i).setZero();
+    free.col(i).setZero();
   }
   const Eigen::MatrixX3d left = wanted - rows * moves;
   const Eigen::MatrixX3d rest = free.completeOrthogonalDecomposition().solve(left);
@@ -84,6 +97,23 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
     result.moves.emplace_back(moves.row(i).transpose());
   }
   return result;
+}
+
+std::vector<Vector3d> crease_shifts(const surface::LimitSurface& surface,
+                                    const surface::CreaseCurve& curve, const std::vector<double>& t,
+                                    const std::vector<Vector3d>& moves) {
+  check_curve(surface, curve, t);
+  if (moves.size() != curve.vertices().size()) {
+    throw std::invalid_argument("There must be a move for each of the crease's " +
+                                std::to_string(curve.vertices().size()) + " control points, not " +
+                                std::to_string(moves.size()) + ".");
+  }
+  const Eigen::MatrixXd rows = weights_of(surface, curve, t);
+  std::vector<Vector3d> shifts(t.size(), Vector3d::Zero());
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    for (Eigen::Index i = 0; i < rows.cols(); ++i) shifts[k] += rows(k, i) * moves[i];
+  }
+  return shifts;
 }
 
 }  // namespace hull::modelling

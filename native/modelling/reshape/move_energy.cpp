@@ -3,43 +3,34 @@
 
 #include <vector>
 
+#include "modelling/reshape/square_pieces.h"
 #include "modelling/thin_plate.h"
 
 namespace hull::modelling {
-
 Eigen::SparseMatrix<double> mean_square_form(const SurfacePlaces& places) {
   Eigen::VectorXd shares(places.count());
   for (int k = 0; k < places.count(); ++k) shares[k] = places.area(k) / places.total_area();
   return places.weights()->form(shares);
 }
 
-Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface, double factor) {
-  std::vector<Eigen::Triplet<double>> entries;
-  // Pieces that follow one another, those around a knot above all, often have the same points.
-  std::vector<int> same;
-  Eigen::MatrixXd sum;
-  const auto add_sum = [&] {
-    for (Eigen::Index j = 0; j < sum.cols(); ++j) {
-      for (Eigen::Index i = 0; i < sum.rows(); ++i) {
-        entries.emplace_back(same[i], same[j], sum(i, j));
-      }
+Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface,
+                                            const surface::SquareForms& forms, double factor) {
+  const surface::SurfaceSquares& squares = forms.squares();
+  std::vector<std::vector<Eigen::MatrixXd>> pieces;  // of each kind
+  for (const surface::SurfaceSquares::Kind& kind : squares.kinds()) {
+    pieces.push_back(square_pieces(kind));
+  }
+  return forms.sum([&](int square, Eigen::MatrixXd& form) {
+    const auto add = [&](const surface::BicubicPoints& points, const Eigen::MatrixXd& rows) {
+      const Eigen::MatrixXd half = (factor * thin_plate_of_span(points)) * rows;
+      form.noalias() += rows.transpose() * half;
+    };
+    const int kind = squares.kind(square), index = squares.index(square);
+    if (!squares.kinds()[kind].basis) return add(surface.leaf(index), pieces[kind].front());
+    for (std::size_t k = 0; k < pieces[kind].size(); ++k) {
+      add(surface.corner(index).segments[k], pieces[kind][k]);
     }
-  };
-  visit_thin_plate_forms(surface, surface::PieceWeights(surface), factor,
-                         [&](const std::vector<int>& points, const Eigen::MatrixXd& form) {
-                           if (points == same) {
-                             sum += form;
-                             return;
-                           }
-                           add_sum();
-                           same = points;
-                           sum = form;
-                         });
-  add_sum();
-  const auto size = static_cast<Eigen::Index>(surface.mesh().points().size());
-  Eigen::SparseMatrix<double> form(size, size);
-  form.setFromTriplets(entries.begin(), entries.end());
-  return form;
+  });
 }
 
 Eigen::SparseMatrix<double> for_all_axes(const Eigen::SparseMatrix<double>& form) {

@@ -14,8 +14,10 @@ namespace hull::modelling {
 // The mean, by area, of the squared shift of the surface.
 Eigen::SparseMatrix<double> mean_square_form(const SurfacePlaces& places);
 
-// The thin-plate energy of the moves (thin_plate.h) times a factor.
-Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface, double factor);
+// The thin-plate energy of the moves (thin_plate.h) times a factor. `forms`: those of the surface's
+// topology.
+Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface,
+                                            const surface::SquareForms& forms, double factor);
 
 // The form of one coordinate, for points' x, y and z in turn.
 Eigen::SparseMatrix<double> for_all_axes(const Eigen::SparseMatrix<double>& form);

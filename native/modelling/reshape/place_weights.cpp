@@ -2,14 +2,13 @@
 #include "modelling/reshape/place_weights.h"
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 
 #include "modelling/gauss_rule.h"
+#include "modelling/reshape/square_pieces.h"
 #include "surface/pieces/bicubic_basis.h"
-#include "surface/pieces/square_weights.h"
 
 namespace hull::modelling {
 namespace {
@@ -60,129 +59,91 @@ bool is_same(const mesh::Topology& a, const mesh::Topology& b) {
   return true;
 }
 
+// Squares of a kind are taken so many at a time: matrices of their points that stay in the cache.
+constexpr std::size_t kBatch = 32;
+
+template <class Take>
+void for_each_batch(const std::vector<int>& squares, const Take& take) {
+  for (std::size_t first = 0; first < squares.size(); first += kBatch) {
+    take(std::span<const int>(squares).subspan(first, std::min(kBatch, squares.size() - first)));
+  }
+}
+
+// Three columns a square, for x, y and z.
+Eigen::Index columns_of(std::span<const int> batch) {
+  return 3 * static_cast<Eigen::Index>(batch.size());
+}
+
+template <class Row>
+auto triple(Eigen::MatrixXd& columns, Row row, std::size_t square) {
+  return columns.block<1, 3>(static_cast<Eigen::Index>(row), 3 * static_cast<Eigen::Index>(square));
+}
+
 }  // namespace
 
-// Walks through the cells in the order in which PlaceWeights has them.
+// Takes the squares in the order in which PlaceWeights has them.
 class PlaceWeights::Builder {
  public:
-  Builder(PlaceWeights& places, const surface::LimitSurface& surface, const GaussRule& rule)
-      : places_(places), surface_(surface), refined_(surface), plain_(rule), ringed_(kTwoPoints) {}
+  Builder(PlaceWeights& places, const GaussRule& rule)
+      : places_(places), plain_(rule), ringed_(kTwoPoints) {}
 
   void build() {
-    for (int cell = 0; cell < surface_.cell_count(); ++cell) {
-      cell_ = cell;
-      add_node(surface_.layout().root(cell));
+    const surface::SurfaceSquares& squares = places_.squares();
+    for (const surface::SurfaceSquares::Kind& kind : squares.kinds()) {
+      places_.kinds_.push_back(rows_of(kind));
     }
-    take(0, places_.at_);
-    take(1, places_.along_s_);
-    take(2, places_.along_t_);
+    for (int square = 0; square < squares.count(); ++square) {
+      const KindRows& rows = places_.kind_of(square);
+      places_.first_.push_back(places_.count());
+      places_.cells_.insert(places_.cells_.end(), rows.shares.size(), squares.cell(square));
+      places_.shares_.insert(places_.shares_.end(), rows.shares.begin(), rows.shares.end());
+      const surface::CornerBasis* basis = squares.kinds()[squares.kind(square)].basis;
+      if (!basis) continue;
+      const std::size_t per_ring = basis->segments().size() * ringed_.shares.size();
+      places_.knots_.push_back({places_.count() - 1, static_cast<int>(per_ring)});
+    }
   }
 
  private:
-  // The rows that a CornerBasis gives of the places of its rings and at the knot, by its points.
-  struct CornerRows {
-    Eigen::MatrixXd weights[3];  // of positions and derivatives
-    std::vector<double> shares;
-  };
-
-  void add_node(const surface::SurfaceNode& node) {
-    switch (node.kind) {
-      case surface::SurfaceNode::Kind::kLeaf:
-        add_places(surface::leaf_weights(surface_.layout(), node.index, refined_), plain_.rows,
-                   plain_.shares);
-        return;
-      case surface::SurfaceNode::Kind::kCorner:
-        add_corner(node.index);
-        return;
-      case surface::SurfaceNode::Kind::kSplit:
-        for (const auto& child : surface_.layout().split(node.index)) add_node(child);
-    }
-  }
-
-  void add_corner(int corner) {
-    const surface::CornerBasis& basis = surface_.layout().basis(corner);
-    const CornerRows& rows = rows_of(basis);
-    add_places(surface::corner_weights(surface_.layout(), corner, refined_), rows.weights,
-               rows.shares);
-    const std::size_t per_ring = basis.segments().size() * ringed_.shares.size();
-    places_.knots_.push_back({places_.count() - 1, static_cast<int>(per_ring)});
-  }
-
-  // Many corners have one basis: the rings' rows are multiplied out once.
-  const CornerRows& rows_of(const surface::CornerBasis& basis) {
-    const auto [known, is_new] = corner_rows_.try_emplace(&basis);
-    CornerRows& rows = known->second;
-    if (!is_new) return rows;
-    const auto per_piece = static_cast<Eigen::Index>(ringed_.shares.size());
-    const Eigen::Index pieces = surface::kPlainRings * basis.segment_count();
-    for (Eigen::MatrixXd& weights : rows.weights) {
-      weights.setZero(per_piece * pieces + 1, basis.point_count());
-    }
-    Eigen::MatrixXd square = Eigen::MatrixXd::Identity(basis.point_count(), basis.point_count());
-    Eigen::Index first = 0;
-    for (int ring = 0; ring < surface::kPlainRings; ++ring) {
-      for (const surface::RingSegment& segment : basis.segments()) {
-        const Eigen::MatrixXd piece = segment.rows * square;
-        for (int k = 0; k < 3; ++k) {
-          rows.weights[k].middleRows(first, per_piece) = ringed_.rows[k] * piece;
-        }
-        first += per_piece;
-        rows.shares.insert(rows.shares.end(), ringed_.shares.begin(), ringed_.shares.end());
+  KindRows rows_of(const surface::SurfaceSquares::Kind& kind) const {
+    const SquareRule& rule = kind.basis ? ringed_ : plain_;
+    const std::vector<Eigen::MatrixXd> pieces = square_pieces(kind);
+    const auto per_piece = static_cast<Eigen::Index>(rule.shares.size());
+    const auto count = per_piece * static_cast<Eigen::Index>(pieces.size());
+    KindRows rows;
+    for (int k = 0; k < 3; ++k) {
+      rows.rows[k].setZero(kind.basis ? count + 1 : count, kind.point_count());
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        rows.rows[k].middleRows(static_cast<Eigen::Index>(i) * per_piece, per_piece) =
+            rule.rows[k] * pieces[i];
       }
-      square = basis.matrix() * square;
     }
-    // The limit's weights, applied to the smallest square for accuracy.
-    const Eigen::MatrixXd& left = basis.spectrum().left;
-    const Eigen::MatrixXd ring = square.topRows(left.rows()).rowwise() - square.row(0);
-    rows.weights[0].row(first) = square.row(0) + left.col(0).transpose() * ring;
-    rows.shares.push_back(0.0);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      rows.shares.insert(rows.shares.end(), rule.shares.begin(), rule.shares.end());
+    }
+    if (kind.basis) {
+      rows.rows[0].row(count) = knot_row(*kind.basis);
+      rows.shares.push_back(0.0);
+    }
     return rows;
   }
 
-  // Places in one square; `rows` are their weights of its points.
-  void add_places(const surface::SquareWeights& square, const Eigen::MatrixXd (&rows)[3],
-                  const std::vector<double>& shares) {
-    using Product = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const auto count = static_cast<Eigen::Index>(shares.size()), points = square.rows.cols();
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t begin = values_[k].size();
-      values_[k].resize(begin + static_cast<std::size_t>(count * points));
-      Eigen::Map<Product>(values_[k].data() + begin, count, points).noalias() =
-          rows[k] * square.rows;
-    }
-    for (double share : shares) {
-      columns_.insert(columns_.end(), square.points.begin(), square.points.end());
-      places_.cells_.push_back(cell_);
-      places_.shares_.push_back(share);
-      ends_.push_back(static_cast<int>(columns_.size()));
-    }
-  }
-
-  // Rows of the same columns: each point once and in rising order, as the squares have them.
-  void take(int which, Rows& rows) const {
-    const std::vector<double>& values = values_[which];
-    rows.resize(places_.count(), static_cast<Eigen::Index>(surface_.mesh().points().size()));
-    rows.resizeNonZeros(static_cast<Eigen::Index>(values.size()));
-    rows.outerIndexPtr()[0] = 0;
-    std::ranges::copy(ends_, rows.outerIndexPtr() + 1);
-    std::ranges::copy(columns_, rows.innerIndexPtr());
-    std::ranges::copy(values, rows.valuePtr());
+  // The limit's weights, applied to the smallest square for accuracy.
+  static Eigen::RowVectorXd knot_row(const surface::CornerBasis& basis) {
+    Eigen::MatrixXd square = basis.matrix();
+    for (int ring = 1; ring < surface::kPlainRings; ++ring) square = basis.matrix() * square;
+    const Eigen::MatrixXd& left = basis.spectrum().left;
+    const Eigen::MatrixXd around = square.topRows(left.rows()).rowwise() - square.row(0);
+    return square.row(0) + left.col(0).transpose() * around;
   }
 
   PlaceWeights& places_;
-  const surface::LimitSurface& surface_;
-  surface::PointWeights refined_;
   const SquareRule plain_, ringed_;
-  std::unordered_map<const surface::CornerBasis*, CornerRows> corner_rows_;
-  std::vector<int> columns_, ends_;  // of the rows
-  std::vector<double> values_[3];    // of positions and derivatives
-  int cell_ = 0;
 };
 
 PlaceWeights::PlaceWeights(const surface::LimitSurface& surface, int per_side)
-    : layout_(surface.shared_layout()), mesh_(surface.mesh()) {
-  Builder(*this, surface, rule_of(per_side)).build();
-  find_slots();
+    : mesh_(surface.mesh()), layout_(surface.shared_layout()), forms_(surface) {
+  Builder(*this, rule_of(per_side)).build();
 }
 
 bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
@@ -191,63 +152,90 @@ bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
          is_same(surface.mesh().topology(), mesh_.topology());
 }
 
-void PlaceWeights::find_slots() {
-  const int *begin = at_.outerIndexPtr(), *column = at_.innerIndexPtr();
-  for (int k = 0; k < count(); ++k) {
-    const int size = begin[k + 1] - begin[k];
-    if (!blocks_.empty()) {
-      Block& last = blocks_.back();
-      if (last.size == size &&
-          std::equal(column + begin[k], column + begin[k + 1], column + begin[last.first])) {
-        ++last.count;
-        continue;
+template <std::size_t kAsked>
+std::array<VectorRows, kAsked> PlaceWeights::applied(const VectorRows& control,
+                                                     const std::array<int, kAsked>& asked) const {
+  const VectorRows refined = squares().weights() * control;
+  std::array<VectorRows, kAsked> results;
+  for (VectorRows& result : results) result.resize(count(), 3);
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    for_each_batch(squares().kinds()[k].squares, [&](std::span<const int> batch) {
+      Eigen::MatrixXd points(kinds_[k].rows[0].cols(), columns_of(batch));
+      Eigen::MatrixXd places(kinds_[k].rows[0].rows(), points.cols());
+      for (std::size_t b = 0; b < batch.size(); ++b) {
+        const std::span<const int> own = squares().points(batch[b]);
+        for (std::size_t i = 0; i < own.size(); ++i) triple(points, i, b) = refined.row(own[i]);
       }
-    }
-    blocks_.push_back({k, 1, size, {}});
-  }
-  std::vector<std::vector<int>> near(at_.cols());
-  for (const Block& block : blocks_) {
-    const int* points = column + begin[block.first];
-    for (int i = 0; i < block.size; ++i) {
-      near[points[i]].insert(near[points[i]].end(), points, points + block.size);
-    }
-  }
-  std::vector<int> begins{0}, rows;
-  for (std::vector<int>& own : near) {
-    std::ranges::sort(own);
-    own.erase(std::unique(own.begin(), own.end()), own.end());
-    rows.insert(rows.end(), own.begin(), own.end());
-    begins.push_back(static_cast<int>(rows.size()));
-  }
-  const std::vector<double> zeros(rows.size(), 0.0);
-  pattern_ =
-      Eigen::Map<const Matrix>(at_.cols(), at_.cols(), static_cast<Eigen::Index>(rows.size()),
-                               begins.data(), rows.data(), zeros.data());
-  for (Block& block : blocks_) {
-    const int* points = column + begin[block.first];
-    for (int j = 0; j < block.size; ++j) {
-      auto slot = rows.begin() + begins[points[j]];
-      for (int i = 0; i < block.size; ++i) {
-        slot = std::lower_bound(slot, rows.begin() + begins[points[j] + 1], points[i]);
-        block.slots.push_back(static_cast<int>(slot - rows.begin()));
+      for (std::size_t one = 0; one < kAsked; ++one) {
+        places.noalias() = kinds_[k].rows[asked[one]] * points;
+        for (std::size_t b = 0; b < batch.size(); ++b) {
+          for (Eigen::Index i = 0; i < places.rows(); ++i) {
+            results[one].row(first_[batch[b]] + i) = triple(places, i, b);
+          }
+        }
       }
-    }
+    });
   }
+  return results;
+}
+
+template std::array<VectorRows, 1> PlaceWeights::applied(const VectorRows&,
+                                                         const std::array<int, 1>&) const;
+template std::array<VectorRows, 2> PlaceWeights::applied(const VectorRows&,
+                                                         const std::array<int, 2>&) const;
+template std::array<VectorRows, 3> PlaceWeights::applied(const VectorRows&,
+                                                         const std::array<int, 3>&) const;
+
+VectorRows PlaceWeights::back(const VectorRows& by_places) const {
+  VectorRows refined = VectorRows::Zero(squares().weights().rows(), 3);
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const Eigen::MatrixXd& rows = kinds_[k].rows[0];
+    for_each_batch(squares().kinds()[k].squares, [&](std::span<const int> batch) {
+      Eigen::MatrixXd places(rows.rows(), columns_of(batch)), points(rows.cols(), places.cols());
+      for (std::size_t b = 0; b < batch.size(); ++b) {
+        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+          triple(places, i, b) = by_places.row(first_[batch[b]] + i);
+        }
+      }
+      points.noalias() = rows.transpose() * places;
+      for (std::size_t b = 0; b < batch.size(); ++b) {
+        const std::span<const int> own = squares().points(batch[b]);
+        for (std::size_t i = 0; i < own.size(); ++i) refined.row(own[i]) += triple(points, i, b);
+      }
+    });
+  }
+  return squares().weights().transpose() * refined;
 }
 
 PlaceWeights::Matrix PlaceWeights::form(const Eigen::VectorXd& diagonal) const {
-  using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Matrix form = pattern_;
-  for (const Block& block : blocks_) {
-    const Eigen::Map<const Dense> weights(at_.valuePtr() + at_.outerIndexPtr()[block.first],
-                                          block.count, block.size);
-    const Eigen::MatrixXd own =
-        weights.transpose() * diagonal.segment(block.first, block.count).asDiagonal() * weights;
-    for (Eigen::Index k = 0; k < own.size(); ++k) {
-      form.valuePtr()[block.slots[k]] += own.data()[k];
+  return forms_.sum([&](int square, Eigen::MatrixXd& form) {
+    const Eigen::MatrixXd& rows = kind_of(square).rows[0];
+    form.noalias() +=
+        rows.transpose() * (diagonal.segment(first_[square], rows.rows()).asDiagonal() * rows);
+  });
+}
+
+PlaceWeights::SquareRows PlaceWeights::rows(int square) const {
+  const surface::WeightRows& weights = squares().weights();
+  SquareRows result{first_[square], {}, {}};
+  for (int point : squares().points(square)) {
+    for (surface::WeightRows::InnerIterator w(weights, point); w; ++w) {
+      result.points.push_back(static_cast<int>(w.col()));
     }
   }
-  return form;
+  std::ranges::sort(result.points);
+  result.points.erase(std::unique(result.points.begin(), result.points.end()), result.points.end());
+  const Eigen::MatrixXd& by_own = kind_of(square).rows[0];
+  result.rows.setZero(by_own.rows(), static_cast<Eigen::Index>(result.points.size()));
+  Eigen::Index i = 0;
+  for (int point : squares().points(square)) {
+    for (surface::WeightRows::InnerIterator w(weights, point); w; ++w) {
+      const auto column = std::ranges::lower_bound(result.points, w.col()) - result.points.begin();
+      result.rows.col(column) += w.value() * by_own.col(i);
+    }
+    ++i;
+  }
+  return result;
 }
 
 }  // namespace hull::modelling

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <memory>
 #include <vector>
 
-#include "surface/limit_surface.h"
+#include "surface/pieces/square_forms.h"
 
 namespace hull::modelling {
+
+// Lies in memory as vectors do: products with sparse matrices go through these once, not for each
+// coordinate.
+using VectorRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 // Places all over a surface with what its points and derivatives there are as sums of control
 // points: all of them that depends on topology, tags and scheme alone, so that it serves every
@@ -15,15 +20,25 @@ namespace hull::modelling {
 //
 // In each bicubic piece they are those of Gauss's rule, three a side or two; in the rings around
 // irregular knots always two. The innermost square there is one place, at the knot.
+//
+// Weights are not multiplied out: places are sums of their square's points by one matrix for all
+// squares of a kind, and these are sums of control points. On a hull with thousands of irregular
+// points that takes a fortieth of the memory.
 class PlaceWeights {
  public:
-  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Matrix = Eigen::SparseMatrix<double>;
 
   // The place of an irregular knot. Those of its innermost ring come just before it, as many as in
   // the ring around that, which come before these.
   struct Knot {
     int place, per_ring;
+  };
+  // Places that follow one another, of one square of the surface, from `first` on: weights of their
+  // positions, a row each, and whose, rising.
+  struct SquareRows {
+    int first;
+    std::vector<int> points;
+    Eigen::MatrixXd rows;
   };
 
   // Throws std::invalid_argument unless `per_side` is 2 or 3.
@@ -33,39 +48,53 @@ class PlaceWeights {
   bool fit(const surface::LimitSurface& surface) const;
 
   int count() const { return static_cast<int>(cells_.size()); }
+  int point_count() const { return static_cast<int>(squares().weights().cols()); }
   int cell(int place) const { return cells_[place]; }
   // Of the unit square of the place's piece; 0 at knots.
   double share(int place) const { return shares_[place]; }
   const std::vector<Knot>& knots() const { return knots_; }
 
-  // Places x control points: weights of positions, and of the two derivatives along the place's
-  // piece; empty rows of these at knots.
-  const Rows& at() const { return at_; }
-  const Rows& along_s() const { return along_s_; }
-  const Rows& along_t() const { return along_t_; }
-
+  // At the places, of what control points carry, a row each: it, and its derivatives along s and
+  // along t of the places' pieces, which are zero at knots.
+  VectorRows at(const VectorRows& control) const { return std::get<0>(applied<1>(control, {0})); }
+  std::array<VectorRows, 2> along(const VectorRows& control) const {
+    return applied<2>(control, {1, 2});
+  }
+  // Position and both derivatives.
+  std::array<VectorRows, 3> jets(const VectorRows& control) const {
+    return applied<3>(control, {0, 1, 2});
+  }
+  // By control points, of what is known by the places: at's matrix, transposed, times it.
+  VectorRows back(const VectorRows& by_places) const;
   // atᵀ · diagonal · at, by control points.
   Matrix form(const Eigen::VectorXd& diagonal) const;
 
- private:
-  class Builder;
-  // Places that follow one another with weights of the same control points, and where the products
-  // of these, column by column, are among the values of form().
-  struct Block {
-    int first, count, size;
-    std::vector<int> slots;
-  };
-  void find_slots();
+  const surface::SquareForms& forms() const { return forms_; }
+  SquareRows rows(int square) const;
 
-  // Whose places they are.
+ private:
+  const surface::SurfaceSquares& squares() const { return forms_.squares(); }
+  // Of the places in a square of a kind, by the square's points.
+  struct KindRows {
+    Eigen::MatrixXd rows[3];  // of positions and derivatives
+    std::vector<double> shares;
+  };
+  class Builder;
+
+  // By each of the rows of kinds that are asked for.
+  template <std::size_t kAsked>
+  std::array<VectorRows, kAsked> applied(const VectorRows& control,
+                                         const std::array<int, kAsked>& asked) const;
+  const KindRows& kind_of(int square) const { return kinds_[squares().kind(square)]; }
+
+  mesh::ControlMesh mesh_;  // whose places they are
   std::shared_ptr<const surface::SurfaceLayout> layout_;
-  mesh::ControlMesh mesh_;
+  surface::SquareForms forms_;
+  std::vector<KindRows> kinds_;
+  std::vector<int> first_;  // places of the squares
   std::vector<int> cells_;
   std::vector<double> shares_;
   std::vector<Knot> knots_;
-  Rows at_, along_s_, along_t_;
-  Matrix pattern_;  // of form()
-  std::vector<Block> blocks_;
 };
 
 }  // namespace hull::modelling

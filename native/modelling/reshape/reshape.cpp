@@ -28,6 +28,15 @@ void check_count(std::size_t have, std::size_t want, const char* what) {
                               std::to_string(have) + ".");
 }
 
+std::vector<Vector3d> vectors_of(const Eigen::VectorXd& coordinates) {
+  std::vector<Vector3d> vectors;
+  vectors.reserve(static_cast<std::size_t>(coordinates.size() / 3));
+  for (Eigen::Index i = 0; i < coordinates.size(); i += 3) {
+    vectors.emplace_back(coordinates.segment<3>(i));
+  }
+  return vectors;
+}
+
 }  // namespace
 
 Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& options)
@@ -56,7 +65,7 @@ Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& opt
 
 void Reshape::add_stiffness(const surface::LimitSurface& surface, double stiffness) {
   const double factor = std::pow(stiffness * surface.mesh().size(), 2);
-  stiff_ = thin_plate_form(surface, factor);
+  stiff_ = thin_plate_form(surface, places_.weights()->forms(), factor);
 }
 
 void Reshape::factor_conditions() {
@@ -79,8 +88,12 @@ void Reshape::factor_conditions() {
 
 Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
   const Eigen::Map<const VectorRows> now = as_rows(moves);
-  const VectorRows left = shares_.asDiagonal() * (shifts - places_.rows() * now);
-  VectorRows back = places_.rows().transpose() * left;
+  VectorRows left = places_.weights()->at(now);
+  // In place: of thousands of irregular points these are megabytes.
+  for (Eigen::Index k = 0; k < left.rows(); ++k) {
+    left.row(k) = shares_[k] * (shifts.row(k) - left.row(k));
+  }
+  VectorRows back = places_.weights()->back(left);
   if (stiff_.nonZeros() > 0) back -= stiff_ * now;
   return space_.basis().transpose() * back.reshaped<Eigen::RowMajor>();
 }
@@ -93,28 +106,40 @@ Eigen::VectorXd Reshape::step(const Eigen::VectorXd& descent,
   return step + conditioned_ * condition_factors_.solve(missing - met);
 }
 
-Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
-                        const std::vector<Vector3d>& prescribed,
-                        const std::vector<double>& values) const {
-  check_count(shifts.size(), static_cast<std::size_t>(places_.count()), "wanted shifts");
+Eigen::VectorXd Reshape::least(const VectorRows& shifts, const std::vector<Vector3d>& prescribed,
+                               const std::vector<double>& values) const {
+  check_count(static_cast<std::size_t>(shifts.rows()), static_cast<std::size_t>(places_.count()),
+              "wanted shifts");
   check_count(values.size(), static_cast<std::size_t>(conditions_.rows()), "values of conditions");
-  const VectorRows wanted = rows_of(shifts);
   const auto wished = Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
   Eigen::VectorXd moves = space_.particular(prescribed);
-  if (!wanted.allFinite() || !wished.allFinite() || !moves.allFinite()) {
+  if (!shifts.allFinite() || !wished.allFinite() || !moves.allFinite()) {
     throw std::invalid_argument("A wanted shift is no number.");
   }
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMostSteps && space_.size() > 0; ++k) {
     const Eigen::VectorXd missing = wished - conditions_ * moves;
-    const Eigen::VectorXd more = space_.basis() * step(descent(moves, wanted), missing);
+    const Eigen::VectorXd more = space_.basis() * step(descent(moves, shifts), missing);
     const double length = more.cwiseAbs().maxCoeff();
     if (k > 0 && !(length < kStagnates * before)) break;
     moves += more;
     before = length;
     if (length <= kRounding * moves.cwiseAbs().maxCoeff()) break;
   }
-  return outcome(moves, wanted);
+  return moves;
+}
+
+Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
+                        const std::vector<Vector3d>& prescribed,
+                        const std::vector<double>& values) const {
+  const VectorRows wanted = rows_of(shifts);
+  return outcome(least(wanted, prescribed, values), wanted);
+}
+
+std::vector<Vector3d> Reshape::moves(const std::vector<Vector3d>& shifts,
+                                     const std::vector<Vector3d>& prescribed,
+                                     const std::vector<double>& values) const {
+  return vectors_of(least(rows_of(shifts), prescribed, values));
 }
 
 Reshaped Reshape::residual(const std::vector<Vector3d>& moves,
@@ -125,7 +150,7 @@ Reshaped Reshape::residual(const std::vector<Vector3d>& moves,
 }
 
 Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
-  const VectorRows difference = shifts - places_.rows() * as_rows(moves);
+  const VectorRows difference = shifts - places_.weights()->at(as_rows(moves));
   const Eigen::VectorXd left = difference.rowwise().norm();
   Reshaped result;
   result.rms = std::sqrt(shares_.dot(left.cwiseAbs2()));
@@ -133,10 +158,8 @@ Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const VectorRows& shifts
   result.largest = left.maxCoeff(&place);
   result.largest_place = static_cast<int>(place);
   std::vector<Vector3d> points = points_;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    result.moves.emplace_back(moves.segment<3>(3 * static_cast<Eigen::Index>(i)));
-    points[i] += result.moves.back();
-  }
+  result.moves = vectors_of(moves);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += result.moves[i];
   result.folded_place = places_.first_fold(points);
   return result;
 }

@@ -53,6 +53,10 @@ class Reshape {
   // what is not finite, and where the limits contradict prescribed moves.
   Reshaped solve(const std::vector<Vector3d>& shifts, const std::vector<Vector3d>& prescribed = {},
                  const std::vector<double>& values = {}) const;
+  // The moves of solve() alone: sooner done where what the surface does of the shifts is not asked.
+  std::vector<Vector3d> moves(const std::vector<Vector3d>& shifts,
+                              const std::vector<Vector3d>& prescribed = {},
+                              const std::vector<double>& values = {}) const;
   // What solve() tells, of moves that are known: sums of its solutions, for one. Throws
   // std::invalid_argument where counts differ.
   Reshaped residual(const std::vector<Vector3d>& moves, const std::vector<Vector3d>& shifts) const;
@@ -66,6 +70,8 @@ class Reshape {
   Eigen::VectorXd descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
   // One step of the problem's Newton method, which is exact but for rounding and regularisation.
   Eigen::VectorXd step(const Eigen::VectorXd& descent, const Eigen::VectorXd& missing) const;
+  Eigen::VectorXd least(const VectorRows& shifts, const std::vector<Vector3d>& prescribed,
+                        const std::vector<double>& values) const;
   Reshaped outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
 
   std::vector<Vector3d> points_;

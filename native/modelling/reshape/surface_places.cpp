@@ -41,9 +41,11 @@ SurfacePlaces::SurfacePlaces(const surface::LimitSurface& surface,
 }
 
 void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
-  const VectorRows control = rows_of(points);
-  const VectorRows at = weights_->at() * control, s = weights_->along_s() * control,
-                   t = weights_->along_t() * control;
+  const auto [at, s, t] = weights_->jets(rows_of(points));
+  const auto size = static_cast<std::size_t>(count());
+  positions_.reserve(size);
+  normals_.reserve(size);
+  areas_.reserve(size);
   for (int k = 0; k < count(); ++k) {
     const Vector3d along = s.row(k).transpose(), other = t.row(k).transpose();
     const Vector3d across = along.cross(other);
@@ -63,14 +65,19 @@ void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
 }
 
 int SurfacePlaces::first_fold(const std::vector<Vector3d>& control_points) const {
-  const VectorRows points = rows_of(control_points);
-  const VectorRows s = weights_->along_s() * points, t = weights_->along_t() * points;
+  const std::vector<int> found = folds(control_points);
+  return found.empty() ? -1 : found.front();
+}
+
+std::vector<int> SurfacePlaces::folds(const std::vector<Vector3d>& control_points) const {
+  const auto [s, t] = weights_->along(rows_of(control_points));
+  std::vector<int> found;
   for (int k = 0; k < count(); ++k) {
     if (normals_[k].isZero(0.0)) continue;
     const Vector3d across = s.row(k).transpose().cross(Vector3d(t.row(k).transpose()));
-    if (!(across.dot(normals_[k]) > 0.0)) return k;
+    if (!(across.dot(normals_[k]) > 0.0)) found.push_back(k);
   }
-  return -1;
+  return found;
 }
 
 std::vector<int> SurfacePlaces::points_beyond(const std::vector<Vector3d>& shifts) const {
@@ -79,10 +86,13 @@ std::vector<int> SurfacePlaces::points_beyond(const std::vector<Vector3d>& shift
                                 " wanted shifts, not " + std::to_string(shifts.size()) + ".");
   }
   std::vector<char> is_reached(point_count(), 0);
-  for (int k = 0; k < count(); ++k) {
-    if (shifts[k].isZero(0.0)) continue;
-    for (Rows::InnerIterator it(rows(), k); it; ++it) {
-      if (it.value() != 0.0) is_reached[it.col()] = 1;
+  for (int square = 0; square < weights_->forms().squares().count(); ++square) {
+    const PlaceWeights::SquareRows own = weights_->rows(square);
+    for (Eigen::Index k = 0; k < own.rows.rows(); ++k) {
+      if (shifts[own.first + k].isZero(0.0)) continue;
+      for (std::size_t i = 0; i < own.points.size(); ++i) {
+        if (own.rows(k, static_cast<Eigen::Index>(i)) != 0.0) is_reached[own.points[i]] = 1;
+      }
     }
   }
   std::vector<int> beyond;

@@ -10,10 +10,6 @@
 
 namespace hull::modelling {
 
-// Lies in memory as vectors do: products with sparse matrices go through these once, not for each
-// coordinate.
-using VectorRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
 // Places all over a surface, each with the area that it stands for: sums over them are integrals
 // over the surface. The square that is left at an irregular knot is one place, with what the areas
 // of the rings around it tend to.
@@ -22,8 +18,6 @@ using VectorRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 // tags and scheme alone. Areas and normals are those of the surface as given.
 class SurfacePlaces {
  public:
-  using Rows = PlaceWeights::Rows;
-
   explicit SurfacePlaces(const surface::LimitSurface& surface, int per_side = 3);
   // With weights made before, of a surface that differs in its points only: much sooner done.
   // Throws std::invalid_argument where it differs otherwise.
@@ -36,15 +30,15 @@ class SurfacePlaces {
   // Of length 1; zero at irregular knots and where there is no area.
   const Vector3d& normal(int place) const { return normals_[place]; }
   double total_area() const { return total_area_; }
-  int point_count() const { return static_cast<int>(rows().cols()); }
+  int point_count() const { return weights_->point_count(); }
 
   const std::shared_ptr<const PlaceWeights>& weights() const { return weights_; }
-  // Places x control points: weights of positions.
-  const Rows& rows() const { return weights_->at(); }
 
   // The first place where the normal of the surface with these control points is turned by a right
   // angle or more against what it was, as where a fold came into being; -1: none.
   int first_fold(const std::vector<Vector3d>& control_points) const;
+  // All such places, rising.
+  std::vector<int> folds(const std::vector<Vector3d>& control_points) const;
 
   // The control points on which no place depends where a shift is wanted (any that is not zero to
   // the last bit), rising: the extent of the wanted shift ends before them. Locked, they and the

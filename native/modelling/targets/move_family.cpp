@@ -55,7 +55,8 @@ MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits
                          : columns_of(modes, points);
   Sparse form = mean_square_form(places_);
   if (stiffness > 0.0) {
-    form += thin_plate_form(surface, std::pow(stiffness * surface.mesh().size(), 2));
+    form += thin_plate_form(surface, places_.weights()->forms(),
+                            std::pow(stiffness * surface.mesh().size(), 2));
   }
   form_ = basis_.transpose() * (for_all_axes(form) * basis_);
   if (size() == 0) return;

@@ -186,7 +186,7 @@ void TargetDescent::take_outcome(const Eigen::VectorXd& before, TargetsReached& 
   }
   result.cost = cost(now_);
   const Eigen::VectorXd moves = family_.moves(now_.y);
-  const VectorRows rows = family_.places().rows() * as_rows(moves);
+  const VectorRows rows = family_.places().weights()->at(as_rows(moves));
   const Eigen::VectorXd shifts = rows.rowwise().squaredNorm();
   double sum = 0.0;
   for (Eigen::Index k = 0; k < shifts.size(); ++k) {

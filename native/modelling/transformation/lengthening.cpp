@@ -38,10 +38,17 @@ struct Reach {
 template <class Filter>
 std::vector<Reach> reaches(const SurfacePlaces& places, std::size_t count, const Filter& filter) {
   std::vector<Reach> result(count);
-  for (Place k = 0; k < places.count(); ++k) {
-    if (!filter(k)) continue;
-    for (SurfacePlaces::Rows::InnerIterator it(places.rows(), k); it; ++it) {
-      if (std::abs(it.value()) > kNoWeight) result[it.col()].take(places.position(k).x());
+  const PlaceWeights& weights = *places.weights();
+  for (int square = 0; square < weights.forms().squares().count(); ++square) {
+    const PlaceWeights::SquareRows own = weights.rows(square);
+    for (Eigen::Index i = 0; i < own.rows.rows(); ++i) {
+      const Place k = own.first + static_cast<Place>(i);
+      if (!filter(k)) continue;
+      for (std::size_t j = 0; j < own.points.size(); ++j) {
+        if (std::abs(own.rows(i, static_cast<Eigen::Index>(j))) > kNoWeight) {
+          result[own.points[j]].take(places.position(k).x());
+        }
+      }
     }
   }
   return result;

@@ -136,10 +136,20 @@ std::vector<Vector3d> LongitudinalReshape::at_places(
   return shifts;
 }
 
-Reshaped LongitudinalReshape::solve(const std::function<double(double x)>& shift) const {
+std::vector<Vector3d> LongitudinalReshape::of_groups(
+    const std::function<double(double x)>& shift) const {
   std::vector<Vector3d> prescribed;
   for (int group : group_of_) prescribed.emplace_back(shift(groups_[group].middle()), 0.0, 0.0);
-  return reshape_.solve(at_places(shift), prescribed);
+  return prescribed;
+}
+
+Reshaped LongitudinalReshape::solve(const std::function<double(double x)>& shift) const {
+  return reshape_.solve(at_places(shift), of_groups(shift));
+}
+
+std::vector<Vector3d> LongitudinalReshape::moves(
+    const std::function<double(double x)>& shift) const {
+  return reshape_.moves(at_places(shift), of_groups(shift));
 }
 
 Reshaped LongitudinalReshape::residual(const std::vector<Vector3d>& moves,

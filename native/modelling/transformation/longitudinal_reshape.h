@@ -33,6 +33,8 @@ class LongitudinalReshape {
 
   // `shift`: wanted of a place at x, m.
   Reshaped solve(const std::function<double(double x)>& shift) const;
+  // The moves of solve() alone: sooner done.
+  std::vector<Vector3d> moves(const std::function<double(double x)>& shift) const;
   // Of moves that are known: sums of solutions.
   Reshaped residual(const std::vector<Vector3d>& moves,
                     const std::function<double(double x)>& shift) const;
@@ -49,6 +51,7 @@ class LongitudinalReshape {
   LongitudinalReshape(const surface::LimitSurface& surface, const TransformLimits& limits,
                       const Rigid& rigid);
   double with_groups(const std::function<double(double x)>& shift, double x) const;
+  std::vector<Vector3d> of_groups(const std::function<double(double x)>& shift) const;
   std::vector<Vector3d> at_places(const std::function<double(double x)>& shift) const;
 
   std::vector<Group> groups_;

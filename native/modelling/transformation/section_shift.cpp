@@ -39,15 +39,15 @@ SectionShift::SectionShift(const analysis::HullBody& body,
     : hull_(body, position),
       project_(project),
       water_density_(water_density),
-      functions_(with_length(settings, project), hull_),
-      reshape_(hull_.surface(), limits) {
+      reshape_(hull_.surface(), limits),
+      functions_(with_length(settings, project), hull_, reshape_.places()) {
   if (!(project_.draft > 0.0)) project_.draft = position.draft;
   slopes_ = slopes_along(functions_, reshape_.places());
   for (int k = 0; k < functions_.count(); ++k) {
-    unit_moves_.push_back(reshape_.solve([&](double x) { return functions_.value(k, x); }).moves);
+    unit_moves_.push_back(reshape_.moves([&](double x) { return functions_.value(k, x); }));
   }
   if (functions_.changes_parallel_body()) {
-    parallel_moves_ = reshape_.solve([&](double x) { return functions_.parallel_change(x); }).moves;
+    parallel_moves_ = reshape_.moves([&](double x) { return functions_.parallel_change(x); });
   } else {
     parallel_moves_.assign(hull_.points().size(), Vector3d::Zero());
   }

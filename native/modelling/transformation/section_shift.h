@@ -76,8 +76,8 @@ class SectionShift {
   analysis::ProjectDimensions project_;
   double water_density_;
   double midship_area_;
-  ShiftFunctions functions_;
   LongitudinalReshape reshape_;
+  ShiftFunctions functions_;
   Eigen::MatrixXd slopes_;                         // of the functions, all along the hull
   std::vector<std::vector<Vector3d>> unit_moves_;  // by coefficient
   std::vector<Vector3d> parallel_moves_;           // what the parallel body's change takes

@@ -23,12 +23,24 @@ double faded(double value, double slope, double t) {
 
 }  // namespace
 
-ShiftFunctions::ShiftFunctions(const ShiftSettings& settings, const WorkingHull& hull)
+ShiftFunctions::ShiftFunctions(const ShiftSettings& settings, const WorkingHull& hull,
+                               const SurfacePlaces& places)
     : settings_(settings) {
   const double middle = 0.5 * settings.length_pp;
   parallel_ = settings.parallel.value_or(HullRange{middle, middle});
   check();
   if (settings.part == ShiftedPart::kWhole) areas_.emplace(hull);
+  if (settings.part == ShiftedPart::kFair) fair_.emplace(fair_shifts(hull, places));
+}
+
+FairShifts ShiftFunctions::fair_shifts(const WorkingHull& hull, const SurfacePlaces& places) const {
+  ShiftConstraints constraints{settings_.length_pp, {}, {}};
+  if (settings_.parallel) constraints.rigid.push_back(*settings_.parallel);
+  for (const HeldRange& held : settings_.held) {
+    constraints.still.push_back({held.aft, held.forward});
+  }
+  const auto [aft, forward] = hull.immersed_range();
+  return {AreaCurve(hull), {aft, forward}, places, constraints};
 }
 
 void ShiftFunctions::check() const {
@@ -111,6 +123,9 @@ double ShiftFunctions::value(int k, double x) const {
       break;
     case ShiftedPart::kAft:
       value = is_fore ? 0.0 : towards_end(x);
+      break;
+    case ShiftedPart::kFair:
+      value = fair_->value(k, x);
       break;
   }
   return value * freedom(x);

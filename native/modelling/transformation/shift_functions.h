@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "modelling/transformation/area_curve.h"
+#include "modelling/transformation/fair_shifts.h"
 
 namespace hull::modelling {
 
@@ -14,7 +15,8 @@ enum class ShiftedPart {
   kWhole,  // A, B: shift(x) = A x sin(π|x|) + B a(x)
   kApart,  // A of the fore and A of the aft body, each with x sin(π|x|) of its own half
   kFore,   // A of the fore body alone
-  kAft     // A of the aft body alone
+  kAft,    // A of the aft body alone
+  kFair    // A, B: by the two functions of FairShifts, which bend the hull's lines the least
 };
 
 // Sections in this range stay; the shift fades to nothing within `fade`, m, on either side.
@@ -39,15 +41,17 @@ struct ShiftSettings {
 // With a parallel middle body x is counted from its ends, so that x sin(π|x|) leaves all of it, and
 // a(x) moves it as a whole. Beyond the perpendiculars x sin(π|x|) goes on as it is, up to where it
 // is extreme (|x| = 1.56), and then stays.
+//
+// The fairest shifts leave both perpendiculars and the parallel middle body's length, and bend
+// lines the less the more these are inclined (fair_shifts.h).
 class ShiftFunctions {
  public:
   // Throws std::invalid_argument for lengths that are none, and ranges that are not in order.
-  ShiftFunctions(const ShiftSettings& settings, const WorkingHull& hull);
+  ShiftFunctions(const ShiftSettings& settings, const WorkingHull& hull,
+                 const SurfacePlaces& places);
 
   ShiftedPart part() const { return settings_.part; }
-  int count() const {
-    return part() == ShiftedPart::kWhole || part() == ShiftedPart::kApart ? 2 : 1;
-  }
+  int count() const { return part() == ShiftedPart::kFore || part() == ShiftedPart::kAft ? 1 : 2; }
   // Of coefficient k.
   double value(int k, double x) const;
   // What the parallel body's change asks for, whatever the coefficients, m.
@@ -66,10 +70,12 @@ class ShiftFunctions {
   double towards_end(double x) const;  // x sin(π|x|)
   double by_area(double x) const;      // a(x) without what the ends have
   double freedom(double x) const;
+  FairShifts fair_shifts(const WorkingHull& hull, const SurfacePlaces& places) const;
 
   ShiftSettings settings_;
   HullRange parallel_;
   std::optional<AreaCurve> areas_;
+  std::optional<FairShifts> fair_;
 };
 
 }  // namespace hull::modelling

@@ -70,6 +70,11 @@ class CornerBasis {
   const std::vector<RingSegment>& segments() const { return segments_; }
   int segment_count() const { return static_cast<int>(segments_.size()); }
   const TangentRule& tangent_rule() const { return tangent_; }
+  // One subdivision as a sparse matrix: rows for the points of the next square, next_square(), and
+  // of the ring's segments; equal points share one.
+  const SparseRows& refinement() const { return refine_; }
+  const std::vector<int>& next_square() const { return next_square_; }
+  const std::array<int, 16>& segment_rows(int segment) const { return segment_rows_[segment]; }
 
   // Computes the rest of `points` from its outer square.
   void prepare(CornerPoints& points) const;

@@ -3,7 +3,24 @@
 
 #include <algorithm>
 
+#include "surface/wide_code.h"
+
 namespace hull::surface {
+namespace {
+
+// A row of numbers each.
+HULL_WIDE void add_rows_back(const int* begin, const int* index, const double* weight, int rows,
+                             const double* __restrict by_new, std::ptrdiff_t columns,
+                             double* __restrict by_old) {
+  for (int row = 0; row < rows; ++row, by_new += columns) {
+    for (int k = begin[row]; k < begin[row + 1]; ++k) {
+      double* __restrict to = by_old + index[k] * columns;
+      for (std::ptrdiff_t c = 0; c < columns; ++c) to[c] += weight[k] * by_new[c];
+    }
+  }
+}
+
+}  // namespace
 
 void SparseRows::multiply(const Eigen::Vector3d* old_points, Eigen::Vector3d* new_points) const {
   for (int row = 0; row < count(); ++row) {
@@ -16,6 +33,10 @@ void SparseRows::multiply(const Eigen::Vector3d* old_points, Eigen::Vector3d* ne
     }
     new_points[row] = {x, y, z};
   }
+}
+
+void SparseRows::add_back(const double* by_new, int columns, double* by_old) const {
+  add_rows_back(begin_.data(), index_.data(), weight_.data(), count(), by_new, columns, by_old);
 }
 
 int SparseRows::add_entries(const std::vector<int>& index, const std::vector<double>& weight) {

@@ -26,6 +26,9 @@ class SparseRows {
 
   // new_points[row] = sum of the row's weights times old points.
   void multiply(const Eigen::Vector3d* old_points, Eigen::Vector3d* new_points) const;
+  // The other way: adds to what is known by the old points what is known by the new ones. `columns`
+  // numbers a point, point after point.
+  void add_back(const double* by_new, int columns, double* by_old) const;
 
  private:
   int add_entries(const std::vector<int>& index, const std::vector<double>& weight);
