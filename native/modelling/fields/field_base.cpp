@@ -21,7 +21,7 @@ BaseFoot foot_at(const Vector3d& p, const Vector3d& closest, double distance) {
 class PointBase final : public FieldBase {
  public:
   explicit PointBase(const Vector3d& point) : point_(point) {}
-  BaseFoot foot(const Vector3d& p, bool) const override {
+  BaseFoot foot_within(const Vector3d& p, bool, double) const override {
     return foot_at(p, point_, (p - point_).norm());
   }
   bool is_same(const FieldBase& other) const override {
@@ -37,7 +37,7 @@ class PointBase final : public FieldBase {
 class PlaneBase final : public FieldBase {
  public:
   PlaneBase(const Vector3d& point, const Vector3d& normal) : point_(point), normal_(normal) {}
-  BaseFoot foot(const Vector3d& p, bool) const override {
+  BaseFoot foot_within(const Vector3d& p, bool, double) const override {
     const double height = (p - point_).dot(normal_);
     return {std::abs(height), height < 0.0 ? Vector3d(-normal_) : normal_, 0.0, Vector3d::Zero()};
   }
@@ -56,7 +56,7 @@ class PlaneBase final : public FieldBase {
 class CurveBase final : public FieldBase {
  public:
   explicit CurveBase(FieldCurve curve) : curve_(std::move(curve)) {}
-  BaseFoot foot(const Vector3d& p, bool with_length) const override {
+  BaseFoot foot_within(const Vector3d& p, bool with_length, double) const override {
     const CurveFoot found = curve_.foot(p, with_length);
     BaseFoot foot = foot_at(p, found.point, found.distance);
     foot.length = found.length;
@@ -84,8 +84,9 @@ class RegionBase final : public FieldBase {
  public:
   RegionBase(const surface::LimitSurface& surface, const std::vector<int>& cells)
       : tree_(surface, cells) {}
-  BaseFoot foot(const Vector3d& p, bool) const override {
-    const surface::ClosestPoint closest = surface::closest_point(tree_, p);
+  BaseFoot foot_within(const Vector3d& p, bool, double within) const override {
+    const surface::ClosestPoint closest = surface::closest_point(tree_, p, within);
+    if (closest.cell < 0) return {surface::kInfinity, Vector3d::Zero(), 0.0, Vector3d::Zero()};
     // Of its own points rounding is left.
     const bool is_on_it = closest.distance <= kOnRegion * tree_.error_size();
     return foot_at(p, closest.point, is_on_it ? 0.0 : closest.distance);

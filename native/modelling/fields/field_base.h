@@ -7,6 +7,7 @@
 #include "mesh/vectors.h"
 #include "modelling/fields/field_curve.h"
 #include "surface/limit_surface.h"
+#include "surface/queries/infinity.h"
 
 namespace hull::modelling {
 
@@ -27,8 +28,12 @@ class FieldBase {
  public:
   virtual ~FieldBase() = default;
 
-  // Without the length, which takes longer than all else, it is 0.
-  virtual BaseFoot foot(const Vector3d& p, bool with_length) const = 0;
+  // Without the length, which takes longer than all else, it is 0. A foot farther than `within`, m,
+  // need not be found: its distance is infinite then.
+  virtual BaseFoot foot_within(const Vector3d& p, bool with_length, double within) const = 0;
+  BaseFoot foot(const Vector3d& p, bool with_length) const {
+    return foot_within(p, with_length, surface::kInfinity);
+  }
   // Whether the other is the same set of points, given alike.
   virtual bool is_same(const FieldBase& other) const = 0;
   // Whether all of it is in the centre plane, within `near`, m.

@@ -59,7 +59,7 @@ class SurfaceBase final : public FieldBase {
   SurfaceBase(std::shared_ptr<const FieldBase> base, std::shared_ptr<const GeodesicNet> net)
       : base_(std::move(base)), net_(std::move(net)), distances_(net_->from(*base_)) {}
 
-  BaseFoot foot(const Vector3d& p, bool with_length) const override {
+  BaseFoot foot_within(const Vector3d& p, bool with_length, double) const override {
     BaseFoot foot = base_->foot(p, with_length);
     const GeodesicNet::Reading marched = net_->at(distances_, p);
     const double from = kStraight * marched.spacing, to = kMarched * marched.spacing;

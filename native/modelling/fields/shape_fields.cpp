@@ -8,30 +8,19 @@
 #include <string>
 #include <utility>
 
-#include "modelling/fields/falloff.h"
+#include "modelling/fields/field_blend.h"
 #include "surface/parallel_for.h"
 
 namespace hull::modelling {
 namespace {
-
-using Eigen::Matrix3d;
 
 // Of the extent: a base so near the centre plane is its own image.
 constexpr double kInPlane = 1e-9;
 // What varies along a base is looked at in so many places between two of its values.
 constexpr int kLooked = 32;
 constexpr int kAllProcessors = 0;
-
-const Vector3d kMirror(1.0, -1.0, 1.0);
-
-// What one field, or its image, has to do with a point.
-struct Share {
-  const ShapeField* field;
-  double intensity, rest;
-  Vector3d slope;  // of the intensity
-  Vector3d shift;  // of the base
-  Matrix3d shift_slope;
-};
+// Feet are found up to so many extents, so that they need not be found anew when it grows a little.
+constexpr double kAhead = 1.5;
 
 void check_all(const AlongBase<double>& along, const std::function<bool(double)>& is_good,
                const std::string& message) {
@@ -49,163 +38,11 @@ void check_all(const AlongBase<double>& along, const std::function<bool(double)>
   }
 }
 
-// From a rim: delta² (2 - delta) in place of delta, which goes from 0 to 1 as that does, and so
-// flatly at the rim that no curvature jumps there.
-Intensity rim_intensity(double delta, double kappa) {
-  if (delta >= 1.0) return selection_intensity(delta, kappa);
-  Intensity found = selection_intensity(delta * delta * (2.0 - delta), kappa);
-  found.slope *= delta * (4.0 - 3.0 * delta);
-  return found;
-}
-
-Intensity intensity_at(const ShapeField& field, const BaseFoot& foot, Vector3d& slope) {
-  const ValueAlong<double> extent = field.extent.at(foot.length),
-                           kappa = field.kappa.at(foot.length);
-  const double delta = foot.distance / extent.value;
-  const double clamped = std::clamp(kappa.value, 0.0, 1.0);
-  const Intensity found =
-      field.base->has_rim() ? rim_intensity(delta, clamped) : selection_intensity(delta, clamped);
-  slope = (found.slope / extent.value) * foot.distance_slope +
-          (found.kappa_slope * kappa.slope - found.slope * delta / extent.value * extent.slope) *
-              foot.length_slope;
-  return found;
-}
-
-// Whether anything of it goes by the length along the base.
-bool varies(const ShapeField& field) {
-  return field.change || !field.extent.is_constant() || !field.kappa.is_constant() ||
-         !field.shift.is_constant();
-}
-
-// At a point, or for the image of the field at the point's image.
-BaseFoot foot_of(const ShapeField& field, const Vector3d& p, bool is_image) {
-  return field.base->foot(is_image ? Vector3d(kMirror.cwiseProduct(p)) : p, varies(field));
-}
-
-Share share_of(const ShapeField& field, const BaseFoot& foot, bool is_image, bool stays_in_plane) {
-  Share share{&field, 0.0, 1.0, Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Zero()};
-  const Intensity found = intensity_at(field, foot, share.slope);
-  share.intensity = found.value;
-  share.rest = found.rest;
-  if (found.value > 0.0 && !field.protects) {
-    const ValueAlong<Vector3d> shift =
-        field.change ? field.change->shift(foot.length) : field.shift.at(foot.length);
-    share.shift = shift.value;
-    share.shift_slope = shift.slope * foot.length_slope.transpose();
-  }
-  if (is_image) {
-    share.slope = kMirror.cwiseProduct(share.slope);
-    share.shift = kMirror.cwiseProduct(share.shift);
-    share.shift_slope = kMirror.asDiagonal() * share.shift_slope * kMirror.asDiagonal();
-  } else if (stays_in_plane) {
-    share.shift.y() = 0.0;
-    share.shift_slope.row(1).setZero();
-  }
-  return share;
-}
-
-struct Blended {
-  double value;
-  Vector3d slope;
-};
-
-// Equation 2, without what protects.
-Blended sum(const std::vector<const Share*>& shares, int axis) {
-  Blended result{0.0, Vector3d::Zero()};
-  for (const Share* share : shares) {
-    result.value += share->intensity * share->shift[axis];
-    result.slope += share->shift[axis] * share->slope +
-                    share->intensity * share->shift_slope.row(axis).transpose();
-  }
-  return result;
-}
-
-// Where bases meet: their mean.
-Blended mean_of_bases(const std::vector<const Share*>& shares, int axis) {
-  Blended result{0.0, Vector3d::Zero()};
-  int count = 0;
-  for (const Share* share : shares) {
-    if (share->rest > 0.0) continue;
-    result.value += share->shift[axis];
-    result.slope += share->shift_slope.row(axis).transpose();
-    ++count;
-  }
-  return {result.value / count, result.slope / count};
-}
-
-// With the intensities f_j of the fields, each field's part in the shift is
-//
-//   P_j / Σ P  (1 - Π (1 - f_i)),  P_j = f_j Π_{i≠j} (1 - f_i).
-//
-// On the base of field j all other P vanish and the last factor is 1: the shift is that of j.
-// Where only field j works its part is f_j. All of it is as smooth as the intensities, but where
-// bases meet.
-Blended exact(const std::vector<const Share*>& shares, int axis) {
-  const std::size_t n = shares.size();
-  // Products of what all fields but one, and all but two, leave.
-  const auto rest_without = [&](std::size_t a, std::size_t b) {
-    double product = 1.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i != a && i != b) product *= shares[i]->rest;
-    }
-    return product;
-  };
-  double parts = 0.0, sums = 0.0, rest = 1.0;
-  Vector3d parts_slope = Vector3d::Zero(), sums_slope = parts_slope, rest_slope = parts_slope;
-  for (std::size_t j = 0; j < n; ++j) {
-    const Share& own = *shares[j];
-    const double others = rest_without(j, j), part = own.intensity * others;
-    Vector3d part_slope = others * own.slope;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i != j) part_slope -= own.intensity * rest_without(i, j) * shares[i]->slope;
-    }
-    parts += part;
-    parts_slope += part_slope;
-    sums += part * own.shift[axis];
-    sums_slope += own.shift[axis] * part_slope + part * own.shift_slope.row(axis).transpose();
-    rest *= own.rest;
-    rest_slope -= others * own.slope;
-  }
-  if (!(parts > 0.0)) return mean_of_bases(shares, axis);
-  const double mean = sums / parts;
-  const Vector3d mean_slope = (sums_slope - mean * parts_slope) / parts;
-  return {mean * (1.0 - rest), (1.0 - rest) * mean_slope - mean * rest_slope};
-}
-
-// What protecting fields leave.
-Blended left(const std::vector<Share>& shares, int axis) {
-  Blended result{1.0, Vector3d::Zero()};
-  for (const Share& share : shares) {
-    if (!share.field->protects || !share.field->axes[axis]) continue;
-    result.slope = share.rest * result.slope - result.value * share.slope;
-    result.value *= share.rest;
-  }
-  return result;
-}
-
-Blended along_axis(const std::vector<Share>& shares, int axis, FieldBlend blend) {
-  std::vector<const Share*> working;
-  for (const Share& share : shares) {
-    const bool works = share.intensity > 0.0 && !share.field->protects && share.field->axes[axis];
-    if (works) working.push_back(&share);
-  }
-  if (working.empty()) return {0.0, Vector3d::Zero()};
-  const bool alone = working.size() == 1 || blend == FieldBlend::kSum;
-  const Blended shift = alone ? sum(working, axis) : exact(working, axis);
-  const Blended kept = left(shares, axis);
-  return {kept.value * shift.value, kept.value * shift.slope + shift.value * kept.slope};
-}
-
-// On all processors.
-template <class Work>
-void for_all(std::size_t count, const Work& work) {
+// work(begin, end) for ranges, on all processors.
+void for_ranges(std::size_t count,
+                const std::function<void(std::size_t begin, std::size_t end)>& work) {
   constexpr std::size_t kGrain = 256;
-  surface::parallel_for(
-      count, kAllProcessors,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) work(i);
-      },
-      kGrain);
+  surface::parallel_for(count, kAllProcessors, work, kGrain);
 }
 
 }  // namespace
@@ -233,58 +70,106 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
   }
 }
 
-// By the foot of each side.
-FieldShift ShapeFields::blended(const std::vector<BaseFoot>& feet) const {
+// Memory for one point after the other.
+struct ShapeFields::Scratch {
+  std::vector<BaseFoot> feet;
   std::vector<Share> shares;
+  std::vector<const Share*> working;
+};
+
+bool ShapeFields::may_move(const std::vector<BaseFoot>& feet) const {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const ShapeField& field = fields_[sides_[i].field];
+    if (field.protects) continue;
+    if (feet[i].distance < reach_of(field)) return true;
+  }
+  return false;
+}
+
+FieldShift ShapeFields::blended(Scratch& scratch) const {
+  FieldShift result{Vector3d::Zero(), Eigen::Matrix3d::Zero()};
+  if (!may_move(scratch.feet)) return result;
+  scratch.shares.clear();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const auto [field, is_image] = sides_[i];
-    shares.push_back(share_of(fields_[field], feet[i], is_image, is_in_plane_[field]));
+    scratch.shares.push_back(
+        share_of(fields_[field], scratch.feet[i], is_image, is_in_plane_[field]));
   }
-  FieldShift result;
   for (int axis = 0; axis < 3; ++axis) {
-    const Blended found = along_axis(shares, axis, blend_);
+    const Blended found = blend_along(scratch.shares, axis, blend_, scratch.working);
     result.shift[axis] = found.value;
     result.gradient.row(axis) = found.slope.transpose();
   }
   return result;
 }
 
-FieldShift ShapeFields::at(const Vector3d& p) const {
-  std::vector<BaseFoot> feet;
-  for (const auto& [field, is_image] : sides_) feet.push_back(foot_of(fields_[field], p, is_image));
-  return blended(feet);
-}
+FieldShift ShapeFields::at(const Vector3d& p) const { return at(std::vector<Vector3d>{p}).front(); }
 
 std::vector<FieldShift> ShapeFields::at(const std::vector<Vector3d>& points) const {
   std::vector<FieldShift> result(points.size());
-  for_all(points.size(), [&](std::size_t i) { result[i] = at(points[i]); });
+  for_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
+    Scratch scratch;
+    for (std::size_t i = begin; i < end; ++i) {
+      scratch.feet.clear();
+      for (const auto& [field, is_image] : sides_) {
+        const ShapeField& own = fields_[field];
+        scratch.feet.push_back(foot_of(own, points[i], is_image, reach_of(own)));
+      }
+      result[i] = blended(scratch);
+    }
+  });
   return result;
 }
 
+std::shared_ptr<FieldPlaces::Feet> FieldPlaces::found(const FieldBase& base, bool is_image,
+                                                      bool with_length, double within) const {
+  const auto known = std::ranges::find_if(known_, [&](const auto& feet) {
+    return feet->is_image == is_image && feet->with_length >= with_length &&
+           feet->within >= within && feet->base->is_same(base);
+  });
+  return known == known_.end() ? nullptr : *known;
+}
+
+std::vector<BaseFoot> FieldPlaces::forget_all_but(const std::vector<std::shared_ptr<Feet>>& kept) {
+  const auto is_kept = [&](const auto& feet) {
+    return std::ranges::find(kept, feet) != kept.end();
+  };
+  const auto spare = std::ranges::find_if_not(known_, is_kept);
+  if (spare == known_.end()) return {};
+  std::vector<BaseFoot> memory = std::move((*spare)->feet);
+  known_.erase(spare);
+  return memory;
+}
+
 std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
-  std::vector<std::shared_ptr<const FieldPlaces::Feet>> own;
+  std::vector<std::shared_ptr<FieldPlaces::Feet>> own;
   for (const auto& [index, is_image] : sides_) {
     const ShapeField& field = fields_[index];
-    const auto known = std::ranges::find_if(places.known_, [&](const auto& feet) {
-      return feet->is_image == is_image && feet->with_length >= varies(field) &&
-             feet->base->is_same(*field.base);
-    });
-    if (known != places.known_.end()) {
-      own.push_back(*known);
-      continue;
-    }
+    own.push_back(places.found(*field.base, is_image, varies(field), reach_of(field)));
+  }
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
+    if (own[side]) continue;
+    const auto [index, is_image] = sides_[side];
+    const ShapeField& field = fields_[index];
+    const double within = kAhead * reach_of(field);
     auto feet = std::make_shared<FieldPlaces::Feet>(
-        FieldPlaces::Feet{field.base, is_image, varies(field), {}});
+        FieldPlaces::Feet{field.base, is_image, varies(field), within, places.forget_all_but(own)});
     feet->feet.resize(places.points_.size());
-    for_all(places.points_.size(),
-            [&](std::size_t i) { feet->feet[i] = foot_of(field, places.points_[i], is_image); });
-    own.push_back(std::move(feet));
+    for_ranges(places.points_.size(), [&, image = is_image](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        feet->feet[i] = foot_of(field, places.points_[i], image, within);
+      }
+    });
+    own[side] = std::move(feet);
   }
   std::vector<FieldShift> result(places.points_.size());
-  for_all(result.size(), [&](std::size_t i) {
-    std::vector<BaseFoot> feet;
-    for (const auto& of_side : own) feet.push_back(of_side->feet[i]);
-    result[i] = blended(feet);
+  for_ranges(result.size(), [&](std::size_t begin, std::size_t end) {
+    Scratch scratch;
+    for (std::size_t i = begin; i < end; ++i) {
+      scratch.feet.clear();
+      for (const auto& of_side : own) scratch.feet.push_back(of_side->feet[i]);
+      result[i] = blended(scratch);
+    }
   });
   places.known_ = std::move(own);
   return result;
@@ -292,11 +177,11 @@ std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
 
 double ShapeFields::delta(int field, const Vector3d& p) const {
   const auto of = [&](const Vector3d& at) {
-    const BaseFoot foot = foot_of(fields_[field], at, false);
+    const BaseFoot foot = foot_of(fields_[field], at, false, surface::kInfinity);
     return foot.distance / fields_[field].extent.at(foot.length).value;
   };
   const double own = of(p);
-  return mirrored_ && !is_in_plane_[field] ? std::min(own, of(kMirror.cwiseProduct(p))) : own;
+  return mirrored_ && !is_in_plane_[field] ? std::min(own, of({p.x(), -p.y(), p.z()})) : own;
 }
 
 }  // namespace hull::modelling

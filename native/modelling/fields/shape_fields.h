@@ -32,7 +32,7 @@ enum class FieldBlend {
   // Equation 2: shifts add up, so a base within another field misses its target.
   kSum,
   // Bases get the shift that their own field gives them, whatever other fields overlap there; a
-  // field alone is that of equation 2. See shape_fields.cpp for the weights.
+  // field alone is that of equation 2. See field_blend.cpp for the weights.
   kExact
 };
 
@@ -55,11 +55,18 @@ class FieldPlaces {
   struct Feet {
     std::shared_ptr<const FieldBase> base;
     bool is_image, with_length;
+    double within;  // m: those farther are not known
     std::vector<BaseFoot> feet;
   };
 
+  // What is known of a base; nothing where that is not so.
+  std::shared_ptr<Feet> found(const FieldBase& base, bool is_image, bool with_length,
+                              double within) const;
+  // Keeps these alone of what is known. The memory of one of the others; empty where there is none.
+  std::vector<BaseFoot> forget_all_but(const std::vector<std::shared_ptr<Feet>>& kept);
+
   std::vector<Vector3d> points_;
-  std::vector<std::shared_ptr<const Feet>> known_;  // of the fields asked for last
+  std::vector<std::shared_ptr<Feet>> known_;  // of the fields asked for last
 };
 
 // Fields that together shift points of space.
@@ -94,7 +101,11 @@ class ShapeFields {
     std::size_t field;
     bool is_image;
   };
-  FieldShift blended(const std::vector<BaseFoot>& feet) const;
+  struct Scratch;
+  // By the foot of each side, which are in the scratch.
+  FieldShift blended(Scratch& scratch) const;
+  // Whether a foot is within the extent of a field that moves, or may be.
+  bool may_move(const std::vector<BaseFoot>& feet) const;
 
   std::vector<ShapeField> fields_;
   std::vector<Side> sides_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -171,6 +172,30 @@ TEST(Fit, DrawsCreasesToLines) {
     EXPECT_TRUE(std::isnan(found.curve_distances[line.points.size() + i]));
   }
   EXPECT_LT(largest, 0.06);
+}
+
+TEST(Fit, BringsPlacesOntoTheShape) {
+  const surface::LimitSurface surface(mesh::ControlMesh(testing::grid(6, 4)));
+  std::vector<Vector3d> raised = surface.mesh().points();
+  for (Vector3d& p : raised) p.z() += 0.5;
+  const surface::LimitSurface shape = with_points(surface, raised);
+  // Targets on the one half of the shape only.
+  FitTarget target;
+  for (const Vector3d& p : samples_of(shape, 3)) {
+    if (p.x() <= 3.0) target.points.push_back(p);
+  }
+  const auto largest_off = [&] {
+    FitOptions options;
+    options.fairness = 0.0;
+    double most = 0.0;
+    for (const Vector3d& p : fit(surface, target, {}, options).points) {
+      most = std::max(most, std::abs(p.z() - 0.5));
+    }
+    return most;
+  };
+  EXPECT_GT(largest_off(), 0.1);
+  target.shape = &shape;
+  EXPECT_LT(largest_off(), 1e-9);
 }
 
 TEST(Fit, TellsItsProgressAndEndsByAnException) {

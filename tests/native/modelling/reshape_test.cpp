@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "modelling/reshape/move_energy.h"
 #include "modelling/reshape/square_ties.h"
 #include "modelling/thin_plate.h"
 #include "random_values.h"
@@ -118,12 +119,64 @@ TEST(Reshape, MeetsAffineShiftsExactly) {
   }
 }
 
+Eigen::MatrixXd dense_rows(const PlaceWeights& weights) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(weights.count(), weights.point_count());
+  for (int square = 0; square < weights.forms().squares().count(); ++square) {
+    const PlaceWeights::SquareRows own = weights.rows(square);
+    for (std::size_t i = 0; i < own.points.size(); ++i) {
+      rows.col(own.points[i]).segment(own.first, own.rows.rows()) =
+          own.rows.col(static_cast<Eigen::Index>(i));
+    }
+  }
+  return rows;
+}
+
+// Products that go through squares and kinds are those with the matrix written out.
+TEST(PlaceWeights, ProductsAreThoseOfTheMatrix) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kReshapeSeed);
+  std::mt19937 random(kReshapeSeed);
+  for (int trial = 0; trial < 40; ++trial) {
+    const surface::LimitSurface surface = random_surface(random, trial);
+    const PlaceWeights weights(surface, 2 + trial % 2);
+    const Eigen::MatrixXd rows = dense_rows(weights);
+    const VectorRows control = VectorRows::Random(weights.point_count(), 3),
+                     by_places = VectorRows::Random(weights.count(), 3);
+    EXPECT_LT((weights.at(control) - rows * control).cwiseAbs().maxCoeff(), 1e-14) << trial;
+    EXPECT_LT((weights.back(by_places) - rows.transpose() * by_places).cwiseAbs().maxCoeff(), 1e-12)
+        << trial;
+    const Eigen::VectorXd diagonal = Eigen::VectorXd::Random(weights.count());
+    const Eigen::MatrixXd form = rows.transpose() * diagonal.asDiagonal() * rows;
+    EXPECT_LT((Eigen::MatrixXd(weights.form(diagonal)) - form).cwiseAbs().maxCoeff(), 1e-12)
+        << trial;
+    EXPECT_LT((rows.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-14) << trial;
+  }
+}
+
+// Bending summed by squares is that summed by pieces.
+TEST(MoveEnergy, ThinPlateIsThatOfPieces) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kReshapeSeed);
+  std::mt19937 random(kReshapeSeed + 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const surface::LimitSurface surface = random_surface(random, trial);
+    const Eigen::MatrixXd form(thin_plate_form(surface, surface::SquareForms(surface), 1.0));
+    std::vector<Vector3d> values;
+    double by_form = 0.0;
+    for (std::size_t i = 0; i < surface.mesh().points().size(); ++i) {
+      values.push_back(testing::random_vector(random));
+    }
+    const VectorRows rows = rows_of(values);
+    for (int axis = 0; axis < 3; ++axis) by_form += rows.col(axis).dot(form * rows.col(axis));
+    const double by_pieces = thin_plate_energy(surface, surface::PieceWeights(surface), values);
+    EXPECT_NEAR(by_form, by_pieces, 1e-11 * by_pieces) << trial;
+  }
+}
+
 // The least by a dense matrix of everything: minimum, limits and conditions at once.
 Eigen::VectorXd dense_optimum(const surface::LimitSurface& surface, const SurfacePlaces& places,
                               const std::vector<Vector3d>& shifts, const Eigen::MatrixXd& held,
                               const Eigen::VectorXd& values, double stiffness) {
   const auto n = static_cast<Eigen::Index>(surface.mesh().points().size());
-  const Eigen::MatrixXd rows(places.rows());
+  const Eigen::MatrixXd rows = dense_rows(*places.weights());
   Eigen::VectorXd shares(places.count());
   for (int k = 0; k < places.count(); ++k) shares[k] = places.area(k) / places.total_area();
   Eigen::MatrixXd form = rows.transpose() * shares.asDiagonal() * rows;
@@ -221,6 +274,7 @@ TEST(Reshape, IsTheOptimumWithinLimits) {
       shifts.push_back(0.1 * size * testing::random_vector(random));
     }
     const Reshaped result = reshape.solve(shifts, {told, -told}, values);
+    EXPECT_EQ(reshape.moves(shifts, {told, -told}, values), result.moves);
     const Eigen::VectorXd moves = dense_optimum(surface, reshape.places(), shifts, held.matrix(),
                                                 held.right(), options.stiffness);
     Eigen::VectorXd ours(3 * n);
