@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "modelling/fit_curves.h"
 #include "modelling/fit_feet.h"
+#include "modelling/fit_places.h"
 #include "modelling/thin_plate.h"
 #include "surface/creases/crease_curves.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 using fit_internal::CurvePulls;
 using fit_internal::Feet;
+using fit_internal::PlacePulls;
 
 // Damping: of the mean of the equations' diagonal.
 constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-13, kMostDamping = 1e6;
@@ -83,6 +86,7 @@ struct State {
   surface::SurfaceTree tree;
   Feet feet;
   CurvePulls curves;
+  PlacePulls places;
   double energy = 0.0;       // of the surface
   double move_energy = 0.0;  // of the moves
 };
@@ -98,7 +102,8 @@ class Fitting {
         space_(options.limits, surface.mesh().topology().vertex_count()),
         size_(surface.mesh().size()),
         start_(surface),
-        state_{surface, surface::SurfaceTree(surface), {}, {}} {
+        state_{surface, surface::SurfaceTree(surface), {}, {}, {}} {
+    if (target.shape) shape_tree_.emplace(*target.shape);
     measure(state_);
     if (!target.points.empty() && state_.feet.weight <= 0.0) {
       throw std::invalid_argument(
@@ -125,7 +130,8 @@ class Fitting {
  private:
   // In m²: what the fit makes least.
   double cost(const State& state) const {
-    return state.feet.mean_square + options_.curve_weight * state.curves.mean_square +
+    return state.feet.mean_square + state.places.mean_square +
+           options_.curve_weight * state.curves.mean_square +
            factor(options_.fairness) * state.energy +
            factor(options_.stiffness) * state.move_energy;
   }
@@ -134,6 +140,9 @@ class Fitting {
   void measure(State& state) const {
     state.feet = fit_internal::find_feet(state.surface, state.tree, target_, options_);
     state.curves = fit_internal::find_curve_pulls(state.surface, curves_, options_);
+    if (shape_tree_) {
+      state.places = fit_internal::find_place_pulls(state.surface, *target_.shape, *shape_tree_);
+    }
     if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
     if (options_.stiffness > 0.0) {
       state.move_energy = thin_plate_energy(start_, pieces_, moves(state));
@@ -156,6 +165,7 @@ class Fitting {
     std::vector<fit_internal::FitRow> rows = state_.curves.rows;
     for (fit_internal::FitRow& row : rows) row.weight *= options_.curve_weight;
     fit_internal::add_rows(rows, state_.surface, pieces_, equations);
+    fit_internal::add_rows(state_.places.rows, state_.surface, pieces_, equations);
     if (options_.fairness > 0.0) {
       add_thin_plate(state_.surface, pieces_, state_.surface.mesh().points(),
                      factor(options_.fairness), equations);
@@ -180,7 +190,7 @@ class Fitting {
         largest = std::max(largest, (*moves)[i].norm());
       }
       if (!(largest < size_)) continue;
-      State next{state_.surface, state_.tree, {}, {}};
+      State next{state_.surface, state_.tree, {}, {}, {}};
       next.surface.set_points(std::move(points));
       next.tree.refit(next.surface);
       measure(next);
@@ -205,6 +215,7 @@ class Fitting {
   MoveSpace space_;
   double size_;
   const surface::LimitSurface& start_;
+  std::optional<surface::SurfaceTree> shape_tree_;
   State state_;
   double damping_ = kFirstDamping;
 };

@@ -16,6 +16,9 @@ struct FitTarget {
   std::vector<Vector3d> normals;  // none, or one a point: it counts where the
                                   // surface's normal is within 60° of it
   std::vector<double> weights;    // none, or one a point, not negative
+  // The shape that the points are of: places all over the surface are to lie on it, too, and their
+  // mean squared distance counts as much as that of the targets. nullptr: none.
+  const surface::LimitSurface* shape = nullptr;
 };
 
 // A line that creases or borders are to go along.

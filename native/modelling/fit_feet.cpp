@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/fit_feet.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "analysis/fairness/cell_places.h"
 #include "modelling/fit_rows.h"
 #include "surface/parallel_for.h"
 #include "surface/queries/closest_point.h"
@@ -10,16 +13,16 @@
 namespace hull::modelling::fit_internal {
 namespace {
 
-// Of the size: nearer targets are on the surface, and p - foot has no direction.
-constexpr double kOnSurface = 1e-13;
+// Of the size: nearer targets are on the surface, and p - foot has no direction but that of
+// rounding, which must not choose among the sides of a crease or leave out a target on the border.
+constexpr double kOnSurface = 1e-10;
 // Cosine of the angle between p - foot and the normal: below, a target beyond the border is there
 // because the surface ends too early, not because it lies off the surface.
 constexpr double kAcross = 0.7;
 // Cosine of the largest angle between the normals of target and surface.
 constexpr double kSameSide = 0.5;
 
-bool is_on_border(const surface::LimitSurface& surface, const surface::ClosestPoint& at) {
-  const mesh::Topology& cells = surface.cells();
+bool is_on_border(const mesh::Topology& cells, const surface::CellPlace& at) {
   const bool sides[] = {at.v == 0.0, at.u == 1.0, at.v == 1.0, at.u == 0.0};
   for (int k = 0; k < 4; ++k) {
     if (sides[k] && cells.twin(4 * at.cell + k) < 0) return true;
@@ -27,18 +30,53 @@ bool is_on_border(const surface::LimitSurface& surface, const surface::ClosestPo
   return false;
 }
 
+// What a foot on a crease or border is like, from whichever of the cells that meet there it was
+// found.
+struct Rim {
+  bool border = false;
+  Vector3d normal = Vector3d::Zero();
+};
+
+// The normal is that of these cells' which is most along p - foot, `off`, or most that of the
+// target where it has one, `wanted`; else where p - foot has no direction that of the first cell.
+Rim rim_at(const surface::LimitSurface& surface, const surface::ClosestPoint& at,
+           const Vector3d& off, const Vector3d* wanted, bool on_surface) {
+  const auto agreement = [&](const Vector3d& normal) {
+    if (wanted) return normal.dot(*wanted);
+    return on_surface ? 0.0 : std::abs(normal.dot(off));
+  };
+  analysis::CellPlaces places =
+      analysis::cell_places(surface.cells(), at.cell, Eigen::Vector2d(at.u, at.v));
+  std::ranges::sort(places, {}, &surface::CellPlace::cell);
+  Rim rim;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const surface::CellPlace& place : places) {
+    rim.border = rim.border || is_on_border(surface.cells(), place);
+    const Vector3d normal = surface.normal(place.cell, place.u, place.v);
+    const double here = agreement(normal);
+    if (here <= most) continue;
+    most = here;
+    rim.normal = normal;
+  }
+  return rim;
+}
+
 Foot foot_of(const surface::LimitSurface& surface, const surface::ClosestPoint& at,
              const Vector3d& target, const Vector3d* normal, double on_surface, bool draw_border) {
   if (at.cell < 0) return {};
-  const Vector3d own = surface.normal(at.cell, at.u, at.v);
-  if (normal && own.dot(*normal) < kSameSide * normal->norm()) return {};
-  Foot foot{at.cell, at.u, at.v, at.point, own, 0.0};
   const Vector3d off = target - at.point;
-  foot.distance = off.dot(own);
-  if (at.distance <= on_surface || (at.kind == surface::FootKind::kSmooth && !own.isZero())) {
-    return foot;
+  const bool is_on = at.distance <= on_surface;
+  Vector3d own = surface.normal(at.cell, at.u, at.v);
+  const bool smooth = at.kind == surface::FootKind::kSmooth && !own.isZero();
+  Rim rim;
+  if (!smooth) {
+    rim = rim_at(surface, at, off, normal, is_on);
+    own = rim.normal;
   }
-  if (!draw_border && is_on_border(surface, at)) {
+  if (normal && own.dot(*normal) < kSameSide * normal->norm()) return {};
+  Foot foot{at.cell, at.u, at.v, at.point, own, off.dot(own)};
+  if (is_on || smooth) return foot;
+  if (!draw_border && rim.border) {
     // Across the surface only, so that the border is not drawn out by and by.
     return std::abs(foot.distance) > kAcross * at.distance ? foot : Foot{};
   }

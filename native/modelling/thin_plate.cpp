@@ -27,8 +27,17 @@ Points some_of(const std::vector<Vector3d>& values, const std::vector<int>& whic
   return some;
 }
 
+// Values at a piece's control points, from the first one: only derivatives are wanted, and places
+// far from the origin would take their last digits.
+Points local_values(const surface::PieceWeights::Piece& piece,
+                    const std::vector<Vector3d>& values) {
+  Points some = some_of(values, piece.points);
+  some.rowwise() -= Eigen::RowVector3d(some.row(0));
+  return some;
+}
+
 SpanPoints span_of(const surface::PieceWeights::Piece& piece, const std::vector<Vector3d>& values) {
-  return piece.rows * some_of(values, piece.points);
+  return piece.rows * local_values(piece, values);
 }
 
 // A place of the quadrature: the derivatives there as sums of the span's points.
@@ -112,18 +121,40 @@ SpanForm span_form(const SpanPoints& points, Bending bending) {
   return form;
 }
 
+// All bending rows of a piece, for its control points. Their squares are the form: that of the 16
+// points, taken to the control points from both sides, would lose the digits that second
+// differences of a small piece lose, twice.
+Eigen::MatrixXd piece_rows(const surface::LimitSurface& surface,
+                           const surface::PieceWeights::Piece& piece, Bending bending) {
+  const SpanPoints points = span_of(piece, surface.mesh().points());
+  Eigen::MatrixXd all(3 * static_cast<Eigen::Index>(span_places().size()), 16);
+  Eigen::Index count = 0;
+  for (const SpanPlace& place : span_places()) {
+    const BendingRows rows = bending_rows(place, points, bending);
+    all.middleRows(count, rows.rows()) = rows;
+    count += rows.rows();
+  }
+  return all.topRows(count) * piece.rows;
+}
+
 void visit_forms(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                  const std::vector<int>& some, double factor, const VisitForm& visit,
                  Bending bending) {
   for (int i : some) {
     const surface::PieceWeights::Piece& piece = pieces.piece(i);
-    const SpanForm of_span = factor * span_form(span_of(piece, surface.mesh().points()), bending);
-    const Eigen::MatrixXd form = piece.rows.transpose() * (of_span * piece.rows);
+    const Eigen::MatrixXd rows = piece_rows(surface, piece, bending);
+    const Eigen::MatrixXd form = factor * rows.transpose() * rows;
     visit(piece.points, form);
   }
 }
 
 }  // namespace
+
+Eigen::Matrix<double, 16, 16> thin_plate_of_span(const surface::BicubicPoints& points) {
+  SpanPoints rows;
+  for (int i = 0; i < 16; ++i) rows.row(i) = points[i].transpose();
+  return span_form(rows, Bending::kAll);
+}
 
 double thin_plate_energy(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                          const std::vector<Vector3d>& values) {
@@ -133,7 +164,10 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
     const SpanPoints points = span_of(piece, surface.mesh().points());
     const SpanPoints bent = span_of(piece, values);
     for (const SpanPlace& place : span_places()) {
-      energy += (bending_rows(place, points, Bending::kAll) * bent).squaredNorm();
+      const BendingRows rows = bending_rows(place, points, Bending::kAll);
+      for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+        energy += Eigen::RowVector3d(rows.row(row) * bent).squaredNorm();
+      }
     }
   }
   return energy;
@@ -161,10 +195,13 @@ void visit_thin_plate_forms(const surface::LimitSurface& surface,
 
 void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations) {
-  visit_thin_plate_forms(surface, pieces, factor,
-                         [&](const auto& which, const Eigen::MatrixXd& form) {
-                           equations.add_scalar(which, form, -form * some_of(values, which));
-                         });
+  for (int i = 0; i < pieces.piece_count(); ++i) {
+    const surface::PieceWeights::Piece& piece = pieces.piece(i);
+    const Eigen::MatrixXd rows = piece_rows(surface, piece, Bending::kAll);
+    const Points bent = rows * local_values(piece, values);
+    equations.add_scalar(piece.points, factor * rows.transpose() * rows,
+                         -factor * rows.transpose() * bent);
+  }
 }
 
 }  // namespace hull::modelling

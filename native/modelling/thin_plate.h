@@ -26,6 +26,9 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
 void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations);
 
+// The same energy of one piece, as a form of its 16 B-spline points.
+Eigen::Matrix<double, 16, 16> thin_plate_of_span(const surface::BicubicPoints& points);
+
 // Is told control points and their quadratic form.
 using VisitForm = std::function<void(const std::vector<int>&, const Eigen::MatrixXd&)>;
 

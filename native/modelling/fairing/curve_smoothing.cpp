@@ -7,14 +7,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/arithmetic/spline_basis.h"
 #include "modelling/fairing/banded_least_squares.h"
-#include "modelling/fairing/spline_basis.h"
+#include "modelling/fairing/spline_ends.h"
 
 namespace hull::modelling {
 namespace {
 
+using analysis::basis_at;
+using analysis::span_of;
 using Eigen::Index;
 
+constexpr int kGreatestDegree = 5;
 constexpr double kMet = 1e-9;  // of S
 constexpr int kMostSteps = 200;
 // Exact interpolation leaves rounding: squared, of the sum of squared coordinates.
@@ -29,21 +33,24 @@ class Smoothing {
  private:
   void check(const SmoothingOptions& options) const;
   void take_parameters(const SmoothingOptions& options);
-  Index coefficient_count() const { return static_cast<Index>(knots_.size()) - kOrder; }
   Index count() const { return points_.rows(); }
+  int order() const { return degree_ + 1; }
+  SplineEnds ends(const std::vector<double>& knots) const { return {start_, end_, degree_, knots}; }
 
   // The spline on the knots: by least squares alone, or with Σ jump² / p added.
   void fit(double p);
-  void give_ends(Eigen::MatrixXd& coefficients) const;
   double error_of(std::vector<double>* of_points = nullptr) const;
   bool add_knot();
   bool has_points_enough(const std::vector<double>& knots) const;
+  void take_knots_at_points();
   void interpolate();
   void find_p();
 
   const Eigen::MatrixXd& points_;
   std::vector<double> t_, weights_;
-  Eigen::MatrixXd start_, end_;
+  CurveEnd start_, end_;
+  int degree_;
+  bool knots_at_points_;
   double wanted_ = 0.0;  // S
   std::vector<double> knots_;
   Eigen::MatrixXd coefficients_;
@@ -52,7 +59,12 @@ class Smoothing {
 
 Smoothing::Smoothing(const Eigen::MatrixXd& points, double deviation,
                      const SmoothingOptions& options)
-    : points_(points), weights_(options.weights), start_(options.start), end_(options.end) {
+    : points_(points),
+      weights_(options.weights),
+      start_(options.start),
+      end_(options.end),
+      degree_(options.degree),
+      knots_at_points_(options.knots_at_points) {
   check(options);
   take_parameters(options);
   if (weights_.empty()) weights_.assign(static_cast<std::size_t>(count()), 1.0);
@@ -61,14 +73,24 @@ Smoothing::Smoothing(const Eigen::MatrixXd& points, double deviation,
   if (!(deviation >= 0.0) || !std::isfinite(wanted_)) {
     throw std::invalid_argument("The mean deviation must not be negative, nor infinite.");
   }
-  knots_.assign(kOrder, t_.front());
-  knots_.insert(knots_.end(), kOrder, t_.back());
+  knots_.assign(static_cast<std::size_t>(order()), t_.front());
+  knots_.insert(knots_.end(), static_cast<std::size_t>(order()), t_.back());
 }
 
 void Smoothing::check(const SmoothingOptions& options) const {
-  if (count() < kOrder) {
-    throw std::invalid_argument("A curve needs four points or more to be smoothed, not " +
-                                std::to_string(count()) + ".");
+  if (degree_ < 1 || degree_ > kGreatestDegree) {
+    throw std::invalid_argument("A curve's degree is from 1 to 5, not " + std::to_string(degree_) +
+                                ".");
+  }
+  const Index needed = order() - SplineEnds::extra(start_) - SplineEnds::extra(end_);
+  for (const CurveEnd* end : {&start_, &end_}) {
+    SplineEnds::check(*end, degree_, points_.cols(), count() == needed);
+  }
+  if (count() < std::max<Index>(needed, 2)) {
+    throw std::invalid_argument("A curve of degree " + std::to_string(degree_) + " needs " +
+                                std::to_string(std::max<Index>(needed, 2)) +
+                                " points or more with these ends, not " + std::to_string(count()) +
+                                ".");
   }
   if (points_.cols() < 1 || !points_.allFinite()) {
     throw std::invalid_argument("A point of the curve is no place.");
@@ -84,14 +106,6 @@ void Smoothing::check(const SmoothingOptions& options) const {
     if (!(weight > 0.0) || !std::isfinite(weight)) {
       throw std::invalid_argument("A weight is " + std::to_string(weight) +
                                   "; it must be above zero.");
-    }
-  }
-  for (const Eigen::MatrixXd* given : {&options.start, &options.end}) {
-    if (given->rows() == 0) continue;
-    if (given->rows() > 2 || given->cols() != points_.cols() || !given->allFinite()) {
-      throw std::invalid_argument(
-          "At an end a curve may have a place and a first derivative, each with as many "
-          "coordinates as the points.");
     }
   }
 }
@@ -111,58 +125,41 @@ void Smoothing::take_parameters(const SmoothingOptions& options) {
   }
 }
 
-// With clamped knots the first coefficients are the end's place and a third of a span along its
-// derivative.
-void Smoothing::give_ends(Eigen::MatrixXd& c) const {
-  const Index last = c.rows() - 1;
-  const std::size_t n = knots_.size();
-  if (start_.rows() > 0) c.row(0) = start_.row(0);
-  if (start_.rows() > 1) c.row(1) = start_.row(0) + start_.row(1) * (knots_[4] - knots_[3]) / 3.0;
-  if (end_.rows() > 0) c.row(last) = end_.row(0);
-  if (end_.rows() > 1) {
-    c.row(last - 1) = end_.row(0) - end_.row(1) * (knots_[n - 4] - knots_[n - 5]) / 3.0;
-  }
-}
-
 void Smoothing::fit(double p) {
-  const Index unknowns = coefficient_count(), first = start_.rows();
-  const Index free = unknowns - first - end_.rows();
-  coefficients_ = Eigen::MatrixXd::Zero(unknowns, points_.cols());
-  give_ends(coefficients_);
-  if (free <= 0) return;
-  BandedLeastSquares equations(free, kOrder + 1, points_.cols());
-  // A row over coefficients from `begin` on: those that are given go to the right side.
+  const SplineEnds at_ends = ends(knots_);
+  if (at_ends.free_count() == 0) {
+    coefficients_ = at_ends.complete({});
+    return;
+  }
+  BandedLeastSquares equations(at_ends.free_count(), order() + 1, points_.cols());
+  Eigen::VectorXd reduced;
   const auto add = [&](Index begin, const Eigen::VectorXd& values, Eigen::RowVectorXd right) {
-    const Index low = std::max(begin, first);
-    const Index high = std::min(begin + values.size(), first + free);
-    for (Index k = 0; k < values.size(); ++k) {
-      if (begin + k < low || begin + k >= high) right -= values[k] * coefficients_.row(begin + k);
-    }
-    if (high > low) equations.add(low - first, values.segment(low - begin, high - low), right);
+    const Index first = at_ends.reduce(begin, values, reduced, right);
+    if (first >= 0) equations.add(first, reduced, right);
   };
   for (Index i = 0; i < count(); ++i) {
     const double root = std::sqrt(weights_[i]);
-    const Index span = span_of(knots_, t_[i]);
-    add(span - kDegree, root * basis_at(knots_, t_[i], span, 0), root * points_.row(i));
+    const Index span = span_of(knots_, degree_, t_[i]);
+    add(span - degree_, root * basis_at(knots_, degree_, t_[i], span, 0), root * points_.row(i));
   }
   if (std::isfinite(p)) {
     const Eigen::RowVectorXd none = Eigen::RowVectorXd::Zero(points_.cols());
-    for (Index span = kOrder; span < unknowns; ++span) {
-      Eigen::VectorXd jump = Eigen::VectorXd::Zero(kOrder + 1);
-      jump.tail(kOrder) += basis_at(knots_, knots_[span], span, kDegree);
-      jump.head(kOrder) -= basis_at(knots_, knots_[span], span - 1, kDegree);
-      add(span - kOrder, jump / std::sqrt(p), none);
+    for (Index span = order(); knots_[span] < knots_.back(); ++span) {
+      Eigen::VectorXd jump = Eigen::VectorXd::Zero(order() + 1);
+      jump.tail(order()) += basis_at(knots_, degree_, knots_[span], span, degree_);
+      jump.head(order()) -= basis_at(knots_, degree_, knots_[span], span - 1, degree_);
+      add(span - order(), jump / std::sqrt(p), none);
     }
   }
-  coefficients_.middleRows(first, free) = equations.solve();
+  coefficients_ = at_ends.complete(equations.solve());
 }
 
 double Smoothing::error_of(std::vector<double>* of_points) const {
   double sum = 0.0;
   for (Index i = 0; i < count(); ++i) {
-    const Index span = span_of(knots_, t_[i]);
-    const Eigen::RowVectorXd at = basis_at(knots_, t_[i], span, 0).transpose() *
-                                  coefficients_.middleRows(span - kDegree, kOrder);
+    const Index span = span_of(knots_, degree_, t_[i]);
+    const Eigen::RowVectorXd at = basis_at(knots_, degree_, t_[i], span, 0).transpose() *
+                                  coefficients_.middleRows(span - degree_, order());
     const double error = weights_[i] * (at - points_.row(i)).squaredNorm();
     if (of_points != nullptr) of_points->push_back(error);
     sum += error;
@@ -171,15 +168,17 @@ double Smoothing::error_of(std::vector<double>* of_points) const {
 }
 
 // Schoenberg and Whitney's condition: each coefficient has a point of its own inside its support.
-// Those that ends give need none, and take none.
+// Those that are not free need none, and take none.
 bool Smoothing::has_points_enough(const std::vector<double>& knots) const {
-  const Index unknowns = static_cast<Index>(knots.size()) - kOrder;
+  const SplineEnds at_ends = ends(knots);
+  const Index unknowns = static_cast<Index>(knots.size()) - order();
   std::size_t next = 0;
-  for (Index i = start_.rows(); i < unknowns - end_.rows(); ++i) {
+  for (Index i = 0; i < unknowns; ++i) {
+    if (!at_ends.is_free(i)) continue;
     const bool is_first = i == 0, is_last = i == unknowns - 1;
     while (next < t_.size() && !(t_[next] > knots[i] || (is_first && t_[next] == knots[i]))) ++next;
     if (next == t_.size()) return false;
-    const double end = knots[i + kOrder];
+    const double end = knots[i + order()];
     if (!(t_[next] < end || (is_last && t_[next] == end))) return false;
     ++next;
   }
@@ -191,7 +190,7 @@ bool Smoothing::add_knot() {
   error_of(&errors);
   // Spans by their errors, the largest first.
   std::vector<std::pair<double, Index>> spans;
-  for (Index span = kDegree; span + kOrder < static_cast<Index>(knots_.size()); ++span) {
+  for (Index span = degree_; span + order() < static_cast<Index>(knots_.size()); ++span) {
     double sum = 0.0;
     for (std::size_t i = 0; i < t_.size(); ++i) {
       if (t_[i] > knots_[span] && t_[i] < knots_[span + 1]) sum += errors[i];
@@ -216,14 +215,22 @@ bool Smoothing::add_knot() {
   return false;
 }
 
+void Smoothing::take_knots_at_points() {
+  const auto ends_knots = static_cast<std::size_t>(order());
+  // A knot at each point between, but for the first and last of them where nothing else holds the
+  // ends.
+  const auto left_out = [&](const CurveEnd& end) {
+    return std::max(0, (degree_ - 1) / 2 - SplineEnds::extra(end));
+  };
+  const std::size_t from = static_cast<std::size_t>(1 + left_out(start_));
+  const std::size_t to = t_.size() - 1 - std::min(t_.size() - 1, std::size_t(left_out(end_)));
+  knots_.assign(ends_knots, t_.front());
+  for (std::size_t i = from; i < to; ++i) knots_.push_back(t_[i]);
+  knots_.insert(knots_.end(), ends_knots, t_.back());
+}
+
 void Smoothing::interpolate() {
-  knots_.assign(kOrder, t_.front());
-  // With an end's place given its point is met besides: one coefficient less is free, and with a
-  // derivative one knot more is needed.
-  const std::size_t from = start_.rows() > 1 ? 1 : 2, to = end_.rows() > 1 ? 1 : 2;
-  knots_.insert(knots_.end(), t_.begin() + static_cast<std::ptrdiff_t>(from),
-                t_.end() - static_cast<std::ptrdiff_t>(to));
-  knots_.insert(knots_.end(), kOrder, t_.back());
+  take_knots_at_points();
   fit(std::numeric_limits<double>::infinity());
 }
 
@@ -232,7 +239,7 @@ void Smoothing::interpolate() {
 void Smoothing::find_p() {
   // Where Σ jump² and E weigh the same.
   const double span = (t_.back() - t_.front()) / static_cast<double>(t_.size());
-  double p = std::pow(span, -2.0 * kDegree);
+  double p = std::pow(span, -2.0 * degree_);
   double low = 0.0, high = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
     fit(p);
@@ -251,11 +258,15 @@ SmoothCurve Smoothing::run() {
   const auto is_met = [&] { return error_of() <= wanted_ + kInterpolated * scale; };
   bool is_short = false;
   fit(p_);
-  const bool is_cubic = is_met();
-  if (!is_cubic && wanted_ <= kInterpolated * scale) {
+  const bool is_polynomial = is_met();
+  if (!is_polynomial && wanted_ <= kInterpolated * scale) {
     interpolate();
-    is_short = start_.rows() + end_.rows() > 0 && error_of() > wanted_ + 1e-20 * scale;
-  } else if (!is_cubic) {
+    is_short = start_.given.rows() + end_.given.rows() > 0 && error_of() > wanted_ + 1e-20 * scale;
+  } else if (!is_polynomial && knots_at_points_) {
+    interpolate();
+    is_short = !is_met();
+    if (!is_short) find_p();
+  } else if (!is_polynomial) {
     while (!is_met() && !is_short) {
       if (add_knot()) {
         fit(p_);
@@ -267,25 +278,10 @@ SmoothCurve Smoothing::run() {
     }
     if (!is_short) find_p();
   }
-  return {knots_, coefficients_, error_of(), p_, is_short};
+  return {degree_, knots_, coefficients_, error_of(), p_, is_short};
 }
 
 }  // namespace
-
-Eigen::MatrixXd SmoothCurve::evaluate(const std::vector<double>& parameters, int order) const {
-  if (order < 0 || order > kDegree) {
-    throw std::invalid_argument("A derivative's order is from 0 to 3.");
-  }
-  Eigen::MatrixXd values(static_cast<Index>(parameters.size()), coefficients.cols());
-  for (Index i = 0; i < values.rows(); ++i) {
-    const double t = parameters[static_cast<std::size_t>(i)];
-    if (!std::isfinite(t)) throw std::invalid_argument("A parameter is no number.");
-    const Index span = span_of(knots, t);
-    values.row(i) = basis_at(knots, t, span, order).transpose() *
-                    coefficients.middleRows(span - kDegree, kOrder);
-  }
-  return values;
-}
 
 SmoothCurve smooth_curve(const Eigen::MatrixXd& points, double deviation,
                          const SmoothingOptions& options) {

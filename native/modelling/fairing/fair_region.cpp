@@ -118,14 +118,18 @@ void FairRegion::Problem::find_moving() {
 
 void FairRegion::Problem::find_region() {
   const auto moves = [&](int point) { return may_move_[point] != 0; };
-  for (int place = 0; place < places_.count(); ++place) {
-    bool is_in = false;
-    for (SurfacePlaces::Rows::InnerIterator it(places_.rows(), place); it && !is_in; ++it) {
-      is_in = it.value() != 0.0 && moves(static_cast<int>(it.col()));
+  const PlaceWeights& weights = *places_.weights();
+  for (int square = 0; square < weights.forms().squares().count(); ++square) {
+    const PlaceWeights::SquareRows own = weights.rows(square);
+    for (Eigen::Index k = 0; k < own.rows.rows(); ++k) {
+      bool is_in = false;
+      for (std::size_t i = 0; i < own.points.size() && !is_in; ++i) {
+        is_in = own.rows(k, static_cast<Eigen::Index>(i)) != 0.0 && moves(own.points[i]);
+      }
+      if (!is_in) continue;
+      region_.push_back(own.first + static_cast<int>(k));
+      area_ += places_.area(region_.back());
     }
-    if (!is_in) continue;
-    region_.push_back(place);
-    area_ += places_.area(place);
   }
   if (!(area_ > 0.0)) {
     throw std::invalid_argument("The surface has no area around the chosen points.");
@@ -142,15 +146,14 @@ Sparse FairRegion::Problem::by_freedom(const Triplets& entries) const {
 }
 
 Sparse FairRegion::Problem::mass() const {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(places_.count());
+  for (int place : region_) shares[place] = places_.area(place) / area_;
+  const Sparse form = places_.weights()->form(shares);
   Triplets entries;
-  for (int place : region_) {
-    const double share = places_.area(place) / area_;
-    for (SurfacePlaces::Rows::InnerIterator a(places_.rows(), place); a; ++a) {
-      if (!may_move_[a.col()]) continue;
-      for (SurfacePlaces::Rows::InnerIterator b(places_.rows(), place); b; ++b) {
-        if (may_move_[b.col()]) {
-          entries.emplace_back(a.col(), b.col(), share * a.value() * b.value());
-        }
+  for (Eigen::Index column = 0; column < form.outerSize(); ++column) {
+    for (Sparse::InnerIterator it(form, column); it; ++it) {
+      if (may_move_[it.row()] && may_move_[it.col()]) {
+        entries.emplace_back(it.row(), it.col(), it.value());
       }
     }
   }
@@ -191,7 +194,7 @@ std::vector<Vector3d> FairRegion::Problem::moved(const Eigen::VectorXd& x) const
 
 Eigen::VectorXd FairRegion::Problem::shifts(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd moves = space_.basis() * x;
-  const VectorRows shifts = places_.rows() * as_rows(moves);
+  const VectorRows shifts = places_.weights()->at(as_rows(moves));
   return shifts.rowwise().norm();
 }
 
