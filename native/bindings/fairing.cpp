@@ -112,13 +112,14 @@ py::array_t<double> as_array(const Eigen::MatrixXd& matrix) {
 
 void bind_smoothing(py::module_& module) {
   using modelling::SmoothCurve;
-  py::class_<SmoothCurve>(module, "SmoothCurve", "A cubic spline near points: smooth_curve().")
+  py::class_<SmoothCurve>(module, "SmoothCurve", "A spline near points: smooth_curve().")
+      .def_readonly("degree", &SmoothCurve::degree)
       .def_property_readonly(
           "knots", [](const SmoothCurve& c) { return to_array(c.knots); },
-          "(k,) the first and last four times.")
+          "(k,) the first and last degree + 1 times.")
       .def_property_readonly(
           "coefficients", [](const SmoothCurve& c) { return as_array(c.coefficients); },
-          "(k - 4, d).")
+          "(k - degree - 1, d).")
       .def_readonly("error", &SmoothCurve::error, "The weighted sum of squared distances.")
       .def_readonly("p", &SmoothCurve::p,
                     "What weighs that against the jumps; infinite where none had to be weighed.")
@@ -130,23 +131,32 @@ void bind_smoothing(py::module_& module) {
             return as_array(curve.evaluate(numbers_from(parameters, "parameters"), order));
           },
           py::arg("parameters"), py::arg("order") = 0,
-          "(n, d) at parameters (n,): the curve's points, or a derivative of an order up to 3.");
+          "(n, d) at parameters (n,): the curve's points, or a derivative of an order up to the "
+          "degree.");
   module.def(
       "smooth_curve",
       [](const DoubleArray& points, double deviation, const DoubleArray& parameters,
-         const DoubleArray& weights, const DoubleArray& start, const DoubleArray& end) {
-        const modelling::SmoothingOptions options{
-            numbers_from(parameters, "parameters"), numbers_from(weights, "weights"),
-            matrix_from(start, "start"), matrix_from(end, "end")};
+         const DoubleArray& weights, const DoubleArray& start, const DoubleArray& end,
+         bool straight_start, bool straight_end, int degree, bool knots_at_points) {
+        const modelling::SmoothingOptions options{numbers_from(parameters, "parameters"),
+                                                  numbers_from(weights, "weights"),
+                                                  {matrix_from(start, "start"), straight_start},
+                                                  {matrix_from(end, "end"), straight_end},
+                                                  degree,
+                                                  knots_at_points};
         return modelling::smooth_curve(matrix_from(points, "points"), deviation, options);
       },
       py::arg("points"), py::arg("deviation"), py::kw_only(), py::arg("parameters") = py::tuple(),
       py::arg("weights") = py::tuple(), py::arg("start") = py::tuple(),
-      py::arg("end") = py::tuple(),
-      "The SmoothCurve through points (n, d), four or more, whose mean deviation from them is that "
-      "given (Dierckx 1993): the least sum of squared jumps of the third derivative, with as few "
-      "knots as will do. 0 interpolates. parameters (n,): rising; without them lengths of chords. "
-      "weights (n,). start, end: up to two rows, the place and the first derivative there.\n\n"
+      py::arg("end") = py::tuple(), py::arg("straight_start") = false,
+      py::arg("straight_end") = false, py::arg("degree") = 3, py::arg("knots_at_points") = false,
+      "The SmoothCurve through points (n, d) whose mean deviation from them is that given (Dierckx "
+      "1993): the least sum of squared jumps of the highest derivative, with as few knots as will "
+      "do. 0 interpolates. parameters (n,): rising; without them lengths of chords. weights (n,). "
+      "start, end: up to three rows, the place, the first and the second derivative there; three "
+      "need the degree 5. straight_start, straight_end: the second derivative is zero there. "
+      "degree: 1 to 5. knots_at_points: all of them have a knot where any is needed; that is the "
+      "fairest. Points and such conditions must be degree + 1 or more.\n\n"
       "ValueError for what is none of these.");
 }
 

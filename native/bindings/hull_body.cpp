@@ -13,12 +13,6 @@ namespace hull::bindings {
 
 namespace py = pybind11;
 
-analysis::Openings openings_from(const std::string& name) {
-  if (name == "closed") return analysis::Openings::kClosed;
-  if (name == "open") return analysis::Openings::kOpen;
-  throw std::invalid_argument("openings is \"closed\" or \"open\", not \"" + name + "\".");
-}
-
 namespace {
 
 void bind_immersion(py::module_& module) {

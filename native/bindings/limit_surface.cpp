@@ -8,6 +8,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/places.h"
+#include "surface/coarsened_mesh.h"
 #include "surface/parallel_for.h"
 #include "surface/refined_mesh.h"
 #include "surface/sampling/grid_samples.h"
@@ -108,9 +109,32 @@ py::tuple evaluate_on_grid(const surface::LimitSurface& surface, int n, int deri
   return result;
 }
 
+void bind_coarsened_mesh(py::module_& module) {
+  using C = surface::CoarsenedMesh;
+  py::class_<C>(module, "CoarsenedMesh", "What LimitSurface.coarsened_mesh() returns.")
+      .def_readonly("mesh", &C::mesh, "The coarser ControlMesh, with all tags.")
+      .def_property_readonly(
+          "points", [](const C& c) { return to_array(c.points); },
+          "(n,) the points of the finer mesh that became its points.")
+      .def_property_readonly(
+          "faces",
+          [](const C& c) {
+            std::vector<int> faces;
+            for (int h : c.cells) faces.push_back(h / 4);
+            return to_array(faces);
+          },
+          "(cells,) the face of the finer mesh that is each of its cells, in the order of cells.")
+      .def_readonly("rms", &C::rms,
+                    "m, of the distances of the finer mesh's points from where the coarser one, "
+                    "subdivided, has them.")
+      .def_readonly("largest", &C::largest, "m, of these.")
+      .def_readonly("largest_point", &C::largest_point, "The point of the finer mesh with it.");
+}
+
 }  // namespace
 
 void bind_limit_surface(py::module_& module) {
+  bind_coarsened_mesh(module);
   py::class_<surface::LimitSurface>(
       module, "LimitSurface",
       "The exact limit surface of a control mesh: a function of a cell and (u, v) in [0, 1]^2.\n\n"
@@ -144,6 +168,11 @@ void bind_limit_surface(py::module_& module) {
           "Its faces are the cells, in their order, of four points each: the corner, the middle of "
           "the edge to the next corner, the face's, the middle of the edge to the one before. Its "
           "points are those of the mesh's points, then of its faces, then of its edges.")
+      .def("coarsened_mesh", &surface::coarsened_mesh, py::call_guard<py::gil_scoped_release>(),
+           "The reverse of refined_mesh(): the CoarsenedMesh that this surface's was subdivided "
+           "from. Where its points were moved since, the sum of squares of the distances from "
+           "where the coarser mesh has them is least. Raises ValueError, naming a point, where "
+           "faces and creases are no subdivided ones.")
       .def(
           "positions",
           [](const surface::LimitSurface& surface, const py::object& cells, const DoubleArray& uv) {

@@ -10,6 +10,7 @@
 #include "bindings/arrays.h"
 #include "bindings/move_limits.h"
 #include "bindings/surface_places.h"
+#include "modelling/reshape/allowed_moves.h"
 #include "modelling/reshape/crease_moves.h"
 #include "modelling/reshape/square_sums.h"
 #include "modelling/reshape/square_ties.h"
@@ -63,6 +64,15 @@ BoundReshaped solved(const Reshape& reshape, const DoubleArray& shifts,
 }
 
 py::array_t<double> as_array(const Vector3d& point) { return py::array_t<double>(3, point.data()); }
+
+surface::CreaseCurve crease_of(const surface::LimitSurface& surface, int number) {
+  const std::vector<surface::CreaseCurve> curves = surface::crease_curves(surface);
+  if (number < 0 || number >= static_cast<int>(curves.size())) {
+    throw std::invalid_argument("There is no crease " + std::to_string(number) + " among " +
+                                std::to_string(curves.size()) + " of the surface.");
+  }
+  return curves[number];
+}
 
 void bind_reshaped(py::module_& module) {
   py::class_<BoundReshaped>(module, "Reshaped", "How a surface comes to lie: Reshape.solve().")
@@ -150,6 +160,24 @@ void bind_reshape(py::module_& module) {
            "differ, where the limits contradict the prescribed moves, and, with the place, where "
            "the wanted shift itself folds space, det(1 + gradient) <= 0.");
   module.def(
+      "allowed_moves",
+      [](const surface::LimitSurface& surface, const py::object& points, const DoubleArray& moves,
+         const py::object& locked, const py::object& held_points, const DoubleArray& held_normals,
+         const py::object& tied, const DoubleArray& tied_directions, const py::iterable& kept) {
+        const modelling::MoveSpace space(
+            limits_from(locked, held_points, held_normals, tied, tied_directions, kept),
+            static_cast<int>(surface.mesh().points().size()));
+        return to_array(modelling::allowed_moves(space, integers_from(points, "points"),
+                                                 points_from(moves, "moves")));
+      },
+      py::arg("surface"), py::arg("points"), py::arg("moves"), py::kw_only(),
+      py::arg("locked") = py::tuple(), py::arg("held_points") = py::tuple(),
+      py::arg("held_normals") = py::tuple(), py::arg("tied") = py::tuple(),
+      py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
+      "The moves (p, 3), m, of control points (p,) that are nearest to these moves, in least "
+      "squares, of all that the limits allow, which are those of Reshape: prescribed there they "
+      "are never refused.");
+  module.def(
       "square_ties",
       [](const surface::LimitSurface& surface) {
         std::vector<std::array<int, 2>> tied;
@@ -180,23 +208,33 @@ void bind_reshape(py::module_& module) {
   module.def(
       "crease_moves",
       [](const surface::LimitSurface& surface, int crease, const DoubleArray& t,
-         const DoubleArray& shifts) {
-        const std::vector<surface::CreaseCurve> curves = surface::crease_curves(surface);
-        if (crease < 0 || crease >= static_cast<int>(curves.size())) {
-          throw std::invalid_argument("There is no crease " + std::to_string(crease) + " among " +
-                                      std::to_string(curves.size()) + " of the surface.");
-        }
+         const DoubleArray& shifts, const py::object& staying) {
         const modelling::CreaseMoves found = modelling::crease_moves(
-            surface, curves[crease], numbers_from(t, "t"), points_from(shifts, "shifts"));
+            surface, crease_of(surface, crease), numbers_from(t, "t"),
+            points_from(shifts, "shifts"), integers_from(staying, "staying"));
         return py::make_tuple(to_array(found.points), to_array(found.moves), found.distance,
                               found.t);
       },
-      py::arg("surface"), py::arg("crease"), py::arg("t"), py::arg("shifts"),
+      py::arg("surface"), py::arg("crease"), py::arg("t"), py::arg("shifts"), py::kw_only(),
+      py::arg("staying") = py::tuple(),
       "How the control points of one of crease_curves(), by its number, move so that its points "
       "at t (k,) shift by shifts (k, 3), m, in least squares: (points (p,), moves (p, 3), the "
       "largest distance left, m, and at which t). Prescribed in a Reshape they bring the crease "
       "there. A shift that is a spline of the crease's knots is met to rounding; ends that t names "
-      "are met in any case. ValueError for a crease that ends in a dart.");
+      "are met in any case. staying: control points that do not move. ValueError for a crease that "
+      "ends in a dart.");
+  module.def(
+      "crease_shifts",
+      [](const surface::LimitSurface& surface, int crease, const DoubleArray& t,
+         const DoubleArray& moves) {
+        return to_array(modelling::crease_shifts(surface, crease_of(surface, crease),
+                                                 numbers_from(t, "t"),
+                                                 points_from(moves, "moves")));
+      },
+      py::arg("surface"), py::arg("crease"), py::arg("t"), py::arg("moves"),
+      "How far the points at t (k,) of one of crease_curves(), by its number, shift where its "
+      "control points, in the order of its vertices, move by moves (p, 3), m: (k, 3), m. "
+      "ValueError for a crease that ends in a dart.");
 }
 
 }  // namespace hull::bindings

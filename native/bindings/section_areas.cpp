@@ -91,6 +91,17 @@ void bind_section_areas(py::module_& module) {
       "0) meets the water, trim (by the stern) and heel (to starboard) in rad. Where the area "
       "jumps, at a transom, it is the larger one.");
 
+  module.def(
+      "volume_abaft",
+      [](const analysis::HullBody& body, double x, double draft, double trim, double draft_at) {
+        return body.volume_abaft(
+            analysis::water_plane(analysis::FloatingPosition{draft, trim, 0.0, draft_at}), x);
+      },
+      py::arg("body"), py::arg("x"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
+      py::arg("draft_at") = 0.0, py::call_guard<py::gil_scoped_release>(),
+      "Displaced volume abaft the station x (m), m³, both sides, upright; as exact as that of the "
+      "whole. draft, trim and draft_at as section_areas() takes them.");
+
   using B = analysis::BonjeanCurves;
   py::class_<B>(module, "BonjeanCurves",
                 "Immersed stations over a range of upright drafts. Arrays have one row per station "

@@ -43,8 +43,9 @@ modelling::ShiftedPart part_from(const std::string& name) {
   if (name == "apart") return modelling::ShiftedPart::kApart;
   if (name == "fore") return modelling::ShiftedPart::kFore;
   if (name == "aft") return modelling::ShiftedPart::kAft;
-  throw std::invalid_argument("part is \"whole\", \"apart\", \"fore\" or \"aft\", not \"" + name +
-                              "\".");
+  if (name == "fair") return modelling::ShiftedPart::kFair;
+  throw std::invalid_argument(
+      "part is \"whole\", \"apart\", \"fore\", \"aft\" or \"fair\", not \"" + name + "\".");
 }
 
 modelling::FormTargets targets_from(std::optional<double> volume, std::optional<double> mass_t,
@@ -165,9 +166,10 @@ void bind_section_shift(py::module_& module) {
            py::arg("kept_ranges") = Ranges{}, py::arg("limits") = LimitArguments{},
            "draft, trim, length_pp, beam, design_draft, water_density: as for hydrostatics(), "
            "which needs no heel. part: \"whole\": A and B; \"apart\": an A for the fore and one "
-           "for the aft body; \"fore\" or \"aft\": for one of them alone. parallel (aft, forward), "
-           "m: the parallel middle body, which keeps its sections' distances; parallel_wanted: "
-           "what it is to become. kept_ranges: tuples (aft, forward, fade), m, of sections that "
+           "for the aft body; \"fore\" or \"aft\": for one of them alone; \"fair\": A and B by the "
+           "two functions that bend the hull's lines the least. parallel (aft, forward), m: the "
+           "parallel middle body, which keeps its sections' distances; parallel_wanted: what it is "
+           "to become. kept_ranges: tuples (aft, forward, fade), m, of sections that "
            "stay; the shift fades within a length. limits: TransformLimits.\n\nThe body is read "
            "here and not kept. ValueError for what is none of these.")
       .def(

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "analysis/immersion/floating_position.h"
+#include "natural_hull.h"
 #include "test_meshes.h"
 
 namespace hull::analysis {
@@ -328,6 +329,30 @@ std::string words_of(const HullBody& body, const Plane& water) {
     return error.what();
   }
   return {};
+}
+
+// y = f(x) g(z): what lies abaft x and below z is twice the product of two integrals, whichever
+// cell the water and the station meet in.
+TEST(HullBody, VolumeAbaftAStation) {
+  const testing::NaturalHull ship = testing::natural_ship();
+  const surface::LimitSurface half{mesh::ControlMesh(ship.mesh)};
+  const surface::LimitSurface whole{mesh::ControlMesh(ship.whole())};
+  const HullBody halves[] = {HullBody(half, true), HullBody(whole, false)};
+  const double size = half.mesh().size();
+  for (double draft : {0.3, 3.0, 4.1}) {
+    const Plane water = water_plane({draft, 0.0, 0.0, 0.0});
+    const double below = ship.upwards.integral([&](double z) { return ship.upwards(z); }, draft);
+    for (double x : {-1.0, 0.0, 7.0, 20.0, 31.234, 60.0, 70.0}) {
+      const double along = ship.along.integral([&](double s) { return ship.along(s); }, x);
+      for (const HullBody& body : halves) {
+        EXPECT_NEAR(body.volume_abaft(water, x), 2.0 * along * below, 1e-13 * size * size * size)
+            << draft << ", " << x;
+      }
+    }
+  }
+  const Plane heeled = water_plane({3.0, 0.0, 0.1, 0.0});
+  EXPECT_THROW(halves[0].volume_abaft(heeled, 30.0), std::invalid_argument);
+  EXPECT_THROW(halves[0].volume_abaft(water_plane({3.0}), std::nan("")), std::invalid_argument);
 }
 
 // An open half box floods over its deck, not through its transom.

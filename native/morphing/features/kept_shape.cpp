@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "morphing/features/kept_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "analysis/fairness/flat_regions.h"
+#include "mesh/tolerances.h"
+#include "modelling/reshape/square_ties.h"
+#include "morphing/limit_points.h"
+#include "surface/queries/closest_point.h"
+
+namespace hull::morphing {
+namespace {
+
+using analysis::FlatRegion;
+
+// Of the normal's length: what a surface that is square to the centre plane may have across it.
+constexpr double kSquareNormal = 1e-6;
+// Of the size: how far a layout may still be from the flat that its points are put into.
+constexpr double kNearFlat = 5e-3;
+// Of the size's square: smaller regions are not looked at.
+constexpr double kSmallestFlat = 1e-6;
+
+std::vector<FlatRegion> flats_of(const surface::LimitSurface& surface) {
+  const double size = surface.mesh().size();
+  return analysis::flat_regions(surface, std::nullopt, kInPlane * size,
+                                kSmallestFlat * size * size);
+}
+
+// The control points in the plane of a region, of the faces that its cells are part of.
+std::vector<int> points_of(const surface::LimitSurface& hull, const FlatRegion& region) {
+  const mesh::Topology& t = hull.mesh().topology();
+  std::set<int> found;
+  for (int cell : region.cells) {
+    for (int h = cell, k = 0; k < t.face_size(t.face(cell)); h = t.next(h), ++k) {
+      const double height = region.plane.height(hull.mesh().points()[t.origin(h)]);
+      if (std::abs(height) <= kInPlane * hull.mesh().size()) found.insert(t.origin(h));
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
+
+std::vector<modelling::TiedPoint> common_squares(const surface::LimitSurface& hull,
+                                                 const surface::LimitSurface& layout,
+                                                 const surface::LimitSurface& other) {
+  const std::vector<Vector3d> limits = limit_points(layout);
+  const surface::SurfaceTree tree(other);
+  std::vector<modelling::TiedPoint> found;
+  for (const modelling::TiedPoint& tie : modelling::square_ties(hull)) {
+    const surface::ClosestPoint foot = surface::closest_point(tree, limits[tie.leader]);
+    const Vector3d normal = other.normal(foot.cell, foot.u, foot.v);
+    if (!normal.isZero(0.0) && std::abs(normal.y()) <= kSquareNormal) found.push_back(tie);
+  }
+  return found;
+}
+
+std::vector<CommonFlat> common_flats(const surface::LimitSurface& hull,
+                                     const surface::LimitSurface& layout,
+                                     const surface::LimitSurface& other) {
+  const std::vector<Vector3d> limits = limit_points(layout);
+  const surface::SurfaceTree tree(other);
+  const double near = kNearFlat * other.mesh().size();
+  const std::vector<FlatRegion> others = flats_of(other);
+  std::set<int> taken;
+  std::vector<CommonFlat> found;
+  for (const FlatRegion& region : flats_of(hull)) {
+    for (const FlatRegion& counterpart : others) {
+      if (region.plane.normal.dot(counterpart.plane.normal) < std::cos(kTurned)) continue;
+      CommonFlat flat{{}, counterpart.plane};
+      for (int v : points_of(hull, region)) {
+        const surface::ClosestPoint foot = surface::closest_point(tree, limits[v]);
+        const bool is_in =
+            std::binary_search(counterpart.cells.begin(), counterpart.cells.end(), foot.cell);
+        if (!is_in || std::abs(counterpart.plane.height(limits[v])) > near || taken.count(v)) {
+          continue;
+        }
+        flat.points.push_back(v);
+      }
+      if (flat.points.size() < 3) continue;
+      taken.insert(flat.points.begin(), flat.points.end());
+      found.push_back(std::move(flat));
+    }
+  }
+  return found;
+}
+
+}  // namespace hull::morphing
