@@ -7,4 +7,5 @@
   kinks           kinks and waves of lines of light that an eye sees
   native          the native module
   lines           all lines of a hull judged: what is found on them, and what its design calls for
+  changes         marks of a changed hull: which are new
 """

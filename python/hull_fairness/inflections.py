@@ -32,21 +32,22 @@ class Mark:
     depth: float
 
 
-def marks(lengths, curvatures, least_depth):
+def marks(lengths, curvatures, least_depth, shallowest=SHALLOWEST):
     """The visible Marks of a curve without knuckles: lengths (n,) along it in m, rising, and signed
-    curvatures (n,) in 1/m; in their order along it. least_depth in m."""
-    curve = _Curve(lengths, curvatures, least_depth)
+    curvatures (n,) in 1/m; in their order along it. least_depth in m; shallowest: of their length.
+    """
+    curve = _Curve(lengths, curvatures, least_depth, shallowest)
     sides, inflections = _sides(curve)
     dips = [mark for side in sides for mark in _dips(curve, *side)]
     return sorted(inflections + dips, key=lambda mark: mark.index)
 
 
 class _Curve:
-    def __init__(self, lengths, curvatures, least_depth):
+    def __init__(self, lengths, curvatures, least_depth, shallowest):
         self.s = np.asarray(lengths, dtype=float)
         step = _ROUNDING * max(np.abs(curvatures).max(initial=0.0), _ROUNDING)
         self.k = np.round(np.asarray(curvatures) / step) * step
-        self.least_depth = least_depth
+        self.least_depth, self.shallowest = least_depth, shallowest
 
     def depth(self, first, last, bend):
         """(depth in m, depth over the least that is seen) of bends in 1/m more than wanted, given
@@ -57,7 +58,7 @@ class _Curve:
             return 0.0, 0.0
         rise = _integral(s, _integral(s, bend))
         depth = float(np.abs(rise[-1] * (s - s[0]) / length - rise).max())
-        return depth, depth / max(self.least_depth, SHALLOWEST * length)
+        return depth, depth / max(self.least_depth, self.shallowest * length)
 
     def hollow(self, first, last, sign):
         """depth() of all that bends to one side between two indices."""

@@ -34,8 +34,9 @@ class Turn:
     angle: float
 
 
-def turns(line, beam):
-    """The Turns that are seen of a reflections.Turning, in their order; beam in m."""
+def turns(line, beam, eye=1.0):
+    """The Turns that are seen of a reflections.Turning, in their order; beam in m; eye: see
+    lines.judged."""
     reach = round(REACH / STEP)
     if len(line.turned) <= 2 * reach + 1:
         return []
@@ -43,7 +44,7 @@ def turns(line, beam):
     near = _across(line.gradients[:, None] * angles, reach // 2)
     wide = _across(line.gradients[:, None] * angles, WIDER * reach // 2)
     change = np.abs(_across(line.turned, reach // 2))
-    sharp = np.linalg.norm(near, axis=1) > MOST * np.linalg.norm(wide, axis=1)
+    sharp = np.linalg.norm(near, axis=1) > eye * MOST * np.linalg.norm(wide, axis=1)
     back = _turned_back(line.turned, reach, round(WAVE_REACH / STEP))
     seen = np.zeros(len(change), dtype=bool)
     seen[reach:-reach] = True
@@ -51,8 +52,8 @@ def turns(line, beam):
     found = [
         Turn(kind, index, float(sizes[index]))
         for kind, sizes, where in (
-            (KINK, change, sharp & (change >= KINK_TURN) & seen),
-            (WAVE, back, (back >= WAVE_TURN) & seen),
+            (KINK, change, sharp & (change >= eye * KINK_TURN) & seen),
+            (WAVE, back, (back >= eye * WAVE_TURN) & seen),
         )
         for index in _peaks(sizes, where)
     ]

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .inflections import DIP, INFLECTION, marks
+from .inflections import DIP, INFLECTION, SHALLOWEST, marks
 from .kinks import KINK, WAVE, turns
 from .native import hull_native as hn
 from .reflections import comes_into, reflection_lines
@@ -63,16 +63,16 @@ class Line:
         return [found for found in self.found if found.reason is None]
 
 
-def judged(surface, beam, wanted=(), progress=None, within=None):
+def judged(surface, beam, wanted=(), progress=None, within=None, eye=1.0):
     """Every Line of a surface; beam in m. progress: a callable that takes the share done, 0 to 1;
     what it raises ends it. within (low (3,), high (3,)): only the lines that come into this box,
-    and what is found in it."""
+    and what is found in it. eye: what is so much of what is seen counts, too; below 1 it is finer.
+    """
     for kind, mark, *_ in wanted:
         if mark not in MARKS.get(kind, ()):
             raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see hull_fairness/lines.py")
-    least = LEAST_DEPTH * beam
     lines = []
-    for kind, name, found in _all_found(surface, beam, least, within):
+    for kind, name, found in _all_found(surface, beam, eye, within):
         found = [mark for mark in found if within is None or _is_in(mark.point, within)]
         lines.append(Line(kind, name, with_reasons(kind, found, wanted)))
         if progress is not None:
@@ -84,13 +84,13 @@ def _is_in(point, box):
     return bool(np.all(box[0] <= np.asarray(point)) and np.all(np.asarray(point) <= box[1]))
 
 
-def _all_found(surface, beam, least, within):
+def _all_found(surface, beam, eye, within):
     """(kind, name, [Found without reasons]) of each line that comes into a box, or all."""
     for kind, name, curves in _all_curves(surface, _STEP * beam, within):
         own = [curve for curve in curves if comes_into(curve[1], within)]
-        yield kind, name, [mark for curve in own for mark in _marks(*curve, least)]
+        yield kind, name, [mark for curve in own for mark in _marks(*curve, beam, eye)]
     for name, parts in reflection_lines(surface, beam, within):
-        yield "reflection", name, [mark for part in parts for mark in _turns(part, beam)]
+        yield "reflection", name, [mark for part in parts for mark in _turns(part, beam, eye)]
 
 
 def _all_curves(surface, step, within):
@@ -149,20 +149,21 @@ def _rest(curve):
     return curve.points, curve.curvatures, curve.starts
 
 
-def _marks(flat, points, curvatures, starts, least):
+def _marks(flat, points, curvatures, starts, beam, eye):
     """Found without reasons, of each part between knuckles."""
+    least = eye * LEAST_DEPTH * beam
     for first, last in _parts(flat, starts):
         lengths = np.linalg.norm(np.diff(flat[first:last], axis=0), axis=1)
         lengths = np.concatenate([[0.0], np.cumsum(lengths)])
         if lengths[-1] < least:
             continue
-        for mark in marks(lengths, curvatures[first:last], least):
+        for mark in marks(lengths, curvatures[first:last], least, eye * SHALLOWEST):
             size = f"{1e3 * mark.depth:.1f} mm deep"
             yield Found(mark.kind, tuple(points[first + mark.index]), size)
 
 
-def _turns(part, beam):
-    for turn in turns(part, beam):
+def _turns(part, beam, eye):
+    for turn in turns(part, beam, eye):
         size = f"turned by {np.degrees(turn.angle):.0f}°"
         yield Found(turn.kind, tuple(part.points[turn.index]), size)
 

@@ -32,7 +32,7 @@ from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
-from .stl import read_stl
+from .stl import read_stl, write_stl
 from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 
 __all__ = [
@@ -71,4 +71,5 @@ __all__ = [
     "to_dimensions",
     "to_dimensions_keeping",
     "write_hull_file",
+    "write_stl",
 ]

@@ -12,7 +12,8 @@ TOPS = ("native", "python", "addon", "samples", "scripts", "tests", "docs", "cma
 # Folders whose own folders all have a row.
 PARENTS = (
     "native", "native/surface", "native/analysis", "native/conversion", "native/drawing",
-    "native/bindings", "python", "addon/hull_tools", "addon/hull_tools/bridge",
+    "native/bindings", "native/modelling", "native/morphing", "python", "addon/hull_tools",
+    "addon/hull_tools/bridge",
     "addon/hull_tools/features", "tests",
 )  # fmt: skip
 # What tests keep for themselves.

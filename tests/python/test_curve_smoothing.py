@@ -91,10 +91,116 @@ def test_chords_are_the_parameters_unless_given():
     np.testing.assert_array_equal(mine.knots, hn.smooth_curve(points, 0.02, parameters=t).knots)
 
 
+def jumps(degree, knots, coefficients):
+    """Sum of the squared jumps of the highest derivative at knots."""
+    spans = np.unique(knots)
+    highest = interpolate.BSpline(knots, coefficients, degree).derivative(degree)
+    return (np.diff(highest(0.5 * (spans[1:] + spans[:-1])), axis=0) ** 2).sum()
+
+
+def random_set(seed):
+    random = np.random.default_rng(seed)
+    count, noise = int(random.integers(8, 80)), 10 ** random.uniform(-4.0, -1.0)
+    t = np.cumsum(random.uniform(0.02, 1.0, count))
+    turns = random.uniform(0.3, 1.5, 2)
+    points = np.stack([t, 2.0 * np.sin(t * turns[0]), np.cos(t * turns[1])], axis=1)
+    deviation = noise * 10 ** random.uniform(-0.5, 0.5)
+    return t, points + random.normal(0.0, noise, points.shape), deviation
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("first", range(0, 200, 50))
+def test_no_curve_of_fitpack_s_is_fairer(first):
+    """Both have their knots at points; FITPACK takes few, and stops within a thousandth of S."""
+    for seed in range(first, first + 50):
+        t, points, deviation = random_set(seed)
+        weights = np.random.default_rng(seed).uniform(0.5, 2.0, len(t))
+        wanted = deviation**2 * weights.sum()
+        found = interpolate.splprep(
+            points.T, w=np.sqrt(weights), u=t, s=wanted, full_output=True, quiet=True
+        )
+        (knots, theirs, _), _ = found[0]
+        options = {"parameters": t, "weights": weights, "knots_at_points": True}
+        curve = hn.smooth_curve(points, deviation, **options)
+        assert curve.error == pytest.approx(wanted, rel=2e-9) or np.isinf(curve.p)
+        assert curve.error <= wanted * (1.0 + 2e-9)
+        # At the deviation that FITPACK came to.
+        at_theirs = hn.smooth_curve(points, np.sqrt(found[1] / weights.sum()), **options)
+        mine = jumps(3, np.array(at_theirs.knots), np.array(at_theirs.coefficients))
+        assert mine <= jumps(3, knots, np.stack(theirs, axis=1)) * (1.0 + 1e-6)
+
+
+@pytest.mark.parametrize("deviation", [0.0, 0.05])
+@pytest.mark.parametrize("degree", [3, 5])
+@pytest.mark.parametrize("given", [0, 1])
+def test_straight_ends_have_no_curvature(deviation, degree, given):
+    t, points = noisy()
+    start, end = points[:1] if given else (), points[-1:] if given else ()
+    curve = hn.smooth_curve(
+        points,
+        deviation,
+        parameters=t,
+        start=start,
+        end=end,
+        straight_start=True,
+        straight_end=True,
+        degree=degree,
+    )
+    scale = np.abs(curve.evaluate(np.linspace(0.0, 10.0, 301), 2)).max()
+    np.testing.assert_allclose(curve.evaluate([0.0, 10.0], 2), 0.0, atol=1e-11 * scale)
+    if deviation == 0.0:
+        np.testing.assert_allclose(curve.evaluate(t), points, atol=1e-10)
+    else:
+        assert curve.error == pytest.approx(deviation**2 * len(t), rel=2e-9)
+
+
+def test_interpolated_with_straight_ends_it_is_the_natural_spline():
+    t, points = noisy()
+    mine = hn.smooth_curve(points, 0.0, parameters=t, straight_start=True, straight_end=True)
+    natural = interpolate.CubicSpline(t, points, bc_type="natural")
+    between = np.linspace(0.0, 10.0, 301)
+    np.testing.assert_allclose(mine.evaluate(between), natural(between), atol=1e-8)
+
+
+@pytest.mark.parametrize("deviation", [0.0, 0.05])
+def test_tangents_and_curvatures_are_met_by_quintics(deviation):
+    t, points = noisy()
+    start = [points[0], [1.0, 2.5], [0.3, -0.2]]
+    end = [points[-1], [1.0, -1.5], [-0.1, 0.4]]
+    curve = hn.smooth_curve(points, deviation, parameters=t, start=start, end=end, degree=5)
+    for given, at in ((start, 0.0), (end, 10.0)):
+        for order, value in enumerate(given):
+            np.testing.assert_allclose(curve.evaluate([at], order)[0], value, atol=1e-8)
+    if deviation == 0.0:
+        np.testing.assert_allclose(curve.evaluate(t), points, atol=1e-8)
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 4, 5])
+def test_a_polynomial_of_the_degree_is_itself(degree):
+    t = np.linspace(0.0, 3.0, degree + 1)
+    factors = np.random.default_rng(degree).normal(size=(degree + 1, 3))
+    points = np.stack([np.polyval(column, t) for column in factors.T], axis=1)
+    curve = hn.smooth_curve(points, 0.0, parameters=t, degree=degree)
+    assert len(curve.coefficients) == degree + 1
+    between = np.linspace(0.0, 3.0, 20)
+    wanted = np.stack([np.polyval(column, between) for column in factors.T], axis=1)
+    np.testing.assert_allclose(curve.evaluate(between), wanted, atol=1e-11 * np.abs(wanted).max())
+
+
+def test_two_points_with_tangents_are_a_hermite_cubic():
+    start, end = [[0.0, 0.0], [1.0, 0.0]], [[2.0, 1.0], [1.0, 0.0]]
+    curve = hn.smooth_curve(
+        np.array([start[0], end[0]]), 0.0, parameters=[0, 2], start=start, end=end
+    )
+    theirs = interpolate.CubicHermiteSpline([0, 2], [start[0], end[0]], [start[1], end[1]])
+    between = np.linspace(0.0, 2.0, 9)
+    np.testing.assert_allclose(curve.evaluate(between), theirs(between), atol=1e-14)
+
+
 @pytest.mark.parametrize(
     "points, options, words",
     [
-        (np.zeros((3, 2)), {}, "four points"),
+        (np.zeros((3, 2)), {}, "needs 4 points"),
         (np.zeros((5, 2)), {}, "same place"),
         (np.full((5, 2), np.nan), {}, "no place"),
         (np.eye(5), {"deviation": -1.0}, "must not be negative"),
@@ -103,6 +209,11 @@ def test_chords_are_the_parameters_unless_given():
         (np.eye(5), {"parameters": [0, 1]}, "as many parameters"),
         (np.eye(5), {"weights": [1, 1, 0, 1, 1]}, "above zero"),
         (np.eye(5), {"start": [[1.0]]}, "coordinates"),
+        (np.eye(5), {"start": np.eye(5)[:3]}, "degree 5"),
+        (np.eye(5), {"start": np.eye(5)[:2], "straight_start": True}, "degree 5"),
+        (np.eye(5), {"degree": 2, "straight_end": True}, "degree of 3"),
+        (np.eye(5), {"degree": 6}, "from 1 to 5"),
+        (np.eye(5), {"degree": 5}, "needs 6 points"),
     ],
 )
 def test_nonsense_is_refused(points, options, words):

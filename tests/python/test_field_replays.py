@@ -10,18 +10,14 @@ import vessels
 from field_replays import bulb, follow
 from field_replays import frigate as replay
 from field_replays import profile_number, refined, waterline
-from hull_fairness import lines
+from hull_fairness import kinks, lines
 
 # Where marks of the frigate's fore ship are counted.
 FORE_SHIP = np.array([60.0, -1.0, -5.0]), np.array([200.0, 20.0, 20.0])
-
-
-# Where no field of the bulb reaches, abaft and above, nor what is looked at around a mark on a line
-# of light, a tenth of the beam.
-BEYOND = (
-    (np.array([-10.0, -1.0, -5.0]), np.array([80.0, 20.0, 20.0])),
-    (np.array([80.0, -1.0, 8.0]), np.array([110.0, 20.0, 20.0])),
-)
+# Where marks of the bulb are looked for: abaft nothing moves.
+BOW = np.array([60.0, -1.0, -5.0]), np.array([200.0, 20.0, 20.0])
+# Less of a shift is none, m.
+NO_SHIFT = 1e-5
 
 
 @cache
@@ -135,47 +131,76 @@ def test_the_bulb_is_on_the_wanted_profile():
     wanted, wanted_bulb = bulb.wanted_profile(plain_bow())
     assert hn.FieldCurve(bulb.fore_profile(plain_bow())).distances(wanted_bulb).max() > 4.0
     apart = []
-    for name, surface, result in bulb_steps():
-        assert result.folded_place is None
-        curve = hn.crease_curves(surface)[profile_number(surface)]
+    for step in bulb_steps():
+        assert step.result.folded_place is None
+        curve = hn.crease_curves(step.surface)[profile_number(step.surface)]
         (line,) = curve.evaluate(np.linspace(0.0, curve.edge_count, 32 * curve.edge_count + 1))
         fore = line[:, 0] > bulb.AFT_END + 1.0
         apart.append(wanted.distances(line[fore]).max())
-        print(name, "rms", result.rms, "largest", result.largest, "from the profile", apart[-1])
-        assert np.abs(line[:, 1]).max() < 1e-12 * surface.mesh.size
+        rms, largest = step.result.rms, step.result.largest
+        print(step.name, "rms", rms, "largest", largest, "from the profile", apart[-1])
+        assert np.abs(line[:, 1]).max() < 1e-12 * step.surface.mesh.size
     assert apart[0] < 0.3 and max(apart[1:]) < 1e-3
     # And no part of it is missing.
     assert hn.FieldCurve(line[fore]).distances(wanted_bulb).max() < 1e-3
 
 
 def test_the_bulb_is_fuller_than_a_drawn_out_stem():
-    (_, thin, _), (_, full, _) = bulb_steps()[1], bulb_steps()[-1]
     breadths = []
-    for surface in (thin, full):
-        points = waterline(surface, bulb.TIP_Z)[::-1]
+    for step in (bulb_steps()[1], bulb_steps()[-1]):
+        points = waterline(step.surface, bulb.TIP_Z)[::-1]
         breadths.append(np.interp([99.0, 100.0, 101.0, 102.0], points[:, 0], points[:, 1]))
     print("half-breadths", *breadths)
     assert (breadths[1] > 1.25 * breadths[0]).all()
 
 
-def marks(surface, box):
-    """(line, mark) of all marks in a box, sorted."""
-    return sorted(
-        (line.name, found.mark)
-        for line in lines.judged(surface, bulb.BEAM, within=box)
+@cache
+def plain_marks():
+    return marks(plain_bow())
+
+
+def marks(surface):
+    """(name of the line, kind, place (3,)) of all marks on the bow."""
+    return [
+        (line.name, found.mark, np.array(found.point))
+        for line in lines.judged(surface, bulb.BEAM, within=BOW)
         for found in line.found
+    ]
+
+
+def new_where_nothing_shifts(surface, fields):
+    """(new marks where none of several hull_native.ShapeFields shifts, how many are there)."""
+    found = marks(surface)
+    places = np.array([place for *_, place in found])
+    shifts = [np.abs(one.at(places)[0]).max(axis=1) for one in fields]
+    there = [found[i] for i in np.flatnonzero(np.max(shifts, axis=0) < NO_SHIFT)]
+    return [mark for mark in there if not was_there(*mark)], len(there)
+
+
+def was_there(name, kind, place):
+    near = kinks.REACH * bulb.BEAM
+    return any(
+        (name, kind) == before[:2] and np.linalg.norm(place - before[2]) < near
+        for before in plain_marks()
     )
 
 
-def test_no_mark_comes_where_fields_do_not_reach():
-    before, (_, after, _) = plain_bow(), bulb_steps()[-1]
-    for box in BEYOND:
-        there = marks(before, box)
-        new = marks(after, box)
-        print(len(there), "marks before", len(new), "after")
-        for mark in there:
-            if mark in new:
-                new.remove(mark)
-        assert not new
-    moved = (after.mesh.points != before.mesh.points).any(axis=1)
-    assert before.mesh.points[moved, 0].min() > 78.0
+def test_no_mark_comes_where_no_field_shifts():
+    after = bulb_steps()[-1].surface
+    new, count = new_where_nothing_shifts(after, [step.fields for step in bulb_steps()])
+    print(count, "marks where no field shifts, new:", new)
+    assert count > 0 and not new
+    before = plain_bow().mesh.points
+    moved = (after.mesh.points != before).any(axis=1)
+    assert before[moved, 0].min() > 78.0
+
+
+def test_a_base_that_reaches_as_far_at_its_top_has_light_wave_above():
+    """Where nothing moves: a mark is reckoned by a tenth of the beam along the line, down to
+    where the surface does."""
+    fields = bulb.drawn_out(plain_bow(), top_extent=bulb.EXTENT)
+    surface, _ = follow(plain_bow(), fields, with_profile=True)
+    new, _ = new_where_nothing_shifts(surface, [fields])
+    print(new)
+    assert {kind for _, kind, _ in new} <= {"kink", "wave"} and len(new) >= 2
+    assert all(place[2] > bulb.BASE_TOP for *_, place in new)

@@ -83,6 +83,7 @@ OF_A_BODY = {
     "match_areas": lambda body: hn.match_areas(body, [0.5, 1.0, 1.5], [0.3] * 3, draft=0.5),
     "parallel_body": lambda body: hn.parallel_body(body, draft=0.5),
     "section_areas": lambda body: hn.section_areas(body, [1.0, 2.0], draft=0.5),
+    "volume_abaft": lambda body: hn.volume_abaft(body, 4.0, draft=0.5),
     "bonjean": lambda body: hn.bonjean(body, stations=[1.0, 2.0], drafts=[0.2, 0.5]),
     "righting_levers": lambda body: hn.righting_levers(body, **LOAD, heels=[0.0, 0.1]),
     "cross_curves": lambda body: hn.cross_curves(body, displacements_t=[3.0], heels=[0.1]),

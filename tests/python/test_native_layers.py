@@ -17,6 +17,8 @@ USES = {
     "surface": {"mesh"},
     "analysis": {"surface", "mesh"},
     "modelling": {"analysis", "surface", "mesh"},
+    "morphing": {"modelling", "analysis", "surface", "mesh"},
+    "network": {"modelling", "analysis", "surface", "mesh"},
     "conversion": {"analysis", "surface", "mesh"},
     "exchange": {"conversion", "analysis", "surface", "mesh", "files"},
     "drawing": {"analysis", "surface", "mesh", "dxf", "files"},

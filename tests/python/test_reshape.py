@@ -416,6 +416,71 @@ def test_creases_move_as_told_and_others_stay(name):
                 assert np.abs(one.evaluate(s)[0] - other.evaluate(s)[0]).max() < 1e-12 * size
 
 
+@pytest.mark.parametrize("name", SAMPLES)
+def test_staying_points_of_a_crease_stay_and_the_others_do_their_best(name):
+    surface = surface_of(name)
+    size, random = size_of(surface), np.random.default_rng([SEED, SAMPLES.index(name)])
+    number, curve = max(creases_to_move(surface), key=lambda found: found[1].edge_count)
+    t = np.linspace(0, curve.edge_count, 6 * curve.edge_count + 1)
+    shifts = 1e-3 * size * random.normal(size=(len(t), 3))
+    staying = curve.vertices[::3]
+    points, moves, distance, _ = hn.crease_moves(surface, number, t, shifts, staying=staying)
+    stays = np.isin(points, staying)
+    assert not moves[stays].any() and moves[~stays].any()
+    got = hn.crease_shifts(surface, number, t, moves)
+    assert distance == pytest.approx(np.linalg.norm(shifts - got, axis=1).max(), rel=1e-12)
+    # What the curve of the moved control points does.
+    after = surface.mesh.points.copy()
+    after[points] += moves
+    after = hn.LimitSurface(surface.mesh.with_points(after), surface.scheme)
+    now = hn.crease_curves(after)[number].evaluate(t)[0] - curve.evaluate(t)[0]
+    np.testing.assert_allclose(got, now, atol=1e-13 * size)
+    # No other move of those that are free is nearer.
+    free = np.flatnonzero(~stays)
+    free = free if curve.closed else np.setdiff1d(free, (0, len(points) - 1))
+    for k in free[:4]:
+        for step in (1e-3, -1e-3):
+            other = moves.copy()
+            other[k, 1] += step * size
+            left = shifts - hn.crease_shifts(surface, number, t, other)
+            assert (left**2).sum() > ((shifts - got) ** 2).sum()
+    with pytest.raises(ValueError, match="a move for each"):
+        hn.crease_shifts(surface, number, t, moves[1:])
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_allowed_moves_are_the_nearest_and_never_refused(name):
+    surface = surface_of(name)
+    size, random = size_of(surface), np.random.default_rng([SEED, SAMPLES.index(name)])
+    count = len(surface.mesh.points)
+    tied, directions = hn.square_ties(surface)
+    centre = np.flatnonzero(np.abs(surface.mesh.points[:, 1]) < 1e-6 * size)
+    limits = {
+        "locked": random.choice(count, 3, replace=False),
+        "held_points": centre,
+        "held_normals": np.tile([0.0, 1.0, 0.0], (len(centre), 1)),
+        "tied": tied,
+        "tied_directions": directions,
+        "kept": hn.square_sums(surface),
+    }
+    points = random.choice(count, min(count, 20), replace=False)
+    told = 1e-3 * size * random.normal(size=(len(points), 3))
+    moves = hn.allowed_moves(surface, points, told, **limits)
+    assert not moves[np.isin(points, limits["locked"])].any()
+    assert np.abs(moves[np.isin(points, centre), 1]).max(initial=0.0) < 1e-15 * size
+    reshape = hn.Reshape(surface, **limits, prescribed=points)
+    result = reshape.solve(np.zeros_like(reshape.positions), prescribed=moves)
+    assert np.array_equal(result.moves[points], moves)
+    # No other moves that are allowed are nearer: what is left is square to all of them.
+    np.testing.assert_allclose(
+        hn.allowed_moves(surface, points, moves, **limits), moves, atol=1e-13 * size
+    )
+    others = hn.allowed_moves(surface, points, random.normal(size=told.shape), **limits)
+    assert abs(((told - moves) * others).sum()) < 1e-10 * size
+    with pytest.raises(ValueError, match="a move for each"):
+        hn.allowed_moves(surface, points, told[1:], **limits)
+
+
 def test_crease_moves_are_the_least_squares_and_meet_the_ends():
     surface = surface_of("coaster")
     number, curve = next(

@@ -227,6 +227,34 @@ def test_remembered_regions_are_known_again():
             assert at[0].any()
 
 
+def test_a_region_does_nothing_beyond_its_extent_whatever_it_is_for():
+    surface = surface_of("coaster")
+    points = hn.SurfacePlaces(surface).positions
+    mover = hn.ShapeField.at_point((60, 5, 3), (0, 0.3, 0), extent=25)
+    alone = hn.ShapeFields([mover], mirrored=True).at(points)
+    for extent in (0.5, 2.0):
+        kept = hn.ShapeField.of_region(surface, [5], extent=extent, protects=True)
+        fields = hn.ShapeFields([mover, kept], mirrored=True)
+        image = points * [1.0, -1.0, 1.0]
+        beyond = np.minimum(fields.deltas(1, points), fields.deltas(1, image)) > 1.0
+        assert 0.5 < beyond.mean() < 1.0
+        shifts, gradients = fields.at(points)
+        np.testing.assert_array_equal(shifts[beyond], alone[0][beyond])
+        np.testing.assert_array_equal(gradients[beyond], alone[1][beyond])
+        assert np.isfinite(gradients).all()
+
+
+def test_remembered_regions_grow_and_shrink():
+    surface = surface_of("coaster")
+    points = hn.SurfacePlaces(surface).positions
+    places = hn.FieldPlaces(points)
+    for extent in (2.0, 2.5, 8.0, 1.0, 30.0):
+        field = hn.ShapeField.of_region(surface, [3, 4], (0, 0.3, 0), extent=extent)
+        fields = hn.ShapeFields([field], mirrored=True)
+        for one, other in zip(fields.at(places), fields.at(points)):
+            np.testing.assert_array_equal(one, other)
+
+
 @pytest.mark.parametrize(
     "cells, message", [([], "one cell at least"), ([9999], "cell 9999 is none"), ([-1], "cell -1")]
 )

@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass
 
+from ..limits import LONGEST_DIMENSION
+
 
 @dataclass(frozen=True)
 class Dimensions:
@@ -22,6 +24,10 @@ class Dimensions:
         for name in ("length", "beam", "draft", "depth"):
             if not getattr(self, name) > 0.0:
                 raise ValueError(f"The {name} is {getattr(self, name):g} m: give more than 0")
+            if getattr(self, name) > LONGEST_DIMENSION:
+                raise ValueError(
+                    f"The {name} is {getattr(self, name):g} m: give at most {LONGEST_DIMENSION:g} m"
+                )
         if self.depth < LEAST_DEPTH * self.draft:
             raise ValueError(
                 f"The depth {self.depth:g} m leaves no freeboard over the draft {self.draft:g} m: "

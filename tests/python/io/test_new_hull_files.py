@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """New hulls are made without Blender, and hull files keep all of them."""
 
+import re
+
 import numpy as np
 import pytest
 from hull_io import read_hull_file, write_hull_file
@@ -21,3 +23,22 @@ def test_hull_files_keep_new_hulls(kind, tmp_path):
     for name in ("name", "creases", "corners", "half", "face_layers", "particulars", "flats"):
         assert getattr(read, name) == getattr(hull, name), name
     assert sorted(map(tuple, read.deck_edge)) == sorted(hull.deck_edge)
+
+
+@pytest.mark.parametrize("kind", TYPES)
+def test_dimensions_that_no_hull_has_are_named(kind):
+    usual = TYPES[kind].dimensions
+    lengths = {name: getattr(usual, name) for name in ("length", "beam", "draft", "depth")}
+    for name in lengths:
+        for wrong, remedy in ((0.0, "give more than 0"), (1e30, "give at most 10000 m")):
+            with pytest.raises(ValueError, match=re.escape(f"The {name} is {wrong:g} m: {remedy}")):
+                new_hull(kind, **{**lengths, name: wrong}, sections=10, points=8)
+
+
+@pytest.mark.parametrize("kind", TYPES)
+def test_dimensions_at_their_limits_make_hulls(kind):
+    for length in (1e-3, 1e4):
+        for beam in (1e-3, 1e4):
+            for draft, depth in ((1e-3, 2e-3), (1e-3, 1e4), (9e3, 1e4)):
+                hull = new_hull(kind, length, beam, draft, depth, sections=10, points=8)
+                assert np.isfinite(hull.points).all()

@@ -49,6 +49,32 @@ def test_corners_at_one_place_are_one_point(read, write):
     np.testing.assert_array_equal(points[triangles], POINTS[TRIANGLES])
 
 
+def test_what_is_written_is_read(tmp_path):
+    path = tmp_path / "shape.stl"
+    moved = 100 / 3 + POINTS
+    hull_io.write_stl(path, moved, TRIANGLES)
+    points, triangles = hull_io.read_stl(path)
+    assert np.array_equal(points[triangles], moved.astype(np.float32)[TRIANGLES])
+    normals = [struct.unpack_from("<3f", path.read_bytes(), 84 + 50 * k) for k in range(4)]
+    wanted = [(0, 0, -1), (0, -1, 0), 3 * [3**-0.5], (-1, 0, 0)]
+    assert np.abs(np.subtract(normals, wanted)).max() < 1e-5
+
+
+@pytest.mark.parametrize(
+    "points, triangles, words",
+    [
+        (POINTS * np.nan, TRIANGLES, "no place"),
+        (POINTS * 1e7, TRIANGLES, "no place"),
+        (POINTS, TRIANGLES + 1, "points 0 to 3"),
+        (POINTS, TRIANGLES - 1, "points 0 to 3"),
+    ],
+)
+def test_what_can_t_be_written_is_refused(tmp_path, points, triangles, words):
+    with pytest.raises(ValueError, match=words):
+        hull_io.write_stl(tmp_path / "shape.stl", points, triangles)
+    assert not list(tmp_path.iterdir())
+
+
 def test_triangles_without_area_are_left_out(read):
     flat = np.array([POINTS[[0, 1, 1]]])
     points, triangles = read(binary(np.concatenate([flat, POINTS[TRIANGLES]])))

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a change of a hull's form did to the marks on its lines: which are new, which are gone.
+
+A mark goes with the surface: where sections are shifted an inflection of a waterline is shifted,
+too. So a mark of the changed hull is looked for on the hull before, at the place of the surface
+with the same parameters. It is an old one where that hull has a mark of its kind within REACH, on a
+line of its kind, that a finer EYE sees; each of these stands for one.
+
+Stretching a hull keeps inflections, but not dips, kinks and waves: other lights are mirrored at the
+same place then. So of these the hull before has all marks that its images have which are stretched
+along an axis by STRETCHES.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .inflections import INFLECTION
+from .lines import judged, with_reasons
+from .native import hull_native as hn
+
+# Of the beam: a mark that wanders along the surface by no more is the same.
+REACH = 0.1
+EYE = 0.75
+STRETCHES = (7.0 / 8.0, 9.0 / 8.0)
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A Found mark of a Line, and its place (3,) on the hull before, m."""
+
+    line: object
+    found: object
+    place: tuple
+
+    @property
+    def kind(self):
+        return self.line.kind, self.found.mark
+
+
+@dataclass(frozen=True)
+class MarkChange:
+    """[Placed] of marks that are new, and of those that are gone."""
+
+    new: list
+    gone: list
+
+
+class Known:
+    """The marks of a LimitSurface, by which those of the changed one are told new from old; beam
+    in m; progress: as `judged` takes it."""
+
+    def __init__(self, surface, beam, progress=None):
+        self.surface, self.reach = surface, REACH * beam
+        parts = _parts(progress, 1 + 3 * len(STRETCHES))
+        lines = judged(surface, beam, progress=next(parts), eye=EYE)
+        self.marks = placed(lines, surface, surface)
+        self._seen = {}  # places by kind
+        for one in self.marks + self._of_images(beam, parts):
+            self._seen.setdefault(one.kind, []).append(one.place)
+
+    def _of_images(self, beam, parts):
+        mesh, found = self.surface.mesh, []
+        for axis in range(3):
+            for stretch in STRETCHES:
+                factors = np.where(np.arange(3) == axis, stretch, 1.0)
+                points = mesh.points * factors
+                image = hn.LimitSurface(mesh.with_points(points), self.surface.scheme)
+                lines = judged(image, factors[1] * beam, progress=next(parts), eye=EYE)
+                found += [
+                    one
+                    for one in placed(lines, image, self.surface)
+                    if one.found.mark != INFLECTION
+                ]
+        return found
+
+    def compared(self, lines, changed, wanted=()):
+        """The MarkChange to Lines judged on a changed surface. wanted: what the design calls for,
+        as in lines, by places on the hull before: of that nothing is new. ValueError where the
+        meshes differ in more than their points."""
+        now = placed(lines, changed, self.surface)
+        pairs = _pairs(self.marks, now, self.reach)
+        was, stays = {a for a, _ in pairs}, {b for _, b in pairs}
+        stays |= {i for i, one in enumerate(now) if self._is_seen(one)}
+        return MarkChange(
+            [now[i] for i in _beyond(now, stays, wanted)],
+            [one for i, one in enumerate(self.marks) if i not in was],
+        )
+
+    def _is_seen(self, one):
+        if one.found.mark == INFLECTION or one.kind not in self._seen:
+            return False
+        places = np.array(self._seen[one.kind])
+        return bool(np.linalg.norm(places - one.place, axis=1).min() <= self.reach)
+
+
+def _parts(progress, count):
+    """What each of `count` parts of the work, one after the other, tells its share to."""
+    for number in range(count):
+        yield progress and (lambda share, done=number: progress((done + share) / count))
+
+
+def placed(lines, changed, before):
+    """[Placed] of the marks of Lines judged on a LimitSurface `changed`, which has the control mesh
+    of `before` but for its points. ValueError where it has not."""
+    if changed.cell_count != before.cell_count:
+        raise ValueError("The mesh itself was changed: no mark has a place on the hull before")
+    found = [(line, mark) for line in lines for mark in line.found]
+    if not found:
+        return []
+    near = hn.SurfaceTree(changed).closest_points(np.array([mark.point for _, mark in found]))
+    places = before.evaluate(near.cells, near.uv, 0)[0]
+    return [Placed(line, mark, tuple(at)) for (line, mark), at in zip(found, places)]
+
+
+def _pairs(old, now, reach):
+    """[(index of old, index of now)] of marks that are the same, the nearest first."""
+    kinds = {}
+    for side, marks in enumerate((old, now)):
+        for index, one in enumerate(marks):
+            kinds.setdefault(one.kind, ([], []))[side].append(index)
+    found = []
+    for a, b in kinds.values():
+        if a and b:
+            before, after = np.array([old[i].place for i in a]), np.array([now[i].place for i in b])
+            apart = np.linalg.norm(before[:, None] - after, axis=2)
+            found += [(apart[i, j], a[i], b[j]) for i, j in np.argwhere(apart <= reach)]
+    pairs, taken = [], (set(), set())
+    for _, i, j in sorted(found):
+        if i not in taken[0] and j not in taken[1]:
+            pairs.append((i, j))
+            taken[0].add(i)
+            taken[1].add(j)
+    return pairs
+
+
+def _beyond(now, stays, wanted):
+    """Indices of marks that were not there before and that are not wanted: those that were have
+    what is wanted of their line first."""
+    lines = {}
+    for index, one in enumerate(now):
+        lines.setdefault(id(one.line), []).append(index)
+    found = []
+    for own in lines.values():
+        own = sorted(own, key=lambda index: index not in stays)
+        marks = [replace(now[i].found, point=now[i].place) for i in own]
+        reasons = with_reasons(now[own[0]].line.kind, marks, wanted)
+        found += [i for i, mark in zip(own, reasons) if i not in stays and mark.reason is None]
+    return sorted(found)

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marks before and after a change of the form: what merely moved is not new, what a dent makes is;
+fair shifts of sections meet what is wanted and bend lines less than Lackenby's.
+
+HULL_LONG_TRANSFORMATIONS: the table of all samples and changes, printed; some minutes.
+"""
+
+import os
+from functools import lru_cache
+
+import hull_native as hn
+import numpy as np
+import pytest
+import vessels
+from hull_fairness.changes import Known
+from hull_fairness.lines import judged
+from transformation_hulls import SAMPLES, Sample, wigley_areas
+
+IS_LONG = bool(os.environ.get("HULL_LONG_TRANSFORMATIONS"))
+CHANGES = ((-0.02, 0.0), (0.02, 0.0), (0.0, -0.01), (0.0, 0.01))  # of Cb, of LCB over Lpp
+
+
+@lru_cache(maxsize=None)
+def known(name):
+    sample = Sample(name)
+    return sample, Known(sample.surface, sample.ship.beam)
+
+
+def new_marks(name, surface, beam_factor=1.0):
+    sample, before = known(name)
+    lines = judged(surface, beam_factor * sample.ship.beam)
+    return before.compared(lines, surface, vessels.vessel(name).wanted).new
+
+
+def with_points(surface, points):
+    return hn.LimitSurface(surface.mesh.with_points(points), surface.scheme)
+
+
+def shifted(name, part, change):
+    """The surface with sections shifted, after what was wanted was checked; or why not."""
+    sample, _ = known(name)
+    where, length = sample.where(), sample.ship.length_pp
+    before = hn.hydrostatics(sample.body, **where)
+    block, lcb = before.project.block + change[0], before.lcb + change[1] * length
+    shift = hn.SectionShift(sample.body, limits=sample.limits(), part=part, **where)
+    try:
+        result = shift.solve(block=block, lcb=lcb)
+    except ValueError as refused:
+        return str(refused)
+    surface, body = sample.moved(result.moves)
+    after = hn.hydrostatics(body, **where)
+    assert after.project.block == pytest.approx(block, abs=1e-9)
+    assert after.lcb == pytest.approx(lcb, abs=1e-9 * length)
+    assert (result.moves[:, 1:] == 0.0).all()
+    for flat, normal in sample.flats:
+        assert np.ptp(surface.mesh.points[flat] @ normal) <= 1e-12 * length
+    return surface
+
+
+@pytest.mark.parametrize("axis, factor", [(0, 0.9), (1, 1.1), (2, 1.1)])
+def test_scaling_makes_nothing_new(axis, factor):
+    sample, _ = known("coaster")
+    factors = np.where(np.arange(3) == axis, factor, 1.0)
+    scaled = with_points(sample.surface, sample.mesh.points * factors)
+    assert new_marks("coaster", scaled, factors[1]) == []
+
+
+def test_a_dent_is_new():
+    sample, _ = known("coaster")
+    points = sample.mesh.points.copy()
+    points[62, 1] -= 8e-3 * sample.ship.beam
+    new = new_marks("coaster", with_points(sample.surface, points))
+    place = sample.mesh.points[62]
+    assert new and min(np.linalg.norm(np.array(one.place) - place) for one in new) < 10.0
+
+
+def test_a_mesh_with_other_faces_is_refused():
+    sample, before = known("coaster")
+    refined = hn.LimitSurface(sample.surface.refined_mesh())
+    with pytest.raises(ValueError, match="The mesh itself was changed"):
+        before.compared([], refined)
+
+
+@pytest.mark.parametrize("change, most", [(CHANGES[0], 2), (CHANGES[1], 0), (CHANGES[3], 0)])
+def test_fair_shifts_of_the_coaster(change, most):
+    """Two flat spots are left with Cb - 0.02."""
+    assert len(new_marks("coaster", shifted("coaster", "fair", change))) <= most
+
+
+def test_fair_shifts_make_fewer_marks_than_lackenbys():
+    fair, whole = (
+        len(new_marks("naval_vessel", shifted("naval_vessel", part, CHANGES[0])))
+        for part in ("fair", "whole")
+    )
+    assert 3 * fair < whole
+
+
+def test_fair_shifts_leave_the_perpendiculars_and_each_does_its_own():
+    """On a hull whose control points can follow: one changes ∇, the other LCB while ∇ stays."""
+    surface, area = wigley_areas(65)
+    body = hn.HullBody(surface, mirrored=True)
+    shift = hn.SectionShift(body, draft=2.0, length_pp=2.0, part="fair")
+    x, step = surface.mesh.points[:, 0], 1e-3
+    volume = 4.0 / 3.0 * area
+    for coefficients in ([step, 0.0], [0.0, step]):
+        result = shift.shifted(coefficients)
+        moves = result.moves[:, 0]
+        assert np.abs(moves[(x == 0.0) | (x == 2.0)]).max() < 1e-3 * np.abs(moves).max()
+    assert abs(result.volume - volume) < 1e-2 * step * volume
+    assert abs(result.lcb - 1.0) > 0.1 * step
+    result = shift.solve(volume=0.70 * area * 2.0, lcb=1.02)
+    moved = hn.HullBody(with_points(surface, surface.mesh.points + result.moves), mirrored=True)
+    found = hn.hydrostatics(moved, draft=2.0, length_pp=2.0)
+    assert found.displaced_volume == pytest.approx(0.70 * area * 2.0, rel=1e-9)
+    assert found.lcb == pytest.approx(1.02, abs=1e-9)
+
+
+def test_fair_shifts_leave_what_is_kept():
+    """Locked points to the bit, and the sections' areas as the control points can."""
+    surface, area = wigley_areas(33)
+    body = hn.HullBody(surface, mirrored=True)
+    locked = np.flatnonzero(surface.mesh.points[:, 0] > 1.8)
+    shift = hn.SectionShift(
+        body,
+        draft=2.0,
+        length_pp=2.0,
+        part="fair",
+        kept_ranges=[(1.7, 2.0, 0.3)],
+        limits=hn.TransformLimits(locked=locked),
+    )
+    result = shift.solve(volume=0.68 * 2.0 * area, lcb=1.01)
+    assert result.converged and (result.moves[locked] == 0.0).all()
+    moved = hn.HullBody(with_points(surface, surface.mesh.points + result.moves), mirrored=True)
+    areas = hn.section_areas(moved, np.array([1.75, 1.9, 1.99]), draft=2.0).areas / area
+    assert np.abs(areas - (1 - np.array([0.75, 0.9, 0.99]) ** 2)).max() < 1e-4
+
+
+@pytest.mark.skipif(not IS_LONG, reason="HULL_LONG_TRANSFORMATIONS is not set")
+@pytest.mark.parametrize("name", SAMPLES)
+def test_table(name):
+    for part in ("whole", "fair"):
+        for change in CHANGES:
+            surface = shifted(name, part, change)
+            told = surface if isinstance(surface, str) else len(new_marks(name, surface))
+            print(f"{name}, {part}, Cb {change[0]:+}, LCB {change[1]:+}: {told}")
+    sample, _ = known(name)
+    for axis in range(3):
+        for factor in (0.9, 1.1):
+            factors = np.where(np.arange(3) == axis, factor, 1.0)
+            scaled = with_points(sample.surface, sample.mesh.points * factors)
+            new = new_marks(name, scaled, factors[1])
+            print(f"{name}, {'LBT'[axis]} {factor}: {len(new)}")
+            # Stretching keeps inflections.
+            assert not [one for one in new if one.found.mark == "inflection"]
