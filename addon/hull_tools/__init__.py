@@ -4,7 +4,7 @@
 from . import late_loading
 
 # Of the overlays what makes arrays: nothing is drawn before there is a hull.
-_ARRAYS = ("legend", "line", "mark", "plot", "tag")
+_ARRAYS = ("field", "legend", "line", "mark", "plot", "tag")
 
 late_loading.install(
     f"{__name__}.bridge",

@@ -406,7 +406,7 @@ def test_the_worst_spot_is_marked(freeship_folder, kind, attribute):
 
 
 def test_the_mark_is_a_ring():
-    corners = part("overlays.spots").ring((100.0, 50.0), 12.0)
+    corners = part("overlays.shapes").ring((100.0, 50.0), 12.0)
     distances = np.linalg.norm(corners - (100.0, 50.0, 0.0), axis=1)
     assert distances == pytest.approx(np.full(len(corners), 12.0))
     assert len(corners) % 2 == 0  # segments

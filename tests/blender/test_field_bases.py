@@ -113,6 +113,29 @@ def test_a_base_becomes_a_curve(is_drawn_back):
         bpy.ops.hull.apply_fields()
 
 
+@pytest.mark.parametrize(
+    "count, told",
+    [
+        (1, "Line is a single point: give its curve another one"),
+        (10_000, "Line is shown with 10000 points, 1000 at most may be: lower its resolution"),
+    ],
+)
+def test_curves_that_cannot_be_bases_are_told(count, told):
+    hull = sample()
+    before, place = points_of(hull), side_point(hull)
+    line = place + np.outer(np.linspace(-8.0, 8.0, count), (1.0, 0.0, 0.0))
+    field = add(hull, place, base="CURVE", extent=15.0, shift=(0.0, 0.2, 0.0))
+    field.curve = line_object("Line", line, hull)
+    with pytest.raises(RuntimeError, match=f"Field 1: {told}"):
+        bpy.ops.hull.apply_fields()
+    # What a base becomes as well.
+    field.becomes = field.curve
+    field.curve = line_object("Base", [place, place + [5.0, 0.0, 0.0]], hull)
+    with pytest.raises(RuntimeError, match=f"Field 1: {told}"):
+        bpy.ops.hull.apply_fields()
+    assert np.array_equal(points_of(hull), before)
+
+
 def test_along_the_surface_the_other_side_of_a_thin_part_is_far():
     """Of two hulls, each thin: what is shifted on the outer side stays on the inner one."""
     hull = sample("catamaran")

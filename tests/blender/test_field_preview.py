@@ -59,6 +59,22 @@ def test_the_hull_follows_each_change_and_comes_back(mode):
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def test_normals_wait_while_fields_change(monkeypatch):
+    surface_mesh, written = part("features.surface.surface_mesh"), []
+    write = surface_mesh.write_normals
+    hull, field, _ = previewed()
+    monkeypatch.setattr(surface_mesh, "write_normals", lambda *a: (written.append(1), write(*a)))
+    for falloff in (0.4, 0.6):
+        field.falloff = falloff
+        changed()
+    assert not written
+    part("features.hull.live_normals")._write()
+    assert written == [1]
+    bpy.ops.hull.apply_fields()
+    assert written == [1], "nothing has moved since"
+    assert state_of(hull).shown.is_as_left(hull)
+
+
 def test_applied_it_is_as_without_preview():
     hull, field, before = previewed()
     field.falloff = 0.4
@@ -199,3 +215,13 @@ def test_what_cannot_be_subdivided_stays_previewed(monkeypatch):
     assert hull.hull.fields.is_previewed and np.array_equal(points_of(hull), now)
     bpy.ops.hull.cancel_fields()
     assert np.array_equal(points_of(hull), before)
+
+
+def test_hulls_of_too_many_points_are_told(monkeypatch):
+    hull, _, before = previewed()
+    monkeypatch.setattr(part("bridge.limits"), "MOST_FIELD_POINTS", len(before))
+    bpy.ops.hull.subdivide_for_fields()
+    assert "control points, and fields take" in shown(hull).problem
+    with pytest.raises(RuntimeError, match="Un-Subdivide"):
+        bpy.ops.hull.cancel_fields()
+        bpy.ops.hull.apply_fields()

@@ -81,7 +81,7 @@ def test_a_protected_crease_stays_exactly():
     add(hull, place, extent=40.0, shift=(0.0, 0.3, 0.2))
     add(hull, deck, extent=4.0, role="PROTECT", base="CREASE")
     parent = part("features.transformation.parents").of_hull(hull, bpy.context.scene)
-    crease = tool.base_crease(hull.hull.fields.fields[1], parent.surface, parent.scale)
+    _, crease = tool.base_crease(hull.hull.fields.fields[1], parent.surface, parent.scale)
     kept = parent.control.vertex_ids[np.asarray(crease.vertices)]
     assert bpy.ops.hull.apply_fields() == {"FINISHED"}
     after = points_of(hull)

@@ -2,9 +2,10 @@
 """Blender's own operations on hulls, by chance: what is shown after each is what is computed afresh
 of the control mesh, and no handler ends in a traceback.
 
-HULL_FOREIGN_STEPS is the number of steps, 2,000 when not said; HULL_FOREIGN_SEED the first seed.
-With HULL_FOREIGN_WINDOW=1 they are done in a window, which needs a screen, and takes some times as
-long.
+HULL_FOREIGN_STEPS is the number of steps, 2,000 when not said; HULL_FOREIGN_SEED the first seed:
+each session of some hundred steps takes the next one, so that runs with first seeds near one
+another do the same. With HULL_FOREIGN_WINDOW=1 they are done in a window, which needs a screen, and
+takes some times as long.
 """
 
 import os

@@ -70,3 +70,52 @@ def test_nothing_is_shown_before_it_is_counted():
         bpy.ops.hull.show_mark()
     with pytest.raises(RuntimeError, match="press Count Marks first"):
         bpy.ops.hull.accept_marks(all=True)
+
+
+def form_before():
+    return part("features.hull.form_before")
+
+
+@pytest.mark.parametrize("change", ["shift_sections", "inflate_section", "solve_targets"])
+def test_what_changes_the_form_keeps_the_form_before(change):
+    bpy.ops.hull.load_sample(name="coaster")
+    hull = bpy.context.view_layer.objects.active
+    with pytest.raises(RuntimeError, match="transform it first"):
+        bpy.ops.hull.count_marks(compare=True)
+    before = mesh_points(hull)
+    if change == "shift_sections":
+        bpy.ops.hull.shift_sections(measure="BLOCK", block=0.74, lcb_as="NONE")
+    elif change == "inflate_section":
+        bpy.ops.hull.inflate_section(place=40.0, percent=2.0, extent=20.0)
+    else:
+        bpy.ops.hull.add_target()
+        hull.hull.targets.rows[0].value *= 1.01
+        bpy.ops.hull.solve_targets()
+    assert not np.array_equal(mesh_points(hull), before)
+    assert np.array_equal(form_before().of_hull(hull).mesh.points, before)
+
+
+def test_new_marks_are_told_from_those_of_the_form_before():
+    hull = grid_hull(5, 5)
+    form_before().keep(hull, state_of(hull).ship.source.new_surface())
+    edit(hull)
+    place = mesh_points(hull)[at(2, 2, 5)]
+    part("bridge.mesh.mesh_points").write(hull.data, [at(2, 2, 5)], [place - (0.0, 0.4, 0.0)])
+    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    assert bpy.ops.hull.count_marks(compare=True) == {"FINISHED"}
+    report, is_current = seen().last_report(hull)
+    assert is_current and report.new_count > 0
+    assert all(map(report.is_new, report.places[: report.new_count]))
+    assert dict(seen().rows(report))[seen().CHANGE] == seen().change_text(report)
+    assert seen().change_text(report).startswith(f"{report.new_count} new, ")
+    # What is accepted is new no longer.
+    new_count = report.new_count
+    bpy.ops.hull.show_mark(step=1)
+    bpy.ops.hull.accept_marks()
+    assert seen().last_report(hull)[0].new_count < new_count
+
+    # Of another mesh no mark has a place on the form before.
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.hull.subdivide_exactly() == {"FINISHED"}
+    with pytest.raises(RuntimeError, match="mesh itself was changed"):
+        bpy.ops.hull.count_marks(compare=True)

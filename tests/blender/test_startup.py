@@ -30,6 +30,7 @@ LATER = (
     "features.modelling.pulling",
     "features.studio.cameras",
     "features.studio.ground",
+    "overlays.field_arrays",
     "overlays.legend_arrays",
     "overlays.line_arrays",
     "overlays.mark_arrays",

@@ -58,7 +58,7 @@ def prismatics(hull):
 def test_prismatic_coefficients_of_both_halves():
     hull = sample("coaster")
     before, points = prismatics(hull), points_of(hull)
-    # Sums over stations, and the exact volume; halves share the station amidships.
+    # Halves share the station amidships.
     found = values(hull)
     assert 0.5 * (before.fore + before.aft) == pytest.approx(found.project_prismatic, rel=1e-12)
     bpy.ops.hull.shift_sections(

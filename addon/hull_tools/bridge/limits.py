@@ -39,6 +39,12 @@ MOST_VARIANTS = of_files.MAX_VARIANTS
 
 # Of one hull.
 MOST_FIELDS = of_files.MAX_FIELDS
+# Control points that follow fields: a sample subdivided exactly twice has up to 2,200; for more, a
+# preview takes several seconds to begin.
+MOST_FIELD_POINTS = 2500
+# That a base curve is shown with; each takes a millisecond of a hull of 400 points whenever the
+# curve changes.
+MOST_CURVE_POINTS = 1000
 FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
 MOST_TARGETS = of_files.MAX_TARGETS
 GREATEST_TARGET = of_files.GREATEST_TARGET

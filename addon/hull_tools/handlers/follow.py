@@ -9,9 +9,9 @@ from ..features import studio
 from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
 from ..features.conversion import conversions
-from ..features.fields import preview, seen
+from ..features.fields import before, preview, seen
 from ..features.hull import hull_state, live_normals
-from ..features.surface import colour_views
+from ..features.surface import colour_views, shown_surface
 from ..features.variants import following
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
@@ -35,9 +35,10 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
         for hull in hulls:
             hull_state.follow_edit(hull, scene, is_by_hand)
             preview.follow(hull, scene)
+            before.follow(hull, scene)
             seen.follow(hull, scene)
             live_target.follow(hull, scene)
-            if hull.mode == "EDIT":
+            if shown_surface.may_move(hull):
                 live_normals.ask()
         studio.ask(hulls, scene)
         following.ask()
@@ -77,7 +78,7 @@ def after_update(scene, depsgraph):
     hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
     # That a surface is not sculpted any longer is no change of its geometry.
     hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
-    hulls += preview.based_on(changed, depsgraph.view_layer.objects)
+    hulls += preview.concerned(changed, depsgraph.view_layer)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
 
 
@@ -95,6 +96,8 @@ def after_undo(*unused):
     hull_state.forget_deleted()
     hull_state.forget_shown()
     studio.forget()
+    for hull in hull_objects.hulls(bpy.context.view_layer.objects):
+        preview.take_up(hull)
     _follow_all(is_by_hand=False)
     colour_views.follow()
 

@@ -13,18 +13,26 @@ from .shared import EditModeOperator
 from .tasks import TaskOperator
 
 
-class _Settings:
-    """What both operators ask for."""
-
-    deviation_mm: FloatProperty(
+def _deviation(by_which):
+    return FloatProperty(
         name="Deviation (mm)",
-        description="Root of the mean square by which the surface around the points shifts",
+        description=f"Root of the mean square by which {by_which}",
         default=5.0,
         min=0.0,
         max=1e5,
         soft_max=100.0,
         precision=2,
     )
+
+
+def _keep_stations():
+    return BoolProperty(name="Keep stations", description="Points stay at their x", default=True)
+
+
+class _Settings:
+    """What both operators ask for."""
+
+    deviation_mm: _deviation("the surface around the points shifts")
     largest_mm: FloatProperty(
         name="Largest (mm)",
         description="The surface shifts nowhere by more; 0: by any",
@@ -33,9 +41,7 @@ class _Settings:
         soft_max=100.0,
         precision=2,
     )
-    keep_stations: BoolProperty(
-        name="Keep stations", description="Points stay at their x", default=True
-    )
+    keep_stations: _keep_stations()
     keep_creases: BoolProperty(
         name="Hold creases",
         description="Points of creases and borders stay",
@@ -151,21 +157,11 @@ class HULL_OT_fair_row(bpy.types.Operator, EditModeOperator):
     bl_idname = "hull.fair_row"
     bl_label = "Fair Row"
 
-    deviation_mm: FloatProperty(
-        name="Deviation (mm)",
-        description="Root of the mean square by which the points move that may move",
-        default=5.0,
-        min=0.0,
-        max=1e5,
-        soft_max=100.0,
-        precision=2,
-    )
+    deviation_mm: _deviation("the points move that may move")
     keep_ends: BoolProperty(
         name="Keep ends", description="The first and the last of the points stay", default=True
     )
-    keep_stations: BoolProperty(
-        name="Keep stations", description="Points stay at their x", default=True
-    )
+    keep_stations: _keep_stations()
 
     def run_on(self, hull, context):
         deviation = 1e-3 * units.as_typed(self.deviation_mm)

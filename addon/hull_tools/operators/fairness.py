@@ -58,9 +58,16 @@ class HULL_OT_count_marks(bpy.types.Operator, TaskOperator):
     bl_idname = "hull.count_marks"
     bl_label = "Count Marks"
 
+    compare: BoolProperty(
+        name="Compare",
+        description="Tell which marks are new and which are gone since before the hull was last "
+        "transformed or brought to targets; new ones are shown first",
+        options={"SKIP_SAVE"},
+    )
+
     def begin(self, hull, scene):
         self._hull = hull.name
-        return seen_marks.Judging(hull, scene)
+        return seen_marks.Judging(hull, scene, self.compare)
 
     def outcome(self, result, scene):
         return seen_marks.summary(self._task.keep(scene.objects[self._hull], scene)), False

@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import EnumProperty
 
+from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..bridge.objects import field_faces, hull_objects
 from ..features.fields import copying, field_list, preview, recipes, shaping
@@ -174,6 +175,24 @@ class HULL_OT_subdivide_for_fields(bpy.types.Operator, FieldOperator):
         self.report({"INFO"}, f"{made.points} points and {made.faces} faces, the same surface")
 
 
+class HULL_OT_insert_row_for_fields(bpy.types.Operator, FieldOperator):
+    """Insert a row of control points where they are farthest from following the shape fields, and
+    go on with the preview: the hull of before changes by as much as is told"""
+
+    bl_idname = "hull.insert_row_for_fields"
+    bl_label = "Insert Row"
+
+    needs = (*HullOperator.needs, _is_previewed)
+
+    def run_on(self, hull, context):
+        made = preview.insert_row(hull, context.scene)
+        self.report(
+            {"INFO"},
+            f"{counted(made.count, 'point')} more: the hull of before changed by "
+            f"{units.format_mm(made.change)} at most",
+        )
+
+
 class HULL_OT_cancel_fields(bpy.types.Operator, FieldOperator):
     """Put all points back where they were before the preview"""
 
@@ -215,6 +234,7 @@ CLASSES = (
     HULL_OT_take_field_faces,
     HULL_OT_preview_fields,
     HULL_OT_subdivide_for_fields,
+    HULL_OT_insert_row_for_fields,
     HULL_OT_cancel_fields,
     HULL_OT_apply_fields,
 )

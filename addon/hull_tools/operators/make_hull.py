@@ -54,6 +54,7 @@ class HULL_OT_update(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         shown_objects.ensure(hull)
         hull_state.forget(hull)
+        hull.update_tag(refresh={"DATA"})  # what else follows a change, as previews, does so anew
         hull_state.up_to_date(hull, context.scene)
 
 

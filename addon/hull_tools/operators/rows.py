@@ -1,13 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""More control points that keep the surface: rows, and the whole mesh subdivided."""
+"""More and fewer control points that keep the surface: rows, and the whole mesh subdivided."""
 
 import bpy
 from bpy.props import FloatProperty
 
 from ..bridge.blender import units
-from ..bridge.counts import counted
-from ..features.modelling import exact_subdivision, row_insertion, row_removal
+from ..bridge.counts import counted, counted_are
+from ..features.modelling import exact_subdivision, row_insertion, row_removal, subdivision_reversal
 from .shared import EditModeOperator, HullOperator
+
+
+def _tolerance():
+    return FloatProperty(
+        name="Tolerance",
+        description="How far the surface may be from where it was, at most",
+        default=0.01,
+        min=0.0,
+        soft_max=1.0,
+        precision=4,
+        subtype="DISTANCE",
+    )
 
 
 class HULL_OT_insert_row(bpy.types.Operator, EditModeOperator):
@@ -38,15 +50,7 @@ class HULL_OT_remove_row(bpy.types.Operator, EditModeOperator):
     bl_idname = "hull.remove_row"
     bl_label = "Remove Row"
 
-    tolerance: FloatProperty(
-        name="Tolerance",
-        description="How far the surface may be from where it was, at most",
-        default=0.01,
-        min=0.0,
-        soft_max=1.0,
-        precision=4,
-        subtype="DISTANCE",
-    )
+    tolerance: _tolerance()
 
     def run_on(self, hull, context):
         scale = units.metres_per_unit(context.scene)
@@ -78,4 +82,30 @@ class HULL_OT_subdivide_exactly(bpy.types.Operator, HullOperator):
         self.report({"INFO"}, text)
 
 
-CLASSES = (HULL_OT_insert_row, HULL_OT_remove_row, HULL_OT_subdivide_exactly)
+class HULL_OT_unsubdivide(bpy.types.Operator, HullOperator):
+    """Take the control mesh back to the one that it was subdivided from: a quarter of the faces,
+    and the same surface. Where points were moved since, the surface is the nearest one; where it
+    would change by more than the tolerance all stays as it is"""
+
+    bl_idname = "hull.unsubdivide"
+    bl_label = "Un-Subdivide"
+
+    tolerance: _tolerance()
+
+    def run_on(self, hull, context):
+        scale = units.metres_per_unit(context.scene)
+        made = subdivision_reversal.take_back(hull, context.scene, scale * self.tolerance)
+        text = (
+            f"{made.points} points, {made.faces} faces: the surface changed by "
+            f"{units.format_mm(made.change)} at most; points were "
+            f"{units.format_mm(made.moved)} at most from subdivided ones"
+        )
+        if made.no_longer_flat:
+            text += (
+                f". {counted_are(made.no_longer_flat, 'face')} not kept flat any longer: points of "
+                "them are not in the plane"
+            )
+        self.report({"INFO"}, text)
+
+
+CLASSES = (HULL_OT_insert_row, HULL_OT_remove_row, HULL_OT_subdivide_exactly, HULL_OT_unsubdivide)

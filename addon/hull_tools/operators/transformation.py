@@ -70,6 +70,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
         description="Which sections are shifted",
         items=(
             ("WHOLE", "Whole hull", "Lackenby's shifts: by x sin(π|x|), and by sectional area"),
+            ("FAIR", "Whole hull, fair", "The shifts that bend the hull's lines the least"),
             ("APART", "Halves apart", "Fore and aft body each by a shift of its own"),
             ("FORE", "Fore body", "The aft body stays"),
             ("AFT", "Aft body", "The fore body stays"),
@@ -119,7 +120,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, HullOperator):
         column.prop(self, "measure")
         if self.measure == "HALVES":
             for name in ("fore", "aft"):
-                if self.part.lower() in (name, "whole", "apart"):
+                if self.part.lower() in (name, "whole", "fair", "apart"):
                     column.prop(self, f"prismatic_{name}")
         else:
             self._draw_whole(column)

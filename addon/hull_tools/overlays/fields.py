@@ -6,7 +6,6 @@ import weakref
 
 import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 from mathutils import Color
 
 from ..bridge.blender import blender_versions
@@ -14,9 +13,8 @@ from ..bridge.objects import hull_objects
 from ..features.fields import handles, isolines, seen
 from ..features.modelling import drags, pull_lines
 from . import field_arrays
-from .area_handles import discs
 from .lines import batch_of_strokes, depth_test
-from .spots import ring
+from .shapes import discs, draw_segments, draw_triangles, ring
 from .view import Handler, hulls_in_view
 
 # Dots, at a scale of 1.
@@ -130,18 +128,24 @@ def _draw_handles(shown, base, row):
     places = dict(zip(found, places))
     colour = (*colour_of(row), 1.0)
     if "shift" in places and not np.isnan((start, places["shift"])).any():
-        segments, head = field_arrays.arrow(start, places["shift"], scale)
-        _draw_segments(segments, _ARROW * scale, colour, halo=_HALO_WIDTH * scale)
-        _draw_triangles(head, colour)
+        _draw_arrow(*field_arrays.arrow(start, places["shift"], scale), colour, scale)
     if not held.is_on:
         return
     if row.base != "PLANE" and not np.isnan((start, places["extent"])).any():
         circle = ring(start, float(np.hypot(*(places["extent"] - start))), 96)
-        _draw_segments(circle, _CIRCLE * scale, colour)
+        draw_segments(circle, (colour, _CIRCLE * scale))
     for kind, place in places.items():
         radius = _HELD if held.kind == kind else _HANDLE
         if not np.isnan(place).any():
             _draw_discs(place[None], radius * scale, colour, scale)
+
+
+def _draw_arrow(segments, head, colour, scale):
+    if not len(segments):
+        return
+    halo, width = (_ARROW + 2.0 * _HALO_WIDTH) * scale, _ARROW * scale
+    draw_segments(segments, (_HALO, halo), (colour, width))
+    draw_triangles(head, colour)
 
 
 def _eye(shown):
@@ -156,29 +160,8 @@ def _in_picture(eye, points):
 
 
 def _draw_discs(places, radius, colour, scale):
-    _draw_triangles(discs(places, radius + _HALO_WIDTH * scale), _HALO)
-    _draw_triangles(discs(places, radius), colour)
-
-
-def _draw_triangles(corners, colour):
-    if not len(corners):
-        return
-    shader = blender_versions.builtin_shader("UNIFORM_COLOR")
-    shader.bind()
-    shader.uniform_float("color", colour)
-    batch_for_shader(shader, "TRIS", {"pos": corners}).draw(shader)
-
-
-def _draw_segments(corners, width, colour, halo=0.0):
-    if not len(corners):
-        return
-    shader = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
-    shader.bind()
-    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-    for shade, wide in ((_HALO, width + 2.0 * halo), (colour, width))[halo == 0.0 :]:
-        shader.uniform_float("lineWidth", wide)
-        shader.uniform_float("color", shade)
-        batch_for_shader(shader, "LINES", {"pos": corners}).draw(shader)
+    draw_triangles(discs(places, radius + _HALO_WIDTH * scale), _HALO)
+    draw_triangles(discs(places, radius), colour)
 
 
 _lines, _marks = Handler(_draw_lines, "POST_VIEW"), Handler(_draw_marks, "POST_PIXEL")

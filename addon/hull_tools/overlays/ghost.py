@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lines of the hull that a hull is compared with, behind those of the hull, in one colour."""
+"""Ghosts behind the lines of a hull, in one colour: the lines of the hull that it is compared with,
+and its own before a preview of shape fields."""
 
 from ..bridge.blender import preferences
+from ..features.fields import before
 from ..features.variants import ghosts
 from .lines import HIDDEN_ALPHA, WIDTHS, Pen, batch_of, depth_test
 from .view import Handler, hulls_in_view
@@ -12,14 +14,23 @@ _LAYER = 0.5  # of to_view: the hull's own lines are nearer
 
 def _draw():
     for shown in hulls_in_view():
-        if not shown.hull.hull.variants.show_ghost:
+        groups = _groups_of(shown)
+        if not groups:
             continue
-        groups = shown.state.of(ghosts.Ghost).groups.values()
         if shown.hull.hull.lines.in_front:
             _draw_groups(shown, groups, "NONE", 1.0)
         else:
             _draw_groups(shown, groups, "GREATER", HIDDEN_ALPHA)
             _draw_groups(shown, groups, "LESS_EQUAL", 1.0)
+
+
+def _groups_of(shown):
+    settings, groups = shown.hull.hull, []
+    if settings.variants.show_ghost:
+        groups += shown.state.of(ghosts.Ghost).groups.values()
+    if settings.fields.is_previewed and settings.fields.show_before:
+        groups += shown.state.of(before.Before).lines.groups.values()
+    return groups
 
 
 def _draw_groups(shown, groups, depth, alpha):

@@ -6,12 +6,11 @@ import bpy
 import gpu
 import numpy as np
 from bpy_extras.view3d_utils import location_3d_to_region_2d
-from gpu_extras.batch import batch_for_shader
 from mathutils import Vector
 
-from ..bridge.blender import blender_versions, units
+from ..bridge.blender import units
 from ..features.modelling import pull_lines
-from .spots import ring
+from .shapes import draw_segments, ring
 from .view import Handler
 
 _COLOUR, _HALO = (0.95, 0.45, 0.0, 1.0), (1.0, 1.0, 1.0, 0.9)
@@ -47,13 +46,7 @@ def _draw():
     around = _dots_of(context, hull, mark)
     corners = strokes(np.array(places[0]), np.array(places[1]), scale, around)
     gpu.state.blend_set("ALPHA")
-    shader = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
-    shader.bind()
-    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-    for colour, width in ((_HALO, _HALO_WIDTH), (_COLOUR, _WIDTH)):
-        shader.uniform_float("lineWidth", width * scale)
-        shader.uniform_float("color", colour)
-        batch_for_shader(shader, "LINES", {"pos": corners}).draw(shader)
+    draw_segments(corners, (_HALO, _HALO_WIDTH * scale), (_COLOUR, _WIDTH * scale))
     gpu.state.blend_set("NONE")
 
 

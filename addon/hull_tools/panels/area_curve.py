@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.blender.units import format_value
+from ..bridge.blender.units import format_value, metres_per_unit
 from ..bridge.objects import hull_objects
 from ..features.area_curves import live_target, reports
 from .conversion import draw_task
@@ -11,12 +11,16 @@ from .shared import HullPanel, draw_entries, label_value, label_wrapped, latest_
 
 
 class HULL_UL_area_points(bpy.types.UIList):
-    """x and area of each point."""
+    """x and area of each point, rounded: fields would cut their last digits off."""
 
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
-        row = layout.row(align=True)
-        row.prop(item, "x", text="", emboss=False)
-        row.prop(item, "area", text="", emboss=False)
+        x = item.x * metres_per_unit(context.scene)
+        split = layout.split(factor=0.5)
+        for value, unit in ((x, "m"), (item.area, "m2")):
+            number, _, _ = format_value(context.scene, value, unit).partition(" ")
+            place = split.row()
+            place.alignment = "RIGHT"
+            place.label(text=number)
 
 
 class HULL_PT_area_curve(HullPanel, bpy.types.Panel):

@@ -9,9 +9,10 @@ import bpy
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
+from ..features.conversion import conversions
 from ..features.fairing import seen_marks
 from ..features.fairness import combs
-from ..features.hull import hull_state
+from ..features.hull import form_before, hull_state
 from .conversion import draw_task
 from .shared import HullPanel, choice_below, export_buttons, field_or, label_value, label_wrapped
 
@@ -87,6 +88,22 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
             label_value(column, name, str(count))
 
 
+def draw_marks_compared(layout, hull):
+    """The button that tells what the last transformation did to the marks, where it is known."""
+    if form_before.is_known(hull) and conversions.running(hull) is None:
+        layout.operator(
+            "hull.count_marks", text="Marks New and Gone", icon="VIEWZOOM"
+        ).compare = True
+
+
+def draw_mark_change(layout, hull):
+    """The same and what it told, in the panel of what changes the form."""
+    draw_marks_compared(layout, hull)
+    report, is_current = seen_marks.last_report(hull)
+    if is_current and report.change is not None:
+        label_value(layout, "Marks", seen_marks.change_text(report))
+
+
 class HULL_PT_marks(HullPanel, bpy.types.Panel):
     """What an eye sees that is not fair, counted"""
 
@@ -98,7 +115,8 @@ class HULL_PT_marks(HullPanel, bpy.types.Panel):
         layout = self.layout
         hull = hull_objects.hull_of(context.object)
         if not draw_task(layout, hull):
-            layout.operator("hull.count_marks", icon="VIEWZOOM")
+            layout.operator("hull.count_marks", icon="VIEWZOOM").compare = False
+            draw_marks_compared(layout, hull)
         report, is_current = seen_marks.last_report(hull)
         if report is not None:
             if not is_current:

@@ -3,8 +3,9 @@
 
 import bpy
 
+from ..bridge.blender import units
 from ..bridge.objects import field_rows, hull_objects
-from ..features.fields import preview, shaping
+from ..features.fields import before, preview, shaping
 from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
 
 
@@ -54,6 +55,7 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         hull = hull_objects.hull_of(context.object)
         if settings.is_previewed:
             row = layout.row(align=True)
+            row.prop(settings, "show_before", text="", icon="GHOST_ENABLED", toggle=True)
             row.operator("hull.apply_fields", text="Apply", icon="CHECKMARK")
             row.operator("hull.cancel_fields", text="Cancel", icon="X")
         else:
@@ -88,11 +90,20 @@ class HULL_PT_fields(HullPanel, bpy.types.Panel):
         else:
             if not shown.applied.is_followed:
                 label_wrapped(layout, context, shaping.advice(shown.applied), icon="INFO")
-                layout.operator("hull.subdivide_for_fields", icon="MOD_SUBSURF")
-            column = layout.column(align=True)
-            result = shown.applied.result
-            label_value(column, "Residual, RMS", f"{1e3 * result.rms:.1f} mm")
-            label_value(column, "Residual, largest", f"{1e3 * result.largest:.1f} mm")
+                column = layout.column(align=True)
+                column.operator("hull.subdivide_for_fields", icon="MOD_SUBSURF")
+                column.operator("hull.insert_row_for_fields", icon="MOD_EDGESPLIT")
+            self._draw_numbers(layout.column(align=True), context, shown.applied)
+
+    def _draw_numbers(self, column, context, applied):
+        result = applied.result
+        label_value(column, "Residual, RMS", units.format_mm(result.rms))
+        label_value(column, "Residual, largest", units.format_mm(result.largest))
+        if applied.crease_distance is not None:
+            label_value(column, "Creases off theirs", units.format_mm(applied.crease_distance))
+        hull = hull_objects.hull_of(context.object)
+        for name, change in before.changes(hull):
+            label_value(column, name, change)
 
     def _draw_base(self, layout, field):
         text_field(layout, field, "base")

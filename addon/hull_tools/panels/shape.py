@@ -59,7 +59,9 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.operator("hull.insert_row", icon="MOD_EDGESPLIT")
         row.operator("hull.remove_row")
-        layout.operator("hull.subdivide_exactly", icon="MOD_SUBSURF")
+        column = layout.column(align=True)
+        column.operator("hull.subdivide_exactly", icon="MOD_SUBSURF")
+        column.operator("hull.unsubdivide")
         layout.operator("hull.reduce_valence", icon="STICKY_UVS_DISABLE")
 
 

@@ -7,6 +7,7 @@ from ..bridge.blender.units import metric_symbol
 from ..bridge.objects import hull_objects
 from ..features.targets import quantities, reports, rows
 from .conversion import draw_task
+from .fairness import draw_mark_change
 from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
 
 _SIGNS = {"equal": "=", "at least": "≥", "at most": "≤"}
@@ -55,6 +56,7 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
         if not draw_task(layout, hull):
             layout.operator("hull.solve_targets", icon="SNAP_ON")
         self._draw_report(context, hull)
+        self._draw_area_curve(hull)
 
     def _draw_row(self, layout, row):
         text_field(layout, row, "quantity")
@@ -86,6 +88,16 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
             if getattr(settings, f"free_{name}"):
                 row.prop(settings, f"{name}_change")
 
+    def _draw_area_curve(self, hull):
+        """A whole curve is wanted in the panel Area Curve: here is the way to it."""
+        column = self.layout.column(align=True)
+        column.label(text="Sectional areas:")
+        if hull.hull.area_target.area_points:
+            column.operator("hull.drag_area_curve", icon="HANDLE_AUTO")
+            column.operator("hull.transform_to_area_curve", icon="SNAP_ON")
+        else:
+            column.operator("hull.take_area_curve", icon="IMPORT")
+
     def _draw_report(self, context, hull):
         layout = self.layout
         report, is_current = reports.last_report(hull)
@@ -102,6 +114,7 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
         column.scale_y = 0.8
         for name, value in reports.told(report, context.scene):
             label_value(column, name, value)
+        draw_mark_change(layout, hull)
 
 
 CLASSES = (HULL_UL_rows, HULL_PT_targets)

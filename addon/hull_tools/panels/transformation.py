@@ -4,6 +4,8 @@
 import bpy
 
 from ..bridge.objects import hull_objects
+from .conversion import draw_task
+from .fairness import draw_mark_change
 from .shared import HullPanel, field_or, text_field
 
 
@@ -27,6 +29,8 @@ class HULL_PT_transform(HullPanel, bpy.types.Panel):
         column.prop(settings, "kept_fore")
         if settings.kept_aft or settings.kept_fore:
             field_or(column, settings, "kept_fade", "a tenth of the length")
+        if not draw_task(layout, hull):
+            draw_mark_change(layout, hull)
 
 
 CLASSES = (HULL_PT_transform,)

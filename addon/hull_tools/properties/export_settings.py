@@ -107,7 +107,7 @@ class HullExport(bpy.types.PropertyGroup):
         update=_choice_changed,
     )
     most_control_points: IntProperty(
-        name="Most per patch",
+        name="Most points",
         description="Largest number of control points of a patch; patches that need more are "
         "divided. 0: as many as there are",
         min=0,

@@ -159,6 +159,11 @@ class HullFields(bpy.types.PropertyGroup):
         "too",
         default=True,
     )
+    show_before: switch(
+        "Show Before",
+        "While fields are previewed: the hull's lines as they were, as a ghost behind those of now",
+        default=True,
+    )
     fields: CollectionProperty(type=HullShapeField)
     active_field: IntProperty(
         name="Field", description="The field that is edited", min=0, update=changed

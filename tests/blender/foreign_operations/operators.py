@@ -104,8 +104,12 @@ _VOXELS = 12  # along a mesh
 def by_chance(mode, random):
     """Names as "mesh.delete" of the operators of a mode, in an order by chance."""
     family = "PAINT" if mode.endswith("PAINT") else mode
-    names = [f"{module}.{name}" for module in FAMILIES[family] for name in _names(module)]
-    names = [name for name in names if name not in _LEFT_OUT]
+    return in_an_order_by_chance(FAMILIES[family], _LEFT_OUT, random)
+
+
+def in_an_order_by_chance(modules, left_out, random):
+    names = [f"{module}.{name}" for module in modules for name in _names(module)]
+    names = [name for name in names if name not in left_out]
     return random.sample(names, len(names))
 
 
@@ -126,12 +130,14 @@ def can_be_called(name):
 
 
 def call(name, arguments):
-    """What the operator returned, or what it refused with."""
+    """What the operator returned, or what it refused with; the add-on's own refuse with a sentence,
+    not with a traceback."""
     if name == "object.voxel_remesh":
         _take_large_voxels(bpy.context.view_layer.objects.active.data)
     try:
         return sorted(_operator(name)("EXEC_DEFAULT", **arguments))
     except (RuntimeError, TypeError, ValueError) as error:
+        assert "Traceback" not in str(error) or "hull_tools" not in str(error), error
         return str(error).strip().splitlines()[-1][:80]
 
 
@@ -143,19 +149,25 @@ def _take_large_voxels(mesh):
     mesh.remesh_voxel_size = max(size / _VOXELS, 1e-3)
 
 
+def properties_of(name):
+    properties = _operator(name).get_rna_type().properties
+    return [prop for prop in properties if prop.identifier != "rna_type"]
+
+
 def arguments_by_chance(name, random):
     """Arguments for about half of what the operator takes."""
     found = {}
-    for prop in _operator(name).get_rna_type().properties:
-        if prop.identifier == "rna_type" or random.random() < 0.5:
+    for prop in properties_of(name):
+        if random.random() < 0.5:
             continue
-        value = _value(prop, random)
+        value = value_by_chance(prop, random)
         if value is not None:
             found[prop.identifier] = value
     return found
 
 
-def _value(prop, random):
+def value_by_chance(prop, random):
+    """Of a property's kind, not far from zero; None of some kinds."""
     if prop.type == "POINTER":
         return _macro_step(prop, random)
     if prop.type == "ENUM":
@@ -194,7 +206,8 @@ def _number(prop, random):
     if prop.type == "BOOLEAN":
         return random.random() < 0.5
     if prop.type == "INT":
-        return random.randint(max(prop.hard_min, -_MOST), max(min(prop.hard_max, _MOST), -_MOST))
+        low = max(prop.hard_min, -_MOST)
+        return random.randint(low, max(min(prop.hard_max, _MOST), low))
     low, high = max(prop.soft_min, -_FARTHEST), min(prop.soft_max, _FARTHEST)
     value = random.choice([0.0, 1.0, random.uniform(low, high), random.uniform(low, high)])
     return min(max(value, prop.hard_min), prop.hard_max)

@@ -5,6 +5,8 @@ import bpy
 import numpy as np
 from addon_under_test import mesh_points, part, state_of
 
+from . import preview_oracle
+
 # Integrals of a surface that followed edits are to 1e-8 of the whole.
 _INTEGRAL_TOLERANCE = 1e-7
 # Blender keeps corner normals as two angles of 16 bits.
@@ -42,8 +44,8 @@ class Fresh:
         )
         openings = "closed" if settings.deck_closed else "open"
         source = ship.ShipSource(control, settings.scheme, settings.half, openings, ())
-        where = part("features.flotation.afloat").afloat(settings, scale)
         try:
+            where = part("features.flotation.afloat").afloat(settings, scale)
             own = ship.Ship(source.live_body(self.surface), ())
             self.hydrostatics = part("features.flotation.hydrostatics").at(own, where)
         except ValueError as error:
@@ -62,7 +64,8 @@ def differences():
     found = []
     for hull in part("bridge.objects.hull_objects").hulls(view_layer.objects):
         if hull.visible_get() and hull.mode != "SCULPT":
-            found += [f"{hull.name}: {text}" for text in _of_hull(hull, scene)]
+            texts = _of_hull(hull, scene) + preview_oracle.differences(hull, scene)
+            found += [f"{hull.name}: {text}" for text in texts]
     return found
 
 
@@ -100,8 +103,8 @@ def _of_shown(hull, fresh):
     mesh.loops.foreach_get("vertex_index", corners)
     if not np.array_equal(corners, fresh.quads.reshape(-1)):
         return ["other faces are shown than those of the surface"]
-    if hull.mode == "EDIT" or hull.data.is_editmode:
-        return []
+    if part("features.surface.shown_surface").may_move(hull) or hull.data.is_editmode:
+        return []  # they come at a pause
     return _of_normals(mesh, fresh)
 
 

@@ -3,14 +3,16 @@
 
 blender --background|--enable-event-simulate --python run.py -- SEED STEPS FOLDER
 
-FOLDER/steps.txt tells each step before and after it is done, FOLDER/python.txt what Python was at
-when Blender crashed, FOLDER/finding.txt what was found. The exit code is 3 then.
+FOLDER/steps.txt tells each step before and after it is done, and how long slow ones took,
+FOLDER/python.txt what Python was at when Blender crashed, FOLDER/finding.txt what was found. The
+exit code is 3 then.
 """
 
 import faulthandler
 import os
 import random
 import sys
+import time
 import traceback
 from pathlib import Path
 
@@ -23,6 +25,7 @@ from foreign_operations.session import Session  # noqa: E402
 from foreign_operations.view import in_view, open_sidebar  # noqa: E402
 
 LONGEST_STEP_SECONDS = 300
+SLOW_STEP_SECONDS = 1.0  # of the processor: told in the log
 # In a window, between two steps: work for pauses is done in the longest of these.
 PAUSES_SECONDS = (0.0, 0.0, 0.0, 0.5)
 EVENT_SECONDS = 0.1
@@ -58,14 +61,16 @@ class Run:
 
     def step(self):
         """Does one thing; returns what."""
-        python = self._python
+        python, begun = self._python, time.process_time()
         faulthandler.dump_traceback_later(LONGEST_STEP_SECONDS, exit=True, file=python)
         try:
             with in_view():
                 done = self._session.step()
         except Exception:
             done = "FAILED " + traceback.format_exc()
-        print(self._number, done, file=self._log)
+        took = time.process_time() - begun
+        slow = f" ({took:.1f} s)" if took > SLOW_STEP_SECONDS else ""
+        print(f"{self._number} {done}{slow}", file=self._log)
         return done
 
     def judge(self, done):
@@ -92,7 +97,7 @@ class Run:
 
 class InWindow:
     """`advance` is a timer: between a step and its judgement Blender handles events, and draws the
-    view and the panels."""
+    view and the panels, which are open where the seed is odd."""
 
     def __init__(self, *arguments):
         self._arguments, self._run, self._done = arguments, None, ""
@@ -112,7 +117,8 @@ class InWindow:
         if self._run is None:
             self._run = Run(*self._arguments)
         elif self._events is None:  # what was loaded has been drawn
-            self._events = open_sidebar()
+            # The plain view draws other things, and at other times, than one beside panels.
+            self._events = open_sidebar() if self._arguments[0] % 2 else []
         elif self._events:
             self._events.pop(0)()
         elif self._done:

@@ -8,13 +8,13 @@ import bpy
 from addon_under_test import add_hull, make_active, part
 
 from . import operators
+from .own_work import OwnWork
 from .view import in_view
 
 MOST_FACES = 1500
 MOST_OBJECTS = 14
 FEWEST_HULLS, MOST_HULLS = 2, 5
 MODES = ("OBJECT", "EDIT", "EDIT", "SCULPT", "VERTEX_PAINT", "WEIGHT_PAINT")
-COLOURS = ("NONE", "NONE", "GAUSSIAN", "SLOPE")
 
 
 def _update():
@@ -44,6 +44,7 @@ class Session:
         self.random = random.Random(seed)
         self.path = str(folder / "session.blend")
         self.is_saved = False
+        own = OwnWork(self)
         self._actions = {
             self.operator: 60,
             self.select: 10,
@@ -53,7 +54,9 @@ class Session:
             self.redo: 3,
             self.give_data: 3,
             self.touch_surface_object: 4,
-            self.change_setting: 5,
+            own.own_operator: 12,
+            own.change_setting: 8,
+            own.shape_field: 10,
             self.edit_by_script: 3,
             self.save_and_load: 1,
         }
@@ -203,29 +206,6 @@ class Session:
         if self.random.random() < 0.5:
             hull.select_set(True)
         return shown.name
-
-    def change_setting(self):
-        if not self.hulls():
-            return None
-        hull = self.random.choice(self.hulls())
-        settings, chance = hull.hull, self.random.random() < 0.5
-        name = self.random.choice(
-            ("half", "deck_closed", "samples", "draft", "colours", "lines", "keep_centre", "scheme")
-        )
-        if name == "samples":
-            settings.samples = self.random.choice((1, 2, 3, 4))
-        elif name == "draft":
-            settings.draft = self.random.uniform(0.1, 3.0)
-        elif name == "colours":
-            settings.fairness.colours = self.random.choice(COLOURS)
-        elif name == "lines":
-            settings.lines.show_buttocks = chance
-        elif name == "scheme":
-            items = type(settings).bl_rna.properties["scheme"].enum_items
-            settings.scheme = self.random.choice([item.identifier for item in items])
-        else:
-            setattr(settings, name, chance)
-        return f"{hull.name} {name}"
 
     def edit_by_script(self):
         hulls = self.hulls()

@@ -8,17 +8,23 @@ import numpy as np
 def points_of(curve, obj):
     """(points (n, 3) in another object's axes and units, whether they close) of a curve object as
     the view shows it; ValueError, naming it, where it is no single line."""
+    if curve.type != "CURVE":
+        raise ValueError(f"{curve.name} is no curve object any longer: choose another one")
     if len(curve.data.splines) != 1:
         raise ValueError(
             f"{curve.name} has {len(curve.data.splines)} splines: take a curve object of one"
         )
     shown = curve.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
+    if mesh is None:  # one of a linked hull's that did not come along
+        raise ValueError(f"{curve.name} is not in the scene: link it too")
     try:
         points = np.array([vertex.co for vertex in mesh.vertices], dtype=np.float64)
         is_line = len(mesh.polygons) == 0
     finally:
         shown.to_mesh_clear()
+    if len(points) == 1:
+        raise ValueError(f"{curve.name} is a single point: give its curve another one")
     if not is_line or len(points) < 2:
         raise ValueError(f"{curve.name} is no line: take off its bevel, extrusion and fill")
     matrix = np.array(obj.matrix_world.inverted() @ curve.matrix_world, dtype=np.float64)

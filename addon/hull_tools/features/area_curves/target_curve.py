@@ -130,8 +130,7 @@ class Difference:
 
 def difference(x, areas, target):
     """The Difference of areas (n,) of a hull at its stations x (n,) from a TargetCurve, or from a
-    PartWay to one. Where only
-    one of both is, all of it counts, but for rounding at the ends."""
+    PartWay to one. Where only one of both is, all of it counts, but for rounding at the ends."""
     aft, forward = target.ends
     beyond = np.linspace(aft, forward, 201)
     margin = 1e-3 * (forward - aft)

@@ -8,46 +8,70 @@ creases and borders, kinks and waves of reflection lines.
 
 from collections import Counter
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from mathutils import Vector
 
+from ....hull_fairness import changes
 from ....hull_fairness import lines as judging
 from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import selection
 from ..conversion import conversions
-from ..hull import hull_state
+from ..hull import form_before, hull_state
 
 # By hull_fairness's marks: what several are called.
 NAMES = {"inflection": "Inflections", "dip": "Flat spots", "kink": "Kinks", "wave": "Waves"}
+CHANGE = "Since the form before"
 # Of the beam: an accepted mark may wander by as much to each side.
 _WANDERS = 0.1
 _VIEW_DISTANCE = 0.15  # of the length
 _ACCEPTED = "accepted"
+# Of the work of comparing: the form before is judged itself, and six images of it.
+_BEFORE = 7.0 / 8.0
 
 
 @dataclass(frozen=True)
 class Report:
     """key: the geometry of the hull that was judged. judged: its hull_fairness.lines.Lines; places:
     (Line, Found) of what is not accepted; before: how many there were of each mark when it was
-    counted before, or None; least: m, what is less deep is not seen."""
+    counted before, or None; least: m, what is less deep is not seen; change: the
+    hull_fairness.changes.MarkChange from the form before, or None."""
 
     key: object
     judged: tuple
     places: tuple
     least: float
     before: object = None
+    change: object = None
 
     @property
     def counts(self):
         """How many are not accepted, by mark."""
         return Counter(found.mark for _, found in self.places)
 
+    @cached_property
+    def new_count(self):
+        """How many of the places the form before had not."""
+        return sum(map(self.is_new, self.places))
+
+    def is_new(self, place):
+        return _key_of(*place) in self._new_keys
+
+    @cached_property
+    def _new_keys(self):
+        new = () if self.change is None else self.change.new
+        return {_key_of(one.line, one.found) for one in new}
+
     @property
     def accepted(self):
         return sum(len(line.found) for line in self.judged) - len(self.places)
+
+
+def _key_of(line, found):
+    return line.name, found.mark, found.point
 
 
 @dataclass
@@ -59,11 +83,12 @@ class Known:
 
 
 class Judging(jobs.JobTask):
-    """The task of judging a hull as it is now; see features.conversion.conversions."""
+    """The task of judging a hull as it is now; see features.conversion.conversions. is_compared:
+    with what the form before has; ValueError where that is not known."""
 
     text = "Counting marks"
 
-    def __init__(self, obj, scene):
+    def __init__(self, obj, scene, is_compared=False):
         self.state = hull_state.up_to_date(obj, scene)
         conversions.clear_way(obj)
         source, self._key = self.state.ship.source, self.state.ship.geometry_key
@@ -72,22 +97,35 @@ class Judging(jobs.JobTask):
         if not beam > 0.0:
             raise ValueError("Give the beam first: what is seen is measured by it")
         self._least = judging.LEAST_DEPTH * beam
-        self._job = jobs.Job(
-            lambda progress: judging.judged(source.new_surface(), beam, progress=progress)
-        )
+        form = form_before.of_hull(obj) if is_compared else None
+        wanted, surface = wanted_of(obj, scale, beam), source.new_surface()
+        self._job = jobs.Job(lambda progress: _judged(surface, beam, wanted, form, progress))
         conversions.watch(self)
 
     def result(self):
-        """The hull_fairness.lines.Lines, which are waited for; raises what went wrong."""
+        """([hull_fairness.lines.Line], the MarkChange or None), which are waited for; raises what
+        went wrong."""
         return self._job.result()
 
     def keep(self, obj, scene):
         """Keeps what came of it for panels to show; returns the Report."""
         known = self.state.of(Known)
         before = None if known.report is None else known.report.counts
-        report = Report(self._key, tuple(self.result()), (), self._least, before)
+        lines, change = self.result()
+        report = Report(self._key, tuple(lines), (), self._least, before, change)
         known.report, known.shown = _sifted(report, obj, scene), -1
         return known.report
+
+
+def _judged(surface, beam, wanted, form, progress):
+    """What Judging gives; form: the LimitSurface of before or None."""
+    if form is None:
+        return judging.judged(surface, beam, progress=progress), None
+    known = changes.Known(form, beam, progress=lambda share: progress(_BEFORE * share))
+    lines = judging.judged(
+        surface, beam, progress=lambda share: progress(_BEFORE + (1.0 - _BEFORE) * share)
+    )
+    return lines, known.compared(lines, surface, wanted)
 
 
 def beam_of(obj, points, scale):
@@ -115,7 +153,8 @@ def _sifted(report, obj, scene):
         for found in judging.with_reasons(line.kind, line.found, wanted)
         if found.reason is None
     ]
-    return replace(report, places=tuple(places))
+    new_first = sorted(places, key=lambda place: not report.is_new(place))
+    return replace(report, places=tuple(new_first))
 
 
 def last_report(obj):
@@ -211,13 +250,18 @@ def _points_around(obj, point):
     return control.vertex_ids[corners].tolist()
 
 
+def change_text(report):
+    """What a change of the form did, such as "3 new, 1 gone"."""
+    return f"{report.new_count} new, {len(report.change.gone)} gone"
+
+
 def rows(report):
     """Pairs (name, value) of what a panel shows of a Report."""
-    found = []
+    found = [] if report.change is None else [(CHANGE, change_text(report))]
     for mark, name in NAMES.items():
         before = "" if report.before is None else f"{report.before[mark]} → "
         found.append((name, f"{before}{report.counts[mark]}"))
-    found.append(("Seen from", units.format_mm(report.least)))
+    found.append(("Least depth", units.format_mm(report.least)))
     if report.accepted:
         found.append(("Accepted", str(report.accepted)))
     return found
@@ -227,4 +271,6 @@ def summary(report):
     """A Report as a sentence."""
     counts = report.counts
     text = ", ".join(f"{counts[mark]} {name.lower()}" for mark, name in NAMES.items())
+    if report.change is not None:
+        text = f"{CHANGE}: {change_text(report)}. {text}"
     return f"{text}, seen from {units.format_mm(report.least)} depth on"

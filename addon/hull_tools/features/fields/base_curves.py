@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
 from ...bridge.blender import units
 from ...bridge.objects import curve_lines
 
@@ -40,20 +40,20 @@ def place_of(field, scale):
 
 
 def base_crease(field, surface, scale):
-    """The hull_native.CreaseCurve on which a row of base CREASE is based: the one nearest to its
-    place."""
-    curves = native.require().crease_curves(surface)
+    """(its number, the hull_native.CreaseCurve) on which a row of base CREASE is based: the one
+    nearest to its place."""
+    curves = list(enumerate(native.require().crease_curves(surface)))
     if not curves:
         raise ValueError("The hull has no crease or border: choose another base")
     along = native.require().FieldCurve.of_crease
-    return _nearest(curves, along, place_of(field, scale))
+    return _nearest(curves, lambda each: along(each[1]), place_of(field, scale))
 
 
 def of_field(field, obj, surface, scale):
     """The BaseCurve of a row whose base is one of field_rows.CURVES; surface: a
     hull_native.LimitSurface; scale: metres a unit. ValueError where there is none."""
     if field.base == "CREASE":
-        crease = base_crease(field, surface, scale)
+        _, crease = base_crease(field, surface, scale)
         return BaseCurve(native.require().FieldCurve.of_crease(crease), crease.closed)
     if field.base == "SECTION":
         return _section(field, surface, scale)
@@ -65,8 +65,7 @@ def of_field(field, obj, surface, scale):
 def target_of(field, base, obj, scale):
     """The hull_native.FieldCurve that a row's BaseCurve becomes, which begins where that does: a
     curve object that was drawn the other way is taken from its end."""
-    points, is_closed = curve_lines.points_of(field.becomes, obj)
-    points *= scale
+    points, is_closed = _points_of(field.becomes, obj, scale)
     if is_closed != base.is_closed:
         raise ValueError(
             "Its base and the curve that this becomes must be both open or both closed"
@@ -80,8 +79,18 @@ def target_of(field, base, obj, scale):
 
 
 def _of_object(curve, obj, scale):
+    return _through(*_points_of(curve, obj, scale))
+
+
+def _points_of(curve, obj, scale):
+    """(points (n, 3), m, whether they close) of a curve object."""
     points, is_closed = curve_lines.points_of(curve, obj)
-    return _through(points * scale, is_closed)
+    if len(points) > limits.MOST_CURVE_POINTS:
+        raise ValueError(
+            f"{curve.name} is shown with {len(points)} points, {limits.MOST_CURVE_POINTS} at most "
+            "may be: lower its resolution or remove points"
+        )
+    return points * scale, is_closed
 
 
 def _section(field, surface, scale):

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...bridge import native
+from ...bridge import limits, native
+from ...bridge.mesh import mesh_check
 from ..constraints import move_limits
 from ..flotation import ship
 
@@ -23,15 +24,17 @@ class Ground:
 
 @dataclass(eq=False)
 class Prepared(Ground):
-    """key: equal for hulls of which all this is the same. places: the hull_native.SurfacePlaces
+    """key: equal for hulls of which all this is the same. source: the flotation.ship.ShipSource of
+    the surface. places: the hull_native.SurfacePlaces
     where shifts are wanted, and field_places: the same for fields; limits: of moves, as arguments
     of hull_native.Reshape."""
 
     key: tuple
+    source: object
     places: object
     field_places: object
     limits: dict
-    _reshape: tuple = (None, None)  # what stays, as bytes, and the hull_native.Reshape with that
+    _reshape: tuple = (None, None)  # what stays and leads, and the hull_native.Reshape with that
     _net: object = None
 
     def net(self):
@@ -41,14 +44,15 @@ class Prepared(Ground):
             self._net = native.require().GeodesicNet(self.surface, mirrored=self.is_half)
         return self._net
 
-    def reshape(self, staying):
-        """The hull_native.Reshape by which these control points (k,) stay, besides the limits."""
+    def reshape(self, staying, leading):
+        """The hull_native.Reshape by which, besides the limits, these control points (k,) stay, and
+        those (p,) move as told."""
         locked = np.union1d(self.limits["locked"], staying)
-        if self._reshape[0] != locked.tobytes():
-            reshape = native.require().Reshape(
-                self.surface, **{**self.limits, "locked": locked}, places=self.places
-            )
-            self._reshape = (locked.tobytes(), reshape)
+        key = (locked.tobytes(), leading.tobytes())
+        if self._reshape[0] != key:
+            limits = {**self.limits, "locked": locked, "prescribed": leading}
+            reshape = native.require().Reshape(self.surface, **limits, places=self.places)
+            self._reshape = (key, reshape)
         return self._reshape[1]
 
 
@@ -56,13 +60,18 @@ def of_hull(obj, found, scale, before=None):
     """The Prepared of a hull's hull_mesh.HullMesh, `before` where that is still it. ValueError
     with the reason where the hull has no surface."""
     control = found.control(scale)
+    _check_size(control)
+    check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
+    if mesh is None:
+        raise ValueError(check.errors[0].message)
     size = float(np.ptp(control.points, axis=0).max(initial=0.0))
     allowed = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     held = allowed.held_points.tobytes(), allowed.held_normals.tobytes()
     key = (found.topology_key, found.points_digest, scale, allowed.locked.tobytes(), *held)
     if before is not None and before.key == key:
         return before
-    hull_native, surface = native.require(), ship.source_of(found, control).new_surface()
+    hull_native, source = native.require(), ship.source_of(found, control)
+    surface = source.new_surface()
     places = hull_native.SurfacePlaces(surface)
     return Prepared(
         scale,
@@ -70,7 +79,17 @@ def of_hull(obj, found, scale, before=None):
         surface,
         found.half,
         key,
+        source,
         places,
         hull_native.FieldPlaces(places.positions),
         allowed.reshape_arguments(surface),
     )
+
+
+def _check_size(control):
+    count, most = len(control.points), limits.MOST_FIELD_POINTS
+    if count > most:
+        raise ValueError(
+            f"The hull has {count} control points, and fields take {most} at most: take a coarser "
+            "mesh of it, by Un-Subdivide where it was subdivided"
+        )

@@ -4,15 +4,20 @@ follow as they do when points are moved. Where the points were is kept with the 
 
 from dataclasses import dataclass, replace
 
+import bpy
 import numpy as np
 
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
 from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh, hull_objects
 from ..hull import hull_state
-from ..modelling import exact_subdivision
+from ..modelling import exact_subdivision, row_insertion
 from . import field_list, prepared, shaping
 
+_SHARED = (
+    'Fields of "{}" are previewed too, which shares this mesh: Apply or Cancel them there, or make '
+    "the mesh single-user (Object ▸ Relations)"
+)
 _FOREIGN = (
     "Points or faces were changed while the fields are previewed: Apply keeps the hull as it is, "
     "or undo"
@@ -28,7 +33,13 @@ class Preview:
     problem: str = ""
     key: tuple = None  # what the hull was shown for
     shown: bytes = None  # the digest of its points then, which undo takes back alone
-    own: object = None  # the Prepared
+    own: object = None  # the Prepared, None where the hull is not as fields make it
+    waits: bool = False  # for another hull that shares the mesh
+
+    def put_off(self, problem, waits=False):
+        """The hull stays as it is for now."""
+        self.problem, self.waits = problem, waits
+        self.applied = self.key = self.own = None
 
 
 def of_hull(obj):
@@ -40,32 +51,53 @@ def of_hull(obj):
 def begin(obj, scene):
     """Shows the hull as its fields make it from now on, as they are changed."""
     hull_state.up_to_date(obj, scene)
-    found = hull_mesh.read(obj)
-    start_points.keep(obj.data, found.data.points)
-    start_points.set_shown(obj.data, found.points_digest)
-    obj.hull.fields.is_previewed = True
-    of_hull(obj).key = None  # of a preview before, which showed the same
+    other = _also_previewed(obj)
+    if other is not None:
+        raise ValueError(_SHARED.format(other.name))
+    # A mesh that was taken off its hull while it was previewed knows where its points were.
+    if start_points.read(obj.data) is None or not _is_as_shown(obj):
+        start_points.keep(obj.data, hull_mesh.read(obj).data.points)
+    _switch_on(obj)
     follow(obj, scene)
+
+
+def take_up(obj):
+    """After undo: that of edit mode takes back the mesh of a hull and none of its settings. A hull
+    whose mesh shows fields is previewed again; `follow` ends a preview that the mesh knows nothing
+    of."""
+    if not obj.data.is_editmode or obj.hull.fields.is_previewed or _also_previewed(obj):
+        return
+    is_shown = start_points.read(obj.data) is not None and _is_as_shown(obj)
+    if is_shown and hull_state.state_of(obj) is not None:
+        _switch_on(obj)
 
 
 def follow(obj, scene):
     """Brings the mesh of a hull that is previewed up to date with its fields, where they changed.
     What cannot be leaves it as it is, with a problem."""
     preview = of_hull(obj)
-    if preview is None:
+    if preview is None or hull_objects.locked(obj):
         return
     start = start_points.read(obj.data)
     if start is None:  # the mesh is another one now
-        obj.hull.fields.is_previewed = False
+        _switch_off(obj, scene)
+        return
+    if not obj.hull.fields.fields:  # nothing is left to be previewed
+        end(obj, scene, is_kept=not _is_as_shown(obj))
+        return
+    other = _also_previewed(obj)
+    if other is not None:
+        preview.put_off(_SHARED.format(other.name), waits=True)
         return
     found, scale = hull_mesh.read(obj), units.metres_per_unit(scene)
-    if not start_points.are_as_shown(obj.data, found.points_digest):
-        preview.problem, preview.key = _FOREIGN, None
+    if not start_points.are_as_shown(obj.data, found.data.points):
+        preview.put_off(_FOREIGN)
         return
     key = (_values(obj), start.tobytes(), found.topology_key, scale)
     if (preview.key, preview.shown) == (key, found.points_digest):
         return
-    preview.key, preview.shown, preview.problem = key, found.points_digest, ""
+    preview.key, preview.shown = key, found.points_digest
+    preview.problem, preview.waits = "", False
     try:
         at_start = found.with_points(replace(found.data, points=start))
         preview.own = prepared.of_hull(obj, at_start, scale, preview.own)
@@ -82,12 +114,11 @@ def end(obj, scene, is_kept):
     would be lost."""
     start, found = start_points.read(obj.data), hull_mesh.read(obj)
     if start is not None and not is_kept:
-        if not start_points.are_as_shown(obj.data, found.points_digest):
+        if not start_points.are_as_shown(obj.data, found.data.points):
             raise ValueError(_FOREIGN)
         mesh_points.write(obj.data, np.arange(len(start)), start)
     start_points.forget(obj.data)
-    obj.hull.fields.is_previewed = False
-    hull_state.follow_edit(obj, scene, is_by_hand=False)
+    _switch_off(obj, scene)
 
 
 def _solved(obj, own):
@@ -105,29 +136,69 @@ def _show(obj, scene, start, preview):
         points[which] = places
     mesh_points.write(obj.data, np.arange(len(points)), points)
     hull_state.follow_edit(obj, scene, is_by_hand=False)
-    preview.shown = hull_mesh.read(obj).points_digest
-    start_points.set_shown(obj.data, preview.shown)
+    found = hull_mesh.read(obj)
+    preview.shown = found.points_digest
+    start_points.set_shown(obj.data, found.data.points)
+
+
+def _switch_on(obj):
+    obj.hull.fields.is_previewed = True
+    of_hull(obj).key = None  # of a preview before, which showed the same
+
+
+def _switch_off(obj, scene):
+    """What waited for the end of the preview follows."""
+    obj.hull.fields.is_previewed = False
+    hull_state.follow_edit(obj, scene, is_by_hand=False)
+
+
+def _is_as_shown(obj):
+    return start_points.are_as_shown(obj.data, hull_mesh.read(obj).data.points)
+
+
+def _also_previewed(obj):
+    """Another hull whose preview would show its fields on the same mesh; None without."""
+    if obj.data.users <= 1:
+        return None
+    return next((other for other in hull_objects.hulls(bpy.data.objects) if other != obj
+                 and other.data == obj.data and other.hull.fields.is_previewed
+                 and other.users_scene), None)  # fmt: skip
 
 
 def subdivide(obj, scene):
     """Subdivides the start of a hull that is previewed exactly, so that it has more control points
     to follow its fields, and previews it again; returns the exact_subdivision.Subdivided.
     ValueError where that cannot be: the preview stays then."""
+    return _with_another_start(obj, scene, lambda: exact_subdivision.subdivide(obj, scene))
+
+
+def insert_row(obj, scene):
+    """The same by a row of points where the residual is largest, which changes the start a little;
+    returns the row_insertion.Inserted. ValueError where that cannot be, and where there is no
+    residual."""
+    applied = of_hull(obj).applied
+    if applied is None:
+        raise ValueError("The fields shift nothing of the hull that a row could help to follow")
+    place = applied.result.largest_place
+    return _with_another_start(obj, scene, lambda: row_insertion.insert_near(obj, scene, place))
+
+
+def _with_another_start(obj, scene, change):
+    """What change() returns, which works on the hull as it was before its preview."""
     end(obj, scene, is_kept=False)
     try:
-        return exact_subdivision.subdivide(obj, scene)
+        return change()
     finally:
         begin(obj, scene)
 
 
-def based_on(changed, objects):
-    """The hulls among objects that are previewed with fields whose curves are among changed
-    ones."""
-    curves = {obj for obj in changed if obj.type == "CURVE"}
-    if not curves:  # as at nearly every change
-        return []
-    hulls = [obj for obj in hull_objects.hulls(objects) if obj.hull.fields.is_previewed]
-    return [obj for obj in hulls if any(map(curves.intersection, _curves_of(obj)))]
+def concerned(changed, view_layer):
+    """The hulls in a view layer that are previewed with fields whose curves are among changed
+    objects, or wait for another hull that shares their mesh."""
+    known = (obj for obj, _ in hull_state.known_hulls(view_layer))
+    hulls = [obj for obj in known if obj.hull.fields.is_previewed]
+    return [obj for obj in hulls if of_hull(obj).waits or any(map(changed.intersection,
+            _curves_of(obj)))]  # fmt: skip
 
 
 def _curves_of(obj):

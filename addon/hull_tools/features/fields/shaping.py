@@ -11,7 +11,7 @@ from ...bridge.mesh import mesh_points
 from ...bridge.objects import hull_mesh
 from ..hull import hull_state
 from ..transformation import reports
-from . import base_curves, bases, field_list, prepared
+from . import base_curves, bases, field_list, led_creases, prepared
 
 # Of the largest shift: residuals beyond it show that the control points are too far apart.
 _COARSE = 0.1
@@ -19,10 +19,13 @@ _COARSE = 0.1
 
 @dataclass(frozen=True, eq=False)
 class Applied:
-    """result: the hull_native.Reshaped; largest_shift: that was wanted of the surface, m."""
+    """result: the hull_native.Reshaped; largest_shift: that was wanted of the surface, m;
+    crease_distance: of the creases that fields are based on from where they are wanted, m, or
+    None."""
 
     result: object
     largest_shift: float
+    crease_distance: float = None
 
     @property
     def is_followed(self):
@@ -56,6 +59,8 @@ def moved_points(moves, own):
 def summary(applied):
     """What came of fields, as a sentence."""
     text = f"Fields applied: {reports.residual(applied.result)}"
+    if applied.crease_distance is not None:
+        text += f"; creases off theirs by {units.format_mm(applied.crease_distance)} at most"
     return text if applied.is_followed else f"{text}. {advice(applied)}"
 
 
@@ -78,15 +83,23 @@ def solve(obj, rows, own):
     if not shifts.any():
         return None
     staying = [own.places.points_beyond(shifts)]
-    staying += [_protected(row, obj, own) for row in rows]
-    result = own.reshape(np.concatenate(staying)).solve(shifts, gradients=gradients)
+    staying = np.concatenate(staying + [_protected(row, obj, own) for row in rows])
+    leading = led_creases.led(rows, fields, own, staying)
+    reshape = own.reshape(staying, leading.points)
+    result = reshape.solve(shifts, gradients=gradients, prescribed=leading.moves)
+    crease_distance = leading.distance
+    if result.folded_place is not None and len(leading.points):
+        # Points beside a crease may be too far apart to go with it: then it goes with them.
+        result = own.reshape(staying, leading.points[:0]).solve(shifts, gradients=gradients)
+        crease_distance = led_creases.distance(rows, fields, own, result.moves)
     if result.folded_place is not None:
         x, y, z = result.folded_place
         raise ValueError(
             f"The surface would fold at x {x:.2f}, y {y:.2f}, z {z:.2f} m: shift less, or make "
             "extent or falloff larger"
         )
-    return Applied(result, float(np.linalg.norm(shifts, axis=1).max()))
+    largest = float(np.linalg.norm(shifts, axis=1).max())
+    return Applied(result, largest, crease_distance)
 
 
 def _protected(row, obj, own):
@@ -96,7 +109,8 @@ def _protected(row, obj, own):
     if row.role != "PROTECT" or not all(row.axes):
         return none
     if row.base == "CREASE":
-        return np.asarray(base_curves.base_crease(row, own.surface, own.scale).vertices)
+        _, crease = base_curves.base_crease(row, own.surface, own.scale)
+        return np.asarray(crease.vertices)
     if row.base != "FACES":
         return none
     is_there = np.isin(own.places.cells, bases.cells_of(obj, row, own.control))

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The exact normals of hulls in edit mode come when the user pauses: while points move, Blender
-shades the surface objects by their faces."""
+"""The exact normals of hulls that are edited, or whose fields are previewed, come when the user
+pauses: while points move, Blender shades the surface objects by their faces."""
 
 import bpy
 
 from ...bridge.background import timers
 from ...bridge.blender import units
+from ..surface import shown_surface
 from . import hull_state
 
 _PAUSE_SECONDS = 0.4
@@ -23,7 +24,7 @@ def stop():
 def _write():
     scale = units.metres_per_unit(bpy.context.scene)
     for hull, state in hull_state.known_hulls(bpy.context.view_layer):
-        if hull.mode == "EDIT":
+        if shown_surface.may_move(hull):
             state.shown.follow_normals(hull, scale)
 
 

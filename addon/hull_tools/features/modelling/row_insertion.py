@@ -14,6 +14,7 @@ import numpy as np
 from ...bridge import native
 from ...bridge.blender import blender_versions, units
 from ...bridge.mesh import mesh_points
+from ...bridge.mesh.mesh_editing import editing
 from ...bridge.objects import hull_mesh
 from ..constraints import point_locks
 from ..hull import hull_state
@@ -39,12 +40,38 @@ def insert_rows(obj, scene):
     ValueError when nothing is selected, the mesh has errors, no ring leads through quads, or the
     selected faces do not tell which way.
     """
+    return _insert(obj, scene, lambda bm: _rings_of_faces(bm) or _rings_of_edges(bm))
+
+
+def insert_near(obj, scene, place):
+    """Inserts a row near a place (3,), m, on the surface: across the longer edges of the face
+    there. In edit mode or not; returns what came of it. ValueError where the mesh has errors, or no
+    ring leads through quads there."""
+    ship = hull_state.up_to_date(obj, scene).ship
+    cell = int(native.require().SurfaceTree(ship.surface).closest_points([place]).cells[0])
+    # A face has a cell at each of its corners.
+    sizes = ship.source.control.face_sizes
+    face = int(ship.source.control.face_ids[np.repeat(np.arange(len(sizes)), sizes)[cell]])
+
+    def rings(bm):
+        bm.faces.ensure_lookup_table()
+        edges = bm.faces[face].edges
+        if len(edges) != 4:
+            raise ValueError("Where the points are too far apart is no face of four sides to cut")
+        pairs = ((edges[0], edges[2]), (edges[1], edges[3]))
+        longer = max(pairs, key=lambda pair: sum(edge.calc_length() for edge in pair))
+        return (_ring(longer[0], None),)
+
+    return _insert(obj, scene, rings)
+
+
+def _insert(obj, scene, rings):
+    """rings: BMesh → the _Rings to cut."""
     state = hull_state.up_to_date(obj, scene)
     old = native.require().LimitSurface(state.ship.surface.mesh, state.ship.surface.scheme)
-    bm = bmesh.from_edit_mesh(obj.data)
-    new, longest, ends = _cut_rings(bm)
-    bm.normal_update()
-    bmesh.update_edit_mesh(obj.data)
+    with editing(obj.data) as bm:
+        new, longest, ends = _cut_rings(bm, rings(bm))
+        bm.normal_update()
     scale = units.metres_per_unit(scene)
     control = hull_mesh.read(obj).control(scale)
     surface = native.require().LimitSurface(
@@ -58,12 +85,12 @@ def insert_rows(obj, scene):
     return Inserted(len(new), before, row_refitting.change(old, state.ship.surface), ends)
 
 
-def _cut_rings(bm):
+def _cut_rings(bm, rings):
     """(indices of the new points, the longest of the edges cut in Blender's units, how many faces
     beside the chosen ones got a point more)."""
     new, longest, ends = [], 0.0, 0
     done = set()
-    for ring in _rings_of_faces(bm) or _rings_of_edges(bm):
+    for ring in rings:
         # One ring after the other: the first may cut edges of the next.
         if not done.isdisjoint(ring.edges) or len(ring.edges) < 2:
             continue

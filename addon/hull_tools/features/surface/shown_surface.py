@@ -18,14 +18,20 @@ from . import colours, surface_mesh
 # On the surface object's mesh: what its faces were made for, and a digest of them as they were
 # left. They are saved and undone with the mesh.
 _FACES, _FACES_LEFT = "hull_faces", "hull_faces_left"
-# More corners than these get their normals only when the hull leaves edit mode: the time it takes
-# would be felt.
+# More corners than these get their normals only when the hull does not move any longer: the time it
+# takes would be felt.
 _MOST_AT_A_PAUSE = 200_000
 
 
 def samples_of(obj, surface):
     """How many faces along each side of a cell the surface object of a hull has."""
     return limits.samples(obj.hull.samples, surface.cell_count, 1 + obj.hull.half)
+
+
+def may_move(obj):
+    """Whether a hull may be another one at each step of the mouse: in edit mode, and while its
+    shape fields are previewed."""
+    return obj.mode == "EDIT" or obj.hull.fields.is_previewed
 
 
 @dataclass
@@ -102,9 +108,9 @@ class ShownSurface:
     def follow(self, obj, ship, scale):
         """Brings the surface object of a hull up to date with its flotation.live_ship.LiveShip.
 
-        While the mesh is edited the exact normals wait for follow_normals, and a surface that is
-        hidden in views and renders waits until it is seen. One that is worked on itself waits for
-        the end of that.
+        While the hull may move the exact normals wait for follow_normals. While the mesh is edited
+        a surface that is hidden in views and renders waits until it is seen. One that is worked on
+        itself waits for the end of that.
         """
         if ship.surface is not self._surface:
             self._surface, self.points = ship.surface, None
@@ -125,16 +131,17 @@ class ShownSurface:
     def _write_what_is_due(self, obj, shown, geometry_key, scale):
         left, choice = self._left, self._choice(obj)
         place = (geometry_key, samples_of(obj, self._surface), shown.name_full)
-        are_normals_due = left.normals != place and obj.mode != "EDIT"
+        is_due = left.place != place
+        if is_due:  # normals are of points that go, even where these come back
+            left.normals = left.normals_digest = None
+        are_normals_due = left.normals != place and not may_move(obj)
         colours_key = (None if choice is None else place, choice)
         are_colours_due = left.colours != colours_key
-        is_due = left.place != place
         if not (is_due or are_normals_due or are_colours_due):
             return
         writer = self._writer(obj, shown, scale, geometry_key)
         has_new_faces = False
         if is_due:
-            left.normals_digest = None
             has_new_faces = writer.write_points(is_known=self.is_known)
             left.place = place
         are_normals_due |= has_new_faces
@@ -173,8 +180,8 @@ class ShownSurface:
         return [f"Samples: {shown} are shown for {wanted}: Blender would take long for more faces"]
 
     def follow_normals(self, obj, scale):
-        """Gives the surface object its exact normals when the user pauses; large ones wait for the
-        end of edit mode."""
+        """Gives the surface object its exact normals when the user pauses; large ones wait until
+        the hull does not move any longer."""
         shown, place = shown_objects.surface_of(obj), self._left.place
         if shown is None or place is None or self._left.normals == place:
             return

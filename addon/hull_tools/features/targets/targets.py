@@ -13,7 +13,7 @@ from ..constraints import held_points, move_limits
 from ..conversion import conversions
 from ..dimensions import dimensions
 from ..flotation import afloat
-from ..hull import hull_state
+from ..hull import form_before, hull_state
 from ..lines import lines
 from . import quantities, reports, rows
 
@@ -39,7 +39,7 @@ class Solving(jobs.JobTask):
         self._before = found.topology, found.points_digest
         control = found.control(self.scale)
         self._ids, self._points = control.vertex_ids, control.points
-        surface = self.state.ship.source.new_surface()
+        surface = self._surface = self.state.ship.source.new_surface()
         self._targets = [_target(row, obj, self.scale) for row in self._rows]
         _check_breadth(obj, surface, self._targets, self.scale)
         options = _options(obj, surface, control, self.state.ship.source, self.scale)
@@ -65,6 +65,7 @@ class Solving(jobs.JobTask):
         if (found.topology, found.points_digest) != self._before:
             raise ValueError(_CHANGED)
         kg = rows.kg_of(obj, self.scale)
+        form_before.keep(obj, self._surface)
         numbers = zip(self._rows_told(obj), *_numbers(reached))
         found_rows = tuple(_row(*row, kg) for row in numbers)
         if np.any(np.asarray(reached.scale) != 1.0):

@@ -11,10 +11,7 @@ import numpy as np
 
 from ...bridge import native
 
-# Volumes of halves are sums over stations: panels, the shorter the nearer to the hull's ends, with
-# so many places each. Their ratio is good to some 1e-6; their sum is the exact volume.
-_PANELS, _PLACES = 24, 6
-_MET = 1e-7  # of a coefficient
+_MET = 1e-10  # of a coefficient
 _MOST_STEPS = 12
 _FIRST = 0.02  # of a shift's coefficient, for the first differences
 _LARGEST = 1.0
@@ -32,20 +29,12 @@ def prismatics(body, position, length_pp):
     """The Prismatics of a hull_native.HullBody; position: arguments of hull_native about the water,
     upright. ValueError where the station at Lpp / 2 has no area."""
     hull_native, middle = native.require(), 0.5 * length_pp
-    x = body.surface.mesh.points[:, 0]
-    places, weights = np.polynomial.legendre.leggauss(_PLACES)
-    volumes = []
-    for end in (x.max(), x.min()):
-        edges = end + (middle - end) * np.linspace(0.0, 1.0, _PANELS + 1) ** 2
-        half, centre = 0.5 * np.diff(edges), 0.5 * (edges[1:] + edges[:-1])
-        stations = (centre[:, None] + half[:, None] * places).ravel()
-        areas = hull_native.section_areas(body, stations, **position).areas
-        volumes.append(abs((half[:, None] * weights).ravel() @ areas))
     (area,) = hull_native.section_areas(body, [middle], **position).areas
-    if not (area > 0.0 and sum(volumes) > 0.0):
+    if not area > 0.0:
         raise ValueError("There is no section at Lpp / 2: Cp has no meaning")
     whole = hull_native.hydrostatics(body, **position).displaced_volume
-    return Prismatics(*(volume * whole / sum(volumes) / (area * middle) for volume in volumes))
+    aft = hull_native.volume_abaft(body, middle, **position)
+    return Prismatics(*(volume / (area * middle) for volume in (whole - aft, aft)))
 
 
 class HalfSolver:

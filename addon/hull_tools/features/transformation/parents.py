@@ -11,7 +11,7 @@ from ...bridge.mesh import mesh_points
 from ...bridge.objects import hull_mesh
 from ..constraints import flats, move_limits
 from ..flotation import afloat, ship
-from ..hull import hull_state
+from ..hull import form_before, hull_state
 from ..lines import lines
 
 # How steeply sections that are kept may meet those that are shifted.
@@ -123,6 +123,7 @@ class Parent:
     def write(self, scene, moves):
         """Moves the hull's control points by moves (n, 3), m; returns the HullState of what it is
         then."""
+        form_before.keep(self.obj, self.surface)
         moved = np.flatnonzero((moves != 0.0).any(axis=1))
         places = (self.control.points[moved] + moves[moved]) / self.scale
         mesh_points.write(self.obj.data, self.control.vertex_ids[moved], places)

@@ -7,7 +7,8 @@ from ...bridge.blender import units
 def shifted(found, scene):
     """A section_shifts.Shifted as a sentence."""
     after, result = found.after, found.result
-    names = {"whole": ("A", "B"), "apart": ("A fore", "A aft")}.get(found.part, ("A",))
+    both = dict.fromkeys(("whole", "fair"), ("A", "B"))
+    names = {**both, "apart": ("A fore", "A aft")}.get(found.part, ("A",))
     shifts = ", ".join(f"{n} {c:.4f}" for n, c in zip(names, result.coefficients))
     halves = ""
     if found.prismatics is not None:

@@ -15,7 +15,7 @@ class Wanted:
     """volume: {name of a measure of hull_native.SectionShift.solve: value}, or empty; lcb: x in m
     or None; part: as SectionShift takes it; parallel: "FREE", "KEEP", or "LENGTH" with
     parallel_length in m. prismatics: halves.Prismatics instead of volume and lcb, of the halves
-    that are shifted: "whole" stands for both apart."""
+    that are shifted: "whole" and "fair" stand for both apart."""
 
     volume: dict
     lcb: object = None
@@ -26,7 +26,8 @@ class Wanted:
 
     @property
     def shifted_part(self):
-        return "apart" if self.prismatics is not None and self.part == "whole" else self.part
+        is_both = self.prismatics is not None and self.part in ("whole", "fair")
+        return "apart" if is_both else self.part
 
 
 @dataclass(frozen=True)

@@ -6,31 +6,31 @@ points of the hull are moved: at a pause it is looked whether they are still tho
 """
 
 from dataclasses import dataclass, field
-from types import SimpleNamespace
 
-from ...bridge import native
 from ...bridge.blender import units
-from ...bridge.mesh import moves
 from ..curves_of_form import beside, sectional_areas
 from ..flotation import ship
 from ..hull import hull_state
-from ..lines import lines
-from . import afloat, other_hull
+from . import afloat, ghost_lines, other_hull
 
 _ANALYSIS, _WHOSE = "sectional_areas", "ghost"
 
 
 @dataclass
 class Ghost:
-    """Of one hull. groups: lines.Group by kind, empty where no ghost is shown; status: why it is
-    not shown though it is wanted, or ""."""
+    """Of one hull. status: why no ghost is shown though it is wanted, or ""."""
 
-    groups: dict = field(default_factory=dict)
     status: str = ""
+    _lines: ghost_lines.GhostLines = field(default_factory=ghost_lines.GhostLines)
     _surface_key: tuple = None
     _surface: object = None
     _body: object = None
     _area_key: tuple = None
+
+    @property
+    def groups(self):
+        """lines.Group by kind, empty where no ghost is shown."""
+        return self._lines.groups
 
     def follow(self, obj, scene, state):
         """Brings ghost and curve up to date; returns whether anything is another."""
@@ -50,17 +50,14 @@ class Ghost:
         return has_other_curve or (self.groups, self.status) != before
 
     def _clear(self):
-        self.groups, self._surface_key, self._surface, self._body = {}, None, None, None
+        self._lines.clear()
+        self._surface_key = self._surface = self._body = None
 
     def _follow_lines(self, obj, other, scale):
         if self._surface_key != other.key:
             self._surface, self._body = other.source.new_surface(), None
             self._surface_key = other.key
-        cuts = _cuts(obj.hull, self._surface, other.source.half, scale)
-        watch = moves.Moves(None, other.key, native.require().MoveWatch(self._surface))
-        self.groups = _unless_same(
-            self.groups, lines.groups(self.groups, self._surface, cuts, other.source.half, watch)
-        )
+        self._lines.follow(obj.hull, self._surface, other.key, other.source.half, scale)
 
     def _follow_areas(self, obj, other, state, scale):
         curves = state.of(beside.Beside)
@@ -85,23 +82,6 @@ class Ghost:
         except ValueError:
             return None  # it is not afloat there; the table of differences says why
         return beside.Curve(other.name, found.positions, found.areas)
-
-
-def _unless_same(before, groups):
-    """The groups of before where these are they: what is drawn stays on the graphics card."""
-    is_same = before.keys() == groups.keys() and all(groups[k] is before[k] for k in groups)
-    return before if is_same else groups
-
-
-def _cuts(settings, surface, half, scale):
-    """Of the kinds that the hull shows, and the outlines, as far as the other hull reaches."""
-    kinds = [k for k in lines.KINDS if getattr(settings.lines, lines.SWITCHES[k]) and k != "flat"]
-    if "feature" not in kinds:
-        kinds.append("feature")
-    places = SimpleNamespace(
-        lines=settings.lines, length_pp=settings.length_pp, draft=settings.draft, half=half
-    )
-    return lines.cuts_of_kinds(places, surface.mesh.points, scale, kinds)
 
 
 def follow(obj, scene):

@@ -13,6 +13,7 @@ import bmesh
 import bpy
 
 from ...bridge import limits
+from ...bridge.mesh import start_points
 from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_objects
 from ..hull import hull_creation, hull_state
@@ -31,6 +32,7 @@ def keep(obj, name="", note=""):
     entry = kept.add()
     entry.name, entry.note = free, note
     entry.mesh = obj.data.copy()
+    start_points.forget(entry.mesh)  # of what is previewed as it is shown
     entry.mesh.use_fake_user = False
     entry.mesh.name = f"{obj.name}, {entry.name}"
     ship_settings.copy_ship(obj.hull, entry)
