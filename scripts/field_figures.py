@@ -10,60 +10,17 @@ import sys
 import tempfile
 from pathlib import Path
 
-import hull_native as hn
 import numpy as np
 import vessels
 from field_replays import bulb, centre_line, follow, frigate, refined
 from figures import paper
+from figures.before_after import AFTER, BEFORE, TITLE, Frame, cuts, paint_both
 from hull_fairness import lines
 
 # The page in mm, margins, and the width that is shown in the docs, in dots.
 WIDTH, HEIGHT, MARGIN, GAP, SMALL = 250.0, 214.0, 8.0, 8.0, 1400
-BEFORE, AFTER, WANTED = (0.62, 0.66, 0.72), (0.07, 0.20, 0.50), (0.86, 0.28, 0.10)
-TITLE, LABEL = 3.6, 2.8
-STEP, STRETCH, ON_EDGE = 0.1, 2.5, 1e-6
-
-
-class Frame:
-    """A part of the page, left and top in mm, where points from low (2,) to high (2,), m, are drawn
-    in `scale` millimetres a metre; upwards in `stretch` times as many."""
-
-    def __init__(self, left, top, scale, low, high, stretch=1.0):
-        self.left, self.top, self.low, self.high = left, top, np.array(low), np.array(high)
-        self.scale, self.upwards = scale, stretch * scale
-        self.bottom = top + (self.high - self.low)[1] * self.upwards
-
-    def at(self, points):
-        """(n, 2) on the page of points (n, 2) in m."""
-        right = self.left + (points[:, 0] - self.low[0]) * self.scale
-        return np.stack([right, self.top + (self.high[1] - points[:, 1]) * self.upwards], axis=-1)
-
-    def line(self, context, points, width, colour, dashes=()):
-        """What is within the frame of a line through points (n, 2)."""
-        inside = ((self.low - ON_EDGE <= points) & (points <= self.high)).all(axis=1)
-        borders = np.flatnonzero(np.diff(np.concatenate([[0], inside, [0]])))
-        for first, last in zip(borders[::2], borders[1::2]):
-            if last - first > 1:
-                paper.line(context, self.at(points[first:last]), width, colour, dashes)
-
-    def title(self, context, words):
-        place = self.left, self.top - 2.0
-        paper.text(context, place, words, TITLE, align=0.0, bold=True)
-
-
-def cuts(surface, axis, places):
-    """Points (n, 3) of each section across an axis, "x", "y" or "z"."""
-    planes = np.zeros((len(places), 4))
-    planes[:, "xyz".index(axis)], planes[:, 3] = 1.0, places
-    found = hn.section_fairness(surface, planes, step=STEP, marks=False)
-    return [curve.points for curves in found for curve in curves]
-
-
-def paint_both(context, frame, axes, before, after):
-    """Curves (n, 3) of both, seen along the axis that is not in `axes`."""
-    for curves, width, colour in ((before, 0.18, BEFORE), (after, 0.22, AFTER)):
-        for points in curves:
-            frame.line(context, points[:, axes], width, colour)
+WANTED = (0.86, 0.28, 0.10)
+LABEL, STRETCH = 2.8, 2.5
 
 
 def inflections(surface):
@@ -106,7 +63,8 @@ def paint_frigate(context, top):
 def paint_bulb(context, top):
     """Returns where it ends, in mm from above."""
     plain = refined(vessels.surface_of(bulb.plain_bow()), bulb.SUBDIVIDED)
-    *_, (_, full, _) = bulb.steps(plain)
+    *_, last = bulb.steps(plain)
+    full = last.surface
     _, wanted = bulb.wanted_profile(plain)
     width = 0.62 * (WIDTH - 2 * MARGIN)
     frame = Frame(MARGIN, top, width / 24.4, (80.0, -0.2), (104.4, 8.6))

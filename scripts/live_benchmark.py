@@ -2,7 +2,7 @@
 """Where the time goes while a control point is dragged, measured in Blender's window.
 
 blender --python live_benchmark.py -- [--points N] [--moves N] [--samples N] [--no-lines]
-        [--drag one|all] [--draw-every N] [--profile]
+        [--drag one|all] [--draw-every N] [--ghost] [--profile]
 
 A half hull, that of native/benchmarks/half_hull.h, is in edit mode; points are moved by random
 steps of a fixed seed, as a transform moves them: the edit mesh changes, Blender evaluates, the
@@ -49,11 +49,12 @@ STEPS = (
     ),
     ("features.lines.live_lines", "LiveLines.follow", "lines"),
     ("features.fairness.live_fairness", "LiveFairness.follow", "combs"),
+    ("features.variants.ghosts", "Ghost.follow", "ghost"),
     ("features.analyses.live_analyses", "show_plots", "sectional areas, plots"),
     ("overlays.lines", "batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
-DRAWN = ("lines", "marks", "tags", "legend", "spots", "status")
+DRAWN = ("lines", "ghost", "marks", "tags", "legend", "spots", "status")
 NOT_OURS = ("Blender's update", "Blender's drawing")
 
 
@@ -124,9 +125,17 @@ def make_hull(options):
     settings.length_pp, settings.draft, settings.beam = 100.0, 6.0, 18.0
     _switch_lines(settings, not options.no_lines)
     settings.plots.sectional_areas = not options.no_lines
+    if options.ghost:
+        _show_ghost(settings)
     bpy.context.view_layer.update()
     bpy.ops.object.mode_set(mode="EDIT")
     return hull
+
+
+def _show_ghost(settings):
+    """Of the hull as it is, behind the one that changes."""
+    bpy.ops.hull.keep_variant(name="before")
+    settings.variants.show_ghost = True
 
 
 def _switch_lines(settings, on):
@@ -267,6 +276,7 @@ def parsed():
     parser.add_argument("--drag", choices=("one", "all"), default="one")
     parser.add_argument("--draw-every", type=int, default=1, help="moves; 0: never")
     parser.add_argument("--no-lines", action="store_true")
+    parser.add_argument("--ghost", action="store_true", help="of the hull as it was")
     parser.add_argument("--profile", action="store_true")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])
 

@@ -16,8 +16,9 @@ HERE = Path(__file__).resolve().parent
 TESTS = HERE.parent / "tests"
 sys.path[:0] = [str(HERE), str(TESTS / "window"), str(TESTS / "blender")]
 
-from screenshot_scenes import DRAWINGS, PANELS, VIEWS, panel_scene  # noqa: E402
+from screenshot_panels import PANELS, panel_scene  # noqa: E402
 from screenshot_tools import Panels, save_window, use_theme  # noqa: E402
+from screenshot_views import DRAWINGS, VIEWS  # noqa: E402
 from stepping import Stepper  # noqa: E402
 from window import Window  # noqa: E402
 

@@ -2,6 +2,8 @@
 """A bulb made of the plain bow of a new round-bilge hull by three bases: the profile, a waterline
 that ends at the bulb's tip, the lowest waterline. Lengths in m."""
 
+from dataclasses import dataclass
+
 import hull_native as hn
 import numpy as np
 from hull_io import new_hulls
@@ -34,6 +36,9 @@ POLYGON = (
 BASE_X, BASE_TOP, BASE_FOOT = 99.3, 6.4, -1.0
 HEIGHTS = (6.4, 6.1, 5.8, 5.4, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.7)
 EXTENT, FALLOFF = 16.0, 0.6
+# It reaches TOP_EXTENT at its top, all of EXTENT from FULL_REACH down: shifts, which begin within a
+# metre of height, would bend the flare far abaft, and lines of light that leave the fields there.
+TOP_EXTENT, FULL_REACH = 9.0, 2.0
 LEFT_EXTENT = 5.0
 # The part of the profile that fields are based on.
 AFT_END = 70.0
@@ -102,19 +107,22 @@ def _intensity(delta):
     return np.where(delta < k, inner, (np.minimum(delta, 1.0) - 1.0) ** 3 / (k - 1.0))
 
 
-def drawn_out(surface):
+def drawn_out(surface, top_extent=TOP_EXTENT):
     """The hull_native.ShapeFields that shift the stem forward to about the wanted profile."""
     heights = np.array(HEIGHTS)
     plain, (_, bulb) = fore_profile(surface)[::-1], wanted_profile(surface)
     plain = plain[plain[:, 2] < 9.0]
     at = np.interp(heights, plain[:, 2], plain[:, 0])
     ahead = np.interp(heights, bulb[::-1, 2], bulb[::-1, 0]) - at
+    below = np.clip((BASE_TOP - heights) / (BASE_TOP - FULL_REACH), 0.0, 1.0)
+    extents = top_extent + (EXTENT - top_extent) * below**2 * (3.0 - 2.0 * below)
     shifts = np.zeros((len(heights) + 1, 3))
-    shifts[:-1, 0] = ahead / _intensity(np.abs(BASE_X - at) / EXTENT)
+    shifts[:-1, 0] = ahead / _intensity(np.abs(BASE_X - at) / extents)
     shifts[0], shifts[-1] = 0.0, shifts[-2]
     base = hn.FieldCurve([(BASE_X, 0.0, BASE_TOP), (BASE_X, 0.0, BASE_FOOT)])
     lengths = BASE_TOP - np.append(heights, BASE_FOOT)
-    field = hn.ShapeField.along(base, (lengths, shifts), extent=EXTENT, falloff=FALLOFF)
+    extents = lengths, np.append(extents, EXTENT)
+    field = hn.ShapeField.along(base, (lengths, shifts), extent=extents, falloff=FALLOFF)
     return hn.ShapeFields([field], mirrored=True)
 
 
@@ -161,14 +169,26 @@ def fuller_below(surface):
     return hn.ShapeFields([field], mirrored=True)
 
 
+@dataclass(frozen=True)
+class Step:
+    """fields: the hull_native.ShapeFields that a surface follows; result: hull_native.Reshaped."""
+
+    name: str
+    fields: object
+    surface: object
+    result: object
+
+
 def steps(surface):
-    """Yields (name, surface, hull_native.Reshaped) of the steps from a plain bow to the bulb."""
+    """Yields the Step after Step from a plain bow to the bulb."""
     wanted, _ = wanted_profile(surface)
-    surface, result = follow(surface, drawn_out(surface), with_profile=True)
-    yield "stem drawn out", surface, result
-    surface, result = follow(surface, onto_profile(surface, wanted), with_profile=True)
-    yield "on the wanted profile", surface, result
-    for name, fields in (("fuller at the tip", fuller_at_tip), ("fuller below", fuller_below)):
-        kept = hn.crease_curves(surface)[profile_number(surface)].vertices
-        surface, result = follow(surface, fields(surface), kept=kept)
-        yield name, surface, result
+    for name, made, with_profile in (
+        ("stem drawn out", drawn_out, True),
+        ("on the wanted profile", lambda now: onto_profile(now, wanted), True),
+        ("fuller at the tip", fuller_at_tip, False),
+        ("fuller below", fuller_below, False),
+    ):
+        profile = hn.crease_curves(surface)[profile_number(surface)].vertices
+        fields, kept = made(surface), () if with_profile else profile
+        surface, result = follow(surface, fields, kept=kept, with_profile=with_profile)
+        yield Step(name, fields, surface, result)

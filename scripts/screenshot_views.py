@@ -1,206 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is on the docs' pictures, by the files' names: PANELS of the sidebar, VIEWS of the window.
-They are set up by generators as the tests of the window are: see tests/window/stepping.py."""
+"""What is on the docs' pictures of the window, by the files' names. They are set up by generators
+as the tests of the window are: see tests/window/stepping.py."""
 
 from dataclasses import dataclass
 
 import bmesh
 import bpy
+import field_scenes
 import numpy as np
 from addon_under_test import part
 from editing import select
 from expect import edited_points
 from mathutils import Vector
+from screenshot_panels import are_known, fuller_forward, hull_panels, load
 from screenshot_tools import save_smaller
 
 # The view over the bow from port, where the control points are, as the angles of its turn.
 _OVER_THE_BOW = (74.0, 0.0, 142.0)
-
-
-@dataclass(frozen=True)
-class PanelShot:
-    """Panels alone. panels: class names; prepare(hull): what is set before; in_edit_mode;
-    analyses: those that are shown."""
-
-    panels: tuple
-    prepare: object = None
-    in_edit_mode: bool = False
-    analyses: tuple = ()
-
-
-def hull_panels(*names):
-    return tuple(f"HULL_PT_{name}" for name in names)
-
-
-def _load(window, name="coaster"):
-    with window.in_view():
-        bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
-
-
-def panel_scene(window, shot):
-    hull = _load(window)
-    if shot.prepare is not None:
-        shot.prepare(hull)
-    bpy.context.view_layer.update()
-    if shot.in_edit_mode:
-        bpy.ops.object.mode_set(mode="EDIT")
-    # Only what is drawn asks for analyses that take their time.
-    window.open_sidebar()
-    yield
-    yield lambda: _are_known(hull, shot.analyses)
-    yield
-
-
-def _are_known(hull, analyses):
-    last_outcome = part("features.analyses").last_outcome
-    return all(last_outcome(hull, bpy.context.scene, name)[1] for name in analyses)
-
-
-def _with_combs(hull):
-    hull.hull.fairness.comb_stations = True
-    hull.hull.fairness.colours = "GAUSSIAN"
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.count_marks()
-        bpy.ops.hull.show_mark(step=1)
-
-
-def _with_opening(hull):
-    hull.hull.loading.kg = 5.0
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.add_downflooding_point()
-    hatch = hull.hull.loading.downflooding_points[0]
-    hatch.name, hatch.position = "Hatch, fore end", (58.0, 4.2, 8.6)
-
-
-def _with_fit(hull):
-    """The hull fitted to faces between points of its own surface, somewhat fuller."""
-    grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(12)
-    mesh = bpy.data.meshes.new("Scan")
-    mesh.from_pydata((np.array(grid.points) * [1.0, 1.01, 1.0]).tolist(), [], grid.quads.tolist())
-    hull.hull.fit.use_edges = True
-    hull.hull.fit.target = bpy.data.objects.new(mesh.name, mesh)
-    bpy.context.collection.objects.link(hull.hull.fit.target)
-    bpy.context.view_layer.update()
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.fit()
-
-
-def _with_targets(hull):
-    """More displacement further forward, and stability enough: solved."""
-    values = part("features.hull.hull_state").state_of(hull).hydrostatics.values
-    wanted = (
-        ("DISPLACEMENT", 1.02 * values.displacement_t, "equal"),
-        ("LCB_PERCENT", values.lcb_percent + 0.2, "equal"),
-        ("KMT", values.kmt - 0.1, "at least"),
-    )
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        for quantity, value, sense in wanted:
-            bpy.ops.hull.add_target()
-            row = hull.hull.targets.rows[-1]
-            row.quantity, row.value, row.sense = quantity, value, sense
-        bpy.ops.hull.solve_targets()
-
-
-def _with_fields(hull):
-    """A waterline that is fuller forward, with the deck edge protected."""
-    bpy.context.scene.cursor.location = (68.0, 6.5, 4.0)
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.add_field(role="PROTECT", base="CREASE")
-        bpy.ops.hull.add_field()
-    deck, shoulder = hull.hull.fields.fields
-    deck.name, deck.place, deck.extent = "Deck edge", (68.0, 6.5, 9.0), 2.0
-    shoulder.name, shoulder.base, shoulder.axis = "Fore waterline", "SECTION", "Z"
-    shoulder.varies, shoulder.extent, shoulder.extent_end = True, 5.0, 5.0
-    shoulder.shift_end, shoulder.axes = (0.0, 0.3, 0.0), (False, True, False)
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.preview_fields()
-
-
-def _with_variants(hull):
-    """Two, the first of them as it is behind the hull."""
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
-        bpy.ops.hull.keep_variant(name="Second", note="to be forgotten")
-    _fuller_forward(hull)
-    hull.hull.variants.active, hull.hull.variants.show_ghost = 0, True
-
-
-def _with_kept_bow(hull):
-    hull.hull.transform.kept_fore = 4.0
-    with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.take_area_curve()
-    _fuller_shoulder(hull)
-
-
-def _fuller_shoulder(hull):
-    """Somewhat more area wanted at the fore shoulder, and less at the after one."""
-    for index, factor in ((3, 0.985), (8, 1.05), (9, 1.04)):
-        hull.hull.area_target.area_points[index].area *= factor
-    bpy.context.view_layer.update()
-
-
-def _with_dent_faired(hull):
-    """A dent of one point in the fore body, faired out."""
-    mesh_points, fairing = part("bridge.mesh.mesh_points"), part("features.fairing.region_fairing")
-    bpy.ops.object.mode_set(mode="EDIT")
-    points = mesh_points.read(hull.data)
-    point = np.abs(points - (67.9, 6.1, 4.9)).sum(axis=1).argmin(keepdims=True)
-    mesh_points.write(hull.data, point, points[point] - (0.0, 0.052, 0.0))
-    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
-    part("bridge.mesh.selection").select(bpy.context, hull, "vertex", point.tolist())
-    fairing.fair_selected(hull, bpy.context.scene, fairing.Asked(7.5e-3))
-    bpy.ops.object.mode_set(mode="OBJECT")
-
-
-def _with_studio(hull):
-    part("features.studio").make(hull, bpy.context.scene)
-
-
-PANELS = {
-    "panels/hull": PanelShot(hull_panels("hull", "check")),
-    "panels/surface": PanelShot(hull_panels("surface")),
-    "panels/edges-and-points": PanelShot(
-        hull_panels("tags", "select", "shown_tags"), in_edit_mode=True
-    ),
-    "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
-    "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
-    "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
-    "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
-    "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
-    "panels/variants": PanelShot(
-        hull_panels("variants", "comparison", "differences", "distances"),
-        _with_variants,
-        analyses=("differences",),
-    ),
-    "panels/transform": PanelShot(
-        hull_panels("transform", "area_curve"), _with_kept_bow, analyses=("sectional_areas",)
-    ),
-    "panels/fair": PanelShot(
-        hull_panels("fair", "fair_rows"), _with_dent_faired, in_edit_mode=True
-    ),
-    "panels/sections": PanelShot(hull_panels("sections", "planes")),
-    "panels/fairness": PanelShot(
-        hull_panels("fairness", "combs", "marks", "knuckles", "reflections"), _with_combs
-    ),
-    "panels/hydrostatics": PanelShot(
-        hull_panels(
-            "hydrostatics",
-            "hydrostatics_displacement",
-            "hydrostatics_centres",
-            "hydrostatics_stability",
-        )
-    ),
-    "panels/stability": PanelShot(
-        hull_panels("stability", "downflooding_points", "stability_remarks"),
-        _with_opening,
-        analyses=("righting_levers",),
-    ),
-    "panels/plots": PanelShot(hull_panels("plots")),
-    "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
-    "panels/export": PanelShot(hull_panels("export", "patches", "cad_file")),
-    "panels/studio": PanelShot(hull_panels("studio"), _with_studio),
-}
 
 
 @dataclass(frozen=True)
@@ -289,18 +105,8 @@ def _measured(window):
     hull.hull.plots.sectional_areas, hull.hull.plots.corner = True, "TOP_LEFT"
     bpy.context.view_layer.update()
     yield
-    yield lambda: _are_known(hull, ("sectional_areas",))
+    yield lambda: are_known(hull, ("sectional_areas",))
     yield
-
-
-def _fuller_forward(hull):
-    """Gives the fore body of a hull up to a sixth more breadth."""
-    length = hull.dimensions.x
-    for vertex in hull.data.vertices:
-        along = min(max(vertex.co.x / length - 0.5, 0.0) / 0.3, 1.0)
-        vertex.co.y *= 1.0 + along**2 / 6.0
-    hull.data.update()
-    bpy.context.view_layer.update()
 
 
 def _ghost(window):
@@ -309,7 +115,7 @@ def _ghost(window):
     with window.in_view():
         bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
     window.space.region_3d.view_location.z += 0.17 * hull.dimensions.x
-    _fuller_forward(hull)
+    fuller_forward(hull)
     hull.hull.lines.show_buttocks = hull.hull.lines.show_waterlines = False
     hull.hull.plots.sectional_areas, hull.hull.plots.corner = True, "TOP_LEFT"
     hull.hull.variants.show_ghost = True
@@ -323,13 +129,13 @@ def _distances(window):
     window.space.overlay.show_floor = False
     with window.in_view():
         bpy.ops.hull.keep_variant(name="As built", note="as in the contract")
-    _fuller_forward(hull)
+    fuller_forward(hull)
     lines = hull.hull.lines
     lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
     hull.hull.fairness.colours = "DISTANCE"
     bpy.context.view_layer.update()
     yield lambda: part("features.hull.hull_state").state_of(hull).shown.distances is not None
-    yield lambda: _are_known(hull, ("differences",))
+    yield lambda: are_known(hull, ("differences",))
     yield
 
 
@@ -338,7 +144,7 @@ def _rows(window):
     with window.in_view():
         bpy.ops.screen.screen_full_area()
     yield
-    hull = _load(window)
+    hull = load(window)
     window.space.show_region_toolbar = False
     window.open_sidebar()
     yield
@@ -376,7 +182,7 @@ def _area_curve(window):
     with window.in_view():
         bpy.ops.screen.screen_full_area()
     yield
-    hull = _load(window)
+    hull = load(window)
     window.space.show_region_toolbar, window.space.lens = False, 90.0
     window.space.overlay.show_floor = False
     window.open_sidebar()
@@ -407,7 +213,45 @@ def _area_curve(window):
         if index != 8:
             window.let_go("LEFTMOUSE")
             yield
-    yield lambda: _are_known(hull, ("sectional_areas",))
+    yield lambda: are_known(hull, ("sectional_areas",))
+
+
+def _fields(window):
+    """A field at the fore shoulder with its handles, the mouse over that of the shift; the deck
+    edge is protected."""
+    with window.in_view():
+        bpy.ops.screen.screen_full_area()
+    yield
+    hull = load(window)
+    window.space.show_region_toolbar, window.space.overlay.show_floor = False, False
+    window.open_sidebar()
+    yield
+    window.look(hull, (64.0, 0.0, 132.0), is_perspective=True)
+    window.space.region_3d.view_location = (60.0, 5.0, 3.5)
+    window.space.region_3d.view_distance = 48.0
+    lines = hull.hull.lines
+    lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
+    window.space.overlay.show_cursor = False
+    with window.in_view():
+        bpy.ops.hull.add_field(role="PROTECT", base="CREASE")
+        bpy.ops.hull.add_field()
+    deck, shoulder = hull.hull.fields.fields
+    deck.name, deck.place, deck.extent = "Deck edge", (68.0, 6.5, 9.0), 2.0
+    shoulder.name, shoulder.place = "Fore shoulder", (64.0, 6.7, 4.0)
+    shoulder.extent, shoulder.shift = 9.0, (0.0, 1.5, 0.0)
+    bpy.context.view_layer.update()
+    yield
+    with window.in_view():
+        bpy.ops.hull.drag_field("INVOKE_DEFAULT")
+    yield
+    handles, drags = part("features.fields.handles"), part("features.modelling.drags")
+    region = window.region()
+    eye = part("features.modelling.pull_lines").eye_of(hull, 1.0, window.space.region_3d, region)
+    row, base = handles.at_hand(hull, bpy.context.scene)
+    tip = handles.places(row, base, eye, 1.0)["shift"]
+    x, y = drags.in_picture(eye.to_clip, eye.size, tip[None])[0]
+    window.move_to(region.x + x, region.y + y)
+    yield
 
 
 def _plan(window, path):
@@ -422,7 +266,7 @@ def _scaled(window):
     with window.in_view():
         bpy.ops.screen.screen_full_area()
     yield
-    hull = _load(window)
+    hull = load(window)
     window.space.show_region_toolbar = False
     window.open_sidebar()
     yield
@@ -447,6 +291,7 @@ _NUMBERS = hull_panels(
 )
 VIEWS = {
     "dimensions": View(_scaled, hull_panels("hull")),
+    "fields": View(_fields, hull_panels("fields")),
     "fair-rows": View(_rows, hull_panels("fair", "fair_rows")),
     "first-hull/added": View(_added, hull_panels("hull", "surface")),
     "first-hull/edited": View(_edited, _NUMBERS),
@@ -456,6 +301,7 @@ VIEWS = {
     "variants/ghost": View(_ghost, hull_panels("variants", "comparison")),
     "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),
     "first-hull/measured": View(_measured, (*_NUMBERS, "HULL_PT_plots")),
+    **{name: View(scene, hull_panels("fields")) for name, scene in field_scenes.STEPS.items()},
 }
 
 # By the file's name a scene that writes the picture to a path itself.
