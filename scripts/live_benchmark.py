@@ -2,43 +2,46 @@
 """Where the time goes while a control point is dragged, measured in Blender's window.
 
 blender --python live_benchmark.py -- [--points N] [--moves N] [--samples N] [--no-lines]
-        [--drag one|all] [--draw-every N] [--ghost] [--profile]
+        [--drag one|all] [--fields] [--draw-every N] [--ghost] [--profile]
 
-A half hull, that of native/benchmarks/half_hull.h, is in edit mode; points are moved by random
-steps of a fixed seed, as a transform moves them: the edit mesh changes, Blender evaluates, the
-add-on's handlers run, and the window is drawn. Own time is the processor's from the change to all
-results in place, on the graphics card too, without Blender's own; so is what the add-on draws in
-each frame, where a graphics card does most of what the processor does here. With `taskset -c 0`
-before it, all of it is on one processor.
+A half hull is in edit mode; points are moved by random steps, as a transform moves them: the edit
+mesh changes, Blender evaluates, the add-on's handlers run, and the window is drawn. Or it is
+previewed with three shape fields, and their settings change. Own time is the processor's from the
+change to all results in place, on the graphics card too, without Blender's own; so is what the
+add-on draws in each frame, where a graphics card does most of what the processor does here. With
+`taskset -c 0` before it, all of it is on one processor.
 """
 
 import argparse
 import cProfile
 import functools
-import math
 import os
 import pstats
-import random
 import sys
 import time
 import traceback
 from collections import defaultdict
 from pathlib import Path
 
-import bmesh
 import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import live_changes  # noqa: E402
+import live_hull  # noqa: E402
 from enabled_addon import part  # noqa: E402
 
-SEED = 7
 WARM_UP = 10
 # Functions and methods whose time is told apart: (module, name, what for). Those that call one
 # another count without what they call.
 STEPS = (
     ("bridge.mesh.mesh_arrays", "read_mesh", "control mesh read"),
     ("features.constraints.flat_keeping", "keep", "flats kept"),
+    ("features.fields.prepared", "of_hull", "fields: hull prepared"),
+    ("features.fields.shaping", "solve", "fields: solved"),
+    ("features.fields.preview", "follow", "fields: preview, the rest"),
+    ("features.fields.before", "follow", "fields: hull of before"),
+    ("features.fields.seen", "follow", "fields: bases and lines"),
     ("features.flotation.live_ship", "LiveShip.follow", "surface and body moved"),
     ("features.surface.shown_surface", "ShownSurface.follow", "surface object computed"),
     ("features.surface.surface_mesh", "move_surface", "surface object written"),
@@ -54,7 +57,18 @@ STEPS = (
     ("overlays.lines", "batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
-DRAWN = ("lines", "ghost", "marks", "tags", "legend", "spots", "status")
+# Modules of overlays and their handlers.
+DRAWN = (
+    ("lines", "_handler"),
+    ("ghost", "_handler"),
+    ("fields", "_lines"),
+    ("fields", "_marks"),
+    ("marks", "_handler"),
+    ("tags", "_handler"),
+    ("legend", "_handler"),
+    ("spots", "_handler"),
+    ("status", "_handler"),
+)
 NOT_OURS = ("Blender's update", "Blender's drawing")
 
 
@@ -80,81 +94,15 @@ class Clock:
         return wrapper
 
 
-def half_hull(stations, girth):
-    """(points, faces, creases) of native/benchmarks/half_hull.h with so many spaces each way."""
-    points, faces, creases = [], [], []
-    for i in range(stations + 1):
-        fullness = max(math.sin(3.14159265 * (0.12 + 0.88 * i / stations)), 0.0) ** 0.45
-        for j in range(girth + 1):
-            t = j / girth
-            y = 9.0 * fullness * math.sin(0.5 * math.pi * t) ** 0.6 if j else 0.0
-            points.append((100.0 * i / stations, y, 10.0 * t * t))
-
-    def at(i, j):
-        return i * (girth + 1) + j
-
-    for i in range(stations):
-        for j in range(girth):
-            a, b, c, d = at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)
-            if (i + 2 * j) % 12 == 5:
-                faces += [(a, b, c), (a, c, d)]
-            else:
-                faces.append((a, b, c, d))
-    knuckle = 6 * girth // 9
-    creases += [(at(i, knuckle), at(i + 1, knuckle)) for i in range(stations // 2, stations)]
-    return points, faces, creases
-
-
-def make_hull(options):
-    """The half hull of about so many points, with all that follows it switched on; in edit mode."""
-    for obj in list(bpy.data.objects):
-        bpy.data.objects.remove(obj)
-    girth = max(9, round(math.sqrt(0.65 * options.points)) - 1)
-    stations = max(13, round(options.points / (girth + 1)) - 1)
-    points, faces, creases = half_hull(stations, girth)
-    mesh = bpy.data.meshes.new("benchmark")
-    mesh.from_pydata(points, [], faces)
-    part("bridge.mesh.mesh_arrays").write_tags(mesh, creases, [])
-    hull = bpy.data.objects.new("benchmark", mesh)
-    bpy.context.scene.collection.objects.link(hull)
-    bpy.context.view_layer.objects.active = hull
-    hull.select_set(True)
-    bpy.ops.hull.make_hull(half=True)
-    settings = hull.hull
-    settings.samples = options.samples
-    settings.length_pp, settings.draft, settings.beam = 100.0, 6.0, 18.0
-    _switch_lines(settings, not options.no_lines)
-    settings.plots.sectional_areas = not options.no_lines
-    if options.ghost:
-        _show_ghost(settings)
-    bpy.context.view_layer.update()
-    bpy.ops.object.mode_set(mode="EDIT")
-    return hull
-
-
-def _show_ghost(settings):
-    """Of the hull as it is, behind the one that changes."""
-    bpy.ops.hull.keep_variant(name="before")
-    settings.variants.show_ghost = True
-
-
-def _switch_lines(settings, on):
-    lines, fairness = settings.lines, settings.fairness
-    lines.station_count = 20
-    lines.waterlines = "0.75:9.75:0.9"
-    lines.buttocks = "1:7:1"
-    for name in ("stations", "waterlines", "buttocks", "design_waterline", "flats", "features"):
-        setattr(lines, f"show_{name}", on)
-    for name in ("stations", "waterlines", "buttocks"):
-        setattr(fairness, f"comb_{name}", on)
-
-
 class Benchmark:
     def __init__(self, options):
         self.options = options
-        self.hull = make_hull(options)
+        self.hull = live_hull.make_hull(options)
+        if options.fields:
+            self.change = live_changes.FieldChanges(self.hull)
+        else:
+            self.change = live_changes.PointMoves(self.hull, options.drag)
         self.clock = Clock()
-        self.random = random.Random(SEED)
         self.profile = cProfile.Profile()
         for module, name, label in STEPS:
             *owners, function = name.split(".")
@@ -171,8 +119,8 @@ class Benchmark:
                 handlers[index] = self.clock.timed(self._profiled(function), "handlers, the rest")
 
     def _time_drawing(self):
-        for name in DRAWN:
-            handler = part(f"overlays.{name}")._handler
+        for name, attribute in DRAWN:
+            handler = getattr(part(f"overlays.{name}"), attribute)
             handler.unregister()
             handler._draw = self.clock.timed(self._profiled(handler._draw), f"drawing {name}")
             handler.register()
@@ -186,22 +134,14 @@ class Benchmark:
             return function
         return lambda *arguments: self.profile.runcall(function, *arguments)
 
-    def move(self, is_drawn):
-        """One step of a drag; processor seconds by label."""
+    def step(self, number, is_drawn):
+        """One change; (its kind, processor seconds by label)."""
         self.clock.spent.clear()
-        bm = bmesh.from_edit_mesh(self.hull.data)
-        bm.verts.ensure_lookup_table()
-        is_one = self.options.drag == "one"
-        for index in [self.random.randrange(len(bm.verts))] if is_one else range(len(bm.verts)):
-            vertex = bm.verts[index]
-            vertex.co.x += self.random.uniform(-0.02, 0.02)
-            if vertex.co.y > 0.1:
-                vertex.co.y += self.random.uniform(-0.02, 0.02)
-        bmesh.update_edit_mesh(self.hull.data, loop_triangles=False, destructive=False)
+        kind = self.change(number)
         spent = {"Blender's update": self._others(bpy.context.view_layer.update)}
         if is_drawn:
             spent["Blender's drawing"] = self._others(self._draw)
-        return {**spent, **self.clock.spent}
+        return kind, {**spent, **self.clock.spent}
 
     def _others(self, function):
         """Processor seconds that a function takes, without those of the add-on within it."""
@@ -216,13 +156,13 @@ class Benchmark:
 
     def run(self):
         for index in range(WARM_UP):
-            self.move(index % 5 == 4)
+            self.step(index, index % 5 == 4)
         self.profile.clear()
         every = self.options.draw_every
-        moves = [self.move(every and i % every == 0) for i in range(self.options.moves)]
-        self.report(moves)
+        self.report([self.step(i, every and i % every == 0) for i in range(self.options.moves)])
 
-    def report(self, moves):
+    def report(self, steps):
+        kinds, moves = zip(*steps)
         state = part("features.hull.hull_state").state_of(self.hull)
         if state.status or state.hydrostatics.values is None:
             raise RuntimeError(f"no results: {state.status} {state.hydrostatics.status}")
@@ -231,9 +171,9 @@ class Benchmark:
             f"{len(one.sections)} {name}" for name, one in state.lines.groups.items()
         )
         print(
-            f"\n{len(state.ship.source.control.points)} control points of which "
-            f"{'one moves' if self.options.drag == 'one' else 'all move'}, "
-            f"{len(shown.vertices)} surface points\nlines: {counts or 'off'}\n\n"
+            f"\n{len(state.ship.source.control.points)} control points, changed: "
+            f"{', '.join(dict.fromkeys(kinds))}; {len(shown.vertices)} surface points\n"
+            f"lines: {counts or 'off'}\n\n"
             f"{'milliseconds of processor time':<34}{'median':>9}{'90 %':>9}"
         )
         labels = sorted({label for move in moves for label in move}, key=self._order)
@@ -241,7 +181,9 @@ class Benchmark:
             if label not in NOT_OURS:
                 _print_line(label, [move[label] for move in moves if label in move])
         drawn = [move for move in moves if "Blender's drawing" in move]
-        _print_line("OWN TIME", [_own(move, is_drawing=False) for move in drawn or moves])
+        for kind in dict.fromkeys(kinds):
+            own = [_own(move) for one, move in steps if one == kind]
+            _print_line(f"OWN TIME, {kind}", own)
         _print_line("of each frame", [_own(move, is_drawing=True) for move in drawn])
         for label in NOT_OURS:
             _print_line(label, [move[label] for move in moves if label in move])
@@ -254,7 +196,7 @@ class Benchmark:
         return known.index(label) if label in known else len(known), label
 
 
-def _own(move, is_drawing):
+def _own(move, is_drawing=False):
     return sum(
         seconds
         for label, seconds in move.items()
@@ -274,6 +216,7 @@ def parsed():
     parser.add_argument("--moves", type=int, default=200)
     parser.add_argument("--samples", type=int, default=16)
     parser.add_argument("--drag", choices=("one", "all"), default="one")
+    parser.add_argument("--fields", action="store_true", help="settings of shape fields change")
     parser.add_argument("--draw-every", type=int, default=1, help="moves; 0: never")
     parser.add_argument("--no-lines", action="store_true")
     parser.add_argument("--ghost", action="store_true", help="of the hull as it was")

@@ -26,6 +26,6 @@ def test_steps_are_there(module, name, label):
     assert callable(functools.reduce(getattr, name.split("."), part(module)))
 
 
-@pytest.mark.parametrize("name", constants()["DRAWN"])
-def test_what_is_drawn_is_there(name):
-    assert callable(part(f"overlays.{name}")._handler._draw)
+@pytest.mark.parametrize("name, handler", constants()["DRAWN"])
+def test_what_is_drawn_is_there(name, handler):
+    assert callable(getattr(part(f"overlays.{name}"), handler)._draw)
