@@ -4,7 +4,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.objects import hull_objects
+from ..bridge.objects import curve_lines, hull_objects
 from ..features import studio
 from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
@@ -33,18 +33,23 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
     _is_following = True
     try:
         for hull in hulls:
-            hull_state.follow_edit(hull, scene, is_by_hand)
-            preview.follow(hull, scene)
-            before.follow(hull, scene)
-            seen.follow(hull, scene)
-            live_target.follow(hull, scene)
-            if shown_surface.may_move(hull):
-                live_normals.ask()
+            _follow_one(hull, scene, is_by_hand)
         studio.ask(hulls, scene)
         following.ask()
         live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)
     finally:
         _is_following = False
+
+
+def _follow_one(hull, scene, is_by_hand):
+    hull_state.follow_edit(hull, scene, is_by_hand)
+    with curve_lines.read_once():
+        preview.follow(hull, scene)
+        before.follow(hull, scene)
+        seen.follow(hull, scene)
+    live_target.follow(hull, scene)
+    if shown_surface.may_move(hull):
+        live_normals.ask()
 
 
 def _follow_all(is_by_hand=True):

@@ -1,13 +1,38 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender's curve objects as lines of points, and lines as curve objects."""
 
+from contextlib import contextmanager
+
 import bpy
 import numpy as np
+
+_read = None  # by curve and object, while curves are read once
+
+
+@contextmanager
+def read_once():
+    """Within it each curve is read when it is first asked for, and not again: what is asked for
+    after a mesh was written would have Blender evaluate that mesh first."""
+    global _read
+    _read = {}
+    try:
+        yield
+    finally:
+        _read = None
 
 
 def points_of(curve, obj):
     """(points (n, 3) in another object's axes and units, whether they close) of a curve object as
     the view shows it; ValueError, naming it, where it is no single line."""
+    if _read is None:
+        return _points_of(curve, obj)
+    key = curve.as_pointer(), obj.as_pointer()
+    if key not in _read:
+        _read[key] = _points_of(curve, obj)
+    return _read[key]
+
+
+def _points_of(curve, obj):
     if curve.type != "CURVE":
         raise ValueError(f"{curve.name} is no curve object any longer: choose another one")
     if len(curve.data.splines) != 1:

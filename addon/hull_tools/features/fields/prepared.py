@@ -61,15 +61,15 @@ def of_hull(obj, found, scale, before=None):
     with the reason where the hull has no surface."""
     control = found.control(scale)
     _check_size(control)
-    check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
-    if mesh is None:
-        raise ValueError(check.errors[0].message)
     size = float(np.ptp(control.points, axis=0).max(initial=0.0))
     allowed = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     held = allowed.held_points.tobytes(), allowed.held_normals.tobytes()
     key = (found.topology_key, found.points_digest, scale, allowed.locked.tobytes(), *held)
     if before is not None and before.key == key:
         return before
+    check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
+    if mesh is None:
+        raise ValueError(check.errors[0].message)
     hull_native, source = native.require(), ship.source_of(found, control)
     surface = source.new_surface()
     places = hull_native.SurfacePlaces(surface)

@@ -77,13 +77,13 @@ class ShownSurface:
 
     def is_as_left(self, obj):
         """Whether the surface object of a hull is as `follow` has left it: points, faces, shading
-        and colours; while the hull is edited, at every step of the mouse, points alone."""
+        and colours; while the hull may move, at every step of the mouse, points alone."""
         shown = shown_objects.surface_of(obj)
         if shown is None:
             return True
         if not self.is_known or not self._has_points_left(shown):
             return False
-        return obj.mode == "EDIT" or self._has_looks_left(shown.data)
+        return may_move(obj) or self._has_looks_left(shown.data)
 
     def _has_points_left(self, shown):
         mesh = shown.data
