@@ -10,7 +10,6 @@ from ...bridge import limits, native
 from ..constraints import held_points
 from ..curves_of_form import sectional_areas
 from ..flotation import ship
-from ..lines import lines
 from . import target_curve
 
 # Stations are brought to their area from here on, in parts of the curve's length from its ends.
@@ -61,7 +60,11 @@ class Approach:
     def __init__(self, parent, curve, asked):
         self.parent, self.curve, self.asked = parent, curve, asked
         self.areas = self._areas_of(parent.body)
-        self.limits = parent.limit_arguments(keeps_ranges=True)
+        # All that is asked of Blender, before the work runs in a thread.
+        if asked.by == "LEAST":
+            self._holds = parent.reach_arguments(asked.profile, asked.deck, asked.side)
+        else:
+            self._limits = parent.limits(keeps_ranges=True)
         aft, forward = curve.ends
         if not (aft < self.areas.positions[-1] and forward > self.areas.positions[0]):
             raise ValueError(
@@ -120,7 +123,7 @@ class Approach:
             openings=parent.body.openings,
             **parent.position(),
             **parent.where.project(),
-            **self._holds(),
+            **self._holds,
         )
         return reached
 
@@ -139,24 +142,6 @@ class Approach:
             native.require().FormTarget("section_area", area, tolerance=tolerance, station=x)
             for x, area in zip(places, areas)
         ]
-
-    def _holds(self):
-        """What control points may do, as arguments of hull_native.reach_targets."""
-        parent, asked = self.parent, self.asked
-        arguments = dict(self.limits)
-        rigid = arguments.pop("rigid")
-        stays = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *rigid]))
-        held = (
-            (arguments["held_points"], arguments["held_normals"]),
-            held_points.all_ways(stays),
-            held_points.of_outline(
-                parent.surface, parent.control.points, lines.size_of(parent.surface),
-                asked.profile, asked.deck, asked.side,
-            ),
-        )  # fmt: skip
-        arguments["held_points"] = np.concatenate([points for points, _ in held])
-        arguments["held_normals"] = np.concatenate([normals for _, normals in held])
-        return arguments
 
     # By shifts, or by inflating
 
@@ -180,7 +165,7 @@ class Approach:
             *self.wanted(way).drawn(),
             by=self.asked.by.lower(),
             tolerance=self.asked.tolerance,
-            limits=native.require().TransformLimits(**self.limits),
+            limits=self._limits,
             **self.parent.position(),
         )
 

@@ -68,6 +68,14 @@ def all_ways(points):
     return np.tile(points, 3), np.repeat(np.eye(3), len(points), axis=0)
 
 
+def in_plane(part, points):
+    """(control points (k,), normals (k, 3)) that hold a part (k,) of control points (n, 3), which
+    lie in a plane, in it: by the normal of the plane that fits them best."""
+    own = points[part]
+    normal = np.linalg.svd(own - own.mean(axis=0), full_matrices=False)[2][-1]
+    return np.asarray(part), np.tile(normal, (len(part), 1))
+
+
 def on_centre(points, size):
     """(n,) which points are on the centre plane."""
     return np.abs(points[:, 1]) <= native.require().tolerances.ON_CENTRE_PLANE * size

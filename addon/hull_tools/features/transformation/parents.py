@@ -9,7 +9,7 @@ from ...bridge import limits, native
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points
 from ...bridge.objects import hull_mesh
-from ..constraints import flats, move_limits
+from ..constraints import flats, held_points, move_limits
 from ..flotation import afloat, ship
 from ..hull import form_before, hull_state
 from ..lines import lines
@@ -72,6 +72,26 @@ class Parent:
             "held_normals": found.held_normals[holds],
             "rigid": [*rigid, *native.require().plane_ends(self.surface)],
         }
+
+    def reach_arguments(self, profile, deck, side, ends="stay"):
+        """Arguments of hull_native.reach_targets by what control points may do one by one: within
+        limit_arguments, and so that the ends that are kept stay. What would move as one stays, or
+        with ends="in plane" stays in its plane. profile, deck, side: what stays besides, see
+        held_points.of_outline."""
+        arguments = self.limit_arguments(keeps_ranges=True)
+        size, points = lines.size_of(self.surface), self.control.points
+        rigid = arguments.pop("rigid")
+        held = [
+            (arguments["held_points"], arguments["held_normals"]),
+            held_points.of_outline(self.surface, points, size, profile, deck, side),
+        ]
+        if ends == "stay":
+            held += [held_points.all_ways(part) for part in rigid]
+        else:
+            held += [held_points.in_plane(part, points) for part in rigid]
+        arguments["held_points"] = np.concatenate([part for part, _ in held])
+        arguments["held_normals"] = np.concatenate([normals for _, normals in held])
+        return arguments
 
     def kept_ranges(self):
         """[(aft, forward, fade)] in m of the sections that are kept."""
