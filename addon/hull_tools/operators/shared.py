@@ -2,6 +2,7 @@
 """What the operators have in common: what they work on, and how they say no."""
 
 import bpy
+from bpy.props import FloatProperty
 
 from ..bridge import native
 from ..bridge.blender import view_depth
@@ -61,6 +62,27 @@ def in_object_mode(cls, context):
 def asked_length(name, description, default=0.0, minimum=None):
     """A length that an operator asks for anew each time; `minimum` None: it may be negative."""
     return length(name, description, default, minimum, update=None, options={"SKIP_SAVE"})
+
+
+def asked_number(name, description, precision, step=10, minimum=0.0, **more):
+    """A number that an operator asks for anew each time."""
+    return FloatProperty(
+        name=name,
+        description=description,
+        precision=precision,
+        step=step,
+        min=minimum,
+        options={"SKIP_SAVE"},
+        **more,
+    )
+
+
+def property_column(operator):
+    """A column for an operator's properties, with their names to the left."""
+    layout = operator.layout
+    layout.use_property_split = True
+    layout.use_property_decorate = False
+    return layout.column()
 
 
 def make_active(context, obj):

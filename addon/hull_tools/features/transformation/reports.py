@@ -13,11 +13,20 @@ def shifted(found, scene):
     halves = ""
     if found.prismatics is not None:
         halves = f"Cp fore {found.prismatics.fore:.4f}, aft {found.prismatics.aft:.4f}; "
+    return f"{halves}{_particulars(after, scene)}: {shifts}; {residual(result)}"
+
+
+def changed(found, scene):
+    """A least_change.Changed as a sentence."""
+    rms = units.format_mm(found.rms)
+    return f"{_particulars(found.after, scene)}; the surface shifts by {rms} RMS"
+
+
+def _particulars(found, scene):
     return (
-        f"{halves}Cb {after.block:.4f}, Cp {after.prismatic:.4f}, "
-        f"∇ {units.format_value(scene, after.volume, 'm3')}, "
-        f"LCB {units.format_value(scene, after.lcb, 'm')} ({after.lcb_percent:+.2f} %): {shifts}; "
-        f"{residual(result)}"
+        f"Cb {found.block:.4f}, Cp {found.prismatic:.4f}, "
+        f"∇ {units.format_value(scene, found.volume, 'm3')}, "
+        f"LCB {units.format_value(scene, found.lcb, 'm')} ({found.lcb_percent:+.2f} %)"
     )
 
 

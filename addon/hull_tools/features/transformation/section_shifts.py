@@ -4,10 +4,8 @@
 from dataclasses import dataclass
 
 from ...bridge import native
-from . import halves, parents
-
-# Of the length between perpendiculars: shorter is no parallel middle body.
-_LEAST_PARALLEL = 1e-3
+from . import halves, parents, particulars
+from .particulars import Particulars, parallel_body
 
 
 @dataclass(frozen=True)
@@ -31,39 +29,15 @@ class Wanted:
 
 
 @dataclass(frozen=True)
-class Particulars:
-    """What an operator begins with: of the hull as it is. lcb in m, lcb_percent of Lpp forward of
-    midship."""
-
-    block: float
-    prismatic: float
-    volume: float
-    displacement_t: float
-    lcb: float
-    lcb_percent: float
-
-
-@dataclass(frozen=True)
 class Shifted:
-    """result: hull_native.SectionsShifted; before, after: Particulars; part: that was shifted, as
-    SectionShift has it; prismatics: halves.Prismatics after it where they were wanted."""
+    """result: hull_native.SectionsShifted; part: that was shifted, as SectionShift has it;
+    prismatics: halves.Prismatics after it where they were wanted."""
 
     result: object
     before: Particulars
     after: Particulars
     part: str
     prismatics: object = None
-
-
-def particulars(obj, scene):
-    """The Particulars of a hull as it is."""
-    return _particulars(parents.of_hull(obj, scene))
-
-
-def parallel_length(obj, scene):
-    """Of the parallel middle body, m; 0: none."""
-    aft, forward = _parallel_body(parents.of_hull(obj, scene))
-    return forward - aft
 
 
 def prismatics(obj, scene):
@@ -94,7 +68,7 @@ def shift(obj, scene, wanted):
         kept_ranges=parent.kept_ranges(),
         limits=parent.limits(),
     )
-    before = _particulars(parent)
+    before = particulars.of_parent(parent)
     if wanted.prismatics is None:
         result = shift.solve(**wanted.volume, lcb=wanted.lcb)
     else:
@@ -107,13 +81,13 @@ def shift(obj, scene, wanted):
     reached = None
     if wanted.prismatics is not None:
         reached = halves.prismatics(state.ship.source.new_ship().body, position, length)
-    return Shifted(result, before, _of_hydrostatics(found), wanted.shifted_part, reached)
+    return Shifted(result, before, particulars.of_hydrostatics(found), wanted.shifted_part, reached)
 
 
 def _parallel(parent, wanted):
     if wanted.parallel == "FREE":
         return {}
-    aft, forward = _parallel_body(parent)
+    aft, forward = parallel_body(parent)
     if not forward > aft:
         if wanted.parallel == "KEEP":
             return {}
@@ -123,27 +97,3 @@ def _parallel(parent, wanted):
         middle, half = 0.5 * (aft + forward), 0.5 * wanted.parallel_length
         found["parallel_wanted"] = (middle - half, middle + half)
     return found
-
-
-def _parallel_body(parent):
-    aft, forward = native.require().parallel_body(parent.body, **parent.position())
-    least = _LEAST_PARALLEL * parent.where.length_pp
-    return (aft, forward) if forward - aft > least else (aft, aft)
-
-
-def _particulars(parent):
-    where = parent.where
-    return _of_hydrostatics(
-        native.require().hydrostatics(parent.body, **where.position(), **where.project())
-    )
-
-
-def _of_hydrostatics(found):
-    return Particulars(
-        found.project.block,
-        found.project.prismatic,
-        found.displaced_volume,
-        found.displacement_t,
-        found.lcb,
-        found.lcb_percent,
-    )
