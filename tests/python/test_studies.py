@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies as plain data: what is no study is refused by its key; samplings; variants are what the
+functions of hull_native make of them, whatever was made before."""
+
+import json
+from pathlib import Path
+
+import hull_io
+import hull_native as hn
+import numpy as np
+import pytest
+from coaster_study import described
+from hull_studies import hull_set, study_from
+from hull_studies.evaluation import Evaluator, task_of
+from hull_studies.sampling import variants
+
+ROOT = Path(__file__).resolve().parents[2]
+SAMPLES = ROOT / "samples"
+SEED = 20261124
+COASTER = "coaster.hull.json"
+
+
+def study(changes, variables=None, rows=((),), hulls=(COASTER,), **more):
+    """A Study of the coaster with a list of rows."""
+    description = {
+        "hulls": list(hulls),
+        "variables": variables or {},
+        "sampling": {"kind": "list", "rows": rows},
+        "changes": changes,
+        **more,
+    }
+    return study_from(description, SAMPLES)
+
+
+def rows_of(made):
+    evaluator = Evaluator(task_of(made, hull_set(made)))
+    return [evaluator.row(values) for values in made.variants]
+
+
+# --- sampling ---
+
+
+def test_a_latin_hypercube_has_each_part_of_each_range_once():
+    bounds = {"a": (-1.0, 3.0), "b": (10.0, 10.5), "c": (0.0, 1e6)}
+    sampling = {"kind": "latin", "count": 50, "seed": SEED}
+    found = np.array(variants(sampling, bounds))
+    assert found.shape == (50, 3)
+    low, high = np.array(list(bounds.values())).T
+    parts = np.floor((found - low) / (high - low) * 50).astype(int)
+    assert (np.sort(parts, axis=0) == np.arange(50)[:, None]).all()
+    assert variants(sampling, bounds) == variants(dict(sampling), bounds)
+    assert variants({**sampling, "seed": 1}, bounds) != variants(sampling, bounds)
+
+
+def test_a_grid_has_all_combinations_with_ends():
+    found = variants({"kind": "grid", "steps": {"a": 3, "b": 2, "c": 1}},
+                     {"a": (0.0, 1.0), "b": (-1.0, 1.0), "c": (4.0, 6.0)})  # fmt: skip
+    assert found == [
+        (0.0, -1.0, 5.0), (0.0, 1.0, 5.0), (0.5, -1.0, 5.0),
+        (0.5, 1.0, 5.0), (1.0, -1.0, 5.0), (1.0, 1.0, 5.0),
+    ]  # fmt: skip
+
+
+def test_random_values_are_in_their_ranges():
+    found = np.array(variants({"kind": "random", "count": 400, "seed": SEED}, {"a": (2.0, 4.0)}))
+    assert found.min() >= 2.0 and found.max() < 4.0
+    # The mean of 400 uniform ones: five standard deviations.
+    assert abs(found.mean() - 3.0) < 5 * 2 / np.sqrt(12 * 400)
+
+
+# --- what is no study ---
+
+FIELD = {"base": "point", "point": [64, 6, 4], "shift": [0, 1, 0], "extent": 9}
+TARGET = {"number": "lcb", "value": 41}
+
+
+def _with_field(**changed):
+    return {"change": "fields", "fields": [{**FIELD, **changed}]}
+
+
+@pytest.mark.parametrize(
+    "changed, said",
+    [
+        ({"colour": 1}, 'the key "colour" is unknown'),
+        ({"hulls": []}, "the first is no file"),
+        ({"hulls": [{"changes": []}]}, "the first is no file"),
+        ({"hulls": ["nowhere.json"]}, "nowhere.json: it can't be opened"),
+        ({"hulls": [COASTER, {"changes": [{"change": "targets", "targets": ["$a"]}]}]}, "no object"),
+        ({"variables": {"a": [1, 0]}}, "variables.a: 1 is above 0"),
+        ({"variables": {"a": [0, float("nan")]}}, "no plain data"),
+        ({"variables": {"a": [0, 10**400]}}, "variables.a: .* is not a number from"),
+        ({"variables": {"a": [0, 1], "b": [0, 1]}}, "variables.b: nothing varies with it"),
+        ({"sampling": None}, "sampling: NoneType is no object"),
+        ({"sampling": {"kind": "sobol"}}, 'sampling.kind: "sobol" is unknown'),
+        ({"sampling": {"kind": "latin", "count": 0}}, "sampling.count: .* 1 to 1000000"),
+        ({"sampling": {"kind": "latin", "count": True}}, "sampling.count"),
+        ({"sampling": {"kind": "grid", "steps": {"a": 2, "z": 3}}}, 'the key "z" is unknown'),
+        ({"sampling": {"kind": "list", "rows": [[1, 2]]}}, "2 entries, not 1"),
+        ({"sampling": {"kind": "list", "rows": []}}, "no rows"),
+        ({"changes": [{"change": "polish"}]}, 'changes\\[0\\].change: "polish" is unknown'),
+        ({"changes": [{"change": "weights", "weights": ["$a"]}]}, "the study has one hull"),
+        ({"changes": [{"change": "dimensions", "beam": "$b"}]}, "variables: \\$a"),
+        ({"changes": [{"change": "dimensions"}]}, "it has no dimension"),
+        ({"changes": [{"change": "sections", "block": 1, "volume": 1}]}, "say the same"),
+        ({"changes": [{"change": "sections"}]}, "nothing is wanted"),
+        ({"changes": [_with_field(base="sphere")]}, 'base: "sphere" is unknown'),
+        ({"changes": [_with_field(point=[1, 2])]}, "2 entries, not 3"),
+        ({"changes": [_with_field(cells=[1])]}, 'the key "cells" is unknown'),
+        ({"changes": [{"change": "targets", "targets": []}]}, "it has none"),
+        ({"changes": [{"change": "targets", "targets": [{**TARGET, "number": "x"}]}]}, "unknown"),
+        ({"changes": [{"change": "targets", "targets": [{**TARGET, "station": 1}]}]}, "no station"),
+        ({"changes": [{"change": "targets", "targets": [TARGET], "moves": "weights"}]}, "family"),
+        ({"water": {"draft": "deep"}}, "water.draft"),
+        ({"numbers": ["displaced_volume", "price"]}, "numbers\\[1\\]: it is no number of hydro"),
+    ],
+)
+def test_what_is_no_study_is_told_with_its_key(changed, said):
+    base = {
+        "hulls": [COASTER],
+        "variables": {"a": [0.0, 1.0]},
+        "sampling": {"kind": "latin", "count": 4, "seed": 1},
+        "changes": [{"change": "dimensions", "beam": "$a"}],
+    }
+    study_from(base, SAMPLES)
+    with pytest.raises(ValueError, match=said):
+        study_from({**base, **changed}, SAMPLES)
+
+
+def test_digests_are_of_what_rows_depend_on(tmp_path):
+    text = (SAMPLES / COASTER).read_text()
+    (tmp_path / "other name.json").write_text(text)
+    description = described(10, 1)
+    first = study_from(description, SAMPLES)
+    turned = json.loads(json.dumps(description, sort_keys=True))
+    turned["variables"] = description["variables"]  # whose order is that of values
+    assert study_from(turned, SAMPLES).digest == first.digest
+    moved = {**description, "hulls": ["other name.json", *description["hulls"][1:]]}
+    assert study_from(moved, tmp_path).digest == first.digest
+    (tmp_path / "other name.json").write_text(text.replace("8.1]", "8.1001]", 1))
+    changed = study_from(moved, tmp_path)
+    assert changed.digest != first.digest
+    assert [key for key in first.parts if first.parts[key] != changed.parts[key]] == ["hulls"]
+    assert study_from(described(11, 1), SAMPLES).digest != first.digest
+
+
+# --- variants ---
+
+
+def test_rows_do_not_depend_on_what_was_made_before():
+    made = study_from(described(12, SEED), SAMPLES)
+    task = task_of(made, hull_set(made))
+    evaluator = Evaluator(task)
+    there = [evaluator.row(values) for values in made.variants]
+    back = [evaluator.row(values) for values in reversed(made.variants)][::-1]
+    alone = [Evaluator(task).row(values) for values in made.variants]
+    assert there == back == alone
+    assert {row.status for row in there} == {"made"}
+
+
+def test_variants_are_what_the_functions_make_of_them():
+    """Another way through the same numbers: no body, place or surface is used twice."""
+    made = study_from(described(6, SEED), SAMPLES)
+    hulls = hull_set(made)
+    evaluator = Evaluator(task_of(made, hulls))
+    arrays = (hulls.face_sizes, hulls.face_vertices, hulls.creases, hulls.corners)
+
+    def surface_of(points):
+        return hn.LimitSurface(hn.ControlMesh(points, *arrays), hulls.scheme)
+
+    family = hn.HullFamily([surface_of(points) for points in hulls.parents])
+    ship = {"length_pp": 84.0, "beam": 13.6, "design_draft": 5.2}
+    for values in made.variants:
+        finer, shoulders, flare, volume, lcb = values
+        weights = [1 - (finer + shoulders + flare), finer, shoulders, flare]
+        member = surface_of(family.points(weights))
+        tied, directions = hn.square_ties(member)
+        targets = [
+            hn.FormTarget("displaced_volume", volume),
+            hn.FormTarget("lcb_percent", lcb),
+            hn.FormTarget("km_transverse", 6.1, sense="at least"),
+        ]
+        reached = hn.reach_targets(
+            member, targets, mirrored=True, draft=5.2, **ship, beam_scale=(0.98, 1.02),
+            held_points=hulls.held_points, held_normals=hulls.held_normals, tied=tied,
+            tied_directions=directions, kept=hn.square_sums(member), locked=hulls.locked,
+        )  # fmt: skip
+        beam = 13.6 * reached.scale[1]
+        body = hn.HullBody(surface_of(member.mesh.points + reached.moves), mirrored=True)
+        there = hn.hydrostatics(body, draft=5.2, length_pp=84.0, beam=beam, design_draft=5.2)
+        row = evaluator.row(values)
+        assert row.status == "made" and row.reason == ""
+        numbers = row.numbers
+        assert numbers["beam"] == beam
+        for name in ("displaced_volume", "lcb_percent", "km_transverse", "wetted_surface"):
+            assert numbers[name] == getattr(there, name)
+        assert numbers["displaced_volume"] == pytest.approx(volume, rel=1e-8)
+        assert numbers["lcb_percent"] == pytest.approx(lcb, abs=1e-8)
+        assert numbers["km_transverse"] >= 6.1 - 1e-8
+
+
+def test_dimensions_scale_volumes():
+    plain, scaled = rows_of(
+        study(
+            [{"change": "dimensions", "length_pp": "$length", "beam": "$beam", "draft": "$draft"}],
+            {"length": [80, 100], "beam": [13, 15], "draft": [5, 6]},
+            [[84.0, 13.6, 5.2], [96.6, 14.28, 5.46]],
+        )
+    )
+    factor = 96.6 / 84.0 * 14.28 / 13.6 * 5.46 / 5.2
+    ratio = scaled.numbers["displaced_volume"] / plain.numbers["displaced_volume"]
+    assert ratio == pytest.approx(factor, rel=1e-10)
+    names = ("project.block", "project.waterplane", "lcb_percent")
+    for name in names:
+        assert scaled.numbers[name] == pytest.approx(plain.numbers[name], rel=1e-9)
+    assert scaled.numbers["depth"] == pytest.approx(7.4 * 5.46 / 5.2)
+
+
+def test_sections_meet_block_and_lcb():
+    made = study(
+        [{"change": "sections", "part": "fair", "block": "$block", "lcb_percent": "$lcb"}],
+        {"block": [0.7, 0.95], "lcb": [-1, 1]},
+        [[0.73, 0.0], [0.745, 0.5], [0.95, 0.0]],
+    )
+    *reached, refused = rows_of(made)
+    for (block, lcb), row in zip(made.variants, reached):
+        assert row.numbers["project.block"] == pytest.approx(block, abs=1e-9)
+        assert row.numbers["lcb_percent"] == pytest.approx(lcb, abs=1e-7)
+        assert 0 <= row.numbers["sections.residual_rms"] < 0.2
+    assert (refused.status, refused.numbers) == ("refused", {})
+    assert "here" in refused.reason and "0." in refused.reason
+
+
+def test_fields_shift_the_surface_around_them():
+    made = study(
+        [{"change": "fields", "fields": [{**FIELD, "shift": [0, "$shift", 0], "extent": "$reach"}]}],
+        {"shift": [-9, 9], "reach": [1, 20]},
+        [[0.0, 12.0], [0.3, 12.0], [0.3, 18.0], [-8.0, 12.0]],
+    )
+    still, near, far, folded = rows_of(made)
+    volume = [row.numbers["displaced_volume"] for row in (still, near, far)]
+    assert volume[0] < volume[1] < volume[2]
+    assert still.numbers["fields.residual_rms"] == 0.0
+    assert folded.status == "refused" and "folds the hull at x" in folded.reason
+
+
+def test_what_contradicts_itself_is_missed_with_its_reason():
+    targets = [
+        {"number": "displaced_volume", "value": 4400},
+        {"number": "project.block", "value": 0.6},
+    ]
+    (row,) = rows_of(study([{"change": "targets", "targets": targets}]))
+    assert row.status == "missed"
+    assert "project.block is" in row.reason and "too great" in row.reason
+    assert row.numbers["targets.project.block.miss"] > 0.05
+
+
+def test_members_far_out_are_refused_with_the_place():
+    made = study_from(described(1, 1), SAMPLES)
+    evaluator = Evaluator(task_of(made, hull_set(made)))
+    row = evaluator.row((90.0, -60.0, 50.0, 4400.0, 0.0))
+    assert row.status == "refused" and "The member is folded at x" in row.reason
+
+
+def test_weights_are_sought_in_the_family():
+    wanted = {"number": "displaced_volume", "value": "$volume"}
+    hulls = [COASTER, {"changes": [{"change": "sections", "part": "fair", "block": 0.72}]}]
+    made = study(
+        [
+            {"change": "weights", "weights": [0.0]},
+            {"change": "targets", "moves": "weights", "targets": [wanted]},
+        ],
+        {"volume": [4200, 4400]},
+        [[4310.0], [4350.0]],
+        hulls,
+    )
+    for (volume,), row in zip(made.variants, rows_of(made)):
+        assert row.numbers["displaced_volume"] == pytest.approx(volume, rel=1e-8)
+        weights = [row.numbers[f"targets.weight {k}"] for k in (1, 2)]
+        assert sum(weights) == pytest.approx(1.0, abs=1e-12) and 0 < weights[1] < 1
+
+
+def test_hulls_of_other_layouts_and_halves(tmp_path):
+    data = hull_io.read_hull(SAMPLES / COASTER)
+    hull_io.write_hull_file(data, tmp_path / "coaster.hull.json")
+    shell = hull_io.shell_arrays(data)
+    surface = hn.LimitSurface(hn.ControlMesh(*(
+        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)))  # fmt: skip
+    finer = surface.refined_mesh()
+    data.points = finer.points
+    ends = np.cumsum(finer.face_sizes)[:-1]
+    data.faces = [tuple(map(int, face)) for face in np.split(finer.face_vertices, ends)]
+    data.creases = [tuple(map(int, edge)) for edge in finer.creases]
+    data.corners = [int(one) for one in np.flatnonzero(finer.vertex_kinds >= 3)]
+    data.flats, data.deck_edge, data.face_layers = [], [], [0] * len(data.faces)
+    hull_io.write_hull_file(data, tmp_path / "finer.hull.json")
+    base = {
+        "variables": {"t": [0, 1]},
+        "sampling": {"kind": "list", "rows": [[0.0], [0.5], [1.0]]},
+        "changes": [{"change": "weights", "weights": ["$t"]}],
+    }
+    two = study_from({**base, "hulls": ["coaster.hull.json", "finer.hull.json"]}, tmp_path)
+    volumes = [row.numbers["displaced_volume"] for row in rows_of(two)]
+    assert volumes == pytest.approx([volumes[0]] * 3, rel=1e-9)
+    whole = study_from({**base, "hulls": [COASTER, "catamaran.hull.json"]}, SAMPLES)
+    with pytest.raises(ValueError, match="Hull 2 of the study is a hull of both sides.*mirror"):
+        hull_set(whole)
