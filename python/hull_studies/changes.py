@@ -112,9 +112,7 @@ def _targets(check, value, where, variables, hulls):
 def _target(check, value, where, variables):
     keys = {"number", "value", "tolerance", "sense", "station", "weight"}
     value = check.object(value, where, keys)
-    named = check.choice(
-        value.get("number"), f"{where}.number", (*hn.FORM_NUMBERS, "section_area")
-    )
+    named = check.choice(value.get("number"), f"{where}.number", (*hn.FORM_NUMBERS, "section_area"))
     found = {
         "number": named,
         "value": number(check, value.get("value"), f"{where}.value", variables),

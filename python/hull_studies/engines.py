@@ -77,9 +77,7 @@ class Dask:
                 batches,
                 ahead,
                 lambda batch: client.submit(evaluate, sent, batch, pure=False),
-                lambda waiting: distributed.wait(
-                    list(waiting), return_when="FIRST_COMPLETED"
-                ).done,
+                lambda waiting: distributed.wait(list(waiting), return_when="FIRST_COMPLETED").done,
             )
 
     def _client(self, distributed):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shape fields of a study: their description, and the hull_native.ShapeFields that it stands for."""
+"""Shape fields of a study: their description, and the hull_native.ShapeFields it stands for."""
 
 import hull_native as hn
 import numpy as np

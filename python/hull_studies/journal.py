@@ -141,7 +141,9 @@ class Journal:
         changed = [key for key in own if other.get(key) != own[key]]
         what = f"{', '.join(changed)} differ" if changed else "its digest differs"
         return _error(
-            self.path, f"its rows are of another study ({what})", f"{remedy}, or the study as it was"
+            self.path,
+            f"its rows are of another study ({what})",
+            f"{remedy}, or the study as it was",
         )
 
     def _take(self, number, line):

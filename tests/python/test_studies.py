@@ -9,6 +9,7 @@ import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+import vessels
 from coaster_study import described
 from hull_studies import hull_set, study_from
 from hull_studies.evaluation import Evaluator, task_of
@@ -85,7 +86,10 @@ def _with_field(**changed):
         ({"hulls": []}, "the first is no file"),
         ({"hulls": [{"changes": []}]}, "the first is no file"),
         ({"hulls": ["nowhere.json"]}, "nowhere.json: it can't be opened"),
-        ({"hulls": [COASTER, {"changes": [{"change": "targets", "targets": ["$a"]}]}]}, "no object"),
+        (
+            {"hulls": [COASTER, {"changes": [{"change": "targets", "targets": ["$a"]}]}]},
+            "no object",
+        ),
         ({"variables": {"a": [1, 0]}}, "variables.a: 1 is above 0"),
         ({"variables": {"a": [0, float("nan")]}}, "no plain data"),
         ({"variables": {"a": [0, 10**400]}}, "variables.a: .* is not a number from"),
@@ -232,7 +236,12 @@ def test_sections_meet_block_and_lcb():
 
 def test_fields_shift_the_surface_around_them():
     made = study(
-        [{"change": "fields", "fields": [{**FIELD, "shift": [0, "$shift", 0], "extent": "$reach"}]}],
+        [
+            {
+                "change": "fields",
+                "fields": [{**FIELD, "shift": [0, "$shift", 0], "extent": "$reach"}],
+            }
+        ],
         {"shift": [-9, 9], "reach": [1, 20]},
         [[0.0, 12.0], [0.3, 12.0], [0.3, 18.0], [-8.0, 12.0]],
     )
@@ -282,9 +291,7 @@ def test_weights_are_sought_in_the_family():
 def test_hulls_of_other_layouts_and_halves(tmp_path):
     data = hull_io.read_hull(SAMPLES / COASTER)
     hull_io.write_hull_file(data, tmp_path / "coaster.hull.json")
-    shell = hull_io.shell_arrays(data)
-    surface = hn.LimitSurface(hn.ControlMesh(*(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)))  # fmt: skip
+    surface = vessels.surface_of(data)
     finer = surface.refined_mesh()
     data.points = finer.points
     ends = np.cumsum(finer.face_sizes)[:-1]
@@ -301,6 +308,11 @@ def test_hulls_of_other_layouts_and_halves(tmp_path):
     two = study_from({**base, "hulls": ["coaster.hull.json", "finer.hull.json"]}, tmp_path)
     volumes = [row.numbers["displaced_volume"] for row in rows_of(two)]
     assert volumes == pytest.approx([volumes[0]] * 3, rel=1e-9)
-    whole = study_from({**base, "hulls": [COASTER, "catamaran.hull.json"]}, SAMPLES)
+    demihull = study_from({**base, "hulls": [COASTER, "catamaran.hull.json"]}, SAMPLES)
+    with pytest.raises(ValueError, match="Hull 2 has no part in the family"):
+        hull_set(demihull)
+    data.half = False
+    hull_io.write_hull_file(data, tmp_path / "whole.hull.json")
+    whole = study_from({**base, "hulls": ["coaster.hull.json", "whole.hull.json"]}, tmp_path)
     with pytest.raises(ValueError, match="Hull 2 of the study is a hull of both sides.*mirror"):
         hull_set(whole)
