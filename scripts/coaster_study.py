@@ -37,11 +37,11 @@ def described(count, seed):
             _shifted_at([78.0, 2.0, 7.0], [0.0, 0.6, 0.0], 12.0),
         ],
         "variables": {
-            "finer": [-1.0, 1.5],
-            "shoulders": [-1.0, 1.0],
-            "flare": [-0.5, 1.0],
-            "volume": [4250.0, 4650.0],
-            "lcb": [-1.0, 1.5],
+            "finer": [-1.5, 2.0],
+            "shoulders": [-1.5, 1.5],
+            "flare": [-1.0, 2.0],
+            "volume": [4150.0, 4750.0],
+            "lcb": [-2.5, 3.0],
         },
         "sampling": {"kind": "latin", "count": count, "seed": seed},
         "changes": [
