@@ -75,7 +75,7 @@ def main():
             labels=(("Displaced volume ∇", "m³"), ("Wetted surface", "m²")),
             marks=[(*AS_SHE_IS, "the coaster")],
         )
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, RuntimeError) as error:
         parser.exit(1, f"\n{error}\n")
 
 

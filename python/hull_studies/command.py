@@ -77,7 +77,7 @@ def main(words=None):
     arguments = parser.parse_args(words)
     try:
         carry_out(read_study(arguments.study), arguments)
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, RuntimeError) as error:
         parser.exit(1, f"\n{error}\n")
     except KeyboardInterrupt:
         parser.exit(130, "\nStopped. What is done is in the journal.\n")

@@ -74,6 +74,9 @@ class Evaluator:
             afloat = hn.hydrostatics(self._maker.placed(form), **self._maker.afloat(form, water))
         except ValueError as error:
             return Row(REFUSED, str(error), {})
+        except Exception as error:
+            error.add_note(f"That was of the study's variant {named}.")
+            raise
         numbers = {name: getattr(form, name) for name in (*DIMENSIONS, WATER_DRAFT)}
         numbers |= {name: get(afloat) for name, get in self._get.items()}
         numbers |= told.numbers

@@ -57,6 +57,7 @@ class Maker:
         self.openings = openings
         self._places = hn.SurfacePlaces(self.surface)
         self._family = self._family_of(mesh) if len(hulls.parents) > 1 else None
+        self._last = {}
 
     def _family_of(self, mesh):
         parents = [
@@ -139,7 +140,10 @@ class Maker:
         if len(limits["locked"]) == len(form.points):
             told.numbers.update({f"{name}.residual_rms": 0.0, f"{name}.residual_largest": 0.0})
             return form
-        reshape = hn.Reshape(self.surface, places=self._places, **limits)
+        key = (self.surface.mesh.points.tobytes(), limits["locked"].tobytes())
+        reshape = self._same(
+            "reshape", key, lambda: hn.Reshape(self.surface, places=self._places, **limits)
+        )
         found = reshape.solve(shifts, gradients=gradients)
         if found.folded_place is not None:
             raise ValueError(
@@ -244,6 +248,17 @@ class Maker:
 
     def _limits(self):
         """Limits of moves of the surface as it is placed, as keyword arguments."""
+        key = self.surface.mesh.points.tobytes()
+        return dict(self._same("limits", key, self._limits_of_surface))
+
+    def _same(self, name, key, make):
+        """What make() gives; of the same key as the last time what it gave then. Where variants
+        differ in late changes alone, all that the first ones need is known already."""
+        if name not in self._last or self._last[name][0] != key:
+            self._last[name] = (key, make())
+        return self._last[name][1]
+
+    def _limits_of_surface(self):
         hulls = self.hulls
         limits = {
             "locked": hulls.locked,

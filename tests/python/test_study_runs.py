@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 from coaster_study import described
 from hull_studies import Dask, Processes, Serial, hull_set, run_study, study_from
+from hull_studies.command import main
 from hull_studies.evaluation import evaluate
 from hull_studies.tables import csv_bytes, write_csv, write_parquet
 
@@ -236,3 +237,18 @@ def test_parquet_is_the_same_table(study, hulls, expected, tmp_path):
     assert list(frame.columns) == table.names
     assert frame["displaced_volume"].tolist() == table.column("displaced_volume").tolist()
     assert frame["status"].tolist() == [row.status for row in table.rows]
+
+
+def test_a_study_in_a_file_is_run_from_the_command_line(tmp_path, capsys):
+    description = described(6, SEED)
+    description["hulls"][0] = str(ROOT / "samples" / "coaster.hull.json")
+    path, table = tmp_path / "study.json", tmp_path / "table.csv"
+    path.write_text(json.dumps(description))
+    words = [path, "--engine", "serial", "--table", table, "--front", tmp_path / "front.svg"]
+    main(list(map(str, words)))
+    assert "6 made, 0 missed, 0 refused" in capsys.readouterr().err
+    assert table.read_bytes().count(b"\n") == 7 and (tmp_path / "front.svg").stat().st_size > 1000
+    path.write_text("{}")
+    with pytest.raises(SystemExit):
+        main(list(map(str, words)))
+    assert "study.json: hulls: NoneType is no list" in capsys.readouterr().err

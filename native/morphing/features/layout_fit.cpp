@@ -13,6 +13,7 @@
 #include "modelling/reshape/move_space.h"
 #include "modelling/reshape/surface_places.h"
 #include "morphing/families/hull_family.h"
+#include "morphing/features/layout_shortfall.h"
 #include "morphing/features/layout_start.h"
 #include "morphing/features/renumbering.h"
 #include "surface/queries/closest_point.h"
@@ -199,9 +200,10 @@ class LayoutFitting {
         target_(target_of(second)) {}
 
   // Fits the layout from where its points are now: near enough to tell what is square and flat in
-  // both hulls, and then with that.
-  void fit(surface::LimitSurface& layout, const FeatureGraph& graph, const FeatureMatch& match,
-           bool is_far, std::vector<CommonFlat>& flats) const {
+  // both hulls, and then with that. Returns where a step that is not taken would fold a member.
+  std::optional<Vector3d> fit(surface::LimitSurface& layout, const FeatureGraph& graph,
+                              const FeatureMatch& match, bool is_far,
+                              std::vector<CommonFlat>& flats) const {
     const double length = other_.box.high.x() - other_.box.low.x();
     const std::vector<modelling::FitCurve> curves =
         counterpart_curves(graph, other_, match, kCurveSpacing * length);
@@ -224,13 +226,14 @@ class LayoutFitting {
       }
     }
     layout.set_points(std::move(points));
-    approach(layout, curves, limits, kNearStiffness);
+    return approach(layout, curves, limits, kNearStiffness);
   }
 
  private:
-  void approach(surface::LimitSurface& layout, const std::vector<modelling::FitCurve>& curves,
-                const modelling::ReshapeLimits& limits,
-                const std::array<double, 2>& stiffness) const {
+  std::optional<Vector3d> approach(surface::LimitSurface& layout,
+                                   const std::vector<modelling::FitCurve>& curves,
+                                   const modelling::ReshapeLimits& limits,
+                                   const std::array<double, 2>& stiffness) const {
     modelling::FitOptions options;
     options.limits = limits;
     options.fairness = 0.0;
@@ -242,11 +245,12 @@ class LayoutFitting {
       options.stiffness = each;
       surface::LimitSurface next = layout;
       next.set_points(modelling::fit(layout, target_, curves, options).points);
-      const bool is_folded = fold_between(first_, next).has_value();
-      if (is_folded && !was_folded) return;
-      was_folded = is_folded;
+      const std::optional<Vector3d> fold = fold_between(first_, next);
+      if (fold && !was_folded) return fold;
+      was_folded = fold.has_value();
       layout = std::move(next);
     }
+    return std::nullopt;
   }
 
   const surface::LimitSurface& first_;
@@ -266,23 +270,27 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
   found.match = match_features(graph, other, options.pairs);
   if (are_alike(second, found)) {
     measure(second, found);
+    found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
   found.second.set_points(
       points_near(first, graph, other, found.match, points_in_centre_plane(first)));
-  LayoutFitting(first, second, other, options)
-      .fit(found.second, graph, found.match, true, found.flats);
+  found.fold_ahead = LayoutFitting(first, second, other, options)
+                         .fit(found.second, graph, found.match, true, found.flats);
   measure(second, found);
   const double allowed = options.tolerance * (other.box.high.x() - other.box.low.x());
-  while (found.rms > allowed && found.subdivisions < options.most_subdivisions) {
+  while (std::max(found.rms, found.rms_back) > allowed &&
+         found.subdivisions < options.most_subdivisions) {
     ++found.subdivisions;
     subdivide(found.first);
     subdivide(found.second);
     // The same surface has the same features, in the same order.
-    LayoutFitting(found.first, second, other, options)
-        .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
+    found.fold_ahead =
+        LayoutFitting(found.first, second, other, options)
+            .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
     measure(second, found);
   }
+  found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
   return found;
 }
 
