@@ -55,11 +55,13 @@ std::string remedy(const FeatureGraph& first, const FeatureGraph& second, const 
   const char* const or_another = "take the layout of the other hull, or of a third one";
   if (a < 0 && b < 0) return std::string("all lines are paired: ") + or_another;
   std::string text;
-  if (a >= 0 && b >= 0) {
+  if (a >= 0 && b >= 0 && first.features[a].role == second.features[b].role) {
     text = "pair by hand " + first.described(a) + " of the first with " + second.described(b) +
            " of the second, if they belong together";
   } else if (a >= 0) {
-    text = "pair by hand " + first.described(a) + " of the first, which has no counterpart";
+    text = "pair by hand " + first.described(a) + " of the first" +
+           (b >= 0 ? ", and " + second.described(b) + " of the second" : "") +
+           ", with a row that you crease in the other hull";
   } else {
     text = "crease a row of the first hull where the second has " + second.described(b) +
            ", and pair the two by hand";
