@@ -50,12 +50,12 @@ def carry_out(study, arguments, **plot):
     tell = None if arguments.quiet else _tell
     table = run_study(study, arguments.journal, engine_of(arguments), hulls=hulls, progress=tell)
     write_csv(table, arguments.table)
-    if arguments.parquet:
-        write_parquet(table, arguments.parquet)
     if arguments.front:
         names = (arguments.x, arguments.y)
         picture, _ = front_plot(table, *names, tuple(arguments.best), **plot)
         hn.write_plot(picture, arguments.front)
+    if arguments.parquet:
+        write_parquet(table, arguments.parquet)
     if not arguments.quiet:
         told = ", ".join(f"{count} {status}" for status, count in table.counts().items())
         print(f"\n{told}; {time.monotonic() - begun:.1f} s in all", file=sys.stderr)

@@ -18,6 +18,10 @@ from .parent_death import end_with_parent
 
 # Batches for each worker that are under way or waiting: while results come back none is idle.
 _AHEAD = 3
+_ENDED = (
+    "A worker ended before its time, as when memory runs out. What is done is kept: go on with the "
+    "same journal, with fewer processes."
+)
 
 
 @dataclass(frozen=True)
@@ -52,10 +56,7 @@ class Processes:
                 ).done,
             )
         except BrokenProcessPool as error:
-            raise RuntimeError(
-                "A worker ended before its time, as when memory runs out. What is done is kept: "
-                "go on with the same journal, with fewer processes."
-            ) from error
+            raise RuntimeError(_ENDED) from error
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
 
@@ -71,14 +72,20 @@ class Dask:
     def finished(self, task, batches):
         distributed = _distributed()
         with self._client(distributed) as client:
-            sent = client.scatter(task, broadcast=True, hash=False)
             ahead = _AHEAD * max(len(client.scheduler_info()["workers"]), 1)
-            yield from _spread(
-                batches,
-                ahead,
-                lambda batch: client.submit(evaluate, sent, batch, pure=False),
-                lambda waiting: distributed.wait(list(waiting), return_when="FIRST_COMPLETED").done,
-            )
+            # The task goes with each batch, some dozen kilobytes: what is kept on workers goes with
+            # them, and a worker that ends is replaced, and its batches are made by others.
+            try:
+                yield from _spread(
+                    batches,
+                    ahead,
+                    lambda batch: client.submit(evaluate, task, batch, pure=False),
+                    lambda waiting: distributed.wait(
+                        list(waiting), return_when="FIRST_COMPLETED"
+                    ).done,
+                )
+            except distributed.KilledWorker as error:
+                raise RuntimeError(_ENDED) from error
 
     def _client(self, distributed):
         if self.address:

@@ -209,6 +209,29 @@ def test_a_worker_that_ends_before_its_time_is_told(study, hulls, tmp_path):
     assert len(journal_keys(path)) >= 8
 
 
+@needs_dask
+def test_a_worker_of_dask_that_ends_is_replaced(study, hulls, expected, tmp_path):
+    killed = []
+
+    def kill_one(progress):
+        workers = [pid for pid in children(os.getpid()) if b"spawn_main" in _command(pid)]
+        if progress.done >= 16 and not killed:
+            killed.append(workers[0])
+            os.kill(killed[0], signal.SIGKILL)
+
+    class Told(Dask):
+        def finished(self, task, batches):
+            for number, rows in super().finished(task, batches):
+                time.sleep(0.2)  # so that progress is told on the way
+                yield number, rows
+
+    table = run_study(
+        study, tmp_path / "study.jsonl", Told(workers=2), hulls=hulls, progress=kill_one
+    )
+    assert killed and csv_bytes(table) == expected
+    assert len(set(journal_keys(tmp_path / "study.jsonl"))) == COUNT
+
+
 def _command(pid):
     try:
         return Path(f"/proc/{pid}/cmdline").read_bytes()
