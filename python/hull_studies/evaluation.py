@@ -5,6 +5,7 @@ A row's status is "made", "missed" where not all that was wanted is met (its num
 the hull that is nearest), or "refused" where there is no such hull. Reasons are sentences.
 """
 
+import threading
 from dataclasses import dataclass
 from math import isfinite
 from operator import attrgetter
@@ -90,13 +91,14 @@ def _defined(value):
     return float(value) if value is not None and isfinite(value) else None
 
 
-_last = None  # the Evaluator that this process used last
+# Of each thread the Evaluator that it used last: workers of a cluster may have several.
+_kept = threading.local()
 
 
 def evaluate(task, batch):
     """[Row] of a batch of variants, tuples of values. A function of its arguments alone: the last
     task's Evaluator is kept because making it takes as long as some rows."""
-    global _last
-    if _last is None or _last.task.digest != task.digest:
-        _last = Evaluator(task)
-    return [_last.row(values) for values in batch]
+    evaluator = getattr(_kept, "evaluator", None)
+    if evaluator is None or evaluator.task.digest != task.digest:
+        evaluator = _kept.evaluator = Evaluator(task)
+    return [evaluator.row(values) for values in batch]

@@ -210,6 +210,17 @@ def test_a_worker_that_ends_before_its_time_is_told(study, hulls, tmp_path):
 
 
 @needs_dask
+def test_a_cluster_elsewhere_whose_workers_have_threads(study, hulls, expected):
+    import distributed
+
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=3, processes=True, dashboard_address=None
+    ) as cluster:
+        table = run_study(study, engine=Dask(cluster.scheduler_address), hulls=hulls)
+    assert csv_bytes(table) == expected
+
+
+@needs_dask
 def test_a_worker_of_dask_that_ends_is_replaced(study, hulls, expected, tmp_path):
     killed = []
 
