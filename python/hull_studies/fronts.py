@@ -4,8 +4,10 @@
 import hull_native as hn
 import numpy as np
 
+from .evaluation import MISSED
+
 SENSES = ("least", "most")
-_CLOUD, _FRONT, _MISSED = (0.55, 0.62, 0.70), (0.78, 0.16, 0.12), (0.85, 0.78, 0.62)
+_GREY, _RED, _SAND = (0.55, 0.62, 0.70), (0.78, 0.16, 0.12), (0.85, 0.78, 0.62)
 
 
 def pareto_front(x, y, senses=("least", "least"), among=None):
@@ -47,13 +49,13 @@ def front_plot(table, x, y, senses=("least", "least"), *, labels=None, title="",
     plot.add_x_axis(*labels[0])
     plot.set_y_axis(*labels[1])
     made = table.made
-    _add_dots(plot, f"made: {made.sum()}", across[made], up[made], _CLOUD)
-    missed = np.array([row.status == "missed" for row in table.rows], dtype=bool)
+    _add_dots(plot, f"made: {made.sum()}", across[made], up[made], _GREY)
+    missed = np.array([row.status == MISSED for row in table.rows], dtype=bool)
     if missed.any():
-        _add_dots(plot, f"missed: {missed.sum()}", across[missed], up[missed], _MISSED)
+        _add_dots(plot, f"missed: {missed.sum()}", across[missed], up[missed], _SAND)
     if len(front):
-        plot.add_curve(f"front: {len(front)}", across[front], up[front], colour=_FRONT)
-        number = _add_dots(plot, "", across[front], up[front], _FRONT)
+        plot.add_curve(f"front: {len(front)}", across[front], up[front], colour=_RED)
+        number = _add_dots(plot, "", across[front], up[front], _RED)
         for end in sorted({int(front[0]), int(front[-1])}):
             plot.add_marker(across[end], up[end], f"variant {end + 1}", curve=number)
     for place in marks:
