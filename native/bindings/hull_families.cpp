@@ -124,7 +124,8 @@ void bind_wanted(py::class_<HullFamily>& family) {
              double length_pp, double beam, double design_draft, double water_density,
              double stiffness, const std::array<double, 2>& length_scale,
              const std::array<double, 2>& beam_scale, const std::array<double, 2>& draft_scale,
-             double scale_cost, const py::object& progress) {
+             double scale_cost, const modelling::SurfacePlaces* places,
+             const py::object& progress) {
             modelling::TargetOptions options =
                 options_from(mirrored, draft, openings, trim, draft_at,
                              {length_pp, beam, design_draft}, water_density);
@@ -133,6 +134,7 @@ void bind_wanted(py::class_<HullFamily>& family) {
                               modelling::ScaleBounds{beam_scale[0], beam_scale[1]},
                               modelling::ScaleBounds{draft_scale[0], draft_scale[1]}};
             options.scale_cost = scale_cost;
+            if (places) options.weights = places->weights();
             const surface::Progress told = progress_from(progress);
             morphing::WantedWeights found;
             {
@@ -148,11 +150,11 @@ void bind_wanted(py::class_<HullFamily>& family) {
           py::arg("stiffness") = 0.05, py::arg("length_scale") = std::array<double, 2>{1.0, 1.0},
           py::arg("beam_scale") = std::array<double, 2>{1.0, 1.0},
           py::arg("draft_scale") = std::array<double, 2>{1.0, 1.0}, py::arg("scale_cost") = 0.01,
-          py::arg("progress") = py::none(),
+          py::arg("places") = py::none(), py::arg("progress") = py::none(),
           "The weights (p,) of parents with which a member meets FormTargets at the least change "
           "from the one of the weights `start`, and the TargetsReached, whose moves are those from "
-          "that member's points, scaling included. Water, dimensions and scales as reach_targets() "
-          "has them; weights may leave 0 to 1.");
+          "that member's points, scaling included. Water, dimensions, scales and places as "
+          "reach_targets() has them; weights may leave 0 to 1.");
 }
 
 void bind_members(py::class_<HullFamily>& family) {

@@ -117,7 +117,19 @@ void bind_layout(py::module_& module) {
             return py::array_t<double>(3, f.fold->data());
           },
           "(3,), m: a place on `first` where a member between the two is folded; None: nowhere.")
-      .def_readonly("match", &LayoutFit::match, "The FeatureMatch.");
+      .def_property_readonly(
+          "fold_ahead",
+          [](const LayoutFit& f) -> py::object {
+            if (!f.fold_ahead) return py::none();
+            return py::array_t<double>(3, f.fold_ahead->data());
+          },
+          "(3,), m: a place on `first` where a member would be folded by a step of the fit, which "
+          "was not taken for it; None: all were.")
+      .def_readonly("match", &LayoutFit::match, "The FeatureMatch.")
+      .def_readonly("shortfall", &LayoutFit::shortfall,
+                    "Why the distances are larger than the tolerance, or why a member is folded, "
+                    "and what to do, with the features to pair: a sentence; \"\" where neither is "
+                    "so.");
   module.def(
       "fit_layout",
       [](const surface::LimitSurface& first, const surface::LimitSurface& second,

@@ -180,7 +180,7 @@ void bind_targets(py::module_& module) {
          const py::object& tied, const DoubleArray& tied_directions, const py::iterable& kept,
          const py::iterable& modes, double stiffness, const std::array<double, 2>& length_scale,
          const std::array<double, 2>& beam_scale, const std::array<double, 2>& draft_scale,
-         double scale_cost, const py::object& progress) {
+         double scale_cost, const modelling::SurfacePlaces* places, const py::object& progress) {
         modelling::TargetOptions options;
         options.water.mirrored = mirrored;
         options.water.openings = openings_from(openings);
@@ -199,6 +199,7 @@ void bind_targets(py::module_& module) {
         options.scales = {bounds_from(length_scale), bounds_from(beam_scale),
                           bounds_from(draft_scale)};
         options.scale_cost = scale_cost;
+        if (places) options.weights = places->weights();
         const surface::Progress told = progress_from(progress);
         const py::gil_scoped_release release;
         return modelling::reach_targets(surface, targets, options, told);
@@ -214,7 +215,7 @@ void bind_targets(py::module_& module) {
       py::arg("length_scale") = std::array<double, 2>{1.0, 1.0},
       py::arg("beam_scale") = std::array<double, 2>{1.0, 1.0},
       py::arg("draft_scale") = std::array<double, 2>{1.0, 1.0}, py::arg("scale_cost") = 0.01,
-      py::arg("progress") = py::none(),
+      py::arg("places") = py::none(), py::arg("progress") = py::none(),
       "The TargetsReached of the least change of a hull by which the targets, FormTargets, are "
       "met. "
       "The surface stays as it is.\n\n"
@@ -225,10 +226,12 @@ void bind_targets(py::module_& module) {
       "the moves is added to the mean squared shift. length_scale, beam_scale, draft_scale: "
       "limits of factors that hull, water and project dimensions are scaled by together, from the "
       "after perpendicular, the centre plane and the base line; scale_cost times the mean squared "
-      "shift that it makes is added. progress: called with the share of what was missing that is "
-      "met; what it raises ends the task.\n\n"
+      "shift that it makes is added. places: the SurfacePlaces, three a side, of a surface that "
+      "differs in its control points only, by which all is sooner prepared, with the same result. "
+      "progress: called with the share of what was missing that is met; what it raises ends the "
+      "task.\n\n"
       "ValueError for what is none of these: a hull that floods, limits by which nothing may move, "
-      "scaling with trim or with locked points.");
+      "scaling with trim or with locked points, places of another surface.");
 }
 
 }  // namespace hull::bindings

@@ -179,6 +179,17 @@ def test_a_hull_without_part_in_a_family_is_named():
         hn.common_layout([coaster, coaster], layout=4)
 
 
+def test_what_falls_short_is_told_with_what_to_pair():
+    coaster, roro = Sample("coaster").surface, Sample("roro").surface
+    fit = hn.fit_layout(coaster, roro, tolerance=1e-7, most_subdivisions=0)
+    off = max(fit.rms, fit.rms_back) / length_of(roro)
+    assert fit.shortfall.startswith(
+        f"The layout is left {off:.1e} of the length off, farthest at ("
+    )
+    assert "pair" in fit.shortfall and fit.shortfall.endswith("or of a third one.")
+    assert hn.fit_layout(coaster, roro).shortfall == ""
+
+
 def test_bodies_without_counterpart_are_named():
     coaster, yacht = Sample("coaster").surface, Sample("sailing_yacht").surface
     with pytest.raises(

@@ -13,7 +13,12 @@ OUTER = ROOT / "addon"
 INNER = OUTER / "hull_tools"
 
 # What the packages beside hull_native may use beside themselves and Python's own library.
-PACKAGES = {"hull_io": {"numpy"}, "hull_fairness": {"numpy", "hull_native"}}
+PACKAGES = {
+    "hull_io": {"numpy"},
+    "hull_fairness": {"numpy", "hull_native"},
+    # Dask and pandas where they are there, and where they are asked for.
+    "hull_studies": {"numpy", "hull_native", "hull_io", "distributed", "pandas"},
+}
 
 # What each part of the add-on may use beside itself.
 ALLOWED = {

@@ -309,3 +309,17 @@ def test_the_task_ends_where_progress_raises():
     with pytest.raises(KeyboardInterrupt):
         hn.reach_targets(sample.surface, [target], **arguments(sample), progress=stop)
     assert np.array_equal(sample.surface.mesh.points, before)
+
+
+def test_places_made_before_change_nothing():
+    coaster, barge = Sample("coaster"), Sample("barge")
+    mesh = coaster.surface.mesh
+    other = hn.LimitSurface(mesh.with_points(1.1 * mesh.points), coaster.surface.scheme)
+    targets = [hn.FormTarget("displaced_volume", 4300.0)]
+    limits = {**arguments(coaster), **centre_limits(coaster)}
+    plain = hn.reach_targets(coaster.surface, targets, **limits)
+    made = hn.reach_targets(coaster.surface, targets, places=hn.SurfacePlaces(other), **limits)
+    assert np.array_equal(plain.moves, made.moves) and plain.cost == made.cost
+    places = hn.SurfacePlaces(barge.surface)
+    with pytest.raises(ValueError, match="The places are those of another surface"):
+        hn.reach_targets(coaster.surface, targets, places=places, **limits)

@@ -42,8 +42,9 @@ Eigen::SparseMatrix<double> columns_of(const std::vector<MoveMode>& modes, std::
 }  // namespace
 
 MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits& limits,
-                       const std::vector<MoveMode>& modes, double stiffness)
-    : places_(surface) {
+                       const std::vector<MoveMode>& modes, double stiffness,
+                       const std::shared_ptr<const PlaceWeights>& weights)
+    : places_(surface, weights ? weights : std::make_shared<PlaceWeights>(surface)) {
   if (!(places_.total_area() > 0.0)) {
     throw std::invalid_argument("The surface has no area: nothing of it can be changed.");
   }

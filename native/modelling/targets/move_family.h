@@ -3,6 +3,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "modelling/reshape/move_space.h"
@@ -22,10 +23,12 @@ using MoveMode = std::vector<Vector3d>;
 class MoveFamily {
  public:
   // All moves of the control points within the limits, or, if there are modes, sums of these, which
-  // nothing else limits. Throws std::invalid_argument for limits, modes or a stiffness that are
-  // none, and where nothing is left that may move.
+  // nothing else limits. `weights`: of the surface's places, if they are known already. Throws
+  // std::invalid_argument for limits, modes or a stiffness that are none, for weights of another
+  // surface, and where nothing is left that may move.
   MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits& limits,
-             const std::vector<MoveMode>& modes, double stiffness);
+             const std::vector<MoveMode>& modes, double stiffness,
+             const std::shared_ptr<const PlaceWeights>& weights = nullptr);
 
   const SurfacePlaces& places() const { return places_; }
   Eigen::Index size() const { return basis_.cols(); }

@@ -21,7 +21,7 @@ TargetDescent::TargetDescent(const surface::LimitSurface& surface,
       options_(options),
       progress_(progress),
       size_(surface.mesh().size()),
-      family_(surface, options.limits, options.modes, options.stiffness),
+      family_(surface, options.limits, options.modes, options.stiffness, options.weights),
       problem_(surface, options.water, targets, family_) {
   check_scales();
   const std::array<double, 3> mean_squares = family_.mean_squares();

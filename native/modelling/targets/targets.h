@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct TargetOptions {
   std::array<ScaleBounds, 3> scales;
   // What scaling costs: this times the mean squared shift that it makes.
   double scale_cost = 0.01;
+  // Of the surface's places, if they were made before: of one that differs in its points only.
+  std::shared_ptr<const PlaceWeights> weights = nullptr;
 };
 
 enum class TargetStatus {

@@ -8,11 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "mesh/tolerances.h"
-#include "modelling/fit.h"
-#include "modelling/reshape/move_space.h"
 #include "modelling/reshape/surface_places.h"
-#include "morphing/families/hull_family.h"
+#include "morphing/features/layout_fitting.h"
+#include "morphing/features/layout_shortfall.h"
 #include "morphing/features/layout_start.h"
 #include "morphing/features/renumbering.h"
 #include "surface/queries/closest_point.h"
@@ -22,37 +20,6 @@ namespace hull::morphing {
 namespace {
 
 using modelling::SurfacePlaces;
-
-// Stiffness of the moves, step by step: rows of points stay laid out as they are while they are
-// far away, and go where the surface is at last.
-constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
-constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
-constexpr int kStepsEach = 15;
-constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
-
-std::vector<int> points_in_centre_plane(const surface::LimitSurface& surface) {
-  std::vector<int> found;
-  const std::vector<Vector3d>& points = surface.mesh().points();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::abs(points[i].y()) <= kOnCentrePlane * surface.mesh().size()) {
-      found.push_back(static_cast<int>(i));
-    }
-  }
-  return found;
-}
-
-modelling::FitTarget target_of(const surface::LimitSurface& surface) {
-  const SurfacePlaces places(surface);
-  modelling::FitTarget target;
-  target.shape = &surface;
-  for (int k = 0; k < places.count(); ++k) {
-    if (places.normal(k).isZero(0.0)) continue;
-    target.points.push_back(places.position(k));
-    target.normals.push_back(places.normal(k));
-    target.weights.push_back(places.area(k));
-  }
-  return target;
-}
 
 struct Distances {
   double rms = 0.0, largest = 0.0;
@@ -77,18 +44,6 @@ Distances distances(const surface::LimitSurface& from, const surface::LimitSurfa
   }
   found.rms = std::sqrt(sum / places.total_area());
   return found;
-}
-
-// Where a member between the two is folded; none: nowhere.
-std::optional<Vector3d> fold_between(const surface::LimitSurface& first,
-                                     const surface::LimitSurface& second) {
-  const HullFamily family({first, second});
-  for (int i = 1; i <= kFoldTrials; ++i) {
-    const double t = i / (kFoldTrials + 1.0);
-    const auto place = family.first_fold(family.points(std::vector<double>{1.0 - t, t}));
-    if (place) return place;
-  }
-  return std::nullopt;
 }
 
 void measure(const surface::LimitSurface& target, LayoutFit& fit) {
@@ -187,74 +142,42 @@ void check_hulls(const surface::LimitSurface& first, const surface::LimitSurface
   check_halves(graph, other);
 }
 
-// A layout on its way to the second hull.
-class LayoutFitting {
- public:
-  LayoutFitting(const surface::LimitSurface& first, const surface::LimitSurface& second,
-                const FeatureGraph& other, const LayoutOptions& options)
-      : first_(first),
-        second_(second),
-        other_(other),
-        options_(options),
-        target_(target_of(second)) {}
-
-  // Fits the layout from where its points are now: near enough to tell what is square and flat in
-  // both hulls, and then with that.
-  void fit(surface::LimitSurface& layout, const FeatureGraph& graph, const FeatureMatch& match,
-           bool is_far, std::vector<CommonFlat>& flats) const {
-    const double length = other_.box.high.x() - other_.box.low.x();
-    const std::vector<modelling::FitCurve> curves =
-        counterpart_curves(graph, other_, match, kCurveSpacing * length);
-    modelling::ReshapeLimits limits;
-    for (int v : points_in_centre_plane(first_)) {
-      limits.limits.held.push_back({v, Vector3d::UnitY()});
-    }
-    if (is_far) approach(layout, curves, limits, kFarStiffness);
-    std::vector<Vector3d> points = layout.mesh().points();
-    limits.tied = common_squares(first_, layout, second_);
-    for (const modelling::TiedPoint& tie : limits.tied) {
-      points[tie.point] +=
-          tie.direction.dot(points[tie.leader] - points[tie.point]) * tie.direction;
-    }
-    flats = common_flats(first_, layout, second_);
-    for (const CommonFlat& flat : flats) {
-      for (int v : flat.points) {
-        limits.limits.held.push_back({v, flat.plane.normal});
-        points[v] -= flat.plane.height(points[v]) * flat.plane.normal;
-      }
-    }
-    layout.set_points(std::move(points));
-    approach(layout, curves, limits, kNearStiffness);
+// From the hulls as they are, `start` being what is known of them: with bars held, or free.
+LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
+                 const FeatureGraph& other, const LayoutOptions& options, LayoutFit start,
+                 bool holds_bar) {
+  LayoutFit& found = start;
+  found.second.set_points(
+      points_near(found.first, graph, other, found.match, points_in_centre_plane(found.first)));
+  found.fold_ahead = LayoutFitting(found.first, second, other, options, holds_bar)
+                         .fit(found.second, graph, found.match, true, found.flats);
+  measure(second, found);
+  const double allowed = options.tolerance * (other.box.high.x() - other.box.low.x());
+  while (std::max(found.rms, found.rms_back) > allowed &&
+         found.subdivisions < options.most_subdivisions) {
+    ++found.subdivisions;
+    subdivide(found.first);
+    subdivide(found.second);
+    // The same surface has the same features, in the same order.
+    found.fold_ahead =
+        LayoutFitting(found.first, second, other, options, holds_bar)
+            .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
+    measure(second, found);
   }
+  found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
+  return found;
+}
 
- private:
-  void approach(surface::LimitSurface& layout, const std::vector<modelling::FitCurve>& curves,
-                const modelling::ReshapeLimits& limits,
-                const std::array<double, 2>& stiffness) const {
-    modelling::FitOptions options;
-    options.limits = limits;
-    options.fairness = 0.0;
-    options.draw_border = true;
-    options.most_steps = kStepsEach;
-    options.progress = options_.progress;
-    bool was_folded = fold_between(first_, layout).has_value();
-    for (double each : stiffness) {
-      options.stiffness = each;
-      surface::LimitSurface next = layout;
-      next.set_points(modelling::fit(layout, target_, curves, options).points);
-      const bool is_folded = fold_between(first_, next).has_value();
-      if (is_folded && !was_folded) return;
-      was_folded = is_folded;
-      layout = std::move(next);
-    }
-  }
+bool has_bar_alone(const FeatureGraph& graph, const FeatureMatch& match) {
+  return std::any_of(match.alone_in_first.begin(), match.alone_in_first.end(),
+                     [&](int k) { return graph.features[k].role == FeatureRole::kBarEdge; });
+}
 
-  const surface::LimitSurface& first_;
-  const surface::LimitSurface& second_;
-  const FeatureGraph& other_;
-  const LayoutOptions& options_;
-  modelling::FitTarget target_;
-};
+// Members without a fold first, then less distance.
+bool is_better(const LayoutFit& a, const LayoutFit& b) {
+  if (a.fold.has_value() != b.fold.has_value()) return !a.fold;
+  return std::max(a.rms, a.rms_back) < std::max(b.rms, b.rms_back);
+}
 
 }  // namespace
 
@@ -266,24 +189,13 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
   found.match = match_features(graph, other, options.pairs);
   if (are_alike(second, found)) {
     measure(second, found);
+    found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
-  found.second.set_points(
-      points_near(first, graph, other, found.match, points_in_centre_plane(first)));
-  LayoutFitting(first, second, other, options)
-      .fit(found.second, graph, found.match, true, found.flats);
-  measure(second, found);
-  const double allowed = options.tolerance * (other.box.high.x() - other.box.low.x());
-  while (found.rms > allowed && found.subdivisions < options.most_subdivisions) {
-    ++found.subdivisions;
-    subdivide(found.first);
-    subdivide(found.second);
-    // The same surface has the same features, in the same order.
-    LayoutFitting(found.first, second, other, options)
-        .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
-    measure(second, found);
-  }
-  return found;
+  LayoutFit free = fitted(second, graph, other, options, found, false);
+  if (free.shortfall.empty() || !has_bar_alone(graph, found.match)) return free;
+  LayoutFit held = fitted(second, graph, other, options, std::move(found), true);
+  return is_better(held, free) ? held : free;
 }
 
 }  // namespace hull::morphing

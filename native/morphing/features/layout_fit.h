@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "morphing/features/feature_matching.h"
@@ -38,7 +39,12 @@ struct LayoutFit {
   // Where, on `first`, a member between the two is folded (HullFamily::first_fold() at kFoldTrials
   // members); none: nowhere.
   std::optional<Vector3d> fold = std::nullopt;
+  // Where a member would be folded by a step that was not taken for it; none: all were.
+  std::optional<Vector3d> fold_ahead = std::nullopt;
   FeatureMatch match = {};  // of the hulls as given
+  // layout_shortfall(): a sentence, empty where the distances are within the tolerance and no
+  // member is folded.
+  std::string shortfall = {};
 };
 
 inline constexpr int kFoldTrials = 9;

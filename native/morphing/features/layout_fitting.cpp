@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "morphing/features/layout_fitting.h"
+
+#include <cmath>
+#include <utility>
+
+#include "mesh/tolerances.h"
+#include "modelling/reshape/surface_places.h"
+#include "morphing/families/hull_family.h"
+#include "morphing/features/layout_start.h"
+
+namespace hull::morphing {
+namespace {
+
+using modelling::SurfacePlaces;
+
+// Stiffness of the moves, step by step: rows of points stay laid out as they are while they are
+// far away, and go where the surface is at last.
+constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
+constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
+constexpr int kStepsEach = 15;
+constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
+
+modelling::FitTarget target_of(const surface::LimitSurface& surface) {
+  const SurfacePlaces places(surface);
+  modelling::FitTarget target;
+  target.shape = &surface;
+  for (int k = 0; k < places.count(); ++k) {
+    if (places.normal(k).isZero(0.0)) continue;
+    target.points.push_back(places.position(k));
+    target.normals.push_back(places.normal(k));
+    target.weights.push_back(places.area(k));
+  }
+  return target;
+}
+
+void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
+              modelling::ReshapeLimits& limits) {
+  for (int k : match.alone_in_first) {
+    if (graph.features[k].role != FeatureRole::kBarEdge) continue;
+    for (int chain : graph.features[k].chains) {
+      for (int v : graph.curves[chain].vertices()) {
+        limits.limits.held.push_back({v, Vector3d::UnitY()});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Vector3d> fold_between(const surface::LimitSurface& first,
+                                     const surface::LimitSurface& second) {
+  const HullFamily family({first, second});
+  for (int i = 1; i <= kFoldTrials; ++i) {
+    const double t = i / (kFoldTrials + 1.0);
+    const auto place = family.first_fold(family.points(std::vector<double>{1.0 - t, t}));
+    if (place) return place;
+  }
+  return std::nullopt;
+}
+
+std::vector<int> points_in_centre_plane(const surface::LimitSurface& surface) {
+  std::vector<int> found;
+  const std::vector<Vector3d>& points = surface.mesh().points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(points[i].y()) <= kOnCentrePlane * surface.mesh().size()) {
+      found.push_back(static_cast<int>(i));
+    }
+  }
+  return found;
+}
+
+LayoutFitting::LayoutFitting(const surface::LimitSurface& first,
+                             const surface::LimitSurface& second, const FeatureGraph& other,
+                             const LayoutOptions& options, bool holds_bar)
+    : first_(first),
+      second_(second),
+      other_(other),
+      progress_(options.progress),
+      holds_bar_(holds_bar),
+      target_(target_of(second)) {}
+
+std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const FeatureGraph& graph,
+                                           const FeatureMatch& match, bool is_far,
+                                           std::vector<CommonFlat>& flats) const {
+  const double length = other_.box.high.x() - other_.box.low.x();
+  const std::vector<modelling::FitCurve> curves =
+      counterpart_curves(graph, other_, match, kCurveSpacing * length);
+  modelling::ReshapeLimits limits;
+  for (int v : points_in_centre_plane(first_)) {
+    limits.limits.held.push_back({v, Vector3d::UnitY()});
+  }
+  if (holds_bar_) hold_bar(graph, match, limits);
+  if (is_far) approach(layout, curves, limits, kFarStiffness);
+  std::vector<Vector3d> points = layout.mesh().points();
+  limits.tied = common_squares(first_, layout, second_);
+  for (const modelling::TiedPoint& tie : limits.tied) {
+    points[tie.point] += tie.direction.dot(points[tie.leader] - points[tie.point]) * tie.direction;
+  }
+  flats = common_flats(first_, layout, second_);
+  for (const CommonFlat& flat : flats) {
+    for (int v : flat.points) {
+      limits.limits.held.push_back({v, flat.plane.normal});
+      points[v] -= flat.plane.height(points[v]) * flat.plane.normal;
+    }
+  }
+  layout.set_points(std::move(points));
+  return approach(layout, curves, limits, kNearStiffness);
+}
+
+std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
+                                                const std::vector<modelling::FitCurve>& curves,
+                                                const modelling::ReshapeLimits& limits,
+                                                const std::array<double, 2>& stiffness) const {
+  modelling::FitOptions options;
+  options.limits = limits;
+  options.fairness = 0.0;
+  options.draw_border = true;
+  options.most_steps = kStepsEach;
+  options.progress = progress_;
+  bool was_folded = fold_between(first_, layout).has_value();
+  for (double each : stiffness) {
+    options.stiffness = each;
+    surface::LimitSurface next = layout;
+    next.set_points(modelling::fit(layout, target_, curves, options).points);
+    const std::optional<Vector3d> fold = fold_between(first_, next);
+    if (fold && !was_folded) return fold;
+    was_folded = fold.has_value();
+    layout = std::move(next);
+  }
+  return std::nullopt;
+}
+
+}  // namespace hull::morphing

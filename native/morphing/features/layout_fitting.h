@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "modelling/fit.h"
+#include "modelling/reshape/move_space.h"
+#include "morphing/features/layout_fit.h"
+
+namespace hull::morphing {
+
+// Where a member between two hulls of one topology is folded, of kFoldTrials; none: nowhere.
+std::optional<Vector3d> fold_between(const surface::LimitSurface& first,
+                                     const surface::LimitSurface& second);
+
+// Control points that are in the centre plane, rising.
+std::vector<int> points_in_centre_plane(const surface::LimitSurface& surface);
+
+// A layout on its way to the second hull.
+class LayoutFitting {
+ public:
+  // All but `options` must outlive it. `holds_bar`: the edge of a bar keel that has no counterpart
+  // keeps its distance from the centre plane. The strip between is so narrow that it may turn over
+  // where the second hull has no such edge to lie along; but held, it may lie less near.
+  LayoutFitting(const surface::LimitSurface& first, const surface::LimitSurface& second,
+                const FeatureGraph& other, const LayoutOptions& options, bool holds_bar);
+
+  // Fits the layout from where its points are now: near enough to tell what is square and flat in
+  // both hulls, and then with that. Returns where a step that is not taken would fold a member.
+  std::optional<Vector3d> fit(surface::LimitSurface& layout, const FeatureGraph& graph,
+                              const FeatureMatch& match, bool is_far,
+                              std::vector<CommonFlat>& flats) const;
+
+ private:
+  std::optional<Vector3d> approach(surface::LimitSurface& layout,
+                                   const std::vector<modelling::FitCurve>& curves,
+                                   const modelling::ReshapeLimits& limits,
+                                   const std::array<double, 2>& stiffness) const;
+
+  const surface::LimitSurface& first_;
+  const surface::LimitSurface& second_;
+  const FeatureGraph& other_;
+  surface::Progress progress_;
+  bool holds_bar_;
+  modelling::FitTarget target_;
+};
+
+}  // namespace hull::morphing
