@@ -73,9 +73,9 @@ def type_in(window, what, text):
     yield
 
 
-def type_in_dialog(window, *places_and_texts):
+def type_in_dialog(window, *places_and_texts, keys=("RET",)):
     """Types into fields of the dialog that has just opened, their places told from the mouse, and
-    accepts it."""
+    accepts it; keys: what is pressed to end it, and at once after that."""
     yield
     for (right, up), text in places_and_texts:
         window.move_by(right, up)
@@ -86,7 +86,8 @@ def type_in_dialog(window, *places_and_texts):
         window.press("RET")
         window.move_by(-right, -up)
         yield
-    window.press("RET")
+    for key in keys:
+        window.press(key)
     yield
 
 
