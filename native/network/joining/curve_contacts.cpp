@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/joining/curve_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "network/crossings/curve_meetings.h"
+
+namespace hull::network {
+namespace {
+
+constexpr double kFlat = 0.05;  // of the tolerance
+
+class Contacting {
+ public:
+  Contacting(const std::vector<CurveShape>& shapes, const std::vector<std::string>& names,
+             const JoiningOptions& options)
+      : names_(names), options_(options) {
+    for (const CurveShape& shape : shapes) {
+      trees_.emplace_back();
+      for (const NurbsCurve& piece : shape.pieces) {
+        trees_.back().emplace_back(piece, kFlat * options.tolerance);
+      }
+    }
+  }
+
+  CurveContacts run() {
+    const int count = static_cast<int>(trees_.size());
+    for (int i = 0; i < count; ++i) {
+      within(i);
+      for (int k = i + 1; k < count; ++k) between(i, k);
+    }
+    return std::move(contacts_);
+  }
+
+ private:
+  std::vector<CurveTree>& pieces(int curve) { return trees_[static_cast<std::size_t>(curve)]; }
+  const std::string& name(int curve) const { return names_[static_cast<std::size_t>(curve)]; }
+  CurvePlace place(int curve, int piece, double parameter) {
+    const NurbsCurve& of = pieces(curve)[static_cast<std::size_t>(piece)].curve();
+    return {curve, piece, parameter, of.point(parameter)};
+  }
+
+  // Pieces that are not one after the other, and the two ends of the whole.
+  void within(int curve) {
+    const int count = static_cast<int>(pieces(curve).size());
+    const int last = count - 1;
+    for (int a = 0; a < count; ++a) {
+      for (int b = a + 2; b < count; ++b) {
+        if (!(a == 0 && b == last)) meet(curve, a, curve, b);
+      }
+    }
+    const CurvePlace start = place(curve, 0, pieces(curve).front().curve().begin());
+    const CurvePlace end = place(curve, last, pieces(curve).back().curve().end());
+    if ((start.place - end.place).norm() <= options_.tolerance) {
+      contacts_.joined.push_back({start, end});
+    }
+  }
+
+  void between(int i, int k) {
+    double shared = 0.0;
+    const std::size_t before = contacts_.overlaps.size();
+    for (int a = 0; a < static_cast<int>(pieces(i).size()); ++a) {
+      for (int b = 0; b < static_cast<int>(pieces(k).size()); ++b) shared += meet(i, a, k, b);
+    }
+    const double shorter = std::min(length_of(i), length_of(k));
+    if (shared > 0.0 && shared > 0.99 * shorter) name_duplicate(i, k, before);
+  }
+
+  double length_of(int curve) {
+    double length = 0.0;
+    for (const CurveTree& tree : pieces(curve)) {
+      const NurbsCurve& c = tree.curve();
+      Vector3d before = c.point(c.begin());
+      for (int i = 1; i <= 32; ++i) {
+        const Vector3d next = c.point(c.begin() + (c.end() - c.begin()) * i / 32.0);
+        length += (next - before).norm();
+        before = next;
+      }
+    }
+    return length;
+  }
+
+  // The length that they share.
+  double meet(int i, int a, int k, int b) {
+    CurveTree& first = pieces(i)[static_cast<std::size_t>(a)];
+    CurveTree& second = pieces(k)[static_cast<std::size_t>(b)];
+    const CurveMeetings joined = curve_meetings(first, second, options_.tolerance);
+    for (const CurveMeeting& at : joined.points) {
+      contacts_.joined.push_back(
+          {{i, a, at.first, at.first_place}, {k, b, at.second, at.second_place}});
+    }
+    double shared = 0.0;
+    for (const CurveOverlap& stretch : joined.overlaps) {
+      shared += stretch.length;
+      name_overlap(i, k, stretch);
+    }
+    look_near(i, a, k, b, joined);
+    return shared;
+  }
+
+  // What comes near, but nowhere within the tolerance.
+  void look_near(int i, int a, int k, int b, const CurveMeetings& joined) {
+    CurveTree& first = pieces(i)[static_cast<std::size_t>(a)];
+    CurveTree& second = pieces(k)[static_cast<std::size_t>(b)];
+    const double reach = options_.near_misses * options_.tolerance;
+    const CurveMeetings near = curve_meetings(first, second, reach);
+    for (const CurveMeeting& at : near.points) {
+      if (at.distance() <= options_.tolerance) continue;
+      contacts_.near.push_back(
+          {{i, a, at.first, at.first_place}, {k, b, at.second, at.second_place}});
+    }
+    for (const CurveOverlap& stretch : near.overlaps) {
+      const auto is_in = [&](double t) {
+        return t >= stretch.first_low && t <= stretch.first_high;
+      };
+      const bool is_joined = std::ranges::any_of(joined.points, is_in, &CurveMeeting::first) ||
+                             std::ranges::any_of(joined.overlaps, is_in, &CurveOverlap::first_low);
+      if (is_joined) continue;
+      contacts_.near.push_back({place(i, a, stretch.first_low), place(k, b, stretch.second_low)});
+    }
+  }
+
+  void name_overlap(int i, int k, const CurveOverlap& stretch) {
+    contacts_.overlaps.push_back(
+        {NetworkProblem::Kind::kOverlap,
+         "Curves " + name(i) + " and " + name(k) + " lie on one another over " +
+             length_text(stretch.length) + ", from " + place_text(stretch.start) + " to " +
+             place_text(stretch.end) + ": end one of them where the stretch begins.",
+         {i, k},
+         {stretch.start, stretch.end}});
+  }
+
+  void name_duplicate(int i, int k, std::size_t before) {
+    const Vector3d start = contacts_.overlaps[before].places.front();
+    const Vector3d end = contacts_.overlaps.back().places.back();
+    contacts_.overlaps.resize(before);
+    contacts_.overlaps.push_back({NetworkProblem::Kind::kDuplicate,
+                                  "Curves " + name(i) + " and " + name(k) + " are the same, from " +
+                                      place_text(start) + " to " + place_text(end) +
+                                      ": remove one of them.",
+                                  {i, k},
+                                  {start, end}});
+  }
+
+  const std::vector<std::string>& names_;
+  const JoiningOptions& options_;
+  std::vector<std::vector<CurveTree>> trees_;
+  CurveContacts contacts_;
+};
+
+}  // namespace
+
+CurveContacts curve_contacts(const std::vector<CurveShape>& shapes,
+                             const std::vector<std::string>& names, const JoiningOptions& options) {
+  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance) ||
+      !(options.near_misses >= 1.0)) {
+    throw std::invalid_argument(
+        "A network's tolerance must be above zero, and near misses be named from one tolerance "
+        "on.");
+  }
+  return Contacting(shapes, names, options).run();
+}
+
+}  // namespace hull::network
