@@ -16,8 +16,8 @@ class Pruning {
       : joined_(joined), shapes_(shapes), names_(names), stays_(joined.edges.size(), true) {}
 
   void run() {
-    cut_dangling();
     cut_apart();
+    cut_dangling();
     renumber();
   }
 

@@ -27,6 +27,7 @@ class Contacting {
 
   CurveContacts run() {
     const int count = static_cast<int>(trees_.size());
+    contacts_.is_copy.assign(trees_.size(), false);
     for (int i = 0; i < count; ++i) {
       within(i);
       for (int k = i + 1; k < count; ++k) between(i, k);
@@ -136,6 +137,7 @@ class Contacting {
     const Vector3d start = contacts_.overlaps[before].places.front();
     const Vector3d end = contacts_.overlaps.back().places.back();
     contacts_.overlaps.resize(before);
+    if (length_of(k) <= 1.01 * length_of(i)) contacts_.is_copy[static_cast<std::size_t>(k)] = true;
     contacts_.overlaps.push_back({NetworkProblem::Kind::kDuplicate,
                                   "Curves " + name(i) + " and " + name(k) + " are the same, from " +
                                       place_text(start) + " to " + place_text(end) +

@@ -25,6 +25,7 @@ struct CurveContacts {
   std::vector<Contact> joined;
   std::vector<Contact> near;  // beyond the tolerance
   std::vector<NetworkProblem> overlaps;
+  std::vector<bool> is_copy;  // of curves: those that one before them is, too
 };
 
 CurveContacts curve_contacts(const std::vector<CurveShape>& shapes,

@@ -34,6 +34,7 @@ class Joining {
   JoinedCurves run() {
     CurveContacts contacts = curve_contacts(shapes_, names_, options_);
     result_.problems = std::move(contacts.overlaps);
+    is_copy_ = std::move(contacts.is_copy);
     gather(contacts.joined);
     unite_along_curves();
     number_nodes();
@@ -54,10 +55,12 @@ class Joining {
   void gather(const std::vector<Contact>& joined) {
     std::size_t number = 0;
     for (const Contact& contact : joined) {
+      if (is_copy(contact)) continue;
       marks_.push_back({contact.first, number, false});
       marks_.push_back({contact.second, number++, false});
     }
     for (std::size_t curve = 0; curve < shapes_.size(); ++curve) {
+      if (is_copy_[curve]) continue;
       const auto& pieces = shapes_[curve].pieces;
       for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
         for (double t : {pieces[piece].begin(), pieces[piece].end()}) {
@@ -145,6 +148,11 @@ class Joining {
     }
   }
 
+  bool is_copy(const Contact& contact) const {
+    return is_copy_[static_cast<std::size_t>(contact.first.curve)] ||
+           is_copy_[static_cast<std::size_t>(contact.second.curve)];
+  }
+
   bool share_node_near(const Contact& contact) const {
     const double reach = 3.0 * options_.near_misses * options_.tolerance;
     std::vector<int> nodes;
@@ -162,7 +170,7 @@ class Joining {
 
   void name_gaps(const std::vector<Contact>& near) {
     for (const Contact& contact : near) {
-      if (share_node_near(contact)) continue;
+      if (is_copy(contact) || share_node_near(contact)) continue;
       const auto name = [&](const CurvePlace& at) {
         return names_[static_cast<std::size_t>(at.curve)];
       };
@@ -187,6 +195,7 @@ class Joining {
   std::vector<std::size_t> visit_of_;  // of a mark
   std::vector<int> node_of_class_;
   std::size_t class_count_ = 0;
+  std::vector<bool> is_copy_;
 };
 
 }  // namespace

@@ -90,14 +90,12 @@ class Planes {
   TangentPlanes planes_;
 };
 
-// The numbers of ends of each curve that passes.
-std::vector<std::vector<std::size_t>> passing(const NodeStar& star) {
+// The numbers of each curve's ends.
+std::vector<std::vector<std::size_t>> ends_by_curve(const NodeStar& star) {
   std::map<int, std::vector<std::size_t>> ends;
   for (std::size_t i = 0; i < star.curves.size(); ++i) ends[star.curves[i]].push_back(i);
   std::vector<std::vector<std::size_t>> all;
-  for (auto& [curve, its_ends] : ends) {
-    if (its_ends.size() > 1) all.push_back(std::move(its_ends));
-  }
+  for (auto& [curve, its_ends] : ends) all.push_back(std::move(its_ends));
   return all;
 }
 
@@ -106,7 +104,7 @@ std::vector<std::vector<std::size_t>> passing(const NodeStar& star) {
 TangentPlanes tangent_planes(const NodeStar& star, double limit) {
   TangentPlanes planes = Planes(star, star.is_crease).run();
   if (planes.deviation <= limit) return planes;
-  const auto curves = passing(star);
+  const auto curves = ends_by_curve(star);
   std::optional<TangentPlanes> best;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (std::size_t k = i; k < curves.size(); ++k) {

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/model/curve_network.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "network_curves.h"
+#include "random_values.h"
+
+namespace hull::network {
+namespace {
+
+using hull::testing::curve_along;
+using hull::testing::line_between;
+using hull::testing::net_on;
+
+constexpr double kTol = 1e-3;
+
+NetworkOptions with_tolerance(double tolerance = kTol) {
+  NetworkOptions options;
+  options.joining.tolerance = tolerance;
+  return options;
+}
+
+CurveNetwork network_of(std::vector<NetworkCurve> curves, double tolerance = kTol) {
+  return CurveNetwork(std::move(curves), with_tolerance(tolerance));
+}
+
+std::vector<NetworkProblem::Kind> kinds_of(const CurveNetwork& network) {
+  std::vector<NetworkProblem::Kind> kinds;
+  for (const NetworkProblem& problem : network.problems()) kinds.push_back(problem.kind);
+  return kinds;
+}
+
+std::string told(const CurveNetwork& network) {
+  std::string all;
+  for (const NetworkProblem& problem : network.problems()) all += problem.what + "\n";
+  return all;
+}
+
+// Length 100, breadth 10, draft 6.25 m: the port quarter forward.
+Vector3d wigley(double u, double v) {
+  const double x = 50.0 * u, z = -6.25 * (1.0 - v);
+  return {x, 5.0 * (1.0 - u * u) * (1.0 - (1.0 - v) * (1.0 - v)), z};
+}
+
+Vector3d torus(double u, double v) {
+  const double a = 1.4 * u, b = 1.2 * v - 0.3;
+  const double reach = 10.0 + 3.0 * std::cos(b);
+  return {reach * std::sin(a), reach * std::cos(a), 3.0 * std::sin(b)};
+}
+
+using Key = std::vector<long>;
+Key key_of(const Vector3d& place) {
+  Key key;
+  for (int i = 0; i < 3; ++i) key.push_back(std::lround(place[i] * 1e6));
+  return key;
+}
+
+TEST(CurveNetwork, OfANetHasItsNodesEdgesAndRegions) {
+  const CurveNetwork network = network_of(net_on(torus, 5, 4, 1));
+  EXPECT_EQ(told(network), "");
+  EXPECT_EQ(network.frame().joined.nodes.size(), 30u);
+  EXPECT_EQ(network.frame().joined.edges.size(), 4u * 6 + 5u * 5);
+  EXPECT_EQ(network.regions().size(), 20u);
+  EXPECT_EQ(network.frame().faces.border.size(), 18u);
+  for (const auto& sides : network.regions()) EXPECT_EQ(sides.size(), 4u);
+  for (const Vector3d& node : network.frame().joined.nodes) {
+    // Exactly on the torus: curves have points there.
+    const double ring = std::hypot(node.x(), node.y()) - 10.0;
+    EXPECT_NEAR(std::hypot(ring, node.z()), 3.0, 1e-12);
+  }
+  int border = 0, smooth = 0;
+  for (const CurveRole& role : network.roles()) {
+    EXPECT_EQ(role.crease, 0);
+    border += role.border;
+    smooth += role.smooth;
+  }
+  EXPECT_EQ(border, 18);
+  EXPECT_EQ(smooth, 31);
+}
+
+TEST(CurveNetwork, NormalsPointOutwards) {
+  for (const auto& surface : {torus, wigley}) {
+    const CurveNetwork network = network_of(net_on(surface, 5, 4, 1));
+    for (int region = 0; region < 20; ++region) {
+      const PatchPoint middle = network.patch(region).at({0.5, 0.5});
+      EXPECT_GT(middle.normal().y(), 0.0) << region;
+    }
+  }
+}
+
+TEST(CurveNetwork, IsTheSameWhateverTheOrderAndTheSenseOfCurves) {
+  std::mt19937 random(41);
+  const auto curves = net_on(torus, 4, 3, 1);
+  std::map<Key, Key> middles;
+  for (int trial = 0; trial < 8; ++trial) {
+    auto mixed = curves;
+    if (trial > 0) {
+      std::ranges::shuffle(mixed, random);
+      for (NetworkCurve& curve : mixed) {
+        if (random() % 2 == 0) std::ranges::reverse(curve.definition.points);
+      }
+    }
+    const CurveNetwork network = network_of(mixed);
+    ASSERT_EQ(told(network), "");
+    ASSERT_EQ(network.regions().size(), 12u);
+    std::map<Key, Key> now;
+    for (int region = 0; region < 12; ++region) {
+      const PatchPoint middle = network.patch(region).at({0.5, 0.5});
+      now[key_of(middle.point)] = key_of(middle.normal());
+    }
+    if (trial == 0) {
+      middles = now;
+    } else {
+      EXPECT_EQ(now, middles);
+    }
+  }
+}
+
+// The angle between the two patches at an edge.
+double worst_seam(const CurveNetwork& network, bool of_creases) {
+  std::map<int, std::vector<std::pair<int, std::size_t>>> users;
+  std::vector<TransfinitePatch> patches;
+  for (int r = 0; r < static_cast<int>(network.regions().size()); ++r) {
+    patches.push_back(network.patch(r));
+    const auto& sides = network.regions()[static_cast<std::size_t>(r)];
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      if (sides[s].size() == 1) users[sides[s].front().edge].emplace_back(r, s);
+    }
+  }
+  double worst = 0.0;
+  for (const auto& [edge, both] : users) {
+    const bool is_crease = network.frame().normals.is_crease[static_cast<std::size_t>(edge)];
+    if (both.size() != 2 || is_crease != of_creases) continue;
+    for (int i = 1; i < 20; ++i) {
+      std::vector<PatchPoint> points;
+      for (const auto& [r, s] : both) {
+        const auto& patch = patches[static_cast<std::size_t>(r)];
+        const auto& domain = patch.domain();
+        // Shares of one edge, from one end for the one and from the other for the other.
+        const double u = points.empty() ? i / 20.0 : 1.0 - i / 20.0;
+        points.push_back(patch.at((1.0 - u) * domain[s] + u * domain[(s + 1) % domain.size()]));
+      }
+      EXPECT_LT((points[0].point - points[1].point).norm(), 1e-12);
+      const Vector3d a = points[0].normal(), b = points[1].normal();
+      worst = std::max(worst, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  }
+  return worst;
+}
+
+TEST(CurveNetwork, NeighboursHaveOneTangentPlaneAlongTheirEdge) {
+  EXPECT_LT(worst_seam(network_of(net_on(torus, 5, 4, 3)), false), 1e-9);
+  EXPECT_LT(worst_seam(network_of(net_on(wigley, 4, 3, 1)), false), 1e-9);
+}
+
+double worst_off(const CurveNetwork& network, const std::function<double(const Vector3d&)>& off) {
+  double worst = 0.0;
+  for (int r = 0; r < static_cast<int>(network.regions().size()); ++r) {
+    const TransfinitePatch patch = network.patch(r);
+    for (int i = 0; i <= 8; ++i) {
+      for (int k = 0; k <= 8; ++k) {
+        worst = std::max(worst, std::abs(off(patch.at({i / 8.0, k / 8.0}).point)));
+      }
+    }
+  }
+  return worst;
+}
+
+TEST(CurveNetwork, PatchesComeNearerWithMoreCurves) {
+  const auto off_torus = [](const Vector3d& p) {
+    return std::hypot(std::hypot(p.x(), p.y()) - 10.0, p.z()) - 3.0;
+  };
+  const auto off_wigley = [](const Vector3d& p) {
+    return p.y() - 5.0 * (1.0 - p.x() * p.x() / 2500.0) * (1.0 - p.z() * p.z() / 39.0625);
+  };
+  double before = 0.0;
+  for (int count : {2, 4, 8}) {
+    const double off = worst_off(network_of(net_on(torus, count, count, 3)), off_torus);
+    const double off_hull = worst_off(network_of(net_on(wigley, count, count, 3)), off_wigley);
+    std::cout << count << " curves each way: torus " << off << " m of 3, Wigley " << off_hull
+              << " m of 5\n";
+    if (before > 0.0) {
+      EXPECT_LT(off, before / 6.0);
+    }
+    before = off;
+  }
+}
+
+TEST(CurveNetwork, CurvesThatMissOneAnotherByHalfTheToleranceAreJoined) {
+  for (double gap : {0.0, 0.5 * kTol, 2.0 * kTol}) {
+    auto curves = net_on([](double u, double v) { return Vector3d(10 * u, 10 * v, 0); }, 2, 2, 0);
+    // The middle one of U, off all that it crosses.
+    for (Vector3d& point : curves[1].definition.points) point.z() += gap;
+    const CurveNetwork network = network_of(curves);
+    if (gap <= kTol) {
+      EXPECT_EQ(told(network), "");
+      EXPECT_EQ(network.regions().size(), 4u);
+      for (int r = 0; r < 4; ++r) EXPECT_NO_THROW(network.patch(r));
+      continue;
+    }
+    ASSERT_EQ(network.problems().size(), 4u) << told(network);
+    int gaps = 0;
+    for (const NetworkProblem& problem : network.problems()) {
+      if (problem.kind != NetworkProblem::Kind::kGap) continue;
+      ++gaps;
+      EXPECT_EQ(problem.curves[0], 1);
+      ASSERT_EQ(problem.places.size(), 2u);
+      EXPECT_NEAR((problem.places[0] - problem.places[1]).norm(), gap, 1e-12);
+      EXPECT_NE(problem.what.find("2 mm, more than the tolerance of 1 mm"), std::string::npos);
+    }
+    EXPECT_EQ(gaps, 3);
+    EXPECT_EQ(network.problems()[3].kind, NetworkProblem::Kind::kApart);
+  }
+}
+
+std::vector<NetworkCurve> square() {
+  return net_on([](double u, double v) { return Vector3d(10 * u, 10 * v, 0); }, 1, 1, 2);
+}
+
+TEST(CurveNetwork, ADanglingEndIsNamedAndLeftOut) {
+  auto curves = square();
+  curves.push_back(line_between("S", {4, -2, 0}, {4, 10, 0}));
+  const CurveNetwork network = network_of(curves);
+  ASSERT_EQ(network.problems().size(), 1u) << told(network);
+  const NetworkProblem& problem = network.problems()[0];
+  EXPECT_EQ(problem.kind, NetworkProblem::Kind::kDanglingEnd);
+  EXPECT_LT((problem.places[0] - Vector3d(4, -2, 0)).norm(), 1e-12);
+  EXPECT_LT((problem.places[1] - Vector3d(4, 0, 0)).norm(), 1e-12);
+  EXPECT_EQ(network.regions().size(), 2u);
+  // One that ends within a region, over an edge between: all of it.
+  curves.back() = line_between("S", {4, -2, 0}, {4, 7, 0});
+  const CurveNetwork other = network_of(curves);
+  EXPECT_EQ(other.problems().size(), 2u) << told(other);
+  EXPECT_EQ(other.regions().size(), 1u);
+}
+
+TEST(CurveNetwork, AnOvershootWithinTheToleranceIsNone) {
+  auto curves = square();
+  curves.push_back(line_between("S", {4, -0.5 * kTol, 0}, {4, 10 + 0.5 * kTol, 0}));
+  const CurveNetwork network = network_of(curves);
+  EXPECT_EQ(told(network), "");
+  EXPECT_EQ(network.regions().size(), 2u);
+}
+
+TEST(CurveNetwork, ATeeIsANote) {
+  auto curves = square();
+  curves.push_back(line_between("S", {4, 0, 0}, {4, 10, 0}));
+  curves.push_back(line_between("W", {4, 5, 0}, {10, 5, 0}));
+  const CurveNetwork network = network_of(curves);
+  ASSERT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kTee}) << told(network);
+  EXPECT_TRUE(network.problems()[0].is_note());
+  EXPECT_LT((network.problems()[0].places[0] - Vector3d(4, 5, 0)).norm(), 1e-12);
+  ASSERT_EQ(network.regions().size(), 3u);
+  // Beyond the tee the region has four sides, one of two edges.
+  std::size_t edges = 0;
+  for (const auto& sides : network.regions()) {
+    EXPECT_EQ(sides.size(), 4u);
+    for (const RegionSide& side : sides) edges = std::max(edges, side.size());
+  }
+  EXPECT_EQ(edges, 2u);
+  EXPECT_LT(worst_off(network, [](const Vector3d& p) { return p.z(); }), 1e-14);
+}
+
+TEST(CurveNetwork, WhatIsTwiceThereOrOnOneAnotherIsNamed) {
+  auto curves = square();
+  curves.push_back(line_between("S", {10, 0, 0}, {0, 0, 0}));
+  EXPECT_EQ(kinds_of(network_of(curves)), std::vector{NetworkProblem::Kind::kDuplicate});
+  curves.back() = line_between("S", {4, 0, 0}, {15, 0, 0});
+  const auto kinds = kinds_of(network_of(curves));
+  EXPECT_NE(std::ranges::find(kinds, NetworkProblem::Kind::kOverlap), kinds.end());
+}
+
+TEST(CurveNetwork, WhatIsApartIsNamed) {
+  auto curves = square();
+  for (NetworkCurve curve : square()) {
+    for (Vector3d& point : curve.definition.points) point.x() += 50.0;
+    curve.definition.name = "far " + curve.definition.name;
+    curves.push_back(curve);
+  }
+  const CurveNetwork network = network_of(curves);
+  ASSERT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kApart});
+  EXPECT_EQ(network.problems()[0].curves.size(), 4u);
+  EXPECT_EQ(network.regions().size(), 1u);
+}
+
+TEST(CurveNetwork, EachPointOffItsPlaneIsNamed) {
+  auto curves = square();
+  curves[0].definition.plane = CarrierPlane{{2, 0, 0}, 0.0};
+  curves[0].definition.points[1].x() += 2e-3;
+  curves[0].definition.points[2].x() -= 3e-3;
+  const CurveNetwork network = network_of(curves);
+  EXPECT_EQ(kinds_of(network), std::vector(2, NetworkProblem::Kind::kOffPlane));
+  EXPECT_NE(told(network).find("Point 2 of curve U0"), std::string::npos);
+  EXPECT_TRUE(network.regions().empty());
+}
+
+// Two planes with a knuckle of an angle along y = 5, with lines across.
+std::vector<NetworkCurve> chine(double angle) {
+  const auto at = [angle](double x, double t) {
+    const double over = std::max(0.0, t - 5.0);
+    return Vector3d(x, std::min(t, 5.0) + over * std::cos(angle), -over * std::sin(angle));
+  };
+  std::vector<NetworkCurve> curves;
+  for (double t : {0.0, 5.0, 10.0}) {
+    curves.push_back(line_between("L" + std::to_string(int(t)), at(0, t), at(12, t)));
+  }
+  for (double x : {0.0, 4.0, 8.0, 12.0}) {
+    NetworkCurve frame;
+    frame.definition.name = "S" + std::to_string(int(x));
+    frame.definition.points = {at(x, 0), at(x, 5), at(x, 10)};
+    frame.definition.knuckles = {1};
+    curves.push_back(frame);
+  }
+  return curves;
+}
+
+TEST(CurveNetwork, AKnuckleIsFoundAndKeepsItsAngle) {
+  for (double degrees : {10.0, 30.0, 80.0, 120.0, -30.0}) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    for (bool is_said : {false, true}) {
+      auto curves = chine(angle);
+      if (is_said) curves[1].kind = NetworkCurve::Kind::kKnuckle;
+      const CurveNetwork network = network_of(curves);
+      ASSERT_EQ(told(network), "") << degrees;
+      ASSERT_EQ(network.regions().size(), 6u);
+      const auto roles = network.roles();
+      EXPECT_EQ(roles[1].crease, 3);
+      EXPECT_EQ(roles[4].smooth, 2);
+      EXPECT_NEAR(worst_seam(network, true), std::abs(angle), 1e-12);
+      EXPECT_LT(worst_seam(network, false), 1e-12);
+    }
+  }
+}
+
+TEST(CurveNetwork, ANodeWithoutATangentPlaneIsNamed) {
+  // Of three lines through a point no one explains it.
+  std::vector<NetworkCurve> curves = {line_between("A", {-1, 0, 0}, {1, 0, 0}),
+                                      line_between("B", {0, -1, 0}, {0, 1, 0}),
+                                      line_between("C", {-1, -1, -0.3}, {1, 1, 0.3})};
+  const Vector3d ends[] = {{1, 0, 0},  {1, 1, 0.3},    {0, 1, 0},
+                           {-1, 0, 0}, {-1, -1, -0.3}, {0, -1, 0}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    curves.push_back(line_between("R" + std::to_string(i), ends[i], ends[(i + 1) % 6]));
+  }
+  const CurveNetwork network = network_of(curves);
+  ASSERT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kNoTangentPlane}) << told(network);
+  EXPECT_LT(network.problems()[0].places[0].norm(), 1e-12);
+  EXPECT_EQ(network.problems()[0].curves, (std::vector{0, 1, 2}));
+  EXPECT_EQ(network.regions().size(), 6u);
+}
+
+TEST(CurveNetwork, RegionsHaveTwoToTenSides) {
+  for (int count : {2, 3, 5, 8, 10, 11}) {
+    std::vector<NetworkCurve> curves;
+    const auto at = [count](int i) {
+      const double a = 2.0 * std::numbers::pi * i / count;
+      return Vector3d(3 * std::cos(a), 3 * std::sin(a), 0);
+    };
+    for (int i = 0; i < count; ++i) {
+      NetworkCurve arc;
+      arc.definition.name = "A" + std::to_string(i);
+      arc.definition.kind = CurveDefinition::Kind::kArc;
+      // Two arcs meet at 60°, more at their polygon's angles.
+      const double bulge = count == 2 ? std::numbers::pi / 6 : 0.02;
+      const Vector3d a = at(i), b = at(i + 1);
+      const Vector3d middle = 0.5 * (a + b), out = Vector3d(b.y() - a.y(), a.x() - b.x(), 0);
+      arc.definition.points = {a, middle + 0.5 * std::tan(0.5 * bulge) * out, b};
+      curves.push_back(arc);
+    }
+    const CurveNetwork network = network_of(curves);
+    ASSERT_EQ(network.regions().size(), 1u) << count << told(network);
+    EXPECT_EQ(network.regions()[0].size(), static_cast<std::size_t>(count));
+    if (count > 10) {
+      EXPECT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kManySides});
+      EXPECT_THROW(network.patch(0), std::invalid_argument);
+    } else {
+      EXPECT_EQ(told(network), "");
+      const TransfinitePatch patch = network.patch(0);
+      EXPECT_NEAR(patch.at(patch.domain()[0] * 0.4).point.z(), 0.0, 1e-14);
+    }
+  }
+}
+
+TEST(CurveNetwork, ACurveThatIsNoneIsNamed) {
+  auto curves = square();
+  curves[2].definition.points.resize(1);
+  const CurveNetwork network = network_of(curves);
+  ASSERT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kShape});
+  EXPECT_EQ(network.problems()[0].what, "Curve V0: it needs two points or more.");
+  EXPECT_THROW(network_of(square(), 0.0), std::invalid_argument);
+  EXPECT_THROW(network_of(square(), -1.0), std::invalid_argument);
+}
+
+TEST(CurveNetwork, TheTolerancesSizeDoesNotShowInExactNetworks) {
+  for (double tolerance : {1e-6, 1e-4, 1e-2}) {
+    const CurveNetwork network = network_of(net_on(torus, 3, 3, 1), tolerance);
+    EXPECT_EQ(told(network), "");
+    EXPECT_EQ(network.regions().size(), 9u);
+  }
+}
+
+}  // namespace
+}  // namespace hull::network
