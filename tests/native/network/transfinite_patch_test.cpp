@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "network/patches/patch_grid.h"
 #include "random_sides.h"
 
 namespace hull::network {
@@ -223,6 +224,31 @@ TEST(TransfinitePatch, SidesThatDoNotMeetAreRefused) {
     return jet;
   };
   EXPECT_THROW(TransfinitePatch{sides}, std::invalid_argument);
+}
+
+TEST(PatchGrid, CoversTheDomainOnce) {
+  for (int sides = 3; sides <= 10; ++sides) {
+    std::mt19937 random(39);
+    const auto domain = TransfinitePatch(random_sides(random, sides)).domain();
+    double whole = 0.0;
+    for (std::size_t i = 0; i < domain.size(); ++i) {
+      const Vector2d &a = domain[i], &b = domain[(i + 1) % domain.size()];
+      whole += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+    for (int count : {1, 2, 7}) {
+      const PatchGrid grid = patch_grid(domain, count);
+      double area = 0.0;
+      for (const auto& [a, b, c] : grid.triangles) {
+        const auto at = [&](int i) { return grid.places[static_cast<std::size_t>(i)]; };
+        const Vector2d first = at(b) - at(a), second = at(c) - at(a);
+        const double part = 0.5 * (first[0] * second[1] - first[1] * second[0]);
+        EXPECT_GT(part, 0.0);
+        area += part;
+      }
+      EXPECT_NEAR(area, whole, 1e-12);  // the rounding of up to 490 terms
+    }
+    EXPECT_THROW(patch_grid(domain, 0), std::invalid_argument);
+  }
 }
 
 }  // namespace
