@@ -92,6 +92,10 @@ class Contacting {
       contacts_.joined.push_back(
           {{i, a, at.first, at.first_place}, {k, b, at.second, at.second_place}});
     }
+    if (!joined.points.empty()) {
+      meet_ends(i, a, k, b);
+      meet_ends(k, b, i, a);
+    }
     double shared = 0.0;
     for (const CurveOverlap& stretch : joined.overlaps) {
       shared += stretch.length;
@@ -99,6 +103,18 @@ class Contacting {
     }
     look_near(i, a, k, b, joined);
     return shared;
+  }
+
+  // Ends and knuckles are nodes even where the curve crosses the other one just before.
+  void meet_ends(int i, int a, int k, int b) {
+    const NurbsCurve& first = pieces(i)[static_cast<std::size_t>(a)].curve();
+    const NurbsCurve& second = pieces(k)[static_cast<std::size_t>(b)].curve();
+    for (double t : {first.begin(), first.end()}) {
+      const CurvePlace end = place(i, a, t);
+      const CurvePlace foot = place(k, b, second.nearest_parameter(end.place));
+      if ((end.place - foot.place).norm() > options_.tolerance) continue;
+      contacts_.joined.push_back({end, foot});
+    }
   }
 
   // What comes near, but nowhere within the tolerance.

@@ -2,7 +2,9 @@
 #include "network/joining/joined_curves.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <tuple>
 
 #include "network/joining/curve_contacts.h"
 
@@ -81,21 +83,73 @@ class Joining {
   // Marks one after the other on a curve within the tolerance are one visit.
   void unite_along_curves() {
     Classes classes(class_count_);
-    visit_of_.assign(marks_.size(), 0);
-    std::size_t visit = 0, first = 0;
+    is_one_.assign(marks_.size(), false);
     for (std::size_t i = 1; i < marks_.size(); ++i) {
-      const CurvePlace &a = marks_[first].at, &b = marks_[i].at;
-      const bool is_same =
-          a.curve == b.curve && (marks_[i - 1].at.place - b.place).norm() <= options_.tolerance;
-      if (is_same) {
-        classes.unite(marks_[i - 1].contact, marks_[i].contact);
-      } else {
-        ++visit;
-        first = i;
+      const CurvePlace &a = marks_[i - 1].at, &b = marks_[i].at;
+      if (a.curve != b.curve || (a.place - b.place).norm() > options_.tolerance || is_whole(a, b)) {
+        continue;
       }
-      visit_of_[i] = visit;
+      unite(classes, i);
     }
+    for (bool is_changed = true; is_changed;) is_changed = unite_slivers(classes);
     for (Mark& mark : marks_) mark.contact = classes.of(mark.contact);
+  }
+
+  void unite(Classes& classes, std::size_t i) {
+    classes.unite(marks_[i - 1].contact, marks_[i].contact);
+    is_one_[i] = true;
+  }
+
+  // A closed curve that meets nothing, from its start to its end.
+  bool is_whole(const CurvePlace& a, const CurvePlace& b) const {
+    const auto& pieces = shapes_[static_cast<std::size_t>(a.curve)].pieces;
+    return a.piece == 0 && a.parameter == pieces.front().begin() &&
+           b.piece + 1 == static_cast<int>(pieces.size()) && b.parameter == pieces.back().end();
+  }
+
+  // Two curves from one node to another, all the way within the tolerance of one another: as where
+  // they cross at a small angle beside a knuckle. Their nodes are one.
+  bool unite_slivers(Classes& classes) {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> gaps;
+    for (std::size_t i = 1; i < marks_.size(); ++i) {
+      if (is_one_[i] || marks_[i - 1].at.curve != marks_[i].at.curve) continue;
+      const std::size_t a = classes.of(marks_[i - 1].contact), b = classes.of(marks_[i].contact);
+      if (a != b) gaps[std::minmax(a, b)].push_back(i);
+    }
+    bool is_changed = false;
+    for (const auto& [ends, at] : gaps) {
+      for (std::size_t i : at) {
+        for (std::size_t k : at) {
+          if (i == k || (is_one_[i] && is_one_[k]) || !is_sliver(i, k)) continue;
+          unite(classes, i);
+          unite(classes, k);
+          is_changed = true;
+        }
+      }
+    }
+    return is_changed;
+  }
+
+  // Whether what is before a mark is near what is before another one.
+  bool is_sliver(std::size_t i, std::size_t k) const {
+    constexpr int kParts = 8;
+    const CurvePlace &a = marks_[i - 1].at, &b = marks_[i].at;
+    const CurvePlace &c = marks_[k - 1].at, &d = marks_[k].at;
+    if (a.piece != b.piece || c.piece != d.piece) return false;
+    const NurbsCurve& first = piece_of(a);
+    const NurbsCurve& second = piece_of(c);
+    const double reach = 1.1 * options_.tolerance;
+    for (int part = 1; part < kParts; ++part) {
+      const double share = static_cast<double>(part) / kParts;
+      const Vector3d place = first.point(a.parameter + share * (b.parameter - a.parameter));
+      const double foot = std::clamp(second.nearest_parameter(place), c.parameter, d.parameter);
+      if ((second.point(foot) - place).norm() > reach) return false;
+    }
+    return true;
+  }
+
+  const NurbsCurve& piece_of(const CurvePlace& at) const {
+    return shapes_[static_cast<std::size_t>(at.curve)].pieces[static_cast<std::size_t>(at.piece)];
   }
 
   void number_nodes() {
@@ -117,8 +171,8 @@ class Joining {
   // At an end or knuckle there, else at the mark that is nearest to the node.
   void place_visits() {
     for (std::size_t i = 0; i < marks_.size();) {
-      std::size_t end = i;
-      while (end < marks_.size() && visit_of_[end] == visit_of_[i]) ++end;
+      std::size_t end = i + 1;
+      while (end < marks_.size() && is_one_[end]) ++end;
       const int node = node_of_class_[marks_[i].contact];
       const Vector3d& place = result_.nodes[static_cast<std::size_t>(node)];
       const auto first = marks_.begin() + static_cast<long>(i);
@@ -128,7 +182,6 @@ class Joining {
         return (a.at.place - place).norm() < (b.at.place - place).norm();
       });
       result_.visits.push_back({best->at.curve, best->at.piece, best->at.parameter, node});
-      // A knuckle is where the next piece begins, too.
       i = end;
     }
   }
@@ -192,7 +245,7 @@ class Joining {
   const JoiningOptions& options_;
   JoinedCurves result_;
   std::vector<Mark> marks_;
-  std::vector<std::size_t> visit_of_;  // of a mark
+  std::vector<bool> is_one_;  // of a mark: it is of the same visit as the one before
   std::vector<int> node_of_class_;
   std::size_t class_count_ = 0;
   std::vector<bool> is_copy_;

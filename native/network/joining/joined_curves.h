@@ -38,7 +38,8 @@ struct JoiningOptions {
 
 // Curves joined where they meet: at crossings, touches, and where an end is beside a curve or
 // another end, all within the tolerance; a node, too, is each end and each knuckle. Meetings
-// within the tolerance of one another along a curve are one node.
+// within the tolerance of one another along a curve are one node; so are two between which two
+// curves are within it all the way.
 //
 // Named are gaps (curves that come as near as near_misses allows without being joined, with the
 // places on both), stretches that curves share, and those that are the same, of which the first is

@@ -68,6 +68,7 @@ void CurveNetwork::join() {
     frame.faces = region_faces(frame.joined, frame.shapes, frame.order);
   } catch (const NetworkFault& fault) {
     problems_.push_back(wrong_order(frame.joined, frame.shapes, names(), fault.edges));
+    *frame_ = std::move(frame);
     return;
   }
   std::vector<bool> knuckles;
@@ -138,7 +139,8 @@ void CurveNetwork::name_tees() {
 std::vector<CurveRole> CurveNetwork::roles() const {
   std::vector<CurveRole> roles(curves_.size());
   const NetworkFrame& frame = *frame_;
-  for (std::size_t e = 0; e < frame.joined.edges.size(); ++e) {
+  // Without regions nothing is known of the surface.
+  for (std::size_t e = 0; e < frame.normals.is_crease.size(); ++e) {
     CurveRole& role = roles[static_cast<std::size_t>(frame.joined.edges[e].curve)];
     const bool is_border =
         frame.faces.region_of_side[2 * e] < 0 || frame.faces.region_of_side[2 * e + 1] < 0;

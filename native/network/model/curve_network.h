@@ -48,10 +48,11 @@ class CurveNetwork {
   const std::vector<NetworkCurve>& curves() const { return curves_; }
   const std::vector<CurveShape>& shapes() const { return shapes_; }
   const std::vector<NetworkProblem>& problems() const { return problems_; }
-  // What the joined part is made of.
+  // What the joined part is made of; without regions that is no more than nodes and edges.
   const NetworkFrame& frame() const { return *frame_; }
   // Sides of each region, counterclockwise seen from outside.
   const std::vector<std::vector<RegionSide>>& regions() const { return regions_; }
+  // Of each curve; all zero without regions.
   std::vector<CurveRole> roles() const;
 
   // The surface within a region. Throws std::invalid_argument where it has one side, or more than

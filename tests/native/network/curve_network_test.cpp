@@ -339,6 +339,29 @@ TEST(CurveNetwork, AKnuckleIsFoundAndKeepsItsAngle) {
   }
 }
 
+TEST(CurveNetwork, ACrossingAtASmallAngleBesideAKnuckleIsOneNode) {
+  auto curves = square();
+  // Two lines with a knuckle that is off the line it should be on, by less than the tolerance.
+  NetworkCurve bent;
+  bent.definition.name = "B";
+  bent.definition.points = {{0, 4.8, 0}, {5, 5 + 0.4 * kTol, 0}, {10, 4.9, 0}};
+  bent.definition.knuckles = {1};
+  curves.push_back(line_between("A", {0, 5, 0}, {10, 5, 0}));
+  curves.push_back(bent);
+  const CurveNetwork network = network_of(curves);
+  EXPECT_EQ(told(network), "");
+  EXPECT_EQ(network.regions().size(), 4u);
+}
+
+TEST(CurveNetwork, AClosedCurveAloneHasAnEdge) {
+  NetworkCurve ring = curve_along("R", [](double t) {
+    return Vector3d(std::cos(2 * std::numbers::pi * t), std::sin(2 * std::numbers::pi * t), 0);
+  });
+  const CurveNetwork network = network_of({ring});
+  EXPECT_EQ(network.frame().joined.edges.size(), 1u);
+  EXPECT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kFewSides});
+}
+
 TEST(CurveNetwork, ANodeWithoutATangentPlaneIsNamed) {
   // Of three lines through a point no one explains it.
   std::vector<NetworkCurve> curves = {line_between("A", {-1, 0, 0}, {1, 0, 0}),
