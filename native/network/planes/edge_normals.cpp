@@ -7,6 +7,7 @@
 namespace hull::network {
 namespace {
 
+constexpr double kMostRatio = 8.0;    // of neighbouring edges that tell each other's slopes
 constexpr double kSameNormal = 1e-9;  // of unit normals of one plane
 
 class NormalFields {
@@ -88,8 +89,10 @@ class NormalFields {
     std::vector<Vector3d> rise(count);
     const auto width = [&](std::size_t e) { return joined_.edges[e].high - joined_.edges[e].low; };
     for (std::size_t e = 0; e < count; ++e) rise[e] = (side[e].end - side[e].start) / width(e);
+    // What normals of nodes differ by, over a short edge, tells nothing of a long one.
     const auto goes_on = [&](std::size_t e) {
-      return follow(e) && (side[e].end - side[e + 1].start).norm() <= kSameNormal;
+      return follow(e) && (side[e].end - side[e + 1].start).norm() <= kSameNormal &&
+             width(e) < kMostRatio * width(e + 1) && width(e + 1) < kMostRatio * width(e);
     };
     for (std::size_t e = 0; e < count; ++e) {
       const bool has_before = e > 0 && goes_on(e - 1), has_after = goes_on(e);
