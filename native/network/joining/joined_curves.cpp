@@ -11,6 +11,8 @@
 namespace hull::network {
 namespace {
 
+constexpr double kLoop = 10.0;  // tolerances
+
 // The classes of things that are the same.
 class Classes {
  public:
@@ -92,12 +94,23 @@ class Joining {
       unite(classes, i);
     }
     for (bool is_changed = true; is_changed;) is_changed = unite_slivers(classes);
+    close_loops(classes);
     for (Mark& mark : marks_) mark.contact = classes.of(mark.contact);
   }
 
   void unite(Classes& classes, std::size_t i) {
     classes.unite(marks_[i - 1].contact, marks_[i].contact);
     is_one_[i] = true;
+  }
+
+  // Nothing is left of a curve between two visits of one node that are within its reach.
+  void close_loops(Classes& classes) {
+    for (std::size_t i = 1; i < marks_.size(); ++i) {
+      const CurvePlace &a = marks_[i - 1].at, &b = marks_[i].at;
+      const bool is_loop = a.curve == b.curve && !is_whole(a, b) &&
+                           classes.of(marks_[i - 1].contact) == classes.of(marks_[i].contact);
+      if (is_loop && (a.place - b.place).norm() <= kLoop * options_.tolerance) is_one_[i] = true;
+    }
   }
 
   // A closed curve that meets nothing, from its start to its end.

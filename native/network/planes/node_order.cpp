@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kReflections = 24;
 constexpr double kOneDirection = 0.02;  // rad: tangents that do not tell edges apart
+constexpr double kPassesOn = 0.9659;    // the cosine of 15°: two edges that span no plane
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 using Ends = std::vector<EdgeEnd>;
@@ -53,6 +54,9 @@ double spread_seen(const Vector3d& normal, const std::vector<Vector3d>& directio
 
 // Zero where two directions on one line leave it open.
 Vector3d view_of(const std::vector<Vector3d>& directions) {
+  if (directions.size() == 2 && directions[0].dot(directions[1]) < -kPassesOn) {
+    return Vector3d::Zero();
+  }
   std::vector<Vector3d> candidates;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Vector3d sum = Vector3d::Zero();

@@ -9,7 +9,8 @@
 namespace hull::network {
 namespace {
 
-constexpr double kOneLine = 1e-6;  // the sine of an angle between edges that span no plane
+// Sines of angles between edges that span no plane: of any, and of those that go on in one another.
+constexpr double kOneLine = 1e-6, kPassing = 0.2588;
 
 class Planes {
  public:
@@ -74,9 +75,11 @@ class Planes {
         }
       }
     }
-    if (most < kOneLine) {  // edges on one line: what is seen from outside
-      normal = star_.outwards - star_.outwards.dot(edges.front()) * edges.front();
-      return normal.normalized();
+    // A curve that only bends a little tells nothing of the plane across it.
+    const Vector3d along = (edges.front() - edges.back()).normalized();
+    const bool goes_on = edges.front().dot(edges.back()) < 0.0;
+    if (most < kOneLine || (goes_on && most < kPassing)) {
+      return (star_.outwards - star_.outwards.dot(along) * along).normalized();
     }
     if (edges.size() > 2) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);

@@ -25,6 +25,9 @@ struct TangentPlanes {
   bool has_planes = true;         // else each sector has one of its own
 };
 
+// Edges that go on in one another within 15° span no plane by themselves: theirs is across what is
+// seen from outside.
+//
 // One plane for all sectors between creases and beyond-sectors, by least squares, where edges are
 // within `limit`, rad, of it. Where they are not the creases are looked for: along one or two of
 // the curves there, such that all planes are within the limit, and the deviation is least. Where
