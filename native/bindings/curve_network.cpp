@@ -24,6 +24,8 @@ const char* name_of_problem(NetworkProblem::Kind kind) {
       return "off_plane";
     case NetworkProblem::Kind::kGap:
       return "gap";
+    case NetworkProblem::Kind::kShortEdge:
+      return "short_edge";
     case NetworkProblem::Kind::kOverlap:
       return "overlap";
     case NetworkProblem::Kind::kDuplicate:
@@ -54,7 +56,8 @@ void bind_problem(py::module_& module) {
   py::class_<NetworkProblem>(module, "NetworkProblem", "What is to be told of a CurveNetwork.")
       .def_property_readonly(
           "kind", [](const NetworkProblem& p) { return name_of_problem(p.kind); },
-          "'shape', 'off_plane', 'gap', 'overlap', 'duplicate', 'dangling_end', 'apart', "
+          "'shape', 'off_plane', 'gap', 'short_edge', 'overlap', 'duplicate', 'dangling_end', "
+          "'apart', "
           "'wrong_order', 'no_tangent_plane', 'tee', 'few_sides' or 'many_sides'.")
       .def_readonly("what", &NetworkProblem::what, "A sentence with place and remedy.")
       .def_property_readonly(

@@ -14,6 +14,7 @@ struct NetworkProblem {
     kShape,           // a curve that cannot be made
     kOffPlane,        // a point off the plane of its curve
     kGap,             // curves that nearly meet
+    kShortEdge,       // two nodes of a curve that are nearly one
     kOverlap,         // a stretch that two curves share
     kDuplicate,       // of two curves all
     kDanglingEnd,     // of a curve, beyond the last one that it meets

@@ -77,9 +77,23 @@ void CurveNetwork::join() {
                                options_.plane_angle);
   *frame_ = std::move(frame);
   for (const auto& loop : frame_->faces.loops) regions_.push_back(region_sides(*frame_, loop));
+  name_short_edges();
   name_planes();
   name_sides();
   name_tees();
+}
+
+// Over such an edge tangent planes turn as over a long one, and the surface beside it suffers.
+void CurveNetwork::name_short_edges() {
+  const double least = options_.joining.near_misses * options_.joining.tolerance;
+  for (std::size_t e = 0; e < frame_->shapes.size(); ++e) {
+    const double length = frame_->shapes[e].length();
+    if (length >= least) continue;
+    const CurveEdge& edge = frame_->joined.edges[e];
+    problems_.push_back(
+        short_edge(edge.curve, frame_->joined.nodes[static_cast<std::size_t>(edge.from)],
+                   frame_->joined.nodes[static_cast<std::size_t>(edge.to)], length, names()));
+  }
 }
 
 void CurveNetwork::name_planes() {

@@ -62,6 +62,7 @@ class CurveNetwork {
  private:
   bool make_shapes();
   void join();
+  void name_short_edges();
   void name_planes();
   void name_tees();
   void name_sides();

@@ -65,6 +65,18 @@ NetworkProblem wrong_order(const JoinedCurves& joined, const std::vector<EdgeSha
   return problem;
 }
 
+NetworkProblem short_edge(int curve, const Vector3d& from, const Vector3d& to, double length,
+                          const std::vector<std::string>& names) {
+  return {ProblemKind::kShortEdge,
+          "Curve " + names[static_cast<std::size_t>(curve)] +
+              " meets others, or has a knuckle, at " + place_text(from) + " and again " +
+              length_text(length) + " further, at " + place_text(to) +
+              ": bring the curves there to one point, or have them joined within a larger "
+              "tolerance.",
+          {curve},
+          {from, to}};
+}
+
 NetworkProblem no_tangent_plane(const Vector3d& place, double deviation, std::vector<int> curves,
                                 const std::vector<std::string>& names) {
   const std::string what =

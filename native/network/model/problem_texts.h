@@ -16,6 +16,8 @@ std::vector<NetworkProblem> points_off_plane(const CurveDefinition& definition, 
 
 NetworkProblem wrong_order(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
                            const std::vector<std::string>& names, const std::vector<int>& edges);
+NetworkProblem short_edge(int curve, const Vector3d& from, const Vector3d& to, double length,
+                          const std::vector<std::string>& names);
 NetworkProblem no_tangent_plane(const Vector3d& place, double deviation, std::vector<int> curves,
                                 const std::vector<std::string>& names);
 NetworkProblem wrong_sides(const std::vector<Vector3d>& corners, std::vector<int> curves,

@@ -353,6 +353,18 @@ TEST(CurveNetwork, ACrossingAtASmallAngleBesideAKnuckleIsOneNode) {
   EXPECT_EQ(network.regions().size(), 4u);
 }
 
+TEST(CurveNetwork, TwoNodesThatAreNearlyOneAreNamed) {
+  auto curves = square();
+  curves.push_back(line_between("A", {4, 0, 0}, {4, 10, 0}));
+  curves.push_back(line_between("B", {4 + 5 * kTol, 0, 0}, {6, 10, 0}));
+  const CurveNetwork network = network_of(curves);
+  const auto kinds = kinds_of(network);
+  ASSERT_EQ(std::ranges::count(kinds, NetworkProblem::Kind::kShortEdge), 1) << told(network);
+  EXPECT_NE(told(network).find("Curve V0 meets others, or has a knuckle, at (4.000, 0.000, 0.000) "
+                               "m and again 5 mm further"),
+            std::string::npos);
+}
+
 TEST(CurveNetwork, AClosedCurveAloneHasAnEdge) {
   NetworkCurve ring = curve_along("R", [](double t) {
     return Vector3d(std::cos(2 * std::numbers::pi * t), std::sin(2 * std::numbers::pi * t), 0);
