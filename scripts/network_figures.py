@@ -17,11 +17,11 @@ import vessels
 from figures import paper, seen_surface
 
 NAME = "coaster"
-STATIONS, WATERLINES = 15, 7
+STATIONS, WATERLINES = 23, 11
 # Of the length: the curves', and what they are joined within.
 CURVE_TOLERANCE, JOIN_TOLERANCE = 1e-5, 3e-5
 WIDTH, FINER, FOOT, MARGIN = 1040, 2, 40, 24
-BEARING, ELEVATION = 52.0, 6.0
+BEARING, ELEVATION = 38.0, -9.0
 GRID = 12
 AROUND, LIGHT, DARK = (1.0, 1.0, 1.0), (0.95, 0.95, 0.96), (0.30, 0.36, 0.44)
 COLOURS = {
@@ -44,16 +44,23 @@ def network_of(surface):
     return hn.CurveNetwork(curves, JOIN_TOLERANCE * length)
 
 
-def patch_triangles(network):
-    """(n, 3, 3) points and normals."""
-    points, normals = [], []
+def see_network(seen, network):
+    """Adds the patches to a seen_surface.Seen, sampled more closely than its dots."""
     for region in range(network.region_count):
         patch = network.patch(region)
-        places, triangles = patch.grid(GRID)
-        at, there = patch.evaluate(places)
-        points.append(at[triangles])
-        normals.append(there[triangles])
-    return np.concatenate(points), np.concatenate(normals)
+        coarse = seen.view.dots(patch.evaluate(patch.grid(1)[0])[0])
+        size = np.linalg.norm(np.ptp(coarse, axis=0))
+        count = int(np.ceil(1.2 * size / seen_surface.SPACING)) + 2
+        seen.add(*patch.evaluate(patch.grid(count)[0]))
+
+
+def distances(surface, network):
+    """(n,) m: of the patches' points from the hull."""
+    points = [
+        patch.evaluate(patch.grid(GRID)[0])[0]
+        for patch in map(network.patch, range(network.region_count))
+    ]
+    return hn.SurfaceTree(surface).closest_points(np.concatenate(points)).distances
 
 
 def edge_roles(network):
@@ -125,7 +132,7 @@ def image(dots):
 def write(path, network):
     view = view_of(network)
     seen = seen_surface.Seen(view)
-    seen_surface.see_triangles(seen, patch_triangles(network)[0], smooth_deg=3.0)
+    see_network(seen, network)
     height = view.height // FINER
     page = cairo.ImageSurface(cairo.FORMAT_RGB24, WIDTH, 2 * (height + FOOT))
     context = cairo.Context(page)
@@ -151,12 +158,11 @@ def main():
     sides = Counter(len(network.sides(region)) for region in range(network.region_count))
     print(f"{len(network.curves)} curves, {len(network.nodes)} nodes, {len(network.edges)} edges")
     print("regions by their number of sides:", dict(sorted(sides.items())))
-    points = patch_triangles(network)[0].reshape(-1, 3)
-    distances = np.asarray(hn.SurfaceTree(surface).closest_points(points).distances)
+    apart = np.asarray(distances(surface, network))
     length = np.ptp(np.asarray(surface.mesh.points)[:, 0])
     print(
-        f"from the hull: RMS {1e3 * np.sqrt(np.mean(distances**2)):.2g} mm, at most "
-        f"{1e3 * distances.max():.2g} mm on {length:.4g} m"
+        f"from the hull: RMS {1e3 * np.sqrt(np.mean(apart**2)):.2g} mm, at most "
+        f"{1e3 * apart.max():.2g} mm on {length:.4g} m"
     )
     write(folder / "networks.png", network)
 

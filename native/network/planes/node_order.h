@@ -17,9 +17,9 @@ struct NodeOrder {
 
 // At each node that direction along which its edges are seen furthest from one another; of its two
 // senses that which agrees with the neighbours', brought along edges without turning about them
-// (Wang et al. 2008: double reflections), the surest first; for the whole that which points away
-// from the middle of the network's upper end: in the centre plane, where all is to port of it.
-// Edges that leave a node within a degree of one another are told apart by their chords.
+// (Wang, Jüttler, Zheng & Liu 2008: double reflections), the surest first; for the whole that which
+// points away from the middle of the network's upper end: in the centre plane, where all is to port
+// of it. Edges that leave a node within a degree of one another are told apart by their chords.
 //
 // REQUIRES: connected edges.
 NodeOrder node_order(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes);
