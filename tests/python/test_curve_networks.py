@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Networks of curves in plain Python: their parts, their problems by name, and the surface of samples
-sampled to lines and back."""
+"""Networks of curves in plain Python: their parts, their problems by name, and the surface of
+samples sampled to lines and back."""
 
 from collections import Counter
 from pathlib import Path

@@ -26,7 +26,8 @@ def network_curves(surface, *, stations=(), waterlines=(), buttocks=(), toleranc
     """
     if not tolerance > 0.0:
         raise ValueError("tolerance has to be above zero.")
-    curves = [_crease(surface, number, curve) for number, curve in enumerate(crease_curves(surface))]
+    creases = crease_curves(surface)
+    curves = [_crease(surface, number, curve) for number, curve in enumerate(creases)]
     for kind, positions in (
         ("station", stations),
         ("waterline", waterlines),
