@@ -72,6 +72,14 @@ EndCondition curve_end_from(const std::string& kind, const py::object& direction
   return end;
 }
 
+EndCondition end_condition_from(const py::object& end, const char* name) {
+  if (end.is_none()) return {};
+  if (!py::isinstance<EndCondition>(end)) {
+    throw py::type_error(std::string(name) + " has to be a CurveEnd, or None.");
+  }
+  return end.cast<EndCondition>();
+}
+
 std::optional<network::CarrierPlane> carrier_from(const py::object& plane) {
   if (plane.is_none()) return std::nullopt;
   const std::vector<double> numbers = numbers_from(DoubleArray(plane), "plane");
@@ -86,7 +94,7 @@ NetworkCurve network_curve_from(const std::string& name, const DoubleArray& poin
                                 const std::string& kind, const std::string& shape,
                                 const DoubleArray& weights, const py::object& knuckles,
                                 double deviation, double fullness, const py::object& plane,
-                                const EndCondition& start, const EndCondition& end) {
+                                const py::object& start, const py::object& end) {
   NetworkCurve curve;
   curve.kind = kind_named(kCurveKinds, kind, "kind");
   CurveDefinition& definition = curve.definition;
@@ -97,8 +105,8 @@ NetworkCurve network_curve_from(const std::string& name, const DoubleArray& poin
   definition.knuckles = integers_from(knuckles, "knuckles");
   definition.deviation = deviation;
   definition.fullness = fullness;
-  definition.start = start;
-  definition.end = end;
+  definition.start = end_condition_from(start, "start");
+  definition.end = end_condition_from(end, "end");
   definition.plane = carrier_from(plane);
   return curve;
 }
@@ -123,8 +131,8 @@ void bind_network_curves(py::module_& module) {
       .def(py::init(&network_curve_from), py::arg("name"), py::arg("points"), py::kw_only(),
            py::arg("kind") = "free", py::arg("shape") = "free", py::arg("weights") = py::tuple(),
            py::arg("knuckles") = py::tuple(), py::arg("deviation") = 0.0, py::arg("fullness") = 1.0,
-           py::arg("plane") = py::none(), py::arg("start") = EndCondition{},
-           py::arg("end") = EndCondition{},
+           py::arg("plane") = py::none(), py::arg("start") = py::none(),
+           py::arg("end") = py::none(),
            "points (n, 3), m. kind: 'station', 'waterline', 'buttock', 'diagonal', 'free', "
            "'knuckle' (the surface has one along it), 'profile' or 'deck_edge'. shape: 'free' (a "
            "smooth spline), 'line' of two points, 'arc' of three points, or of two and a tangent "
@@ -132,7 +140,8 @@ void bind_network_curves(py::module_& module) {
            "an ellipse, 1 for a parabola, above 1 for a hyperbola. Of free curves: weights (n,) of "
            "points, knuckles (k,) numbers of points between the ends, deviation, m, in the mean "
            "from the points (0: they are met). plane (4,): a normal and an offset, in which it "
-           "stays. start, end: CurveEnds. What does not fit is among the problems of the network.")
+           "stays. start, end: CurveEnds; None: free. What does not fit is among the problems of "
+           "the network.")
       .def_property_readonly("name",
                              [](const NetworkCurve& curve) { return curve.definition.name; })
       .def_property_readonly(

@@ -124,6 +124,8 @@ def test_what_is_none_is_refused():
         hn.NetworkCurve("A", [(0, 0, 0), (1, 0, 0)], shape="round")
     with pytest.raises(ValueError, match="kind is one of 'free', 'tangent'"):
         hn.CurveEnd("loose")
+    with pytest.raises(TypeError, match="start has to be a CurveEnd"):
+        hn.NetworkCurve("A", [(0, 0, 0), (1, 0, 0)], start="free")
     with pytest.raises(ValueError, match=r"plane has to be of shape \(4,\)"):
         hn.NetworkCurve("A", [(0, 0, 0), (1, 0, 0)], plane=(1, 0, 0))
     with pytest.raises(ValueError, match="tolerance must be above zero"):
