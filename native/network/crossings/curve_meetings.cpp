@@ -16,11 +16,11 @@ CurveMeeting meeting_at(const NurbsCurve& first, const NurbsCurve& second, doubl
   return {s, t, first.point(s), second.point(t)};
 }
 
-double length_between(const NurbsCurve& curve, double low, double high) {
+double length_between(const NurbsCurve& curve, double low, double high, int steps) {
   double length = 0.0;
   Vector3d before = curve.point(low);
-  for (int i = 1; i <= kLengthSteps; ++i) {
-    const Vector3d next = curve.point(low + (high - low) * i / kLengthSteps);
+  for (int i = 1; i <= steps; ++i) {
+    const Vector3d next = curve.point(low + (high - low) * i / steps);
     length += (next - before).norm();
     before = next;
   }
@@ -48,25 +48,27 @@ CurveOverlap stretch_of(const NurbsCurve& first, const NurbsCurve& second,
   const bool is_along = first.evaluate(lowest.first_nearest, 1)
                             .row(1)
                             .dot(second.evaluate(lowest.second_nearest, 1).row(1)) >= 0.0;
-  return {lowest.first_low,
-          highest.first_high,
-          is_along ? low : high,
-          is_along ? high : low,
-          length_between(first, lowest.first_low, highest.first_high),
-          first.point(lowest.first_low),
-          first.point(highest.first_high)};
+  return {lowest.first_low, highest.first_high, is_along ? low : high, is_along ? high : low,
+          // One zone is of straight parts.
+          length_between(first, lowest.first_low, highest.first_high,
+                         zones.size() > 1 ? kLengthSteps : 1),
+          first.point(lowest.first_low), first.point(highest.first_high)};
 }
 
 }  // namespace
 
+double longest_touch(const CurveTree& first, const CurveTree& second, double reach) {
+  const double size = std::min(first.box().diagonal().norm(), second.box().diagonal().norm());
+  return std::sqrt(8.0 * reach * size);
+}
+
 CurveMeetings curve_meetings(CurveTree& first, CurveTree& second, double reach) {
   CurveMeetings meetings;
   const NurbsCurve &a = first.curve(), &b = second.curve();
-  const double size = std::min(first.box().diagonal().norm(), second.box().diagonal().norm());
-  const double longest_touch = std::sqrt(8.0 * reach * size);
+  const double longest = longest_touch(first, second, reach);
   for (const auto& zones : coherent_zones(near_zones(first, second, reach))) {
     const CurveOverlap stretch = stretch_of(a, b, zones);
-    if (stretch.length > longest_touch) {
+    if (stretch.length > longest) {
       meetings.overlaps.push_back(stretch);
       continue;
     }

@@ -29,10 +29,13 @@ struct CurveMeetings {
   std::vector<CurveOverlap> overlaps;
 };
 
+// √(8 reach size), size being the lesser curve's: how long two curves whose curvatures differ by
+// 1 / size are within a reach of one another where they touch.
+double longest_touch(const CurveTree& first, const CurveTree& second, double reach);
+
 // All places where two curves are within `reach`, m, of one another: each coherent stretch gives
 // the pair of points that are nearest (the crossing, to rounding, where they cross; an end of a
-// curve where that is nearest), or an overlap, where it is longer than √(8 reach size), size being
-// the lesser curve's: what a touch of curves is at most whose curvatures differ by 1 / size.
+// curve where that is nearest), or an overlap, where it is longer than longest_touch().
 // Nothing is missed but what the trees' flatness hides: approaches between reach and reach + 2 flat
 // may or may not be told.
 CurveMeetings curve_meetings(CurveTree& first, CurveTree& second, double reach);

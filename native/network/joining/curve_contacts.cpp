@@ -87,30 +87,40 @@ class Contacting {
   double meet(int i, int a, int k, int b) {
     CurveTree& first = pieces(i)[static_cast<std::size_t>(a)];
     CurveTree& second = pieces(k)[static_cast<std::size_t>(b)];
+    const double far = options_.near_misses * options_.tolerance;
+    const CurveMeetings near = curve_meetings(first, second, far);
+    if (near.points.empty() && near.overlaps.empty()) return 0.0;
     const CurveMeetings joined = curve_meetings(first, second, options_.tolerance);
     for (const CurveMeeting& at : joined.points) {
       contacts_.joined.push_back(
           {{i, a, at.first, at.first_place}, {k, b, at.second, at.second_place}});
     }
     if (!joined.points.empty()) {
-      meet_ends(i, a, k, b);
-      meet_ends(k, b, i, a);
+      meet_ends(i, a, k, b, joined);
+      meet_ends(k, b, i, a, joined);
     }
     double shared = 0.0;
     for (const CurveOverlap& stretch : joined.overlaps) {
       shared += stretch.length;
       name_overlap(i, k, stretch);
     }
-    look_near(i, a, k, b, joined);
+    keep_near(i, a, k, b, near, joined);
     return shared;
   }
 
-  // Ends and knuckles are nodes even where the curve crosses the other one just before.
-  void meet_ends(int i, int a, int k, int b) {
-    const NurbsCurve& first = pieces(i)[static_cast<std::size_t>(a)].curve();
-    const NurbsCurve& second = pieces(k)[static_cast<std::size_t>(b)].curve();
+  // Ends and knuckles are nodes even where the curve crosses the other one just before: no further
+  // off than a touch is long.
+  void meet_ends(int i, int a, int k, int b, const CurveMeetings& joined) {
+    const CurveTree& tree = pieces(i)[static_cast<std::size_t>(a)];
+    const CurveTree& other = pieces(k)[static_cast<std::size_t>(b)];
+    const NurbsCurve &first = tree.curve(), &second = other.curve();
+    const double reach = longest_touch(tree, other, options_.tolerance);
     for (double t : {first.begin(), first.end()}) {
       const CurvePlace end = place(i, a, t);
+      const auto is_near = [&](const CurveMeeting& at) {
+        return (at.first_place - end.place).norm() <= reach;
+      };
+      if (std::ranges::none_of(joined.points, is_near)) continue;
       const CurvePlace foot = place(k, b, second.nearest_parameter(end.place));
       if ((end.place - foot.place).norm() > options_.tolerance) continue;
       contacts_.joined.push_back({end, foot});
@@ -118,11 +128,8 @@ class Contacting {
   }
 
   // What comes near, but nowhere within the tolerance.
-  void look_near(int i, int a, int k, int b, const CurveMeetings& joined) {
-    CurveTree& first = pieces(i)[static_cast<std::size_t>(a)];
-    CurveTree& second = pieces(k)[static_cast<std::size_t>(b)];
-    const double reach = options_.near_misses * options_.tolerance;
-    const CurveMeetings near = curve_meetings(first, second, reach);
+  void keep_near(int i, int a, int k, int b, const CurveMeetings& near,
+                 const CurveMeetings& joined) {
     for (const CurveMeeting& at : near.points) {
       if (at.distance() <= options_.tolerance) continue;
       contacts_.near.push_back(
