@@ -11,7 +11,10 @@
 namespace hull::testing {
 
 using network::CurveDefinition;
+using network::CurveNetwork;
 using network::NetworkCurve;
+using network::NetworkOptions;
+using network::NetworkProblem;
 
 // Through points of a way over 0 … 1.
 inline NetworkCurve curve_along(const std::string& name, const std::function<Vector3d(double)>& way,
@@ -53,6 +56,34 @@ inline std::vector<NetworkCurve> net_on(const std::function<Vector3d(double, dou
         first * (between + 1) + 1));
   }
   return curves;
+}
+
+inline constexpr double kTol = 1e-3;
+
+inline NetworkOptions with_tolerance(double tolerance = kTol) {
+  NetworkOptions options;
+  options.joining.tolerance = tolerance;
+  return options;
+}
+
+inline CurveNetwork network_of(std::vector<NetworkCurve> curves, double tolerance = kTol) {
+  return CurveNetwork(std::move(curves), with_tolerance(tolerance));
+}
+
+inline std::vector<NetworkProblem::Kind> kinds_of(const CurveNetwork& network) {
+  std::vector<NetworkProblem::Kind> kinds;
+  for (const NetworkProblem& problem : network.problems()) kinds.push_back(problem.kind);
+  return kinds;
+}
+
+inline std::string told(const CurveNetwork& network) {
+  std::string all;
+  for (const NetworkProblem& problem : network.problems()) all += problem.what + "\n";
+  return all;
+}
+
+inline std::vector<NetworkCurve> square() {
+  return net_on([](double u, double v) { return Vector3d(10 * u, 10 * v, 0); }, 1, 1, 2);
 }
 
 }  // namespace hull::testing
