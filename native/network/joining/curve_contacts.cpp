@@ -10,6 +10,7 @@
 namespace hull::network {
 namespace {
 
+constexpr double kAll = 0.99;   // of a length: all of it
 constexpr double kFlat = 0.05;  // of the tolerance
 
 class Contacting {
@@ -65,8 +66,12 @@ class Contacting {
     for (int a = 0; a < static_cast<int>(pieces(i).size()); ++a) {
       for (int b = 0; b < static_cast<int>(pieces(k).size()); ++b) shared += meet(i, a, k, b);
     }
-    const double shorter = std::min(length_of(i), length_of(k));
-    if (shared > 0.0 && shared > 0.99 * shorter) name_duplicate(i, k, before);
+    if (!(shared > 0.0)) return;
+    const double first = length_of(i), second = length_of(k);
+    if (shared < kAll * std::min(first, second)) return;
+    if (shared >= kAll * std::max(first, second)) name_duplicate(i, k, before);
+    // What lies on the other all the way is not joined, too.
+    contacts_.is_copy[static_cast<std::size_t>(first < kAll * second ? i : k)] = true;
   }
 
   double length_of(int curve) {
@@ -160,7 +165,6 @@ class Contacting {
     const Vector3d start = contacts_.overlaps[before].places.front();
     const Vector3d end = contacts_.overlaps.back().places.back();
     contacts_.overlaps.resize(before);
-    if (length_of(k) <= 1.01 * length_of(i)) contacts_.is_copy[static_cast<std::size_t>(k)] = true;
     contacts_.overlaps.push_back({NetworkProblem::Kind::kDuplicate,
                                   "Curves " + name(i) + " and " + name(k) + " are the same, from " +
                                       place_text(start) + " to " + place_text(end) +

@@ -25,7 +25,7 @@ struct CurveContacts {
   std::vector<Contact> joined;
   std::vector<Contact> near;  // beyond the tolerance
   std::vector<NetworkProblem> overlaps;
-  std::vector<bool> is_copy;  // of curves: those that one before them is, too
+  std::vector<bool> is_copy;  // of curves: those that lie on another one all the way
 };
 
 CurveContacts curve_contacts(const std::vector<CurveShape>& shapes,

@@ -42,8 +42,8 @@ struct JoiningOptions {
 // curves are within it all the way.
 //
 // Named are gaps (curves that come as near as near_misses allows without being joined, with the
-// places on both), stretches that curves share, and those that are the same, of which the first is
-// joined. A piece that crosses itself is not looked for.
+// places on both), stretches that curves share, and those that are the same. A curve that lies on
+// another one all the way is not joined. A piece that crosses itself is not looked for.
 //
 // Throws std::invalid_argument for a tolerance that is not above zero.
 JoinedCurves join_curves(const std::vector<CurveShape>& shapes,

@@ -97,6 +97,15 @@ TEST(NetworkProblems, WhatIsTwiceThereOrOnOneAnotherIsNamed) {
   auto curves = square();
   curves.push_back(line_between("S", {10, 0, 0}, {0, 0, 0}));
   EXPECT_EQ(kinds_of(network_of(curves)), std::vector{NetworkProblem::Kind::kDuplicate});
+  // A part of another one, and one of which another is a part: the longer one is joined.
+  for (bool is_longer_first : {true, false}) {
+    auto with_part = square();
+    const auto at = is_longer_first ? with_part.end() : with_part.begin();
+    with_part.insert(at, line_between("S", {7, 0, 0}, {2, 0, 0}));
+    const CurveNetwork network = network_of(with_part);
+    EXPECT_EQ(kinds_of(network), std::vector{NetworkProblem::Kind::kOverlap}) << told(network);
+    EXPECT_EQ(network.regions().size(), 1u);
+  }
   curves.back() = line_between("S", {4, 0, 0}, {15, 0, 0});
   const auto kinds = kinds_of(network_of(curves));
   EXPECT_NE(std::ranges::find(kinds, NetworkProblem::Kind::kOverlap), kinds.end());
