@@ -201,6 +201,16 @@ void bind_curve_network(py::module_& module) {
       .def("sides", &region_sides_of, py::arg("region"),
            "Of a region, counter-clockwise seen from outside: lists of tuples (edge, whether it is "
            "gone along).")
+      .def(
+          "with_curve",
+          [](const CurveNetwork& network, const NetworkCurve& curve, int number) {
+            const py::gil_scoped_release release;
+            return std::make_unique<CurveNetwork>(network.with_curve(number, curve));
+          },
+          py::arg("curve"), py::arg("number"),
+          "The CurveNetwork with a NetworkCurve in place of the one of that number. What curves "
+          "meet that stay as they are, is not looked for again. ValueError for a number that none "
+          "has.")
       .def("patch", &CurveNetwork::patch, py::arg("region"),
            "The TransfinitePatch of a region. ValueError where it has one side, or more than ten.");
   bind_parts(bound);

@@ -76,6 +76,22 @@ def test_patches_meet_their_edges_and_the_surface():
             assert np.abs(border - on).max() < 1e-12
 
 
+def test_a_moved_curve_moves_its_slaves():
+    curves = square_net()
+    ends = hn.CurveEnd("slave_tangent", master=4)
+    curves[0] = hn.NetworkCurve("A", [(5, 5, 0), (7, 6, 0), (10, 10, 0)], start=ends)
+    network = hn.CurveNetwork(curves, 1e-3)
+    points = curves[4].points
+    points[3] += (0, 0.5, 0.4)
+    moved = network.with_curve(hn.NetworkCurve("V", points), 4)
+    assert not np.allclose(moved.pieces(0)[0][2], network.pieces(0)[0][2])
+    anew = hn.CurveNetwork([*curves[:4], hn.NetworkCurve("V", points), curves[5]], 1e-3)
+    assert np.array_equal(moved.nodes, anew.nodes)
+    assert [p.what for p in moved.problems] == [p.what for p in anew.problems]
+    with pytest.raises(ValueError, match="There is no curve 6"):
+        network.with_curve(curves[0], 6)
+
+
 def problem_of(curves, kind, **options):
     found = [p for p in hn.network_check(curves, 1e-3, **options) if p.kind == kind]
     assert found, [p.what for p in hn.network_check(curves, 1e-3, **options)]

@@ -17,27 +17,42 @@ class Contacting {
  public:
   Contacting(const std::vector<CurveShape>& shapes, const std::vector<std::string>& names,
              const JoiningOptions& options)
-      : names_(names), options_(options) {
-    for (const CurveShape& shape : shapes) {
-      trees_.emplace_back();
-      for (const NurbsCurve& piece : shape.pieces) {
-        trees_.back().emplace_back(piece, kFlat * options.tolerance);
+      : shapes_(shapes), names_(names), options_(options), trees_(shapes.size()) {}
+
+  ContactTable run(const KnownContacts& known) {
+    const int count = static_cast<int>(shapes_.size());
+    ContactTable table;
+    for (int i = 0; i < count; ++i) {
+      for (int k = i; k < count; ++k) {
+        if (known.table && !known.is_changed[static_cast<std::size_t>(i)] &&
+            !known.is_changed[static_cast<std::size_t>(k)]) {
+          const auto at = known.table->find({i, k});
+          if (at != known.table->end()) table.insert(*at);
+          continue;
+        }
+        contacts_ = {};
+        if (i == k) {
+          within(i);
+        } else {
+          between(i, k);
+        }
+        if (!contacts_.is_empty()) table.emplace(std::pair(i, k), std::move(contacts_));
       }
     }
-  }
-
-  CurveContacts run() {
-    const int count = static_cast<int>(trees_.size());
-    contacts_.is_copy.assign(trees_.size(), false);
-    for (int i = 0; i < count; ++i) {
-      within(i);
-      for (int k = i + 1; k < count; ++k) between(i, k);
-    }
-    return std::move(contacts_);
+    return table;
   }
 
  private:
-  std::vector<CurveTree>& pieces(int curve) { return trees_[static_cast<std::size_t>(curve)]; }
+  // Made where they are asked for first.
+  std::vector<CurveTree>& pieces(int curve) {
+    auto& trees = trees_[static_cast<std::size_t>(curve)];
+    if (trees.empty()) {
+      for (const NurbsCurve& piece : shapes_[static_cast<std::size_t>(curve)].pieces) {
+        trees.emplace_back(piece, kFlat * options_.tolerance);
+      }
+    }
+    return trees;
+  }
   const std::string& name(int curve) const { return names_[static_cast<std::size_t>(curve)]; }
   CurvePlace place(int curve, int piece, double parameter) {
     const NurbsCurve& of = pieces(curve)[static_cast<std::size_t>(piece)].curve();
@@ -62,16 +77,15 @@ class Contacting {
 
   void between(int i, int k) {
     double shared = 0.0;
-    const std::size_t before = contacts_.overlaps.size();
     for (int a = 0; a < static_cast<int>(pieces(i).size()); ++a) {
       for (int b = 0; b < static_cast<int>(pieces(k).size()); ++b) shared += meet(i, a, k, b);
     }
     if (!(shared > 0.0)) return;
     const double first = length_of(i), second = length_of(k);
     if (shared < kAll * std::min(first, second)) return;
-    if (shared >= kAll * std::max(first, second)) name_duplicate(i, k, before);
+    if (shared >= kAll * std::max(first, second)) name_duplicate(i, k);
     // What lies on the other all the way is not joined, too.
-    contacts_.is_copy[static_cast<std::size_t>(first < kAll * second ? i : k)] = true;
+    contacts_.copy = first < kAll * second ? i : k;
   }
 
   double length_of(int curve) {
@@ -161,10 +175,10 @@ class Contacting {
          {stretch.start, stretch.end}});
   }
 
-  void name_duplicate(int i, int k, std::size_t before) {
-    const Vector3d start = contacts_.overlaps[before].places.front();
+  void name_duplicate(int i, int k) {
+    const Vector3d start = contacts_.overlaps.front().places.front();
     const Vector3d end = contacts_.overlaps.back().places.back();
-    contacts_.overlaps.resize(before);
+    contacts_.overlaps.clear();
     contacts_.overlaps.push_back({NetworkProblem::Kind::kDuplicate,
                                   "Curves " + name(i) + " and " + name(k) + " are the same, from " +
                                       place_text(start) + " to " + place_text(end) +
@@ -173,23 +187,25 @@ class Contacting {
                                   {start, end}});
   }
 
+  const std::vector<CurveShape>& shapes_;
   const std::vector<std::string>& names_;
   const JoiningOptions& options_;
   std::vector<std::vector<CurveTree>> trees_;
-  CurveContacts contacts_;
+  PairContacts contacts_;  // of the pair that is looked at
 };
 
 }  // namespace
 
-CurveContacts curve_contacts(const std::vector<CurveShape>& shapes,
-                             const std::vector<std::string>& names, const JoiningOptions& options) {
+ContactTable contact_table(const std::vector<CurveShape>& shapes,
+                           const std::vector<std::string>& names, const JoiningOptions& options,
+                           const KnownContacts& known) {
   if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance) ||
       !(options.near_misses >= 1.0)) {
     throw std::invalid_argument(
         "A network's tolerance must be above zero, and near misses be named from one tolerance "
         "on.");
   }
-  return Contacting(shapes, names, options).run();
+  return Contacting(shapes, names, options).run(known);
 }
 
 }  // namespace hull::network

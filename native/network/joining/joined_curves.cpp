@@ -35,16 +35,22 @@ class Joining {
           const JoiningOptions& options)
       : shapes_(shapes), names_(names), options_(options) {}
 
-  JoinedCurves run() {
-    CurveContacts contacts = curve_contacts(shapes_, names_, options_);
-    result_.problems = std::move(contacts.overlaps);
-    is_copy_ = std::move(contacts.is_copy);
-    gather(contacts.joined);
+  JoinedCurves run(const ContactTable& contacts) {
+    std::vector<Contact> joined, near;
+    is_copy_.assign(shapes_.size(), false);
+    for (const auto& [curves, of_pair] : contacts) {
+      joined.insert(joined.end(), of_pair.joined.begin(), of_pair.joined.end());
+      near.insert(near.end(), of_pair.near.begin(), of_pair.near.end());
+      const auto& overlaps = of_pair.overlaps;
+      result_.problems.insert(result_.problems.end(), overlaps.begin(), overlaps.end());
+      if (of_pair.copy >= 0) is_copy_[static_cast<std::size_t>(of_pair.copy)] = true;
+    }
+    gather(joined);
     unite_along_curves();
     number_nodes();
     place_visits();
     make_edges();
-    name_gaps(contacts.near);
+    name_gaps(near);
     return std::move(result_);
   }
 
@@ -267,8 +273,9 @@ class Joining {
 }  // namespace
 
 JoinedCurves join_curves(const std::vector<CurveShape>& shapes,
-                         const std::vector<std::string>& names, const JoiningOptions& options) {
-  return Joining(shapes, names, options).run();
+                         const std::vector<std::string>& names, const JoiningOptions& options,
+                         const ContactTable& contacts) {
+  return Joining(shapes, names, options).run(contacts);
 }
 
 }  // namespace hull::network

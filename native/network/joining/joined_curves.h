@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "network/curves/network_curve.h"
-#include "network/joining/network_problem.h"
+#include "network/joining/curve_contacts.h"
 
 namespace hull::network {
 
@@ -30,12 +30,6 @@ struct JoinedCurves {
   std::vector<NetworkProblem> problems;
 };
 
-struct JoiningOptions {
-  double tolerance;  // m, within which curves are joined
-  double near_misses =
-      10;  // times the tolerance: curves that are nearer, but not joined, are named
-};
-
 // Curves joined where they meet: at crossings, touches, and where an end is beside a curve or
 // another end, all within the tolerance; a node, too, is each end and each knuckle. Meetings
 // within the tolerance of one another along a curve are one node; so are two between which two
@@ -44,9 +38,9 @@ struct JoiningOptions {
 // Named are gaps (curves that come as near as near_misses allows without being joined, with the
 // places on both), stretches that curves share, and those that are the same. A curve that lies on
 // another one all the way is not joined. A piece that crosses itself is not looked for.
-//
-// Throws std::invalid_argument for a tolerance that is not above zero.
+// `contacts`: those of all the curves.
 JoinedCurves join_curves(const std::vector<CurveShape>& shapes,
-                         const std::vector<std::string>& names, const JoiningOptions& options);
+                         const std::vector<std::string>& names, const JoiningOptions& options,
+                         const ContactTable& contacts);
 
 }  // namespace hull::network

@@ -19,11 +19,15 @@ bool is_knuckle(const NetworkCurve& curve) { return curve.kind == NetworkCurve::
 }  // namespace
 
 CurveNetwork::CurveNetwork(std::vector<NetworkCurve> curves, const NetworkOptions& options)
+    : CurveNetwork(std::move(curves), options, nullptr) {}
+
+CurveNetwork::CurveNetwork(std::vector<NetworkCurve> curves, const NetworkOptions& options,
+                           const CurveNetwork* before)
     : curves_(std::move(curves)), options_(options), frame_(std::make_shared<NetworkFrame>()) {
   if (!(options.plane_angle >= 0.0) || !(options.plane_angle < 0.5 * std::numbers::pi)) {
     throw std::invalid_argument("plane_angle must be from 0 to less than a right angle.");
   }
-  if (make_shapes()) join();
+  if (make_shapes()) join(before);
   std::ranges::stable_sort(problems_, {}, &NetworkProblem::is_note);
 }
 
@@ -56,9 +60,31 @@ bool CurveNetwork::make_shapes() {
   return true;
 }
 
-void CurveNetwork::join() {
+KnownContacts CurveNetwork::known_from(const CurveNetwork& before) const {
+  if (!before.contacts_) return {};
+  KnownContacts known{before.contacts_, {}};
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    known.is_changed.push_back(shapes_[i].pieces != before.shapes_[i].pieces ||
+                               name(static_cast<int>(i)) != before.name(static_cast<int>(i)));
+  }
+  return known;
+}
+
+CurveNetwork CurveNetwork::with_curve(int number, NetworkCurve curve) const {
+  if (number < 0 || number >= static_cast<int>(curves_.size())) {
+    throw std::invalid_argument("There is no curve " + std::to_string(number) + ".");
+  }
+  std::vector<NetworkCurve> curves = curves_;
+  curves[static_cast<std::size_t>(number)] = std::move(curve);
+  return CurveNetwork(std::move(curves), options_, this);
+}
+
+void CurveNetwork::join(const CurveNetwork* before) {
+  const KnownContacts known = before == nullptr ? KnownContacts{} : known_from(*before);
+  contacts_ = std::make_shared<const ContactTable>(
+      contact_table(shapes_, names(), options_.joining, known));
   NetworkFrame frame;
-  frame.joined = join_curves(shapes_, names(), options_.joining);
+  frame.joined = join_curves(shapes_, names(), options_.joining, *contacts_);
   keep_connected(frame.joined, shapes_, names());
   problems_ = frame.joined.problems;
   if (frame.joined.edges.empty()) return;

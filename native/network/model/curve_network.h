@@ -45,6 +45,11 @@ class CurveNetwork {
   // problems(); where the curves themselves cannot be made, or do not make regions, there are none.
   CurveNetwork(std::vector<NetworkCurve> curves, const NetworkOptions& options);
 
+  // With another curve in place of one, and what follows from it; where curves stay as they are,
+  // what they meet is not looked for again. Throws std::invalid_argument for a number that none
+  // has.
+  CurveNetwork with_curve(int number, NetworkCurve curve) const;
+
   const std::vector<NetworkCurve>& curves() const { return curves_; }
   const std::vector<CurveShape>& shapes() const { return shapes_; }
   const std::vector<NetworkProblem>& problems() const { return problems_; }
@@ -60,8 +65,11 @@ class CurveNetwork {
   TransfinitePatch patch(int region) const;
 
  private:
+  CurveNetwork(std::vector<NetworkCurve> curves, const NetworkOptions& options,
+               const CurveNetwork* before);
   bool make_shapes();
-  void join();
+  KnownContacts known_from(const CurveNetwork& before) const;
+  void join(const CurveNetwork* before);
   void name_short_edges();
   void name_planes();
   void name_tees();
@@ -73,6 +81,7 @@ class CurveNetwork {
   NetworkOptions options_;
   std::vector<CurveShape> shapes_;
   std::vector<NetworkProblem> problems_;
+  std::shared_ptr<const ContactTable> contacts_;
   std::shared_ptr<NetworkFrame> frame_;
   std::vector<std::vector<RegionSide>> regions_;
 };

@@ -251,6 +251,28 @@ TEST(CurveNetwork, TheTolerancesSizeDoesNotShowInExactNetworks) {
   }
 }
 
+TEST(CurveNetwork, WithAnotherCurveItIsWhatItIsAnew) {
+  std::mt19937 random(43);
+  auto curves = net_on(torus, 4, 3, 1);
+  curves[2].definition.start = {EndCondition::Kind::kSlaveTangent, Vector3d::Zero(), 6};
+  CurveNetwork network = network_of(curves);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto number = static_cast<std::size_t>(random() % curves.size());
+    // Points between crossings move, crossings stay; now and then they do not.
+    auto& points = curves[number].definition.points;
+    for (std::size_t i = 1; i < points.size(); i += 2) {
+      points[i] += 0.1 * hull::testing::random_vector(random);
+    }
+    if (trial % 5 == 4) points[2] += 3.0 * kTol * hull::testing::random_vector(random).normalized();
+    network = network.with_curve(static_cast<int>(number), curves[number]);
+    const CurveNetwork anew = network_of(curves);
+    EXPECT_EQ(told(network), told(anew));
+    EXPECT_EQ(network.frame().joined.nodes, anew.frame().joined.nodes);
+    EXPECT_EQ(network.regions().size(), anew.regions().size());
+  }
+  EXPECT_THROW(network.with_curve(9, curves[0]), std::invalid_argument);
+}
+
 TEST(CurveNetwork, OnASpheresOctantHasItsNormalsOnTheBorder) {
   std::vector<NetworkCurve> curves;
   const double half = std::sqrt(0.5);
