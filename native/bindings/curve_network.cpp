@@ -20,6 +20,8 @@ const char* name_of_problem(NetworkProblem::Kind kind) {
   switch (kind) {
     case NetworkProblem::Kind::kShape:
       return "shape";
+    case NetworkProblem::Kind::kHalt:
+      return "halt";
     case NetworkProblem::Kind::kOffPlane:
       return "off_plane";
     case NetworkProblem::Kind::kGap:
@@ -56,7 +58,8 @@ void bind_problem(py::module_& module) {
   py::class_<NetworkProblem>(module, "NetworkProblem", "What is to be told of a CurveNetwork.")
       .def_property_readonly(
           "kind", [](const NetworkProblem& p) { return name_of_problem(p.kind); },
-          "'shape', 'off_plane', 'gap', 'short_edge', 'overlap', 'duplicate', 'dangling_end', "
+          "'shape', 'halt', 'off_plane', 'gap', 'short_edge', 'overlap', 'duplicate', "
+          "'dangling_end', "
           "'apart', "
           "'wrong_order', 'no_tangent_plane', 'tee', 'few_sides' or 'many_sides'.")
       .def_readonly("what", &NetworkProblem::what, "A sentence with place and remedy.")
@@ -212,7 +215,8 @@ void bind_curve_network(py::module_& module) {
           "meet that stay as they are, is not looked for again. ValueError for a number that none "
           "has.")
       .def("patch", &CurveNetwork::patch, py::arg("region"),
-           "The TransfinitePatch of a region. ValueError where it has one side, or more than ten.");
+           "The TransfinitePatch of a region. ValueError where it has one side, more than ten, or "
+           "an edge with a halt.");
   bind_parts(bound);
   module.def(
       "network_check",

@@ -6,7 +6,9 @@
 namespace hull::network {
 namespace {
 
-constexpr int kChords = 32;  // of which an edge's length is the sum
+constexpr int kHaltSamples = 16;
+constexpr double kHalted = 1e-9;  // of a length: the speed of what stands still
+constexpr int kChords = 32;       // of which an edge's length is the sum
 
 }  // namespace
 
@@ -50,6 +52,19 @@ Vector3d EdgeShape::tangent_from(bool is_start) const {
     return (inner - Vector3d(jet.row(0))).normalized();
   }
   return (is_start ? tangent : Vector3d(-tangent)).normalized();
+}
+
+std::optional<Vector3d> EdgeShape::halt() const {
+  Vector3d before = Vector3d::Zero();
+  for (int i = 0; i <= kHaltSamples; ++i) {
+    const Points3 jet = evaluate(static_cast<double>(i) / kHaltSamples, 1);
+    const Vector3d slope = jet.row(1);
+    if (!(slope.norm() > kHalted * length_)) return Vector3d(jet.row(0));
+    const Vector3d tangent = slope.normalized();
+    if (tangent.dot(before) < -0.5) return Vector3d(jet.row(0));
+    before = tangent;
+  }
+  return std::nullopt;
 }
 
 std::vector<EdgeShape> edge_shapes(const JoinedCurves& joined,

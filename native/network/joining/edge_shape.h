@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "network/joining/joined_curves.h"
@@ -19,6 +20,8 @@ class EdgeShape {
   // Of the edge's beginning (in its direction) or end (against it): unit, from the node into it.
   Vector3d tangent_from(bool is_start) const;
   double length() const { return length_; }
+  // Where the curve comes to a halt, or turns back at once, as far as 16 samples tell.
+  std::optional<Vector3d> halt() const;
 
  private:
   NurbsCurve piece_;

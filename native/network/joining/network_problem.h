@@ -12,6 +12,7 @@ namespace hull::network {
 struct NetworkProblem {
   enum class Kind {
     kShape,           // a curve that cannot be made
+    kHalt,            // a curve without a direction somewhere
     kOffPlane,        // a point off the plane of its curve
     kGap,             // curves that nearly meet
     kShortEdge,       // two nodes of a curve that are nearly one

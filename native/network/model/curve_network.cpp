@@ -103,10 +103,19 @@ void CurveNetwork::join(const CurveNetwork* before) {
                                options_.plane_angle);
   *frame_ = std::move(frame);
   for (const auto& loop : frame_->faces.loops) regions_.push_back(region_sides(*frame_, loop));
+  name_halts();
   name_short_edges();
   name_planes();
   name_sides();
   name_tees();
+}
+
+void CurveNetwork::name_halts() {
+  for (std::size_t e = 0; e < frame_->shapes.size(); ++e) {
+    const std::optional<Vector3d> place = frame_->shapes[e].halt();
+    has_halt_.push_back(place.has_value());
+    if (place) problems_.push_back(halt(frame_->joined.edges[e].curve, *place, names()));
+  }
 }
 
 // Over such an edge tangent planes turn as over a long one, and the surface beside it suffers.
@@ -198,6 +207,15 @@ TransfinitePatch CurveNetwork::patch(int region) const {
     throw std::invalid_argument("Region " + std::to_string(region) + " has " +
                                 std::to_string(sides.size()) +
                                 " sides: a patch has two to ten. Divide it by a curve.");
+  }
+  for (const RegionSide& side : sides) {
+    for (const RegionEdge& edge : side) {
+      if (!has_halt_[static_cast<std::size_t>(edge.edge)]) continue;
+      throw std::invalid_argument(
+          "Region " + std::to_string(region) + " has an edge of curve " +
+          name(frame_->joined.edges[static_cast<std::size_t>(edge.edge)].curve) +
+          " that comes to a halt: without a direction there is no tangent plane.");
+    }
   }
   return TransfinitePatch(ribboned_sides(frame_, sides));
 }

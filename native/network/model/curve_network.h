@@ -61,7 +61,7 @@ class CurveNetwork {
   std::vector<CurveRole> roles() const;
 
   // The surface within a region. Throws std::invalid_argument where it has one side, or more than
-  // ten.
+  // ten, or an edge that comes to a halt.
   TransfinitePatch patch(int region) const;
 
  private:
@@ -70,6 +70,7 @@ class CurveNetwork {
   bool make_shapes();
   KnownContacts known_from(const CurveNetwork& before) const;
   void join(const CurveNetwork* before);
+  void name_halts();
   void name_short_edges();
   void name_planes();
   void name_tees();
@@ -83,6 +84,7 @@ class CurveNetwork {
   std::vector<NetworkProblem> problems_;
   std::shared_ptr<const ContactTable> contacts_;
   std::shared_ptr<NetworkFrame> frame_;
+  std::vector<bool> has_halt_;  // of edges
   std::vector<std::vector<RegionSide>> regions_;
 };
 

@@ -65,6 +65,15 @@ NetworkProblem wrong_order(const JoinedCurves& joined, const std::vector<EdgeSha
   return problem;
 }
 
+NetworkProblem halt(int curve, const Vector3d& place, const std::vector<std::string>& names) {
+  return {ProblemKind::kHalt,
+          "Curve " + names[static_cast<std::size_t>(curve)] + " turns back near " +
+              place_text(place) +
+              ", so that it has no direction there: move a point, or make one a knuckle.",
+          {curve},
+          {place}};
+}
+
 NetworkProblem short_edge(int curve, const Vector3d& from, const Vector3d& to, double length,
                           const std::vector<std::string>& names) {
   return {ProblemKind::kShortEdge,

@@ -16,6 +16,7 @@ std::vector<NetworkProblem> points_off_plane(const CurveDefinition& definition, 
 
 NetworkProblem wrong_order(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
                            const std::vector<std::string>& names, const std::vector<int>& edges);
+NetworkProblem halt(int curve, const Vector3d& place, const std::vector<std::string>& names);
 NetworkProblem short_edge(int curve, const Vector3d& from, const Vector3d& to, double length,
                           const std::vector<std::string>& names);
 NetworkProblem no_tangent_plane(const Vector3d& place, double deviation, std::vector<int> curves,

@@ -161,6 +161,19 @@ TEST(NetworkProblems, TwoNodesThatAreNearlyOneAreNamed) {
             std::string::npos);
 }
 
+TEST(NetworkProblems, ACurveThatTurnsBackIsNamed) {
+  auto curves = square();
+  // Along a line, there, back and there again.
+  NetworkCurve bent;
+  bent.definition.name = "B";
+  bent.definition.points = {{0, 5, 0}, {8, 5, 0}, {3, 5, 0}, {10, 5, 0}};
+  curves.push_back(bent);
+  const CurveNetwork network = network_of(curves);
+  const auto kinds = kinds_of(network);
+  EXPECT_NE(std::ranges::find(kinds, NetworkProblem::Kind::kHalt), kinds.end()) << told(network);
+  EXPECT_THROW(network.patch(0), std::invalid_argument);
+}
+
 TEST(NetworkProblems, AClosedCurveAloneHasAnEdge) {
   NetworkCurve ring = curve_along("R", [](double t) {
     return Vector3d(std::cos(2 * std::numbers::pi * t), std::sin(2 * std::numbers::pi * t), 0);
