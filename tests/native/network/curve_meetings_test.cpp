@@ -9,6 +9,7 @@
 
 #include "network/curves/conics.h"
 #include "random_values.h"
+#include "trials.h"
 
 namespace hull::network {
 namespace {
@@ -69,7 +70,7 @@ int crossing_count(const Points3& a, const Points3& b) {
 TEST(CurveMeetings, InThePlaneAreAllCrossingsToRounding) {
   std::mt19937 random(21);
   int total = 0;
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < hull::testing::trials(100); ++trial) {
     const NurbsCurve a = any_curve(random, true), b = any_curve(random, true);
     const CurveMeetings meetings = met(a, b, 1e-7);
     EXPECT_TRUE(meetings.overlaps.empty());
@@ -84,13 +85,13 @@ TEST(CurveMeetings, InThePlaneAreAllCrossingsToRounding) {
     EXPECT_EQ(crossings, crossing_count(sampled(a, 700), sampled(b, 700))) << trial;
     total += crossings;
   }
-  EXPECT_GT(total, 100);
+  EXPECT_GT(total, hull::testing::trials(100));
 }
 
 TEST(CurveMeetings, InSpaceTheNearestIsThatOfASearch) {
   std::mt19937 random(22);
   int near = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < hull::testing::trials(60); ++trial) {
     const NurbsCurve a = any_curve(random, false), b = any_curve(random, false);
     const double reach = 0.2;
     const CurveMeetings meetings = met(a, b, reach);
@@ -113,12 +114,12 @@ TEST(CurveMeetings, InSpaceTheNearestIsThatOfASearch) {
       EXPECT_TRUE(meetings.points.empty()) << trial;
     }
   }
-  EXPECT_GT(near, 15);
+  EXPECT_GT(near, hull::testing::trials(60) / 6);
 }
 
 TEST(CurveMeetings, ACurveThatIsMovedOntoAnotherMeetsItThere) {
   std::mt19937 random(23);
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < hull::testing::trials(200); ++trial) {
     const NurbsCurve a = any_curve(random, false), b = any_curve(random, false);
     const double s = at_share(a, uniform(random, 0.0, 1.0));
     const double t = at_share(b, uniform(random, 0.0, 1.0));
