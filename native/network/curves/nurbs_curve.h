@@ -33,6 +33,13 @@ class NurbsCurve {
 
   NurbsCurve reversed() const;
 
+  // Bit by bit.
+  bool operator==(const NurbsCurve& other) const {
+    return degree_ == other.degree_ && knots_ == other.knots_ &&
+           points_.rows() == other.points_.rows() && points_ == other.points_ &&
+           weights_ == other.weights_;
+  }
+
   // Where it is nearest to a place: of all parts, none of which turns back within 1e-4 of the
   // curve's size.
   double nearest_parameter(const Vector3d& place) const;

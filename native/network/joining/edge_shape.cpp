@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/joining/edge_shape.h"
+
+#include <algorithm>
+
+namespace hull::network {
+namespace {
+
+constexpr int kHaltSamples = 16;
+constexpr double kHalted = 1e-9;  // of a length: the speed of what stands still
+constexpr int kChords = 32;       // of which an edge's length is the sum
+
+}  // namespace
+
+EdgeShape::EdgeShape(const CurveEdge& edge, const NurbsCurve& piece, const Vector3d& from,
+                     const Vector3d& to)
+    : piece_(piece),
+      low_(edge.low),
+      high_(edge.high),
+      from_shift_(from - piece.point(edge.low)),
+      to_shift_(to - piece.point(edge.high)),
+      length_(0.0) {
+  Vector3d before = from;
+  for (int i = 1; i <= kChords; ++i) {
+    const Vector3d next = evaluate(static_cast<double>(i) / kChords, 0).row(0);
+    length_ += (next - before).norm();
+    before = next;
+  }
+}
+
+Points3 EdgeShape::evaluate(double u, int order) const {
+  const double width = high_ - low_;
+  const double t = u >= 1.0 ? high_ : std::min(low_ + u * width, high_);
+  Points3 rows = piece_.evaluate(t, order);
+  const double first[] = {1.0 - u * u * (3.0 - 2.0 * u), -6.0 * u * (1.0 - u), 12.0 * u - 6.0};
+  double scale = 1.0;
+  for (int k = 0; k <= order; ++k) {
+    const double share = first[k];
+    const double other = k == 0 ? u * u * (3.0 - 2.0 * u) : -share;
+    rows.row(k) = scale * rows.row(k) + (share * from_shift_ + other * to_shift_).transpose();
+    scale *= width;
+  }
+  return rows;
+}
+
+Vector3d EdgeShape::tangent_from(bool is_start) const {
+  const Points3 jet = evaluate(is_start ? 0.0 : 1.0, 1);
+  Vector3d tangent = jet.row(1);
+  // A curve whose first control points are one has a tangent all the same.
+  if (!(tangent.norm() > 1e-9 * length_)) {
+    const Vector3d inner = evaluate(is_start ? 1e-4 : 1.0 - 1e-4, 0).row(0);
+    return (inner - Vector3d(jet.row(0))).normalized();
+  }
+  return (is_start ? tangent : Vector3d(-tangent)).normalized();
+}
+
+std::optional<Vector3d> EdgeShape::halt() const {
+  Vector3d before = Vector3d::Zero();
+  for (int i = 0; i <= kHaltSamples; ++i) {
+    const Points3 jet = evaluate(static_cast<double>(i) / kHaltSamples, 1);
+    const Vector3d slope = jet.row(1);
+    if (!(slope.norm() > kHalted * length_)) return Vector3d(jet.row(0));
+    const Vector3d tangent = slope.normalized();
+    if (tangent.dot(before) < -0.5) return Vector3d(jet.row(0));
+    before = tangent;
+  }
+  return std::nullopt;
+}
+
+std::vector<EdgeShape> edge_shapes(const JoinedCurves& joined,
+                                   const std::vector<CurveShape>& shapes) {
+  std::vector<EdgeShape> edges;
+  for (const CurveEdge& edge : joined.edges) {
+    const auto& pieces = shapes[static_cast<std::size_t>(edge.curve)].pieces;
+    edges.emplace_back(edge, pieces[static_cast<std::size_t>(edge.piece)],
+                       joined.nodes[static_cast<std::size_t>(edge.from)],
+                       joined.nodes[static_cast<std::size_t>(edge.to)]);
+  }
+  return edges;
+}
+
+}  // namespace hull::network

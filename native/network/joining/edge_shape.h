@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "network/joining/joined_curves.h"
+
+namespace hull::network {
+
+// An edge over parameters from 0 to 1: the curve's part, brought to its nodes, which are up to the
+// tolerance off, by cubics without slope at the ends, so that tangents at nodes are the curve's.
+class EdgeShape {
+ public:
+  EdgeShape(const CurveEdge& edge, const NurbsCurve& piece, const Vector3d& from,
+            const Vector3d& to);
+
+  // The point and derivatives by the parameter up to an order from 0 to 2, a row each.
+  Points3 evaluate(double u, int order) const;
+  // Of the edge's beginning (in its direction) or end (against it): unit, from the node into it.
+  Vector3d tangent_from(bool is_start) const;
+  double length() const { return length_; }
+  // Where the curve comes to a halt, or turns back at once, as far as 16 samples tell.
+  std::optional<Vector3d> halt() const;
+
+ private:
+  NurbsCurve piece_;
+  double low_, high_;
+  Vector3d from_shift_, to_shift_;
+  double length_;
+};
+
+std::vector<EdgeShape> edge_shapes(const JoinedCurves& joined,
+                                   const std::vector<CurveShape>& shapes);
+
+}  // namespace hull::network

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "network/patches/patch_side.h"
+#include "network/planes/edge_normals.h"
+
+namespace hull::network {
+
+// What the sides of regions are made of; all by the numbers of edges and nodes.
+struct NetworkFrame {
+  JoinedCurves joined;
+  std::vector<EdgeShape> shapes;
+  NodeOrder order;
+  RegionFaces faces;
+  EdgeNormals normals;
+};
+
+// A side of a region: its edges, one after the other.
+using RegionSide = std::vector<RegionEdge>;
+
+// The sides of a region, between its corners: nodes where it turns by more than 15° (Koelman 1999,
+// 5.4.1.2), or by a knuckle of a curve as much. Where that leaves fewer than two sides, all nodes
+// are corners at which two curves meet, or two pieces of a curve.
+std::vector<RegionSide> region_sides(const NetworkFrame& frame,
+                                     const std::vector<RegionEdge>& loop);
+
+// The sides with tangent ribbons. With C the side, over shares of its edges' lengths, n the normals
+// along it and T = n × C' / |C'|, the ribbon is
+//
+//   α C' / |C'| + β T
+//
+// (Koelman 1999, (5.2)), where α and β are linear between those that the neighbouring sides' slopes
+// have at the corners; the normal is brought to that of these slopes by a cubic without slope at
+// the ends, where edges at a corner are off its plane. The frame must live as long.
+std::vector<PatchSide> ribboned_sides(std::shared_ptr<const NetworkFrame> frame,
+                                      const std::vector<RegionSide>& sides);
+
+}  // namespace hull::network

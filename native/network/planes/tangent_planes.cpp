@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/planes/tangent_planes.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace hull::network {
+namespace {
+
+// Sines of angles between edges that span no plane: of any, and of those that go on in one another.
+constexpr double kOneLine = 1e-6, kPassing = 0.2588;
+
+class Planes {
+ public:
+  Planes(const NodeStar& star, std::vector<bool> creases)
+      : star_(star), count_(star.directions.size()) {
+    planes_.is_crease = std::move(creases);
+    planes_.normals.assign(count_, Vector3d::Zero());
+  }
+
+  TangentPlanes run() {
+    const std::size_t first = first_sector();
+    std::size_t at = 0;
+    while (at < count_) {
+      const std::size_t begin = at;
+      // From sector to sector, while no crease is between.
+      do ++at;
+      while (at < count_ && !parts((first + at) % count_));
+      set_plane((first + begin) % count_, at - begin);
+    }
+    return std::move(planes_);
+  }
+
+ private:
+  // An end between two sectors of different planes.
+  bool parts(std::size_t end) const {
+    return planes_.is_crease[end] || star_.is_beyond[end] ||
+           star_.is_beyond[(end + count_ - 1) % count_];
+  }
+  std::size_t first_sector() const {
+    for (std::size_t end = 0; end < count_; ++end) {
+      if (parts(end)) return end;
+    }
+    return 0;
+  }
+
+  // Of sectors one after the other.
+  void set_plane(std::size_t sector, std::size_t sectors) {
+    if (star_.is_beyond[sector]) return;
+    std::vector<Vector3d> edges;
+    for (std::size_t i = 0; i <= std::min(sectors, count_ - 1); ++i) {
+      edges.push_back(star_.directions[(sector + i) % count_]);
+    }
+    const Vector3d normal = plane_of(edges);
+    for (const Vector3d& edge : edges) {
+      planes_.deviation =
+          std::max(planes_.deviation, std::asin(std::min(1.0, std::abs(edge.dot(normal)))));
+    }
+    for (std::size_t i = 0; i < sectors; ++i) planes_.normals[(sector + i) % count_] = normal;
+  }
+
+  Vector3d plane_of(const std::vector<Vector3d>& edges) const {
+    Vector3d normal = Vector3d::Zero();
+    double most = 0.0;
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      moments += edges[i] * edges[i].transpose();
+      for (std::size_t k = 0; k < i; ++k) {
+        const Vector3d across = edges[k].cross(edges[i]);
+        if (across.norm() > most) {
+          most = across.norm();
+          normal = across.normalized();
+        }
+      }
+    }
+    // A curve that only bends a little tells nothing of the plane across it.
+    const Vector3d along = (edges.front() - edges.back()).normalized();
+    const bool goes_on = edges.front().dot(edges.back()) < 0.0;
+    if (most < kOneLine || (goes_on && most < kPassing)) {
+      return (star_.outwards - star_.outwards.dot(along) * along).normalized();
+    }
+    if (edges.size() > 2) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
+      normal = axes.eigenvectors().col(0);
+    }
+    return normal.dot(star_.outwards) < 0.0 ? Vector3d(-normal) : normal;
+  }
+
+  const NodeStar& star_;
+  std::size_t count_;
+  TangentPlanes planes_;
+};
+
+// The numbers of each curve's ends.
+std::vector<std::vector<std::size_t>> ends_by_curve(const NodeStar& star) {
+  std::map<int, std::vector<std::size_t>> ends;
+  for (std::size_t i = 0; i < star.curves.size(); ++i) ends[star.curves[i]].push_back(i);
+  std::vector<std::vector<std::size_t>> all;
+  for (auto& [curve, its_ends] : ends) all.push_back(std::move(its_ends));
+  return all;
+}
+
+}  // namespace
+
+TangentPlanes tangent_planes(const NodeStar& star, double limit) {
+  TangentPlanes planes = Planes(star, star.is_crease).run();
+  if (planes.deviation <= limit) return planes;
+  const auto curves = ends_by_curve(star);
+  std::optional<TangentPlanes> best;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (std::size_t k = i; k < curves.size(); ++k) {
+      // Of one curve rather than of two.
+      if (k > i && best) continue;
+      std::vector<bool> creases = star.is_crease;
+      for (std::size_t end : curves[i]) creases[end] = true;
+      for (std::size_t end : curves[k]) creases[end] = true;
+      TangentPlanes tried = Planes(star, std::move(creases)).run();
+      if (tried.deviation <= limit && (!best || tried.deviation < best->deviation)) {
+        best = std::move(tried);
+      }
+    }
+  }
+  if (best) return *best;
+  TangentPlanes apart = Planes(star, std::vector<bool>(star.directions.size(), true)).run();
+  apart.deviation = planes.deviation;
+  apart.has_planes = false;
+  return apart;
+}
+
+}  // namespace hull::network
