@@ -155,6 +155,28 @@ def _with_dent_faired(hull):
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def papers_pair():
+    """A container ship and a bulk carrier, selected, the former the active one; the only hulls."""
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    for name in ("bulk_carrier", "container_ship"):
+        bpy.ops.hull.load_sample(name=name)
+    hulls = [obj for obj in bpy.context.scene.objects if obj.hull.is_hull]
+    for hull in hulls:
+        hull.select_set(True)
+    return sorted(hulls, key=lambda hull: hull != bpy.context.view_layer.objects.active)
+
+
+def _with_morph(hull):
+    first, second = papers_pair()
+    with bpy.context.temp_override(
+        object=first, active_object=first, selected_objects=[first, second]
+    ):
+        bpy.ops.hull.make_morph()
+    morph = bpy.context.view_layer.objects.active.hull.morph
+    morph.parents[0].weight, morph.active_parent = 0.3, 1
+
+
 def _with_studio(hull):
     part("features.studio").make(hull, bpy.context.scene)
 
@@ -169,6 +191,7 @@ PANELS = {
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
+    "panels/morph": PanelShot(hull_panels("morph", "morph_pairs"), _with_morph),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),

@@ -11,6 +11,7 @@ from ..features.area_curves import live_target
 from ..features.conversion import conversions
 from ..features.fields import before, preview, seen
 from ..features.hull import hull_state, live_normals
+from ..features.morphing import members, pair_lines
 from ..features.surface import colour_views, shown_surface
 from ..features.variants import following
 
@@ -33,10 +34,12 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
     _is_following = True
     try:
         for hull in hulls:
+            members.follow(hull, scene)
             hull_state.follow_edit(hull, scene, is_by_hand)
             preview.follow(hull, scene)
             before.follow(hull, scene)
             seen.follow(hull, scene)
+            pair_lines.follow(hull, scene)
             live_target.follow(hull, scene)
             if shown_surface.may_move(hull):
                 live_normals.ask()
