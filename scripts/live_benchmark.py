@@ -2,14 +2,15 @@
 """Where the time goes while a control point is dragged, measured in Blender's window.
 
 blender --python live_benchmark.py -- [--points N] [--moves N] [--samples N] [--no-lines]
-        [--drag one|all] [--draw-every N] [--ghost] [--profile]
+        [--no-combs] [--drag one|all|weight] [--draw-every N] [--ghost] [--profile]
 
 A half hull, that of native/benchmarks/half_hull.h, is in edit mode; points are moved by random
 steps of a fixed seed, as a transform moves them: the edit mesh changes, Blender evaluates, the
-add-on's handlers run, and the window is drawn. Own time is the processor's from the change to all
-results in place, on the graphics card too, without Blender's own; so is what the add-on draws in
-each frame, where a graphics card does most of what the processor does here. With `taskset -c 0`
-before it, all of it is on one processor.
+add-on's handlers run, and the window is drawn. With `--drag weight` it is a morph of this hull and
+a longer, higher one in object mode, whose slider is moved. Own time is the processor's from the
+change to all results in place, on the graphics card too, without Blender's own; so is what the
+add-on draws in each frame, where a graphics card does most of what the processor does here. With
+`taskset -c 0` before it, all of it is on one processor.
 """
 
 import argparse
@@ -37,6 +38,10 @@ WARM_UP = 10
 # Functions and methods whose time is told apart: (module, name, what for). Those that call one
 # another count without what they call.
 STEPS = (
+    ("features.morphing.members", "member_points", "member of the family, folds"),
+    ("features.morphing.members", "write", "control points, drafts written"),
+    ("features.morphing.members", "show", "member, the rest"),
+    ("features.morphing.members", "follow", "member looked after"),
     ("bridge.mesh.mesh_arrays", "read_mesh", "control mesh read"),
     ("features.constraints.flat_keeping", "keep", "flats kept"),
     ("features.flotation.live_ship", "LiveShip.follow", "surface and body moved"),
@@ -54,7 +59,7 @@ STEPS = (
     ("overlays.lines", "batch_of", "lines to the graphics card"),
     ("overlays.lines", "_comb_batches_of", "combs to the graphics card"),
 )
-DRAWN = ("lines", "ghost", "marks", "tags", "legend", "spots", "status")
+DRAWN = ("lines", "ghost", "marks", "tags", "legend", "spots", "morph_pairs", "status")
 NOT_OURS = ("Blender's update", "Blender's drawing")
 
 
@@ -106,7 +111,8 @@ def half_hull(stations, girth):
 
 
 def make_hull(options):
-    """The half hull of about so many points, with all that follows it switched on; in edit mode."""
+    """The half hull of about so many points, with all that follows it switched on; in edit mode, or
+    as a morph in object mode."""
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
     girth = max(9, round(math.sqrt(0.65 * options.points)) - 1)
@@ -120,16 +126,37 @@ def make_hull(options):
     bpy.context.view_layer.objects.active = hull
     hull.select_set(True)
     bpy.ops.hull.make_hull(half=True)
+    if options.drag == "weight":
+        hull = _morph_of(hull)
     settings = hull.hull
     settings.samples = options.samples
     settings.length_pp, settings.draft, settings.beam = 100.0, 6.0, 18.0
-    _switch_lines(settings, not options.no_lines)
-    settings.plots.sectional_areas = not options.no_lines
+    _switch_lines(settings, not options.no_lines, not options.no_combs)
+    settings.plots.sectional_areas = not (options.no_lines or options.no_combs)
     if options.ghost:
         _show_ghost(settings)
     bpy.context.view_layer.update()
-    bpy.ops.object.mode_set(mode="EDIT")
+    if options.drag != "weight":
+        bpy.ops.object.mode_set(mode="EDIT")
     return hull
+
+
+def _morph_of(hull):
+    """A morph of a hull and a longer, higher one, both of which are hidden then."""
+    other = hull.copy()
+    other.data = hull.data.copy()
+    for vertex in other.data.vertices:
+        vertex.co.x *= 1.2
+        vertex.co.z *= 1.1
+    bpy.context.scene.collection.objects.link(other)
+    other.hull.length_pp = 120.0
+    bpy.context.view_layer.update()
+    hull.select_set(True)
+    other.select_set(True)
+    bpy.ops.hull.make_morph()
+    for parent in (hull, other):
+        parent.hide_set(True)
+    return bpy.context.view_layer.objects.active
 
 
 def _show_ghost(settings):
@@ -138,7 +165,7 @@ def _show_ghost(settings):
     settings.variants.show_ghost = True
 
 
-def _switch_lines(settings, on):
+def _switch_lines(settings, on, with_combs):
     lines, fairness = settings.lines, settings.fairness
     lines.station_count = 20
     lines.waterlines = "0.75:9.75:0.9"
@@ -146,7 +173,7 @@ def _switch_lines(settings, on):
     for name in ("stations", "waterlines", "buttocks", "design_waterline", "flats", "features"):
         setattr(lines, f"show_{name}", on)
     for name in ("stations", "waterlines", "buttocks"):
-        setattr(fairness, f"comb_{name}", on)
+        setattr(fairness, f"comb_{name}", on and with_combs)
 
 
 class Benchmark:
@@ -189,6 +216,24 @@ class Benchmark:
     def move(self, is_drawn):
         """One step of a drag; processor seconds by label."""
         self.clock.spent.clear()
+        if self.options.drag == "weight":
+            self._move_weight()
+        else:
+            self._move_points()
+        spent = {"Blender's update": self._others(bpy.context.view_layer.update)}
+        if is_drawn:
+            spent["Blender's drawing"] = self._others(self._draw)
+        return {**spent, **self.clock.spent}
+
+    def _move_weight(self):
+        weight = self.random.uniform(-0.2, 1.2)
+        slide = self.clock.timed(self._profiled(self._slide), "other weights")
+        slide(weight)
+
+    def _slide(self, weight):
+        self.hull.hull.morph.parents[0].weight = weight
+
+    def _move_points(self):
         bm = bmesh.from_edit_mesh(self.hull.data)
         bm.verts.ensure_lookup_table()
         is_one = self.options.drag == "one"
@@ -198,10 +243,6 @@ class Benchmark:
             if vertex.co.y > 0.1:
                 vertex.co.y += self.random.uniform(-0.02, 0.02)
         bmesh.update_edit_mesh(self.hull.data, loop_triangles=False, destructive=False)
-        spent = {"Blender's update": self._others(bpy.context.view_layer.update)}
-        if is_drawn:
-            spent["Blender's drawing"] = self._others(self._draw)
-        return {**spent, **self.clock.spent}
 
     def _others(self, function):
         """Processor seconds that a function takes, without those of the add-on within it."""
@@ -273,9 +314,10 @@ def parsed():
     parser.add_argument("--points", type=int, default=140)
     parser.add_argument("--moves", type=int, default=200)
     parser.add_argument("--samples", type=int, default=16)
-    parser.add_argument("--drag", choices=("one", "all"), default="one")
+    parser.add_argument("--drag", choices=("one", "all", "weight"), default="one")
     parser.add_argument("--draw-every", type=int, default=1, help="moves; 0: never")
     parser.add_argument("--no-lines", action="store_true")
+    parser.add_argument("--no-combs", action="store_true", help="and no plot: lines and numbers")
     parser.add_argument("--ghost", action="store_true", help="of the hull as it was")
     parser.add_argument("--profile", action="store_true")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])

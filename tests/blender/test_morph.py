@@ -529,3 +529,69 @@ def test_a_subdivided_layout_keeps_its_tags():
             assert np.abs(difference).max() <= 2e-3
         slots = own.data.face_slots[other.face_ids]
         assert sorted(itertools.chain(slots)) == sorted(itertools.chain(layout.slots))
+
+
+def test_lines_are_held_apart_and_paired_by_hand(paper_pair):
+    made, first, second = opened(paper_pair)
+    pairs = part("features.morphing.pairs")
+    morph = made.hull.morph
+    with pytest.raises(RuntimeError, match="gave the layout"):
+        bpy.ops.hull.remove_pair()
+    morph.active_parent = 1
+    entry = morph.parents[1]
+    found = {(pair.first, pair.second) for pair in entry.pairs}
+    assert len(found) > 3
+    rims = [k for k, pair in enumerate(entry.pairs) if "rim" in pair.name]
+    entry.active_pair = rims[0]
+    held = entry.pairs[rims[0]].first, entry.pairs[rims[0]].second
+    assert bpy.ops.hull.remove_pair() == {"FINISHED"} and morph.has_other_pairs
+    assert [(pair.first, pair.second) for pair in entry.apart] == [held]
+    weight = morph.parents[0].weight
+    assert bpy.ops.hull.pair_again() == {"FINISHED"}
+    entry = morph.parents[1]
+    assert held not in {(pair.first, pair.second) for pair in entry.pairs}
+    assert morph.parents[0].weight == weight and not morph.has_other_pairs
+    assert_is_member(made)
+    morph.active_parent = 1
+    with pytest.raises(RuntimeError, match="Choose a line of the layout"):
+        bpy.ops.hull.add_pair()
+    morph.feature = morph.features[held[0]].name
+    entry.feature = entry.features[held[1]].name
+    assert bpy.ops.hull.add_pair() == {"FINISHED"}
+    assert not entry.apart and entry.pairs[entry.active_pair].is_given
+    assert bpy.ops.hull.pair_again() == {"FINISHED"}
+    entry = morph.parents[1]
+    assert {(pair.first, pair.second) for pair in entry.pairs} == found
+    assert [pair.is_given for pair in entry.pairs].count(True) == 1
+    assert bpy.ops.hull.forget_pairs() == {"FINISHED"}
+    assert pairs.corrections(morph) == ({0: [], 1: []}, {0: [], 1: []})
+
+
+def test_pairs_are_shown_on_both_hulls(paper_pair):
+    made, first, second = opened(paper_pair)
+    lines_of = part("features.morphing.pair_lines")
+    made.hull.morph.active_parent, made.hull.morph.show_pairs = 1, True
+    bpy.context.view_layer.update()
+    shown = state_of(made).of(lines_of.PairLines).lines
+    pairs = made.hull.morph.parents[1].pairs
+    assert len(shown) == 2 * len(pairs)
+    for pair, (own, other) in zip(pairs, zip(shown[::2], shown[1::2])):
+        assert (own.hull, other.hull) == (first.name, second.name)
+        assert own.colour == other.colour == tuple(pair.colour)
+    for line in shown:
+        hull = bpy.data.objects[line.hull]
+        tree = part("bridge.native").require().SurfaceTree(state_of(hull).ship.surface)
+        assert tree.closest_points(line.polylines[0]).distances.max() < 1e-6
+    overlay = part("overlays.morph_pairs")
+    views = [
+        type("Shown", (), {"hull": hull, "state": state_of(hull)})()
+        for hull in (made, first, second)
+    ]
+    assert len(overlay.wanted(views)) == len(shown)
+    second.data.vertices[0].co.z += 1.0
+    second.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    assert len(overlay.wanted(views)) == len(pairs)  # those of the changed hull are of before
+    made.hull.morph.show_pairs = False
+    bpy.context.view_layer.update()
+    assert not state_of(made).of(lines_of.PairLines).lines

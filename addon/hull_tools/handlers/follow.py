@@ -12,7 +12,7 @@ from ..features.conversion import conversions
 from ..features.fields import before, preview, seen
 from ..features.hull import hull_state, live_normals
 from ..features.morphing import members, pair_lines
-from ..features.surface import colour_views, shown_surface
+from ..features.surface import colour_views
 from ..features.variants import following
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
@@ -41,7 +41,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
             seen.follow(hull, scene)
             pair_lines.follow(hull, scene)
             live_target.follow(hull, scene)
-            if shown_surface.may_move(hull):
+            if hull_state.state_of(hull).shown.may_move(hull):
                 live_normals.ask()
         studio.ask(hulls, scene)
         following.ask()

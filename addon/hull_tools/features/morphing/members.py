@@ -4,6 +4,7 @@
 import hashlib
 from dataclasses import dataclass
 
+import bpy
 import numpy as np
 
 from ...bridge.blender import units
@@ -69,7 +70,9 @@ def set_weights(obj, scene, wanted):
 
 
 def _show_or_stay(obj, scene):
-    morph, member = obj.hull.morph, told(obj)
+    morph, member, state = obj.hull.morph, told(obj), hull_state.state_of(obj)
+    if state is not None:
+        state.shown.is_sliding = not bpy.app.background  # where nobody pauses, nothing waits for it
     try:
         show(obj, scene)
         member.problem = ""

@@ -34,18 +34,16 @@ def give_pairs(entry, match, graph, other, apart):
 
 
 def _add(pairs, graph, other, first, second):
-    roles = [_short(first, graph.features[first].role), _short(second, other.features[second].role)]
-    return _add_named(pairs, first, second, roles)
-
-
-def _add_named(pairs, first, second, names):
+    roles = graph.features[first].role, other.features[second].role
     pair = pairs.add()
-    pair.first, pair.second, pair.name = first, second, " – ".join(names)
+    pair.first, pair.second, pair.name = first, second, _pair_told(first, second, *roles)
     return pair
 
 
-def _short(number, role):
-    return f"{number + 1} {role}"
+def _pair_told(first, second, role, other):
+    """In few letters: a sidebar is narrow."""
+    numbers = f"{first + 1}–{second + 1}"
+    return f"{numbers} {role}" if role == other else f"{numbers} {role}, {other}"
 
 
 def _give_colours(entry):
@@ -72,8 +70,9 @@ def add(obj):
     second = _number(entry.features, entry.feature, entry.name)
     _remove_from(entry.apart, lambda pair: (pair.first, pair.second) == (first, second))
     _remove_from(entry.pairs, lambda pair: pair.first == first or pair.second == second)
-    names = [_short_of(morph.features[first]), _short_of(entry.features[second])]
-    pair = _add_named(entry.pairs, first, second, names)
+    roles = _role_of(morph.features[first]), _role_of(entry.features[second])
+    pair = entry.pairs.add()
+    pair.first, pair.second, pair.name = first, second, _pair_told(first, second, *roles)
     pair.is_given, morph.has_other_pairs = True, True
     entry.active_pair = len(entry.pairs) - 1
     _give_colours(entry)
@@ -90,7 +89,11 @@ def _number(features, name, whose):
 
 def _short_of(feature):
     """Of "3: knuckle from (…) to (…)" the words before the place."""
-    return feature.name.split(" from ")[0].replace(":", "")
+    return f"{feature.number + 1} {_role_of(feature)}"
+
+
+def _role_of(feature):
+    return feature.name.split(" from ")[0].partition(": ")[2]
 
 
 def _remove_from(pairs, is_one):
@@ -105,7 +108,8 @@ def remove(obj):
     if not 0 <= entry.active_pair < len(entry.pairs):
         raise ValueError("Choose a pair first")
     pair = entry.pairs[entry.active_pair]
-    _add_named(entry.apart, pair.first, pair.second, [pair.name])
+    held = entry.apart.add()
+    held.first, held.second, held.name = pair.first, pair.second, pair.name
     entry.pairs.remove(entry.active_pair)
     entry.active_pair = max(min(entry.active_pair, len(entry.pairs) - 1), 0)
     obj.hull.morph.has_other_pairs = True

@@ -10,6 +10,8 @@ from ...bridge.blender import units
 from ...bridge.counts import counted
 from . import layout_mesh, pairs, parents
 
+_NOTHING = 1e-6  # m: below single precision of hulls
+
 
 @dataclass(frozen=True, eq=False)
 class Alike:
@@ -69,7 +71,7 @@ def fit_told(fit):
     if fit is None:
         return "Its own layout"
     rms, largest = max(fit.rms, fit.rms_back), max(fit.largest, fit.largest_back)
-    if not rms > 0.0:
+    if largest < _NOTHING:
         return "Its own points"
     return f"Met within {units.format_mm(rms)} RMS, {units.format_mm(largest)} at most"
 
