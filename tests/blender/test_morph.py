@@ -559,10 +559,9 @@ def test_lines_are_held_apart_and_paired_by_hand(paper_pair):
     entry.feature = entry.features[held[1]].name
     assert bpy.ops.hull.add_pair() == {"FINISHED"}
     assert not entry.apart and entry.pairs[entry.active_pair].is_given
-    assert bpy.ops.hull.pair_again() == {"FINISHED"}
-    entry = morph.parents[1]
     assert {(pair.first, pair.second) for pair in entry.pairs} == found
     assert [pair.is_given for pair in entry.pairs].count(True) == 1
+    assert pairs.corrections(morph) == ({0: [], 1: [held]}, {0: [], 1: []})
     assert bpy.ops.hull.forget_pairs() == {"FINISHED"}
     assert pairs.corrections(morph) == ({0: [], 1: []}, {0: [], 1: []})
 

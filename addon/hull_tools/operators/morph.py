@@ -5,7 +5,8 @@ import bpy
 from bpy.props import StringProperty
 
 from ..bridge.objects import hull_objects
-from ..features.morphing import making, members, pairs, parents, refitting
+from ..features.morphing import making, members, pairs, parents, refitting, wanted
+from ..features.targets import reports
 from .shared import HullOperator, can_change, in_object_mode, make_active, native_is_there
 from .tasks import TaskOperator
 
@@ -118,6 +119,31 @@ class HULL_OT_forget_pairs(bpy.types.Operator, HullOperator):
         pairs.forget_corrections(hull)
 
 
+def _has_target(cls, context):
+    if not hull_objects.hull_of(context.object).hull.targets.rows:
+        cls.poll_message_set("There is no target: add one")
+        return False
+    return True
+
+
+class HULL_OT_find_weights(bpy.types.Operator, TaskOperator):
+    """Find the weights with which the hull has the wanted numbers of the panel Targets, at the
+    least change, and where dimensions are free there their factors. Its draft stays"""
+
+    bl_idname = "hull.find_weights"
+    bl_label = "Find Weights"
+    bl_options = {"REGISTER", "UNDO"}
+
+    needs = (*TaskOperator.needs, can_change, _is_member, _has_target)
+
+    def begin(self, hull, scene):
+        return wanted.Finding(hull, scene)
+
+    def outcome(self, found, scene):
+        report = self._task.write(scene)
+        return reports.summary(report, scene), not report.is_met
+
+
 class HULL_OT_set_weights(bpy.types.Operator, HullOperator):
     """Make the hull the member of its family with given weights, or with equal ones"""
 
@@ -185,6 +211,7 @@ CLASSES = (
     HULL_OT_add_pair,
     HULL_OT_remove_pair,
     HULL_OT_forget_pairs,
+    HULL_OT_find_weights,
     HULL_OT_set_weights,
     HULL_OT_leave_family,
     HULL_OT_back_to_family,

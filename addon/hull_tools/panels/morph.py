@@ -6,7 +6,8 @@ import bpy
 from ..bridge.objects import hull_objects
 from ..features.morphing import making, members, pairs, parents
 from .conversion import draw_task
-from .shared import HullPanel, label_value, label_wrapped, text_field
+from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
+from .targets import draw_free, draw_report, draw_row
 
 
 class HULL_UL_parents(bpy.types.UIList):
@@ -143,4 +144,28 @@ def _draw_alone(layout, context, morph, entry):
         label_wrapped(layout, context, f"Held apart: {told}")
 
 
-CLASSES = (HULL_UL_parents, HULL_UL_pairs, HULL_PT_morph, HULL_PT_morph_pairs)
+class HULL_PT_morph_targets(MemberPanel, bpy.types.Panel):
+    """Weights with which the hull has wanted numbers, those of the panel Targets"""
+
+    bl_label = "Weights for Targets"
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        settings = hull.hull.targets
+        row = draw_entries(layout, settings, "rows", "active_row", "target")
+        if row is not None:
+            draw_row(layout, row)
+        draw_free(layout, settings)
+        if not draw_task(layout, hull):
+            layout.operator("hull.find_weights", icon="SNAP_ON")
+        draw_report(layout, context, hull)
+
+
+CLASSES = (
+    HULL_UL_parents,
+    HULL_UL_pairs,
+    HULL_PT_morph,
+    HULL_PT_morph_pairs,
+    HULL_PT_morph_targets,
+)

@@ -44,15 +44,15 @@ def is_member(obj):
     return len(obj.hull.morph.parents) > 0
 
 
-def family_of(obj, scale):
-    """The Family of a hull; scale: metres of Blender's unit. ValueError where what is stored of it
-    does not make one."""
+def family_of(obj, scale, factors=(1.0, 1.0, 1.0)):
+    """The Family of a hull; scale: metres of Blender's unit; factors: by which all parents are
+    scaled. ValueError where what is stored of it does not make one."""
     found = [_stored(entry) for entry in obj.hull.morph.parents]
-    key = (scale, obj.hull.scheme, *(_key(data) for data in found))
+    key = (scale, tuple(factors), obj.hull.scheme, *(_key(data) for data in found))
     state = hull_state.state_of(obj)
     known = Known() if state is None else state.of(Known)
     if known.family is None or known.family.key != key:
-        known.family = _made(found, key, obj.hull.scheme, scale)
+        known.family = _made(found, key, obj.hull.scheme, scale * np.asarray(factors))
     return known.family
 
 
