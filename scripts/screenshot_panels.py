@@ -173,8 +173,10 @@ def _with_morph(hull):
         object=first, active_object=first, selected_objects=[first, second]
     ):
         bpy.ops.hull.make_morph()
-    morph = bpy.context.view_layer.objects.active.hull.morph
-    morph.parents[0].weight, morph.active_parent = 0.3, 1
+    made = bpy.context.view_layer.objects.active
+    made.hull.morph.parents[0].weight, made.hull.morph.active_parent = 0.3, 1
+    with bpy.context.temp_override(object=made, active_object=made):
+        bpy.ops.hull.add_target()
 
 
 def _with_studio(hull):
@@ -191,7 +193,9 @@ PANELS = {
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
-    "panels/morph": PanelShot(hull_panels("morph", "morph_pairs"), _with_morph),
+    "panels/morph": PanelShot(
+        hull_panels("morph", "morph_pairs", "morph_targets", "morph_series"), _with_morph
+    ),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),

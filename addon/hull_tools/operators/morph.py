@@ -5,7 +5,7 @@ import bpy
 from bpy.props import StringProperty
 
 from ..bridge.objects import hull_objects
-from ..features.morphing import making, members, pairs, parents, refitting, wanted
+from ..features.morphing import making, members, pairs, parents, refitting, wanted, weights
 from ..features.targets import reports
 from .shared import HullOperator, can_change, in_object_mode, make_active, native_is_there
 from .tasks import TaskOperator
@@ -159,16 +159,8 @@ class HULL_OT_set_weights(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = len(hull.hull.morph.parents)
-        wanted = _numbers(self.weights) if self.weights.strip() else [1.0 / count] * count
-        members.set_weights(hull, context.scene, wanted)
-
-
-def _numbers(text):
-    words = text.replace(",", " ").split()
-    try:
-        return [float(word) for word in words]
-    except ValueError:
-        raise ValueError(f'"{text}" are no weights: give numbers such as 0.3 0.7') from None
+        given = weights.numbers(self.weights) or [1.0 / count] * count
+        members.set_weights(hull, context.scene, given)
 
 
 class HULL_OT_leave_family(bpy.types.Operator, HullOperator):

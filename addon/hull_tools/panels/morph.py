@@ -65,6 +65,8 @@ def _draw_member(layout, context, hull):
     if member.problem:
         label_wrapped(layout, context, member.problem, icon="ERROR")
     layout.prop(morph, "follows_particulars")
+    if any(factor != 1.0 for factor in morph.factors):
+        layout.column().prop(morph, "factors")
     _draw_fits(layout, context, morph)
     lost, other = parents.gone(morph), parents.changed(morph)
     if lost:
@@ -162,10 +164,31 @@ class HULL_PT_morph_targets(MemberPanel, bpy.types.Panel):
         draw_report(layout, context, hull)
 
 
+class HULL_PT_morph_series(MemberPanel, bpy.types.Panel):
+    """Members from one parent to another in equal steps"""
+
+    bl_label = "Series"
+
+    def draw(self, context):
+        layout = self.layout
+        morph = hull_objects.hull_of(context.object).hull.morph
+        column = layout.column(align=True)
+        for name in ("series_from", "series_to"):
+            column.prop(morph, name)
+            number = getattr(morph, name) - 1
+            if number < len(morph.parents):
+                label_value(column, "", morph.parents[number].name)
+        layout.prop(morph, "steps")
+        layout.operator("hull.export_series_table", icon="EXPORT")
+        text_field(layout, morph, "series_format")
+        layout.operator("hull.export_series", icon="EXPORT")
+
+
 CLASSES = (
     HULL_UL_parents,
     HULL_UL_pairs,
     HULL_PT_morph,
     HULL_PT_morph_pairs,
     HULL_PT_morph_targets,
+    HULL_PT_morph_series,
 )

@@ -134,6 +134,9 @@ class HullMorph(bpy.types.PropertyGroup):
         name="Factors",
         description="Of length, beam and draft, beside the weights",
         default=(1.0, 1.0, 1.0),
+        min=0.1,
+        max=10.0,
+        precision=5,
         update=_member_changed,
     )
     follows_particulars: BoolProperty(

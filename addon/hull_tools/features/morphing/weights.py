@@ -44,6 +44,14 @@ def checked(wanted, count):
     return found
 
 
+def numbers(text):
+    """[weight] that a text has, between blanks or commas."""
+    try:
+        return [float(word) for word in text.replace(",", " ").split()]
+    except ValueError:
+        raise ValueError(f'"{text}" are no weights: give numbers such as 0.3 0.7') from None
+
+
 @contextmanager
 def writing():
     """While weights are set together, none of them moves the others."""
