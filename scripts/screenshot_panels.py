@@ -164,16 +164,22 @@ def papers_pair():
     hulls = [obj for obj in bpy.context.scene.objects if obj.hull.is_hull]
     for hull in hulls:
         hull.select_set(True)
+        hull.location.y = 45.0 * (hull.name[0] == "B")
     return sorted(hulls, key=lambda hull: hull != bpy.context.view_layer.objects.active)
 
 
-def _with_morph(hull):
+def morph_of_pair():
+    """A morph of these two, made; the active hull."""
     first, second = papers_pair()
     with bpy.context.temp_override(
         object=first, active_object=first, selected_objects=[first, second]
     ):
         bpy.ops.hull.make_morph()
-    made = bpy.context.view_layer.objects.active
+    return bpy.context.view_layer.objects.active
+
+
+def _with_morph(hull):
+    made = morph_of_pair()
     made.hull.morph.parents[0].weight, made.hull.morph.active_parent = 0.3, 1
     with bpy.context.temp_override(object=made, active_object=made):
         bpy.ops.hull.add_target()
@@ -193,8 +199,9 @@ PANELS = {
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
-    "panels/morph": PanelShot(
-        hull_panels("morph", "morph_pairs", "morph_targets", "morph_series"), _with_morph
+    "panels/morph": PanelShot(hull_panels("morph", "morph_pairs"), _with_morph),
+    "panels/morph-series": PanelShot(
+        hull_panels("morph", "morph_targets", "morph_series"), _with_morph
     ),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
     "panels/variants": PanelShot(

@@ -23,7 +23,7 @@ def wanted(shown_hulls):
 
 def _draw():
     lines = wanted(list(hulls_in_view()))
-    for depth, alpha in (("GREATER", HIDDEN_ALPHA), ("LESS_EQUAL", 1.0)):
+    for depth, alpha in (("LESS_EQUAL", 1.0), ("GREATER", HIDDEN_ALPHA)):
         with depth_test(depth):
             for shown, line in lines:
                 pen = Pen(shown, _LAYER)
