@@ -161,9 +161,13 @@ def drawn_labels_of_a_family():
     made = morph_of(*boxes((1.0, 1.0, 1.0), (2.0, 1.0, 1.0)))
     made.hull.morph.active_parent, made.hull.morph.has_other_pairs = 1, True
     found = drawn_labels()
+    bpy.ops.hull.add_field()
+    bpy.ops.hull.add_local_parent()
+    found |= drawn_labels()
     made.data.vertices[0].co.z -= 1.0
     part("features.morphing.members").follow(made, bpy.context.scene)
-    return found | drawn_labels()
+    found |= drawn_labels()
+    return {pair for pair in found if pair[0] == "morph"}
 
 
 def page_of(cls):

@@ -5,7 +5,16 @@ import bpy
 from bpy.props import StringProperty
 
 from ..bridge.objects import hull_objects
-from ..features.morphing import making, members, pairs, parents, refitting, wanted, weights
+from ..features.morphing import (
+    local_parents,
+    making,
+    members,
+    pairs,
+    parents,
+    refitting,
+    wanted,
+    weights,
+)
 from ..features.targets import reports
 from .shared import HullOperator, can_change, in_object_mode, make_active, native_is_there
 from .tasks import TaskOperator
@@ -119,6 +128,30 @@ class HULL_OT_forget_pairs(bpy.types.Operator, HullOperator):
         pairs.forget_corrections(hull)
 
 
+class HULL_OT_add_local_parent(bpy.types.Operator, HullOperator):
+    """Make the hull the chosen parent around the field that is chosen in the panel Fields"""
+
+    bl_idname = "hull.add_local_parent"
+    bl_label = "Add Local Parent"
+
+    needs = (*HullOperator.needs, _is_member)
+
+    def run_on(self, hull, context):
+        local_parents.add(hull)
+
+
+class HULL_OT_remove_local_parent(bpy.types.Operator, HullOperator):
+    """Let the weights of the whole hull count where the chosen local parent does"""
+
+    bl_idname = "hull.remove_local_parent"
+    bl_label = "Remove Local Parent"
+
+    needs = (*HullOperator.needs, _is_member)
+
+    def run_on(self, hull, context):
+        local_parents.remove(hull)
+
+
 def _has_target(cls, context):
     if not hull_objects.hull_of(context.object).hull.targets.rows:
         cls.poll_message_set("There is no target: add one")
@@ -203,6 +236,8 @@ CLASSES = (
     HULL_OT_add_pair,
     HULL_OT_remove_pair,
     HULL_OT_forget_pairs,
+    HULL_OT_add_local_parent,
+    HULL_OT_remove_local_parent,
     HULL_OT_find_weights,
     HULL_OT_set_weights,
     HULL_OT_leave_family,

@@ -146,6 +146,27 @@ def _draw_alone(layout, context, morph, entry):
         label_wrapped(layout, context, f"Held apart: {told}")
 
 
+class HULL_UL_local(bpy.types.UIList):
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        layout.label(text=f"{item.field}: {item.parent}")
+
+
+class HULL_PT_morph_local(MemberPanel, bpy.types.Panel):
+    """Parents that count alone around shape fields of this hull"""
+
+    bl_label = "Local Parents"
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        morph = hull.hull.morph
+        row = draw_entries(layout, morph, "local", "active_local", "local_parent")
+        if row is not None:
+            column = layout.column(align=True)
+            column.prop_search(row, "field", hull.hull.fields, "fields", text="Around")
+            column.prop_search(row, "parent", morph, "parents", text="Is")
+
+
 class HULL_PT_morph_targets(MemberPanel, bpy.types.Panel):
     """Weights with which the hull has wanted numbers, those of the panel Targets"""
 
@@ -187,8 +208,10 @@ class HULL_PT_morph_series(MemberPanel, bpy.types.Panel):
 CLASSES = (
     HULL_UL_parents,
     HULL_UL_pairs,
+    HULL_UL_local,
     HULL_PT_morph,
     HULL_PT_morph_pairs,
+    HULL_PT_morph_local,
     HULL_PT_morph_targets,
     HULL_PT_morph_series,
 )

@@ -100,12 +100,32 @@ class HullMorphParent(bpy.types.PropertyGroup):
     )
 
 
+class HullMorphLocal(bpy.types.PropertyGroup):
+    """A parent that counts alone around a shape field of the hull."""
+
+    field: StringProperty(
+        name="Field", description="A shape field of this hull, by its name", update=changed
+    )
+    parent: StringProperty(
+        name="Parent",
+        description="The parent that the hull is there, by name; for a field that protects none",
+        update=changed,
+    )
+
+
 class HullMorph(bpy.types.PropertyGroup):
     """A hull with parents is a member of their family; one without is none."""
 
     parents: CollectionProperty(type=HullMorphParent)
     active_parent: IntProperty(
         name="Parent", description="The one chosen in the list", min=0, update=changed
+    )
+    local: CollectionProperty(type=HullMorphLocal)
+    active_local: IntProperty(
+        name="Local Parent", description="The one chosen in the list", update=changed
+    )
+    shown_local: StringProperty(
+        name="Shown Locally", description="A digest of the fields of the member that is shown"
     )
     shown_mesh: StringProperty(
         name="Shown", description="A digest of the mesh of the member that is shown"
@@ -201,4 +221,4 @@ class HullMorph(bpy.types.PropertyGroup):
     )
 
 
-CLASSES = (HullMorphPair, HullMorphFeature, HullMorphParent, HullMorph)
+CLASSES = (HullMorphPair, HullMorphFeature, HullMorphParent, HullMorphLocal, HullMorph)

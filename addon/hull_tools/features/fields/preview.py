@@ -207,10 +207,11 @@ def _curves_of(obj):
 
 def _values(obj):
     """All of the fields that a preview goes by; curves and faces by what they are now."""
-    return tuple(_values_of(field, obj) for field in obj.hull.fields.fields)
+    return tuple(values_of(field, obj) for field in obj.hull.fields.fields)
 
 
-def _values_of(field, obj):
+def values_of(field, obj):
+    """All of a field by which the hull is shown; equal where that is the same."""
     return (
         *(field.use, field.role, field.base, tuple(field.place), field.axis, field.extent),
         *(field.falloff, tuple(field.shift), tuple(field.axes), field.varies, field.extent_end),

@@ -13,7 +13,7 @@ from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_mesh, hull_objects
 from ..hull import hull_state
 from ..variants import kept_hulls
-from . import parents, weights
+from . import local_parents, parents, weights
 
 NOT_OF_FAMILY = (
     "The mesh is no longer the family's: points, faces or creases were changed. Make it a hull of "
@@ -91,6 +91,7 @@ def follow(obj, scene):
     member.is_of_family = is_of_family(obj)
     morph = obj.hull.morph
     is_shown = all(entry.weight == entry.shown_weight for entry in morph.parents)
+    is_shown &= morph.shown_local == local_parents.key(obj)
     if is_shown or not member.is_of_family or hull_objects.locked(obj):
         return
     try:
@@ -126,9 +127,11 @@ def show(obj, scene):
 def member_points(obj, scene, wanted):
     """(n, 3), m: the member of a hull's family with these weights and the hull's factors.
     ValueError, with a place, where its surface is folded."""
-    family = parents.family_of(obj, units.metres_per_unit(scene)).native
-    points = family.points(wanted)
-    place = family.first_fold(points)
+    scale = units.metres_per_unit(scene)
+    family = parents.family_of(obj, scale)
+    local = local_parents.of_hull(obj, family, scale)
+    points = family.native.points(wanted, local=local, mirrored=obj.hull.half)
+    place = family.native.first_fold(points)
     if place is not None:
         at = ", ".join(f"{name} {units.format_value(scene, value, 'm')}"
                        for name, value in zip("xyz", place))  # fmt: skip
@@ -146,7 +149,7 @@ def write(obj, points):
     faces, and keeps what is shown then."""
     mesh_points.write(obj.data, np.arange(len(points)), points)
     morph = obj.hull.morph
-    morph.shown_mesh = _mesh_key(hull_mesh.read(obj))
+    morph.shown_mesh, morph.shown_local = _mesh_key(hull_mesh.read(obj)), local_parents.key(obj)
     for entry in morph.parents:
         entry.shown_weight = entry.weight
     if morph.follows_particulars:

@@ -25,11 +25,12 @@ _LOST = (
 @dataclass(frozen=True, eq=False)
 class Family:
     """Parents as they are stored. native: hull_native.HullFamily, in metres; control:
-    mesh_arrays.ControlArrays of the first parent; half as of the hull."""
+    mesh_arrays.ControlArrays of the first parent; surface: of these, for reading."""
 
     key: tuple
     native: object
     control: object
+    surface: object
 
 
 @dataclass
@@ -76,7 +77,7 @@ def _made(found, key, scheme, scale):
             raise ValueError("The stored parents have not the same points: undo")
         points = mesh_arrays.moved_arrays(control, data, scale).points
         surfaces.append(hull_native.LimitSurface(mesh.with_points(points), scheme))
-    return Family(key, hull_native.HullFamily(surfaces), control)
+    return Family(key, hull_native.HullFamily(surfaces), control, surfaces[0])
 
 
 def source_key(obj):

@@ -9,7 +9,7 @@ from ...bridge import limits
 from ...bridge.blender import units
 from ..flotation import afloat, ship
 from ..hull import hull_state
-from . import members, parents, weights
+from . import local_parents, members, parents, weights
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,24 +25,27 @@ class Step:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """steps: Steps. family: hull_native.HullFamily with the hull's factors; source: the
-    ship.ShipSource of the hull, whose faces all members have. For any thread."""
+    """steps: Steps. family: hull_native.HullFamily; factors (3,) of length, beam and draft; local:
+    as local_parents has them; source: the ship.ShipSource of the hull, whose faces all members
+    have. For any thread."""
 
     name: str
     parents: list
     steps: list
     family: object
+    factors: np.ndarray
+    local: list
     source: ship.ShipSource
 
     def points(self, step):
         """(n, 3), m. ValueError, with t, where the member is folded."""
-        points = self.family.points(step.weights)
+        points = self.family.points(step.weights, local=self.local, mirrored=self.source.half)
         place = self.family.first_fold(points)
         if place is not None:
             x, y, z = place
             raise ValueError(f"At t = {step.t:g} the surface folds, at x {x:.3f}, y {y:.3f}, "
                              f"z {z:.3f} m: leave that member out")  # fmt: skip
-        return points
+        return points * self.factors
 
     def member(self, step):
         """The ship.ShipSource of a member."""
@@ -63,11 +66,12 @@ def of_hull(obj, scene, first=None, last=None, steps=None):
         raise ValueError("The series begins and ends with the same hull: choose another parent")
     number = limits.within(steps or morph.steps, "Steps", 1, limits.MOST_SERIES_STEPS)
     scale, factors = units.metres_per_unit(scene), members.factors_of(morph)
-    family = parents.family_of(obj, scale, factors).native
+    family = parents.family_of(obj, scale)
+    local = local_parents.of_hull(obj, family, scale)
     own = afloat.afloat(obj.hull, scale)
     found = [_step(obj, k / number, first, last, own, scale) for k in range(number + 1)]
     names = [entry.name for entry in morph.parents]
-    return Series(obj.name, names, found, family, state.ship.source)
+    return Series(obj.name, names, found, family.native, factors, local, state.ship.source)
 
 
 def _one(number, count):

@@ -27,6 +27,10 @@ class Finding(jobs.JobTask):
         if not members.is_of_family(obj):
             raise ValueError(members.NOT_OF_FAMILY)
         self._name, self._scale = obj.name, units.metres_per_unit(scene)
+        if len(obj.hull.morph.local):
+            raise ValueError(
+                "Weights for targets are those of the whole hull: remove its local parents first"
+            )
         wanted_rows = rows.in_use(obj)
         conversions.clear_way(obj)
         morph, self._key = obj.hull.morph, self.state.ship.geometry_key
