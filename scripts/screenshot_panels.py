@@ -155,22 +155,20 @@ def _with_dent_faired(hull):
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def papers_pair():
-    """A container ship and a bulk carrier, selected, the former the active one; the only hulls."""
+def loaded(*names):
+    """Samples, the only hulls there."""
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
-    for name in ("bulk_carrier", "container_ship"):
+    hulls = []
+    for name in names:
         bpy.ops.hull.load_sample(name=name)
-    hulls = [obj for obj in bpy.context.scene.objects if obj.hull.is_hull]
-    for hull in hulls:
-        hull.select_set(True)
-        hull.location.y = 45.0 * (hull.name[0] == "B")
-    return sorted(hulls, key=lambda hull: hull != bpy.context.view_layer.objects.active)
+        hulls.append(bpy.context.view_layer.objects.active)
+    return hulls
 
 
-def morph_of_pair():
-    """A morph of these two, made; the active hull."""
-    first, second = papers_pair()
+def morph_of_pair(*names):
+    """A morph of two samples, the first of which gives the layout; the active hull."""
+    first, second = loaded(*names)
     with bpy.context.temp_override(
         object=first, active_object=first, selected_objects=[first, second]
     ):
@@ -179,7 +177,7 @@ def morph_of_pair():
 
 
 def _with_morph(hull):
-    made = morph_of_pair()
+    made = morph_of_pair("container_ship", "bulk_carrier")
     made.hull.morph.parents[0].weight, made.hull.morph.active_parent = 0.3, 1
     with bpy.context.temp_override(object=made, active_object=made):
         bpy.ops.hull.add_target()
