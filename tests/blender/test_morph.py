@@ -581,6 +581,14 @@ def test_pairs_are_shown_on_both_hulls(paper_pair):
         hull = bpy.data.objects[line.hull]
         tree = part("bridge.native").require().SurfaceTree(state_of(hull).ship.surface)
         assert tree.closest_points(line.polylines[0]).distances.max() < 1e-6
+    made.hull.morph.feature = made.hull.morph.features[2].name
+    bpy.context.view_layer.update()
+    chosen = state_of(made).of(lines_of.PairLines).lines
+    assert len(chosen) == len(shown) + 1
+    assert (chosen[-1].hull, chosen[-1].colour) == (first.name, (1.0, 1.0, 1.0))
+    assert np.array_equal(chosen[-1].polylines, shown[2 * 2].polylines)
+    made.hull.morph.feature = ""
+    bpy.context.view_layer.update()
     overlay = part("overlays.morph_pairs")
     views = [
         type("Shown", (), {"hull": hull, "state": state_of(hull)})()

@@ -85,6 +85,11 @@ def test_a_slider_is_dragged_and_taken_back(window):
         made = hull_at_hand()
         assert weights(made)[0] > before[0] + 0.05
         assert_is_member(made)
+        for _ in range(3):  # the weight, what was switched on, the morph
+            window.undo()
+            yield
+        hulls = [obj for obj in bpy.context.scene.objects if obj.hull.is_hull]
+        assert len(hulls) == 2 and not any(len(hull.hull.morph.parents) for hull in hulls)
     finally:
         show_all_panels()
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The paired lines of a family on the hulls that they are of: of the layout and of the parent that
-is chosen in the list, pair by pair in one colour. Drawing computes nothing."""
+is chosen in the list, pair by pair in one colour, and the lines that are chosen to be paired.
+Drawing computes nothing."""
 
 from dataclasses import dataclass, field
 
@@ -11,6 +12,7 @@ from ..hull import hull_state
 from . import parents
 
 _SPACES = 60  # of a line
+_CHOSEN = (1.0, 1.0, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +29,7 @@ class PairLine:
 
 @dataclass
 class PairLines:
-    """Of one hull of a family. lines: PairLine, two for each pair, or none."""
+    """Of one hull of a family. lines: PairLine, two for each pair, then those that are chosen."""
 
     lines: list = field(default_factory=list)
     key: tuple = None
@@ -47,18 +49,27 @@ def follow(obj, scene):
     hulls = [obj.hull.morph.layout_source, entry.source]
     states = [hull_state.state_of(hull) or hull_state.refresh(hull, scene) for hull in hulls]
     pairs = tuple((pair.first, pair.second, tuple(pair.colour)) for pair in entry.pairs)
+    chosen = tuple(_chosen_numbers(obj.hull.morph, entry))
     geometry = [one.ship.geometry_key for one in states]
-    key = (*(hull.name for hull in hulls), *geometry, pairs)
+    key = (*(hull.name for hull in hulls), *geometry, pairs, chosen)
     if shown.key == key or None in geometry:
         return
     known = {one.ship.geometry_key: _curves(shown, one) for one in states}
     shown.graphs, shown.key = known, key
     shown.lines = [
         PairLine(hull.name, own, known[own][number], hull.hull.half, colour)
-        for first, second, colour in pairs
+        for first, second, colour in (*pairs, (*chosen, _CHOSEN))
         for hull, own, number in zip(hulls, geometry, (first, second))
-        if number < len(known[own])
+        if number is not None and number < len(known[own])
     ]
+
+
+def _chosen_numbers(morph, entry):
+    """Of the lines of the layout and of a parent that are chosen to be paired; None where none
+    is."""
+    for features, name in ((morph.features, morph.feature), (entry.features, entry.feature)):
+        found = features.get(name) if name else None
+        yield None if found is None else found.number
 
 
 def _entry(obj):
@@ -68,7 +79,7 @@ def _entry(obj):
         return None
     entry = morph.parents[morph.active_parent]
     is_there = parents.is_there(entry.source) and parents.is_there(morph.layout_source)
-    return entry if is_there and len(entry.pairs) else None
+    return entry if is_there and len(entry.features) else None
 
 
 def _curves(shown, state):
