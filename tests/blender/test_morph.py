@@ -602,3 +602,19 @@ def test_pairs_are_shown_on_both_hulls(paper_pair):
     made.hull.morph.show_pairs = False
     bpy.context.view_layer.update()
     assert not state_of(made).of(lines_of.PairLines).lines
+
+
+def test_pairing_again_where_the_member_would_be_none_shows_the_first_parent():
+    first, second = boxes((1.0, 1.0, 1.0), (1.0, 1.5, 1.0))
+    made = morph_of(first, second)
+    set_weight(made, 0, 1.5)
+    for vertex in second.data.vertices:
+        vertex.co.y *= 4.0  # 1.5 - 0.5 * 6 of a breadth
+    second.data.update()
+    second.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.pair_again() == {"FINISHED"}
+    assert [entry.weight for entry in made.hull.morph.parents] == [1.0, 0.0]
+    assert mesh_points(made).tobytes() == mesh_points(first).tobytes()
+    bpy.context.view_layer.update()
+    assert_is_member(made)

@@ -66,8 +66,7 @@ class Morphing(jobs.JobTask):
         conversions.watch(self)
 
     def result(self):
-        """The hull_native CommonLayout with the features of the layout and of each parent, which
-        are waited for; raises what went wrong."""
+        """The stored_parents.Alike, which is waited for; raises what went wrong."""
         return self._job.result()
 
     def write(self, scene):
@@ -183,11 +182,11 @@ def _free_name(taken):
 
 
 def _beside(hulls):
-    """Where a hull stands clear of all its parents, to port of them."""
-    port = max(one.location.y + 0.5 * one.hull.beam for one in hulls)
+    """Where in the world a hull stands clear of all its parents, to port of them."""
+    places = [one.matrix_world.translation for one in hulls]
+    port = max(place.y + 0.5 * one.hull.beam for place, one in zip(places, hulls))
     widest = max(one.hull.beam for one in hulls)
-    x, _, z = hulls[0].location
-    return x, port + widest, z
+    return places[0].x, port + widest, places[0].z
 
 
 def _give_settings(made, first, layout):
@@ -200,22 +199,19 @@ def _give_settings(made, first, layout):
 
 
 def _begin(obj, scene, wanted=None):
-    """Shows the member of the wanted weights, or of equal ones; of the first parent where that is
-    folded, which the first parent never is."""
-    morph = obj.hull.morph
+    """Shows the member of the wanted weights, or of equal ones; the first parent where that cannot
+    be, as it is folded."""
+    morph, scale = obj.hull.morph, units.metres_per_unit(scene)
     count = len(morph.parents)
-    first = [1.0] + [0.0] * (count - 1)
-    problem = ""
-    for values in (wanted or [1.0 / count] * count, first):
-        weights.write(morph, values)
-        try:
-            points = members.member_points(obj, scene, weights.read(morph))
-            break
-        except ValueError as error:
-            problem = problem or str(error)
-    members.write(obj, points / units.metres_per_unit(scene))
+    weights.write(morph, wanted or [1.0 / count] * count)
+    try:
+        points = members.member_points(obj, scene, weights.read(morph))
+    except ValueError:
+        first = [1.0] + [0.0] * (count - 1)
+        weights.write(morph, first)
+        points = parents.family_of(obj, scale).native.points(first) * members.factors_of(morph)
+    members.write(obj, points / scale)
     weights.remember_shares(morph)
-    return problem
 
 
 def selected_parents(active, objects):

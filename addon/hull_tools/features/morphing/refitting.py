@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parents of a hull fitted again as they are now, with pairs of lines as they were corrected."""
 
+from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_objects
 from ..hull import hull_state
 from . import making, pairs, parents
@@ -22,6 +23,9 @@ class Refitting(making.Morphing):
         obj = scene.objects.get(self._name)
         if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
             raise ValueError("The hull was changed meanwhile, and stays as it is: pair again")
+        if obj.data.is_editmode:
+            raise ValueError("Leave edit mode first (Tab), and pair again")
+        check_single_user(obj.data)
         return self.rewrite(obj, scene)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from ...bridge import limits
 from ...bridge.background import jobs
 from ...bridge.blender import units
+from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_objects
 from ..conversion import conversions
 from ..dimensions import dimensions
@@ -57,6 +58,7 @@ class Finding(jobs.JobTask):
             raise ValueError(_CHANGED)
         if self.state.ship.geometry_key != self._key or not members.is_of_family(obj):
             raise ValueError(_CHANGED)
+        check_single_user(obj.data)
         for weight in found:
             limits.within(weight, "A weight that would be needed", *limits.MORPH_WEIGHTS)
         surface = self.state.ship.source.new_surface()
