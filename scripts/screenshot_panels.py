@@ -180,6 +180,10 @@ def _with_morph(hull):
     made = morph_of_pair("container_ship", "bulk_carrier")
     made.hull.morph.parents[0].weight, made.hull.morph.active_parent = 0.3, 1
     with bpy.context.temp_override(object=made, active_object=made):
+        bpy.ops.hull.add_field(base="PLANE")
+        field = made.hull.fields.fields[0]
+        field.name, field.axis, field.place, field.extent = "Bow", "X", (240.0, 0.0, 0.0), 60.0
+        bpy.ops.hull.add_local_parent()
         bpy.ops.hull.add_target()
 
 
@@ -199,7 +203,7 @@ PANELS = {
     "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
     "panels/morph": PanelShot(hull_panels("morph", "morph_pairs"), _with_morph),
     "panels/morph-series": PanelShot(
-        hull_panels("morph", "morph_targets", "morph_series"), _with_morph
+        hull_panels("morph", "morph_local", "morph_targets", "morph_series"), _with_morph
     ),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
     "panels/variants": PanelShot(
