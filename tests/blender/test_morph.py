@@ -440,6 +440,10 @@ def test_numbers_of_a_member_by_itself(paper_pair):
     copy = bpy.context.object
     assert np.array_equal(mesh_points(copy), exact_member(made, [0.37, 0.63]))
     bpy.ops.hull.update()
+    bpy.context.view_layer.update()
+    assert np.array_equal(mesh_points(copy), exact_member(made, [0.37, 0.63]))
+    (bottom,) = part("features.constraints.flats").regions(copy)
+    assert bottom.plane.tolist() == [0.0, 0.0, 1.0, 0.0]
     again = state_of(copy).hydrostatics.values
     for name in ("displaced_volume", "lcb", "kmt", "wetted_surface"):
         assert getattr(again, name) == pytest.approx(getattr(values, name), rel=1e-6)
@@ -503,7 +507,7 @@ def test_a_subdivided_layout_keeps_its_tags():
         found = part("bridge.objects.hull_mesh").read(hull)
         control = found.control(1.0)
         surface = state_of(hull).ship.source.new_surface()
-        layout = layout_mesh.subdivided(layout_mesh.layout_of(found, control), surface, 2)
+        layout = layout_mesh.subdivided(layout_mesh.layout_of(hull, found, control), surface, 2)
         bpy.ops.hull.subdivide_exactly()
         bpy.ops.hull.subdivide_exactly()
         own = part("bridge.objects.hull_mesh").read(hull)
@@ -618,3 +622,37 @@ def test_pairing_again_where_the_member_would_be_none_shows_the_first_parent():
     assert mesh_points(made).tobytes() == mesh_points(first).tobytes()
     bpy.context.view_layer.update()
     assert_is_member(made)
+
+
+def test_flats_are_kept_again_by_a_hull_of_its_own():
+    first, second = boxes((1.0, 1.0, 1.0), (1.7, 1.3, 0.9))
+    flats = part("features.constraints.flats")
+    for faces, plane in (([0], (0.0, 1.0, 0.0, 2.0)), ([2], (-1.0, 0.0, 0.0, 0.0))):
+        flats.mark(first, faces, plane)
+    made = morph_of(first, second)
+    assert not flats.regions(made)  # a slider moves all of it
+    set_weight(made, 0, 0.3)
+    points = mesh_points(made).tobytes()
+    assert bpy.ops.hull.leave_family() == {"FINISHED"}
+    bpy.context.view_layer.update()
+    assert mesh_points(made).tobytes() == points
+    found = sorted((region.kind, region.faces.tolist()) for region in flats.regions(made))
+    assert [faces for _, faces in found] in ([[0], [2]], [[2], [0]])
+    y = next(region.plane for region in flats.regions(made) if region.faces.tolist() == [0])
+    assert y == pytest.approx([0.0, 1.0, 0.0, 0.3 * 2.0 + 0.7 * 2.6], abs=1e-6)
+
+
+def test_flats_that_are_turned_are_not_kept():
+    first, second = boxes((1.0, 1.0, 1.0), (1.7, 1.3, 0.9))
+    part("features.constraints.flats").mark(first, [0], (0.0, 1.0, 0.0, 2.0))
+    for vertex in second.data.vertices:  # its side is no plane any longer
+        vertex.co.y *= 1.0 + 0.01 * vertex.co.x * vertex.co.z
+    second.data.update()
+    second.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    made = morph_of(first, second)
+    points = mesh_points(made).tobytes()
+    assert bpy.ops.hull.leave_family() == {"FINISHED"}
+    bpy.context.view_layer.update()
+    assert not part("features.constraints.flats").regions(made)
+    assert mesh_points(made).tobytes() == points

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The control mesh that a family gets from a hull: its shell with tags and layers, subdivided as
-often as the fits needed it; what is no part of a family is left out (locks, flats, kept points)."""
+often as the fits needed it; what is no part of a family is left out (locks, kept points)."""
 
 from dataclasses import dataclass
 
@@ -9,11 +9,13 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.mesh import mesh_arrays
+from . import family_flats
 
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """Faces as mesh_arrays.ControlArrays has them, without points; slots (f,): material slots."""
+    """Faces as mesh_arrays.ControlArrays has them, without points; slots (f,): material slots;
+    flats (f,): numbers of flats, 0 for none."""
 
     face_sizes: np.ndarray
     face_vertices: np.ndarray
@@ -21,10 +23,12 @@ class Layout:
     creases: np.ndarray
     corners: np.ndarray
     deck_edge: np.ndarray
+    flats: np.ndarray
 
 
-def layout_of(found, control):
-    """The Layout of a hull_mesh.HullMesh and its ControlArrays."""
+def layout_of(obj, found, control):
+    """The Layout of a hull, of its hull_mesh.HullMesh and the ControlArrays of that."""
+    flats = family_flats.numbers_of(obj, len(found.data.face_sizes))
     return Layout(
         control.face_sizes,
         control.face_vertices,
@@ -32,6 +36,7 @@ def layout_of(found, control):
         control.creases,
         control.corners,
         control.deck_edge,
+        flats[control.face_ids],
     )
 
 
@@ -67,6 +72,7 @@ def _subdivided_once(layout, fine):
         halves(layout.creases),
         image[layout.corners],
         halves(layout.deck_edge),
+        np.repeat(layout.flats, sizes),
     )
 
 
@@ -87,6 +93,7 @@ def new_mesh(name, layout, points, materials):
         mesh.materials.append(material)
     if materials:
         mesh.polygons.foreach_set("material_index", np.asarray(layout.slots, dtype=np.int32))
+    family_flats.remember(mesh, layout.flats)
     mesh.update()
     return mesh
 

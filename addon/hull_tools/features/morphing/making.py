@@ -56,7 +56,7 @@ class Morphing(jobs.JobTask):
         own = next((k for k, one in enumerate(hulls) if one == layout), None)
         self._shape = self._taken[own] if own is not None else _taken(layout, scene)
         found = hull_mesh.read(layout)
-        self._layout = layout_mesh.layout_of(found, found.control(self.scale))
+        self._layout = layout_mesh.layout_of(layout, found, found.control(self.scale))
         self._materials = [slot.material for slot in layout.material_slots]
         self.state = hull_state.state_of(obj)
         conversions.clear_way(obj)

@@ -13,7 +13,7 @@ from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_mesh, hull_objects
 from ..hull import hull_state
 from ..variants import kept_hulls
-from . import local_parents, parents, weights
+from . import family_flats, local_parents, parents, weights
 
 NOT_OF_FAMILY = (
     "The mesh is no longer the family's: points, faces or creases were changed. Make it a hull of "
@@ -191,11 +191,14 @@ def give_mesh(obj):
 
 
 def make_own(obj):
-    """Takes a hull out of its family: its mesh stays bit by bit."""
+    """Takes a hull out of its family: its mesh stays bit by bit. What was flat in the layout and is
+    so in it is kept flat again, unless the mesh was changed by hand."""
     _check_member(obj)
     reason = hull_objects.locked(obj)
     if reason:
         raise ValueError(reason)
+    if is_of_family(obj):
+        family_flats.keep_again(obj)
     obj.hull.property_unset("morph")
     state = hull_state.state_of(obj)
     if state is not None:
