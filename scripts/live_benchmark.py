@@ -2,11 +2,12 @@
 """Where the time goes while a control point is dragged, measured in Blender's window.
 
 blender --python live_benchmark.py -- [--points N] [--moves N] [--samples N] [--no-lines]
-        [--drag one|all] [--fields] [--draw-every N] [--ghost] [--profile]
+        [--no-combs] [--drag one|all|fields|weight] [--draw-every N] [--ghost] [--profile]
 
 A half hull is in edit mode; points are moved by random steps, as a transform moves them: the edit
-mesh changes, Blender evaluates, the add-on's handlers run, and the window is drawn. Or it is
-previewed with three shape fields, and their settings change. Own time is the processor's from the
+mesh changes, Blender evaluates, the add-on's handlers run, and the window is drawn. With `--drag
+fields` it is previewed with three shape fields, and their settings change; with `--drag weight` it
+is a morph of this hull and a longer, higher one, whose slider is moved. Own time is the processor's from the
 change to all results in place, on the graphics card too, without Blender's own; so is what the
 add-on draws in each frame, where a graphics card does most of what the processor does here. With
 `taskset -c 0` before it, all of it is on one processor.
@@ -35,6 +36,10 @@ WARM_UP = 10
 # Functions and methods whose time is told apart: (module, name, what for). Those that call one
 # another count without what they call.
 STEPS = (
+    ("features.morphing.members", "member_points", "member of the family, folds"),
+    ("features.morphing.members", "write", "control points, drafts written"),
+    ("features.morphing.members", "show", "member, the rest"),
+    ("features.morphing.members", "follow", "member looked after"),
     ("bridge.mesh.mesh_arrays", "read_mesh", "control mesh read"),
     ("features.constraints.flat_keeping", "keep", "flats kept"),
     ("features.fields.prepared", "of_hull", "fields: hull prepared"),
@@ -67,6 +72,7 @@ DRAWN = (
     ("tags", "_handler"),
     ("legend", "_handler"),
     ("spots", "_handler"),
+    ("morph_pairs", "_handler"),
     ("status", "_handler"),
 )
 NOT_OURS = ("Blender's update", "Blender's drawing")
@@ -98,12 +104,11 @@ class Benchmark:
     def __init__(self, options):
         self.options = options
         self.hull = live_hull.make_hull(options)
-        if options.fields:
-            self.change = live_changes.FieldChanges(self.hull)
-        else:
-            self.change = live_changes.PointMoves(self.hull, options.drag)
         self.clock = Clock()
         self.profile = cProfile.Profile()
+        self.change = live_changes.changes(self.hull, options.drag)
+        if options.drag in live_changes.OF_SETTINGS:  # which may be answered at once
+            self.change = self.clock.timed(self._profiled(self.change), "settings changed")
         for module, name, label in STEPS:
             *owners, function = name.split(".")
             owner = functools.reduce(getattr, owners, part(module))
@@ -215,10 +220,10 @@ def parsed():
     parser.add_argument("--points", type=int, default=140)
     parser.add_argument("--moves", type=int, default=200)
     parser.add_argument("--samples", type=int, default=16)
-    parser.add_argument("--drag", choices=("one", "all"), default="one")
-    parser.add_argument("--fields", action="store_true", help="settings of shape fields change")
+    parser.add_argument("--drag", choices=("one", "all", "fields", "weight"), default="one")
     parser.add_argument("--draw-every", type=int, default=1, help="moves; 0: never")
     parser.add_argument("--no-lines", action="store_true")
+    parser.add_argument("--no-combs", action="store_true", help="and no plot: lines and numbers")
     parser.add_argument("--ghost", action="store_true", help="of the hull as it was")
     parser.add_argument("--profile", action="store_true")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])

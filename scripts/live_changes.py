@@ -9,6 +9,14 @@ import random
 import bmesh
 
 SEED = 7
+OF_SETTINGS = ("fields", "weight")
+
+
+def changes(hull, drag):
+    """Those of a hull by what is dragged: "one" or "all" points, "fields", or a "weight"."""
+    if drag == "fields":
+        return FieldChanges(hull)
+    return WeightChanges(hull) if drag == "weight" else PointMoves(hull, drag)
 
 
 class PointMoves:
@@ -55,3 +63,15 @@ class FieldChanges:
 
     def _base(self):
         self._fields[0].place[0] = self._random.uniform(64.0, 66.0)
+
+
+class WeightChanges:
+    """The first parent's weight of a morph, as its slider changes it."""
+
+    def __init__(self, hull):
+        self._parent = hull.hull.morph.parents[0]
+        self._random = random.Random(SEED)
+
+    def __call__(self, step):
+        self._parent.weight = self._random.uniform(-0.2, 1.2)
+        return "weight"

@@ -35,7 +35,7 @@ def half_hull(stations, girth):
 
 def make_hull(options):
     """The half hull of about so many points, with all that follows it switched on; in edit mode, or
-    with shape fields that are previewed."""
+    in object mode as a morph, or with shape fields that are previewed."""
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
     girth = max(9, round(math.sqrt(0.65 * options.points)) - 1)
@@ -49,19 +49,39 @@ def make_hull(options):
     bpy.context.view_layer.objects.active = hull
     hull.select_set(True)
     bpy.ops.hull.make_hull(half=True)
+    if options.drag == "weight":
+        hull = _morph_of(hull)
     settings = hull.hull
     settings.samples = options.samples
     settings.length_pp, settings.draft, settings.beam = 100.0, 6.0, 18.0
-    _switch_lines(settings, not options.no_lines)
-    settings.plots.sectional_areas = not options.no_lines
+    _switch_lines(settings, not options.no_lines, not options.no_combs)
+    settings.plots.sectional_areas = not (options.no_lines or options.no_combs)
     if options.ghost:
         _show_ghost(settings)
-    if options.fields:
+    if options.drag == "fields":
         _preview_fields(hull)
     bpy.context.view_layer.update()
-    if not options.fields:
+    if options.drag in ("one", "all"):
         bpy.ops.object.mode_set(mode="EDIT")
     return hull
+
+
+def _morph_of(hull):
+    """A morph of a hull and a longer, higher one, both of which are hidden then."""
+    other = hull.copy()
+    other.data = hull.data.copy()
+    for vertex in other.data.vertices:
+        vertex.co.x *= 1.2
+        vertex.co.z *= 1.1
+    bpy.context.scene.collection.objects.link(other)
+    other.hull.length_pp = 120.0
+    bpy.context.view_layer.update()
+    hull.select_set(True)
+    other.select_set(True)
+    bpy.ops.hull.make_morph()
+    for parent in (hull, other):
+        parent.hide_set(True)
+    return bpy.context.view_layer.objects.active
 
 
 def _show_ghost(settings):
@@ -70,7 +90,7 @@ def _show_ghost(settings):
     settings.variants.show_ghost = True
 
 
-def _switch_lines(settings, on):
+def _switch_lines(settings, on, with_combs):
     lines, fairness = settings.lines, settings.fairness
     lines.station_count = 20
     lines.waterlines = "0.75:9.75:0.9"
@@ -78,7 +98,7 @@ def _switch_lines(settings, on):
     for name in ("stations", "waterlines", "buttocks", "design_waterline", "flats", "features"):
         setattr(lines, f"show_{name}", on)
     for name in ("stations", "waterlines", "buttocks"):
-        setattr(fairness, f"comb_{name}", on)
+        setattr(fairness, f"comb_{name}", on and with_combs)
 
 
 def _preview_fields(hull):

@@ -155,6 +155,38 @@ def _with_dent_faired(hull):
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def loaded(*names):
+    """Samples, the only hulls there."""
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    hulls = []
+    for name in names:
+        bpy.ops.hull.load_sample(name=name)
+        hulls.append(bpy.context.view_layer.objects.active)
+    return hulls
+
+
+def morph_of_pair(*names):
+    """A morph of two samples, the first of which gives the layout; the active hull."""
+    first, second = loaded(*names)
+    with bpy.context.temp_override(
+        object=first, active_object=first, selected_objects=[first, second]
+    ):
+        bpy.ops.hull.make_morph()
+    return bpy.context.view_layer.objects.active
+
+
+def _with_morph(hull):
+    made = morph_of_pair("container_ship", "bulk_carrier")
+    made.hull.morph.parents[0].weight, made.hull.morph.active_parent = 0.3, 1
+    with bpy.context.temp_override(object=made, active_object=made):
+        bpy.ops.hull.add_field(base="PLANE")
+        field = made.hull.fields.fields[0]
+        field.name, field.axis, field.place, field.extent = "Bow", "X", (240.0, 0.0, 0.0), 60.0
+        bpy.ops.hull.add_local_parent()
+        bpy.ops.hull.add_target()
+
+
 def _with_studio(hull):
     part("features.studio").make(hull, bpy.context.scene)
 
@@ -169,6 +201,10 @@ PANELS = {
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),
     "panels/fit": PanelShot(hull_panels("fit"), _with_fit),
     "panels/targets": PanelShot(hull_panels("targets"), _with_targets),
+    "panels/morph": PanelShot(hull_panels("morph", "morph_pairs"), _with_morph),
+    "panels/morph-series": PanelShot(
+        hull_panels("morph", "morph_local", "morph_targets", "morph_series"), _with_morph
+    ),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),

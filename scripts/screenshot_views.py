@@ -12,7 +12,7 @@ from addon_under_test import part
 from editing import select
 from expect import edited_points
 from mathutils import Vector
-from screenshot_panels import are_known, fuller_forward, hull_panels, load
+from screenshot_panels import are_known, fuller_forward, hull_panels, load, morph_of_pair
 from screenshot_tools import save_smaller
 
 # The view over the bow from port, where the control points are, as the angles of its turn.
@@ -172,6 +172,107 @@ def _rows(window):
     yield
 
 
+def _family(window):
+    """A container ship, a bulk carrier, and the morph of them to port."""
+    with window.in_view():
+        bpy.ops.screen.screen_full_area()
+    yield
+    space = window.space
+    space.show_region_toolbar, space.shading.color_type, space.lens = False, "MATERIAL", 90.0
+    space.overlay.show_floor = space.overlay.show_extras = False
+    with window.in_view():
+        made = morph_of_pair("container_ship", "bulk_carrier")
+    first, second = (entry.source for entry in made.hull.morph.parents)
+    made.location.y, second.location.y = 60.0, 120.0
+    for hull in (first, second, made):
+        hull.hull.show_net, lines = False, hull.hull.lines
+        lines.show_buttocks = lines.show_waterlines = False
+    made.hull.morph.active_parent = 1
+    bpy.context.view_layer.update()
+    window.open_sidebar()
+    yield
+    window.look(made, (66.0, 0.0, 128.0), is_perspective=True)
+    space.region_3d.view_distance *= 0.72
+    space.region_3d.view_location.y -= 15.0
+    space.overlay.show_axis_x = space.overlay.show_axis_y = False
+    for hull in (first, second, made):
+        hull.select_set(False)
+    yield
+    return made
+
+
+def _weights(window):
+    made = yield from _family(window)
+    made.hull.morph.parents[0].weight = 0.3
+    bpy.context.view_layer.update()
+    yield
+    yield lambda: not part("features.hull.hull_state").state_of(made).shown.is_sliding
+    yield
+
+
+def _pairs(window):
+    made = yield from _family(window)
+    for entry in made.hull.morph.parents:
+        lines = entry.source.hull.lines
+        lines.show_stations = lines.show_features = False
+    made.hull.morph.show_pairs = True
+    bpy.context.view_layer.update()
+    yield
+
+
+def _members(*names, distance=0.78):
+    """The scene of two samples and three members between them, side by side."""
+
+    def scene(window):
+        with window.in_view():
+            bpy.ops.screen.screen_full_area()
+        yield
+        space = window.space
+        space.show_region_toolbar, space.show_region_ui = False, False
+        space.shading.color_type, space.lens = "MATERIAL", 120.0
+        overlay = space.overlay
+        overlay.show_floor = overlay.show_axis_x = overlay.show_axis_y = False
+        overlay.show_cursor = overlay.show_extras = False
+        with window.in_view():
+            hulls = _spread(morph_of_pair(*names))
+        for hull in hulls:
+            _show_stations(hull)
+        bpy.context.view_layer.update()
+        yield
+        window.look(hulls[2], (62.0, 0.0, 128.0), is_perspective=True)
+        space.region_3d.view_distance *= distance
+        for hull in hulls:
+            hull.select_set(False)
+        yield
+
+    return scene
+
+
+def _spread(made):
+    """[the first parent, members at a quarter, half and three quarters, the second parent], side by
+    side; the middle one is the hull given."""
+    first, second = (entry.source for entry in made.hull.morph.parents)
+    copies = []
+    for weight in (0.75, 0.25):
+        bpy.ops.object.select_all(action="DESELECT")
+        made.select_set(True)
+        bpy.context.view_layer.objects.active = made
+        bpy.ops.object.duplicate()
+        copies.append(bpy.context.view_layer.objects.active)
+        copies[-1].hull.morph.parents[0].weight = weight
+    hulls = [first, copies[0], made, copies[1], second]
+    widest = max(hull.hull.beam for hull in hulls)
+    for number, hull in enumerate(hulls):
+        hull.location.y = 1.6 * number * widest
+    return hulls
+
+
+def _show_stations(hull):
+    hull.hull.show_net, lines = False, hull.hull.lines
+    lines.show_buttocks = lines.show_waterlines = lines.show_design_waterline = False
+    lines.station_count = 10
+
+
 def _has_ghost(hull):
     ghosts = part("features.variants.ghosts")
     return bool(part("features.hull.hull_state").state_of(hull).of(ghosts.Ghost).groups)
@@ -297,6 +398,11 @@ VIEWS = {
     "first-hull/edited": View(_edited, _NUMBERS),
     "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),
     "first-hull/judged": View(_judged, hull_panels("fairness", "combs")),
+    "morphing/weights": View(_weights, hull_panels("morph")),
+    "morphing/ships": View(_members("container_ship", "bulk_carrier"), ()),
+    "morphing/coasters": View(_members("coaster", "roro", distance=1.2), ()),
+    "morphing/vessels": View(_members("research_vessel", "naval_vessel", distance=0.9), ()),
+    "morphing/pairs": View(_pairs, hull_panels("morph", "morph_pairs")),
     "transformation/area-curve": View(_area_curve, hull_panels("transform", "area_curve")),
     "variants/ghost": View(_ghost, hull_panels("variants", "comparison")),
     "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),

@@ -74,9 +74,11 @@ void bind_match(py::module_& module) {
                     "A sentence for each feature that is alone, with the remedy.");
   module.def("match_features", &morphing::match_features, py::arg("first"), py::arg("second"),
              py::arg("pairs") = std::vector<std::array<int, 2>>{},
+             py::arg("apart") = std::vector<std::array<int, 2>>{},
              py::call_guard<py::gil_scoped_release>(),
              "The FeatureMatch of two FeatureGraphs: pairs (p, 2) as given, then by role, order "
-             "and place. ValueError for pairs that are none or name a feature twice.");
+             "and place, but for those held apart (q, 2). ValueError for pairs that are none or "
+             "name a feature twice.");
 }
 
 void bind_layout(py::module_& module) {
@@ -133,20 +135,22 @@ void bind_layout(py::module_& module) {
   module.def(
       "fit_layout",
       [](const surface::LimitSurface& first, const surface::LimitSurface& second,
-         const std::vector<std::array<int, 2>>& pairs, double tolerance, int most_subdivisions,
-         const py::object& progress) {
-        morphing::LayoutOptions options{pairs, tolerance, most_subdivisions,
+         const std::vector<std::array<int, 2>>& pairs, const std::vector<std::array<int, 2>>& apart,
+         double tolerance, int most_subdivisions, const py::object& progress) {
+        morphing::LayoutOptions options{pairs, apart, tolerance, most_subdivisions,
                                         progress_from(progress)};
         const py::gil_scoped_release release;
         return std::make_unique<LayoutFit>(morphing::fit_layout(first, second, options));
       },
       py::arg("first"), py::arg("second"), py::kw_only(),
-      py::arg("pairs") = std::vector<std::array<int, 2>>{}, py::arg("tolerance") = 1e-4,
+      py::arg("pairs") = std::vector<std::array<int, 2>>{},
+      py::arg("apart") = std::vector<std::array<int, 2>>{}, py::arg("tolerance") = 1e-4,
       py::arg("most_subdivisions") = 1, py::arg("progress") = py::none(),
       "The LayoutFit that makes two hulls parents of one family: the first hull's control mesh "
       "laid onto the second hull's exact surface, creases and borders along their counterparts. "
       "Hulls of one topology, however they are numbered, are renumbered and not fitted. pairs "
-      "(p, 2) of features, given. tolerance: of the length; beyond it the layout is subdivided, "
+      "(p, 2) of features, given; apart (q, 2): not to be paired. tolerance: of the length; beyond "
+      "it the layout is subdivided, "
       "exactly, most_subdivisions times. ValueError where bodies have no counterpart.");
 }
 

@@ -121,6 +121,9 @@ class Measuring:
         else:
             self._add(0.0, shown)
 
+    def prop_search(self, data, name, *where, **more):
+        self.prop(data, name, **more)
+
     def _named(self, name, field_width):
         """A name before a field, which each have their part."""
         if not name:

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from addon_under_test import ROOT, add_hull, compute, part
+from expect_morph import boxes, morph_of
 from test_panels import Drawn, Notebook, context
 
 DOCS = ROOT / "docs"
@@ -124,6 +125,9 @@ class LabelNotebook(Notebook):
         if is_own and name not in ("name", "progress") and text != "":
             self.noted.append(text or rna.name)
 
+    def prop_search(self, data, name, *where, **more):
+        self.prop(data, name, **more)
+
     def operator(self, idname, text=None, **unused):
         if idname.startswith("hull."):
             name = getattr(bpy.ops.hull, idname.split(".")[1]).get_rna_type().name
@@ -152,6 +156,20 @@ def drawn_labels():
     return found
 
 
+def drawn_labels_of_a_family():
+    bpy.ops.object.mode_set(mode="OBJECT")
+    made = morph_of(*boxes((1.0, 1.0, 1.0), (2.0, 1.0, 1.0)))
+    made.hull.morph.active_parent, made.hull.morph.has_other_pairs = 1, True
+    found = drawn_labels()
+    bpy.ops.hull.add_field()
+    bpy.ops.hull.add_local_parent()
+    found |= drawn_labels()
+    made.data.vertices[0].co.z -= 1.0
+    part("features.morphing.members").follow(made, bpy.context.scene)
+    found |= drawn_labels()
+    return {pair for pair in found if pair[0] == "morph"}
+
+
 def page_of(cls):
     while getattr(cls, "bl_parent_id", ""):
         cls = getattr(bpy.types, cls.bl_parent_id)
@@ -176,6 +194,7 @@ def test_what_panels_show_is_on_their_pages():
     found |= drawn_labels()
     bpy.ops.object.mode_set(mode="EDIT")
     found |= drawn_labels()
+    found |= drawn_labels_of_a_family()
     assert len(found) > 100
     missing = []
     for page, label in sorted(found):

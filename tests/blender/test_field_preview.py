@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from addon_under_test import part, state_of
 from edited_hulls import edit
+from foreign_operations import preview_oracle
 from test_fields import add, points_of, sample, side_point
 
 
@@ -57,6 +58,17 @@ def test_the_hull_follows_each_change_and_comes_back(mode):
     assert part("bridge.mesh.start_points").read(hull.data) is None
     if mode == "EDIT":
         bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@pytest.mark.parametrize("plane", ("STATION", "WATERLINE", "BUTTOCK"))
+def test_it_follows_points_that_are_kept_meanwhile(plane):
+    hull, _, _ = previewed()
+    shift = points_of(hull)
+    assert bpy.ops.hull.keep_all_points(plane=plane) == {"FINISHED"}
+    changed()
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+    assert (plane == "BUTTOCK") == (not np.allclose(points_of(hull), shift, 0.0, 1e-3))
+    bpy.ops.hull.cancel_fields()
 
 
 def test_normals_wait_while_fields_change(monkeypatch):

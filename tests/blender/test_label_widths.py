@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from addon_under_test import module_name, part
+from expect_morph import boxes, morph_of
 from layout_widths import SIDEBAR, Measuring
 from test_panels import Drawn, compute_all, context
 
@@ -145,3 +146,11 @@ def test_menus_have_what_blender_has(ship):
         layout = Measuring()
         draw(SimpleNamespace(layout=layout), bpy.context)
         assert layout.needed() > 0.0, name
+
+
+def test_a_hull_of_a_family():
+    made = morph_of(*boxes((1.0, 1.0, 1.0), (2.0, 1.5, 1.0)))
+    morph = made.hull.morph
+    morph.active_parent, morph.factors[1] = 1, 1.05
+    assert "HULL_PT_morph_series" in [cls.__name__ for cls, _ in drawn_panels()]
+    assert not faults()

@@ -29,6 +29,9 @@ class Notebook:
         assert name in data.bl_rna.properties
         self.noted.append(f"property {name}")
 
+    def prop_search(self, data, name, *where, **unused):
+        self.prop(data, name)
+
     def operator(self, idname, **unused):
         self.noted.append(f"operator {idname}")
         return SimpleNamespace()
@@ -62,6 +65,7 @@ def context(dialog_of=None):
     operator = dialog_of and SimpleNamespace(bl_idname=dialog_of)
     return SimpleNamespace(
         object=bpy.context.object,
+        selected_objects=bpy.context.selected_objects,
         scene=bpy.context.scene,
         region=SimpleNamespace(width=4000),
         space_data=SimpleNamespace(active_operator=operator),

@@ -104,6 +104,20 @@ def test_pairs_that_are_given_come_first():
         hn.match_features(first, second, [(99, 0)])
 
 
+def test_pairs_that_are_held_apart_are_made_if_given_only():
+    first, second = graph_of("container_ship"), graph_of("bulk_carrier")
+    automatic = hn.match_features(first, second)
+    held = [(i, j) for i, j, *_ in automatic.pairs if first.features[i].role.startswith("rim")]
+    assert held
+    match = hn.match_features(first, second, apart=held)
+    others = [pair[:2] for pair in automatic.pairs if pair[:2] not in held]
+    assert [pair[:2] for pair in match.pairs] == others
+    assert {i for i, _ in held} <= set(match.alone_in_first)
+    match = hn.match_features(first, second, [held[0]], held)
+    assert [pair[:2] for pair in match.pairs if pair[3]] == [held[0]]
+    assert len(match.pairs) == len(others) + 1
+
+
 @pytest.mark.parametrize("name", SAMPLES)
 def test_a_renumbered_hull_is_found_again(name):
     surface = Sample(name).surface

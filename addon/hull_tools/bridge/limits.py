@@ -50,6 +50,11 @@ MOST_TARGETS = of_files.MAX_TARGETS
 GREATEST_TARGET = of_files.GREATEST_TARGET
 GREATEST_TARGET_STIFFNESS = of_files.GREATEST_TARGET_STIFFNESS
 GREATEST_DIMENSION_CHANGE = of_files.GREATEST_DIMENSION_CHANGE
+MORPH_WEIGHTS = (-1.0, 2.0)  # of a parent: beyond, nothing of it is left to be told
+MORPH_TOLERANCES = (0.001, 10.0)  # per mille of the length
+MOST_MORPH_SUBDIVISIONS = 2
+MOST_PARENTS = 16
+MOST_SERIES_STEPS = 200
 # Of a sectional area curve that is wanted: handles, and stations that are brought to it.
 MOST_AREA_HANDLES, MOST_AREA_STATIONS = 60, 60
 AREA_TOLERANCES = (0.001, 20.0)  # percent of the largest section

@@ -11,7 +11,8 @@ from ..features.area_curves import live_target
 from ..features.conversion import conversions
 from ..features.fields import before, preview, seen
 from ..features.hull import hull_state, live_normals
-from ..features.surface import colour_views, shown_surface
+from ..features.morphing import members, pair_lines
+from ..features.surface import colour_views
 from ..features.variants import following
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
@@ -42,13 +43,15 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
 
 
 def _follow_one(hull, scene, is_by_hand):
+    members.follow(hull, scene)
     hull_state.follow_edit(hull, scene, is_by_hand)
     with curve_lines.read_once():
         preview.follow(hull, scene)
         before.follow(hull, scene)
         seen.follow(hull, scene)
+    pair_lines.follow(hull, scene)
     live_target.follow(hull, scene)
-    if shown_surface.may_move(hull):
+    if hull_state.state_of(hull).shown.may_move(hull):
         live_normals.ask()
 
 

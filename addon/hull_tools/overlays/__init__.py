@@ -9,6 +9,7 @@ from . import (
     legend,
     lines,
     marks,
+    morph_pairs,
     net,
     plots,
     pulls,
@@ -17,7 +18,7 @@ from . import (
     tags,
 )
 
-_PARTS = (net, ghost, lines, marks, tags, legend, spots, pulls, fields)
+_PARTS = (net, ghost, lines, marks, tags, legend, spots, pulls, fields, morph_pairs)
 
 
 def register():

@@ -51,25 +51,12 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
         settings = hull.hull.targets
         row = draw_entries(layout, settings, "rows", "active_row", "target")
         if row is not None:
-            self._draw_row(layout, row)
+            draw_row(layout, row)
         self._draw_changes(layout, settings)
         if not draw_task(layout, hull):
             layout.operator("hull.solve_targets", icon="SNAP_ON")
-        self._draw_report(context, hull)
+        draw_report(layout, context, hull)
         self._draw_area_curve(hull)
-
-    def _draw_row(self, layout, row):
-        text_field(layout, row, "quantity")
-        if row.quantity == quantities.SECTION:
-            layout.prop(row, "station")
-        line = layout.row(align=True)
-        line.prop(row, "sense", expand=True)
-        column = layout.column(align=True)
-        line = column.row(align=True)
-        symbol = metric_symbol(quantities.quantity_of(row).unit)
-        line.prop(row, "value", text=f"Wanted, {symbol}" if symbol else "Wanted")
-        line.operator("hull.take_present_target", text="", icon="EYEDROPPER")
-        column.prop(row, "tolerance")
 
     def _draw_changes(self, layout, settings):
         text_field(layout, settings, "moving")
@@ -80,13 +67,7 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
             column.prop(settings, "keep_deck")
             column.prop(settings, "keep_side")
             layout.prop(settings, "stiffness")
-        column = layout.column(align=True)
-        column.label(text="Free within limits:")
-        for name in ("length", "beam", "draft"):
-            row = column.row(align=True)
-            row.prop(settings, f"free_{name}")
-            if getattr(settings, f"free_{name}"):
-                row.prop(settings, f"{name}_change")
+        draw_free(layout, settings)
 
     def _draw_area_curve(self, hull):
         """A whole curve is wanted in the panel Area Curve: here is the way to it."""
@@ -98,23 +79,48 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
         else:
             column.operator("hull.take_area_curve", icon="IMPORT")
 
-    def _draw_report(self, context, hull):
-        layout = self.layout
-        report, is_current = reports.last_report(hull)
-        if report is None:
-            return
-        if not is_current:
-            label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
-        text = reports.warning(report, context.scene)
-        label_wrapped(
-            layout, context, text or "All targets met", icon="ERROR" if text else "CHECKMARK"
-        )
-        column = layout.column(align=True)
-        column.active = is_current
-        column.scale_y = 0.8
-        for name, value in reports.told(report, context.scene):
-            label_value(column, name, value)
-        draw_mark_change(layout, hull)
+
+def draw_row(layout, row):
+    """What is wanted of one number."""
+    text_field(layout, row, "quantity")
+    if row.quantity == quantities.SECTION:
+        layout.prop(row, "station")
+    line = layout.row(align=True)
+    line.prop(row, "sense", expand=True)
+    column = layout.column(align=True)
+    line = column.row(align=True)
+    symbol = metric_symbol(quantities.quantity_of(row).unit)
+    line.prop(row, "value", text=f"Wanted, {symbol}" if symbol else "Wanted")
+    line.operator("hull.take_present_target", text="", icon="EYEDROPPER")
+    column.prop(row, "tolerance")
+
+
+def draw_free(layout, settings):
+    """Which main dimensions may change."""
+    column = layout.column(align=True)
+    column.label(text="Free within limits:")
+    for name in ("length", "beam", "draft"):
+        row = column.row(align=True)
+        row.prop(settings, f"free_{name}")
+        if getattr(settings, f"free_{name}"):
+            row.prop(settings, f"{name}_change")
+
+
+def draw_report(layout, context, hull):
+    """What came of the last solution."""
+    report, is_current = reports.last_report(hull)
+    if report is None:
+        return
+    if not is_current:
+        label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
+    text = reports.warning(report, context.scene)
+    label_wrapped(layout, context, text or "All targets met", icon="ERROR" if text else "CHECKMARK")
+    column = layout.column(align=True)
+    column.active = is_current
+    column.scale_y = 0.8
+    for name, value in reports.told(report, context.scene):
+        label_value(column, name, value)
+    draw_mark_change(layout, hull)
 
 
 CLASSES = (HULL_UL_rows, HULL_PT_targets)

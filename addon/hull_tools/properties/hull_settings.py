@@ -15,6 +15,7 @@ from . import (
     fairness_settings,
     field_settings,
     fit_settings,
+    morph_settings,
     output_settings,
     ship_settings,
     studio_settings,
@@ -73,6 +74,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     transform: PointerProperty(type=transform_settings.HullTransform)
     fields: PointerProperty(type=field_settings.HullFields)
     area_target: PointerProperty(type=area_target_settings.HullAreaTarget)
+    morph: PointerProperty(type=morph_settings.HullMorph)
 
 
 CLASSES = (
@@ -88,6 +90,7 @@ CLASSES = (
     *export_settings.CLASSES,
     *studio_settings.CLASSES,
     *variant_settings.CLASSES,
+    *morph_settings.CLASSES,
     HullSettings,
 )
 

@@ -21,15 +21,16 @@ class CommonLayout:
     subdivisions: int
 
 
-def common_layout(hulls, *, layout=0, pairs=None, progress=None, **options):
+def common_layout(hulls, *, layout=0, pairs=None, apart=None, progress=None, **options):
     """The CommonLayout of LimitSurfaces, two or more.
 
     layout: the number of the hull whose control mesh the others get, or a LimitSurface of its own,
     such as a new hull of a type, which is then laid onto all of them. pairs: {number of a hull:
-    pairs (p, 2) of features of the layout and of this hull}. tolerance and most_subdivisions as
-    fit_layout() has them, of each hull: if one needs the layout subdivided, all are, exactly.
-    progress: a callable that takes the share done, 0 to 1; what it raises ends it. ValueError, with
-    the number of the hull, from 1 on, where one can't be fitted.
+    pairs (p, 2) of features of the layout and of this hull}; apart likewise, of pairs that are not
+    made. tolerance and most_subdivisions as fit_layout() has them, of each hull: if one needs the
+    layout subdivided, all are, exactly. progress: a callable that takes the share done, 0 to 1;
+    what it raises ends it. ValueError, with the number of the hull, from 1 on, where one can't be
+    fitted.
     """
     if len(hulls) < 2:
         raise ValueError("A family needs two hulls or more.")
@@ -40,9 +41,12 @@ def common_layout(hulls, *, layout=0, pairs=None, progress=None, **options):
     fits = []
     for number, hull in enumerate(hulls):
         told = _share(progress, number, len(hulls))
-        named = (pairs or {}).get(number, [])
+        named = {
+            "pairs": (pairs or {}).get(number, []),
+            "apart": (apart or {}).get(number, []),
+        }
         is_own = number == own
-        fits.append(None if is_own else _fitted(shape, hull, number, named, told, options))
+        fits.append(None if is_own else _fitted(shape, hull, number, told, **named, **options))
     subdivisions = max(fit.subdivisions for fit in fits if fit is not None)
     parents = [
         _subdivided(shape, subdivisions)
@@ -53,9 +57,9 @@ def common_layout(hulls, *, layout=0, pairs=None, progress=None, **options):
     return CommonLayout(parents, HullFamily(parents), fits, subdivisions)
 
 
-def _fitted(layout, hull, number, pairs, progress, options):
+def _fitted(layout, hull, number, progress, **options):
     try:
-        return fit_layout(layout, hull, pairs=pairs, progress=progress, **options)
+        return fit_layout(layout, hull, progress=progress, **options)
     except ValueError as error:
         raise ValueError(f"Hull {number + 1} has no part in the family. {error}") from None
 

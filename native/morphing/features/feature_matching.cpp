@@ -67,7 +67,7 @@ class Matching {
     }
   }
 
-  void take_nearest() {
+  void take_nearest(const std::vector<std::array<int, 2>>& apart) {
     const std::vector<int> bodies = paired_bodies(first_, second_);
     std::vector<std::tuple<double, int, int>> candidates;
     const auto count = [](const FeatureGraph& graph, const Feature& f) {
@@ -80,7 +80,8 @@ class Matching {
       for (int j = 0; j < static_cast<int>(second_.features.size()); ++j) {
         const Feature& g = second_.features[j];
         if (is_paired_[i] || is_taken_[j] || f.role != g.role || bodies[f.body] != g.body ||
-            f.closed() != g.closed()) {
+            f.closed() != g.closed() ||
+            std::find(apart.begin(), apart.end(), std::array{i, j}) != apart.end()) {
           continue;
         }
         const double distance = distance_between(first_, f, second_, g);
@@ -188,10 +189,11 @@ std::vector<int> paired_bodies(const FeatureGraph& first, const FeatureGraph& se
 }
 
 FeatureMatch match_features(const FeatureGraph& first, const FeatureGraph& second,
-                            const std::vector<std::array<int, 2>>& given) {
+                            const std::vector<std::array<int, 2>>& given,
+                            const std::vector<std::array<int, 2>>& apart) {
   Matching matching(first, second);
   matching.take_given(given);
-  matching.take_nearest();
+  matching.take_nearest(apart);
   return matching.finished();
 }
 

@@ -186,7 +186,7 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
   const FeatureGraph graph = feature_graph(first), other = feature_graph(second);
   check_hulls(first, second, graph, other, options);
   LayoutFit found{first, first};
-  found.match = match_features(graph, other, options.pairs);
+  found.match = match_features(graph, other, options.pairs, options.apart);
   if (are_alike(second, found)) {
     measure(second, found);
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);

@@ -14,7 +14,8 @@
 namespace hull::morphing {
 
 struct LayoutOptions {
-  std::vector<std::array<int, 2>> pairs;  // of features, by their numbers in feature_graph()
+  // Of features, by their numbers in feature_graph(): those that are paired, and that are not.
+  std::vector<std::array<int, 2>> pairs, apart;
   // Of the second hull's length: where the root mean square distance is more, the layout is
   // subdivided, exactly, and fitted again, …
   double tolerance = 1e-4;

@@ -106,7 +106,7 @@ def _look_through(obj, flat, entries, is_known):
     places = mesh_points.read(obj.data)
     for number in np.unique(flat.regions).tolist():
         faces, points = flat.of_region(number)
-        plane = _common_plane(places[points])
+        plane = common_plane(places[points])
         entry = entries.get(number)
         if entry is None:
             if plane is None:
@@ -141,7 +141,7 @@ def _astray(flat, number, places, plane):
     return np.array(found, dtype=np.int64)
 
 
-def _common_plane(points):
+def common_plane(points):
     """The plane that all the points lie in, None when they do in none or in many."""
     try:
         plane = planes.stored(planes.fit(points, "BEST"))
@@ -173,7 +173,7 @@ def _planes_that_follow(flat, known, indices, points, has_moved):
             following[number] = planes.stored(plane)
         elif has_moved is None or np.count_nonzero(has_moved[own]) > len(own) / 2:
             # Turned, unless a few points were pulled out of it by as much.
-            turned = _common_plane(places)
+            turned = common_plane(places)
             if turned is not None:
                 following[number] = turned
     return following

@@ -52,7 +52,7 @@ class Export(jobs.JobTask):
         source = self.state.ship.source
         self._geometry, self._face_ids = self.state.ship.geometry_key, source.control.face_ids
         wanted = cad_curves.wanted(obj, scene, self.state.ship.surface)
-        options = _options(obj, file_format)
+        options = options_of(obj, file_format)
 
         # Jobs run one after the other: the conversion is over when this begins.
         def work(progress):
@@ -122,7 +122,7 @@ def problem_of(obj):
     return problem if state.ship.geometry_key == geometry else None
 
 
-def _options(obj, file_format):
+def options_of(obj, file_format):
     """Keyword arguments of hull_native.write_step or write_iges that an Object.hull decides."""
     settings = obj.hull.export
     options = {

@@ -10,6 +10,7 @@ import numpy as np
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
 from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh, hull_objects
+from ..constraints import kept_points, point_locks
 from ..hull import hull_state
 from ..modelling import exact_subdivision, row_insertion
 from . import field_list, prepared, shaping
@@ -93,7 +94,7 @@ def follow(obj, scene):
     if not start_points.are_as_shown(obj.data, found.data.points):
         preview.put_off(_FOREIGN)
         return
-    key = (_values(obj), start.tobytes(), found.topology_key, scale)
+    key = (_values(obj), start.tobytes(), found.topology_key, scale, _held(obj))
     if (preview.key, preview.shown) == (key, found.points_digest):
         return
     preview.key, preview.shown = key, found.points_digest
@@ -205,12 +206,20 @@ def _curves_of(obj):
     return ({field.curve, field.becomes} for field in obj.hull.fields.fields)
 
 
+def _held(obj):
+    """Which points are locked or kept in planes, and where: the fields go by that too."""
+    kept = kept_points.read(obj.data)
+    arrays = point_locks.locked_points(obj.data), kept.indices, kept.is_kept, kept.places
+    return tuple(array.tobytes() for array in arrays)
+
+
 def _values(obj):
     """All of the fields that a preview goes by; curves and faces by what they are now."""
-    return tuple(_values_of(field, obj) for field in obj.hull.fields.fields)
+    return tuple(values_of(field, obj) for field in obj.hull.fields.fields)
 
 
-def _values_of(field, obj):
+def values_of(field, obj):
+    """All of a field by which the hull is shown; equal where that is the same."""
     return (
         *(field.use, field.role, field.base, tuple(field.place), field.axis, field.extent),
         *(field.falloff, tuple(field.shift), tuple(field.axes), field.varies, field.extent_end),

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The exact normals of hulls that are edited, or whose fields are previewed, come when the user
+"""The exact normals of hulls that are edited, previewed or moved by a slider come when the user
 pauses: while points move, Blender shades the surface objects by their faces."""
 
 import bpy
 
 from ...bridge.background import timers
 from ...bridge.blender import units
-from ..surface import shown_surface
 from . import hull_state
 
 _PAUSE_SECONDS = 0.4
@@ -24,7 +23,8 @@ def stop():
 def _write():
     scale = units.metres_per_unit(bpy.context.scene)
     for hull, state in hull_state.known_hulls(bpy.context.view_layer):
-        if shown_surface.may_move(hull):
+        if state.shown.may_move(hull):
+            state.shown.is_sliding = False
             state.shown.follow_normals(hull, scale)
 
 

@@ -54,13 +54,15 @@ class ShownSurface:
     the hull_native.ColourScale of the surface object's colours, None when it has none.
     colour_field: what they are of, which the setting may have left while the mesh has errors.
     other: the distances.OtherSurface that distances are from, None while none is wanted; distances:
-    the hull_native.SurfaceDistances that are shown, or None."""
+    the hull_native.SurfaceDistances that are shown, or None. is_sliding: whether a slider moves the
+    hull, so that it may be another one at each step of the mouse in object mode too."""
 
     def __init__(self):
         self.points = None
         self.colour_scale = None
         self.colour_field = ""
         self.other = self.distances = None
+        self.is_sliding = False
         self._surface = None
         self._points_key = None
         self._stamp = None  # of the faces of `points`, see _Writer.stamp
@@ -83,7 +85,11 @@ class ShownSurface:
             return True
         if not self.is_known or not self._has_points_left(shown):
             return False
-        return may_move(obj) or self._has_looks_left(shown.data)
+        return self.may_move(obj) or self._has_looks_left(shown.data)
+
+    def may_move(self, obj):
+        """Whether the hull may be another one at each step of the mouse."""
+        return may_move(obj) or self.is_sliding
 
     def _has_points_left(self, shown):
         mesh = shown.data
@@ -134,7 +140,7 @@ class ShownSurface:
         is_due = left.place != place
         if is_due:  # normals are of points that go, even where these come back
             left.normals = left.normals_digest = None
-        are_normals_due = left.normals != place and not may_move(obj)
+        are_normals_due = left.normals != place and not self.may_move(obj)
         colours_key = (None if choice is None else place, choice)
         are_colours_due = left.colours != colours_key
         if not (is_due or are_normals_due or are_colours_due):
@@ -185,7 +191,8 @@ class ShownSurface:
         shown, place = shown_objects.surface_of(obj), self._left.place
         if shown is None or place is None or self._left.normals == place:
             return
-        if len(shown.data.loops) > _MOST_AT_A_PAUSE or not self._has_points_left(shown):
+        is_large = len(shown.data.loops) > _MOST_AT_A_PAUSE
+        if (is_large and may_move(obj)) or not self._has_points_left(shown):
             return
         self._write_normals(self._writer(obj, shown, scale, place[0]), place)
 

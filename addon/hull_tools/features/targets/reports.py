@@ -5,6 +5,11 @@ from dataclasses import dataclass
 
 from ...bridge.blender import units
 from ..hull import hull_state
+from . import quantities
+
+# Of a price's own size: what does not bind.
+_NO_PRICE = 1e-9
+_DIMENSIONS = ("length", "beam", "draft")
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +49,39 @@ class LastSolution:
     """The Report of the last solution of a hull, or None."""
 
     report: object = None
+
+
+def rows_reached(told, reached, kg):
+    """The Reached of rows, told as pairs (Quantity, what is wanted), of a hull_native
+    TargetsReached; kg in m."""
+    numbers = zip(told, reached.before, reached.reached, reached.misses, reached.prices)
+    return tuple(_row(*row, kg) for row in numbers)
+
+
+def _row(told, before, reached, miss, price, kg):
+    quantity, wanted = told
+    shift = kg if quantity.identifier == quantities.GM else 0.0
+    binds = abs(price) > _NO_PRICE
+    return Reached(
+        quantity.label, quantity.unit, wanted, before - shift, reached - shift, miss, binds
+    )
+
+
+def keep(state, reached, rows, held=()):
+    """Keeps the Report of a TargetsReached with its rows in a HullState that is up to date; returns
+    it. held: what else is at its limit, in words."""
+    prices = zip(_DIMENSIONS, reached.scale_prices)
+    limits = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]
+    report = state.of(LastSolution).report = Report(
+        state.ship.geometry_key,
+        reached.status,
+        rows,
+        reached.iterations,
+        reached.rms,
+        tuple(reached.scale),
+        (*limits, *held),
+    )
+    return report
 
 
 def last_report(obj):

@@ -4,7 +4,7 @@ its report."""
 
 import numpy as np
 
-from ...bridge import limits, native
+from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points
@@ -12,17 +12,13 @@ from ...bridge.objects import hull_mesh, hull_objects
 from ..constraints import held_points, move_limits
 from ..conversion import conversions
 from ..dimensions import dimensions
-from ..flotation import afloat
 from ..hull import form_before, hull_state
 from ..lines import lines
-from . import quantities, reports, rows
+from . import asked, reports, rows
 
 _CHANGED = "The hull was changed meanwhile, and stays as it is: solve it again"
-# Of a price's own size: what does not bind.
-_NO_PRICE = 1e-9
 # Of a breadth: what single precision leaves.
 _ROUNDING = 1e-6
-_DIMENSIONS = ("length", "beam", "draft")
 
 
 class Solving(jobs.JobTask):
@@ -40,7 +36,7 @@ class Solving(jobs.JobTask):
         control = found.control(self.scale)
         self._ids, self._points = control.vertex_ids, control.points
         surface = self._surface = self.state.ship.source.new_surface()
-        self._targets = [_target(row, obj, self.scale) for row in self._rows]
+        self._targets = [asked.form_target(row, obj, self.scale) for row in self._rows]
         _check_breadth(obj, surface, self._targets, self.scale)
         options = _options(obj, surface, control, self.state.ship.source, self.scale)
         solve = held_points.solver(obj.hull.targets.keep_side)
@@ -66,50 +62,12 @@ class Solving(jobs.JobTask):
             raise ValueError(_CHANGED)
         kg = rows.kg_of(obj, self.scale)
         form_before.keep(obj, self._surface)
-        numbers = zip(self._rows_told(obj), *_numbers(reached))
-        found_rows = tuple(_row(*row, kg) for row in numbers)
+        found_rows = reports.rows_reached(asked.told(obj), reached, kg)
         if np.any(np.asarray(reached.scale) != 1.0):
             dimensions.scale_hull(obj, scene, reached.scale)
         mesh_points.write(obj.data, self._ids, (self._points + reached.moves) / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        prices = zip(_DIMENSIONS, reached.scale_prices)
-        held = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]
-        held += ["the greatest beam"] if beam_binds else []
-        report = state.of(reports.LastSolution).report = reports.Report(
-            state.ship.geometry_key,
-            reached.status,
-            found_rows,
-            reached.iterations,
-            reached.rms,
-            tuple(reached.scale),
-            tuple(held),
-        )
-        return report
-
-    def _rows_told(self, obj):
-        return [(quantities.quantity_of(row), rows.wanted(row)) for row in rows.in_use(obj)]
-
-
-def _numbers(reached):
-    return reached.before, reached.reached, reached.misses, reached.prices
-
-
-def _target(row, obj, scale):
-    """The hull_native.FormTarget of a row."""
-    quantity = quantities.quantity_of(row)
-    value, tolerance = units.as_typed(row.value), units.as_typed(row.tolerance)
-    limits.within(
-        value, f"The wanted {quantity.label}", -limits.GREATEST_TARGET, limits.GREATEST_TARGET
-    )
-    limits.within(tolerance, f"The tolerance of {quantity.label}", 0.0, limits.GREATEST_TARGET)
-    if quantity.identifier == quantities.GM:
-        value += rows.kg_of(obj, scale)
-    station = {}
-    if quantity.identifier == quantities.SECTION:
-        station["station"] = units.as_typed(row.station) * scale
-    return native.require().FormTarget(
-        quantity.number, value, tolerance=tolerance, sense=row.sense, **station
-    )
+        return reports.keep(state, reached, found_rows, ["the greatest beam"] if beam_binds else [])
 
 
 def _check_breadth(obj, surface, wanted, scale):
@@ -129,32 +87,7 @@ def _check_breadth(obj, surface, wanted, scale):
 
 def _options(obj, surface, control, source, scale):
     """The other arguments of hull_native.reach_targets."""
-    settings = obj.hull.targets
-    where = afloat.afloat(obj.hull, scale)
-    if where.heel != 0.0:
-        raise ValueError("Targets are of the ship upright: set Heel to 0 first")
-    limits.within(settings.stiffness, "Fairness", 0.0, limits.GREATEST_TARGET_STIFFNESS)
-    position = where.position()
-    del position["heel"]
-    return {
-        "mirrored": source.half,
-        "openings": source.openings,
-        "stiffness": settings.stiffness,
-        **position,
-        **where.project(),
-        **_scales(settings),
-        **_moves(obj, surface, control),
-    }
-
-
-def _scales(settings):
-    scales = {}
-    for name in _DIMENSIONS:
-        change = 0.01 * getattr(settings, f"{name}_change")
-        limits.within(change, f"The change of {name}", 0.0, 0.01 * limits.GREATEST_DIMENSION_CHANGE)
-        if getattr(settings, f"free_{name}"):
-            scales[f"{name}_scale"] = (1.0 - change, 1.0 + change)
-    return scales
+    return {**asked.options(obj, source, scale), **_moves(obj, surface, control)}
 
 
 def _moves(obj, surface, control):
@@ -162,7 +95,7 @@ def _moves(obj, surface, control):
     settings, size = obj.hull.targets, lines.size_of(surface)
     found = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     arguments = found.reshape_arguments(surface)
-    is_scaled = any(getattr(settings, f"free_{name}") for name in _DIMENSIONS)
+    is_scaled = any(getattr(settings, f"free_{name}") for name in asked.DIMENSIONS)
     if is_scaled and len(found.locked):
         raise ValueError(
             "Locked points cannot stay while a dimension is free: free the points, or keep the "
@@ -193,12 +126,3 @@ def _selected(obj):
     if not obj.data.is_editmode:
         raise ValueError("Enter edit mode and select the points that may move, or let all move")
     return mesh_points.selected(obj.data)
-
-
-def _row(told, before, reached, miss, price, kg):
-    quantity, wanted = told
-    shift = kg if quantity.identifier == quantities.GM else 0.0
-    binds = abs(price) > _NO_PRICE
-    return reports.Reached(
-        quantity.label, quantity.unit, wanted, before - shift, reached - shift, miss, binds
-    )

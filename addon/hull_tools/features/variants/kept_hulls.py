@@ -95,12 +95,13 @@ def go_back(obj, scene, entry, keep_present=False):
     kept = as_hull(obj, entry)
     if obj.data.shape_keys is not None:
         obj.shape_key_clear()
-    _write_mesh(kept.data, obj.data)
+    write_mesh(kept.data, obj.data)
     ship_settings.copy_ship(entry, obj.hull)
     return hull_state.follow_edit(obj, scene, is_by_hand=False)
 
 
-def _write_mesh(source, target):
+def write_mesh(source, target):
+    """Makes a mesh what another one is, with all that it carries, its materials too."""
     # First the materials: with them Blender resets the slots of the faces.
     if list(target.materials) != list(source.materials):
         target.materials.clear()

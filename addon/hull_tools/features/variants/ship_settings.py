@@ -52,6 +52,11 @@ def copy_view(source, target):
     _copy(source.lines, target.lines, sorted(_OF_THE_VIEW["lines"] - {"curves"}))
 
 
+def copy_named(source, target, names):
+    """Gives a variant, or an Object.hull, these settings of another."""
+    _copy(source, target, names)
+
+
 def _copy(source, target, names):
     for name in names:
         prop = source.bl_rna.properties[name]
