@@ -7,10 +7,10 @@ blender --python live_benchmark.py -- [--points N] [--moves N] [--samples N] [--
 A half hull is in edit mode; points are moved by random steps, as a transform moves them: the edit
 mesh changes, Blender evaluates, the add-on's handlers run, and the window is drawn. With `--drag
 fields` it is previewed with three shape fields, and their settings change; with `--drag weight` it
-is a morph of this hull and a longer, higher one, whose slider is moved. Own time is the processor's from the
-change to all results in place, on the graphics card too, without Blender's own; so is what the
-add-on draws in each frame, where a graphics card does most of what the processor does here. With
-`taskset -c 0` before it, all of it is on one processor.
+is a morph of this hull and a longer, higher one, whose slider is moved. Own time is the
+processor's from the change to all results in place, on the graphics card too, without Blender's
+own; so is what the add-on draws in each frame, where a graphics card does most of what the
+processor does here. With `taskset -c 0` before it, all of it is on one processor.
 """
 
 import argparse
