@@ -184,3 +184,20 @@ def test_points_near_it_are_told(hull):
     assert not state_of(hull).ship.check.problems
     shift(hull, index, 0.5)
     assert not state_of(hull).ship.check.problems
+
+
+def test_all_that_share_the_mesh_follow_what_is_kept(hull):
+    """Though one of them keeps nothing, and is followed first."""
+    other = hull.copy()
+    bpy.context.scene.collection.objects.link(other)
+    other.hull.keep_centre, other.hull.surface_object = False, None
+    bpy.context.view_layer.update()
+    index = int(np.argmax(points(hull)[:, 0]))
+    place = points(hull)[index] + (0.5, 0.25, -0.125)
+    part("bridge.mesh.mesh_points").write(hull.data, [index], [place])
+    follow = part("handlers.follow")._follow
+    follow([other, hull], bpy.context.scene, bpy.context.view_layer)
+    assert points(hull)[index] == pytest.approx(place * (1.0, 0.0, 1.0))
+    for each in (hull, other):
+        assert np.array_equal(state_of(each).ship.source.control.points, points(hull))
+    bpy.data.objects.remove(other)

@@ -176,6 +176,14 @@ def with_other_refusal(view_layer):
     ]
 
 
+def with_shared_mesh(hulls, view_layer):
+    """The hulls in a view layer that have a mesh of these, where several objects have it."""
+    shared = {hull.data for hull in hulls if hull.data.users > 1}
+    if not shared:
+        return []
+    return [hull for hull, _ in known_hulls(view_layer) if hull.data in shared]
+
+
 def forget(obj):
     _states.pop(obj.as_pointer(), None)
 
