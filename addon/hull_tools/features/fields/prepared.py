@@ -60,16 +60,17 @@ def of_hull(obj, found, scale, before=None):
     """The Prepared of a hull's hull_mesh.HullMesh, `before` where that is still it. ValueError
     with the reason where the hull has no surface."""
     control = found.control(scale)
-    _check_size(control)
+    has_faces_of_before = before is not None and before.key[0] == found.topology_key
+    if not has_faces_of_before:
+        _check(found, control)
     size = float(np.ptp(control.points, axis=0).max(initial=0.0))
     allowed = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     held = allowed.held_points.tobytes(), allowed.held_normals.tobytes()
     key = (found.topology_key, found.points_digest, scale, allowed.locked.tobytes(), *held)
-    if before is not None and before.key == key:
-        return before
-    check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
-    if mesh is None:
-        raise ValueError(check.errors[0].message)
+    if has_faces_of_before:
+        if before.key == key:
+            return before
+        _check(found, control)
     hull_native, source = native.require(), ship.source_of(found, control)
     surface = source.new_surface()
     places = hull_native.SurfacePlaces(surface)
@@ -86,10 +87,13 @@ def of_hull(obj, found, scale, before=None):
     )
 
 
-def _check_size(control):
+def _check(found, control):
     count, most = len(control.points), limits.MOST_FIELD_POINTS
     if count > most:
         raise ValueError(
             f"The hull has {count} control points, and fields take {most} at most: take a coarser "
             "mesh of it, by Un-Subdivide where it was subdivided"
         )
+    check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
+    if mesh is None:
+        raise ValueError(check.errors[0].message)
