@@ -32,6 +32,20 @@ def noted_draws(classes):
     return drawn
 
 
+def make_morph(hull):
+    """Of a hull in edit mode and a longer one, which have one layout."""
+    bpy.ops.object.mode_set(mode="OBJECT")
+    other = hull.copy()
+    other.data = hull.data.copy()
+    for vertex in other.data.vertices:
+        vertex.co.x *= 1.1
+    bpy.context.scene.collection.objects.link(other)
+    bpy.context.view_layer.update()
+    other.select_set(True)
+    hull.select_set(True)
+    assert bpy.ops.hull.make_morph() == {"FINISHED"}
+
+
 def test_every_panel_is_drawn_to_its_end(window):
     open_all()
     wanted = {cls.__name__ for cls in hull_panels()}
@@ -56,6 +70,9 @@ def test_every_panel_is_drawn_to_its_end(window):
     hull.hull.plots.cross_curves = True
     yield lambda: is_computed(hull, "cross_curves")
     yield lambda: len(part("overlays.plots").shown_arrays()) == 1
+    with window.in_view():
+        make_morph(hull)
+    yield
     bpy.context.preferences.view.ui_scale = 1.0
     assert drawn == wanted
 
