@@ -334,3 +334,14 @@ def test_a_region_held_by_another_does_not_leave_it():
     everything = sorted({*points_of(hull, number), *points_of(hull, number + 1)})
     move(hull, everything, (0.0, 0.5, 0.0))
     assert set(map(tuple, kept_planes(hull).values())) == {(0.0, 1.0, 0.0, 2.5)}
+
+
+@pytest.mark.parametrize("kind", ["BEST", "RAKED", "SIDE"])
+def test_points_without_places_are_in_no_plane(kind):
+    """Blender's own operators may leave such, and what follows them must not end in a traceback."""
+    points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]])
+    for wrong in (np.nan, np.inf):
+        points[2, 1] = wrong
+        with pytest.raises(ValueError, match="no numbers"):
+            part("features.constraints.planes").fit(points, kind)
+        assert part("features.constraints.flat_keeping").common_plane(points) is None

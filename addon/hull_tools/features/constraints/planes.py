@@ -65,8 +65,11 @@ def fit(points, kind):
     """The plane of a kind in which most of the points (k, 3) lie: the median across an axis;
     otherwise the one with the least sum of squares, which RAKED holds to the athwartships axis.
 
-    ValueError when the points lie in a line, along which a plane may turn.
+    ValueError when the points lie in a line, along which a plane may turn, and when they have no
+    places.
     """
+    if not np.isfinite(points).all():
+        raise ValueError("Coordinates of points are no numbers: give them others, or remove them")
     if kind in _NORMALS:
         return across_axis(_NORMALS[kind], float(np.median(points[:, _NORMALS[kind]])))
     centre = points.mean(axis=0)
