@@ -51,6 +51,12 @@ def add_hull(name="box"):
     return box
 
 
+def sample(name):
+    """A sample hull, active."""
+    bpy.ops.hull.load_sample(name=name)
+    return bpy.context.view_layer.objects.active
+
+
 def make_active(obj):
     for other in bpy.context.selected_objects:
         other.select_set(False)
@@ -60,6 +66,11 @@ def make_active(obj):
 
 def state_of(obj):
     return part("features.hull.hull_state").state_of(obj)
+
+
+def values(hull):
+    """The hydrostatics.HydrostaticValues of a hull as it lies in the water."""
+    return state_of(hull).hydrostatics.values
 
 
 def compute(wanted):

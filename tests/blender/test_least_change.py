@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import part, state_of
+from addon_under_test import part, sample, state_of, values
 
 # Not of the barge: flat sides and bottom, and the greatest beam, leave it next to nothing.
 SAMPLES = ("bulk_carrier", "catamaran", "coaster", "container_ship", "naval_vessel",
@@ -15,17 +15,8 @@ CHANGES = ((-0.02, 0.0), (0.02, 0.0), (0.0, -0.01), (0.0, 0.01))
 SINGLE = 1e-6
 
 
-def sample(name):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
-
-
 def points_of(hull):
     return part("bridge.mesh.mesh_points").read(hull.data)
-
-
-def values(hull):
-    return state_of(hull).hydrostatics.values
 
 
 def own_surface(hull):

@@ -4,23 +4,14 @@
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, part, state_of
+from addon_under_test import add_hull, part, sample, values
 
 # Points are kept in single precision.
 SINGLE = 3e-6
 
 
-def sample(name):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
-
-
 def points_of(hull):
     return part("bridge.mesh.mesh_points").read(hull.data)
-
-
-def values(hull):
-    return state_of(hull).hydrostatics.values
 
 
 def test_displacement_and_lcb_as_asked_for():

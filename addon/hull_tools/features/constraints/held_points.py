@@ -6,7 +6,7 @@ half hull."""
 import numpy as np
 
 from ...bridge import native
-from . import flats, kept_points
+from . import flats, kept_points, planes
 
 
 def held_points(obj, vertex_ids, points, size):
@@ -71,8 +71,7 @@ def all_ways(points):
 def in_plane(part, points):
     """(control points (k,), normals (k, 3)) that hold a part (k,) of control points (n, 3), which
     lie in a plane, in it: by the normal of the plane that fits them best."""
-    own = points[part]
-    normal = np.linalg.svd(own - own.mean(axis=0), full_matrices=False)[2][-1]
+    normal = planes.fit(points[part], "BEST")[:3]
     return np.asarray(part), np.tile(normal, (len(part), 1))
 
 

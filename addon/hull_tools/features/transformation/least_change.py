@@ -61,9 +61,8 @@ class Asked:
 
 @dataclass(frozen=True)
 class Changed:
-    """before, after: particulars.Particulars; rms: of the surface's shift, m."""
+    """after: particulars.Particulars; rms: of the surface's shift, m."""
 
-    before: particulars.Particulars
     after: particulars.Particulars
     rms: float
 
@@ -139,7 +138,6 @@ class LeastChange(ParentTask):
         """Moves the hull's control points; returns Changed. ValueError when the hull is no longer
         what it was."""
         reached, where = self.result(), self.parent.where
-        before = particulars.of_parent(self.parent)
         state = self.moved(scene, reached.moves)
         after = particulars.of_hydrostatics(state.ship.as_it_is().hydrostatics(where))
-        return Changed(before, after, reached.rms)
+        return Changed(after, reached.rms)
