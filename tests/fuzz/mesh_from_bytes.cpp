@@ -17,7 +17,7 @@ constexpr int kMostEdits = 40;
 mesh::MeshArrays nonsense(ByteReader& bytes) {
   mesh::MeshArrays mesh;
   for (int i = bytes.below(12); i > 0; --i) {
-    mesh.points.emplace_back(bytes.number(), bytes.number(), bytes.number());
+    mesh.points.push_back(bytes.point());
   }
   for (int i = bytes.below(12); i > 0; --i) mesh.face_sizes.push_back(bytes.byte() % 8 - 1);
   if (bytes.byte() % 16 == 0 && !mesh.face_sizes.empty()) {
@@ -71,7 +71,7 @@ class Editor {
     return bytes_.below(static_cast<int>(face.size()));
   }
   int new_point(const std::vector<int>& between) {
-    Eigen::Vector3d sum(0.1 * bytes_.number(), 0.1 * bytes_.number(), 0.1 * bytes_.number());
+    Eigen::Vector3d sum = 0.1 * bytes_.point();
     for (int v : between) sum += mesh_.points[v] / static_cast<double>(between.size());
     mesh_.points.push_back(sum);
     return point_count() - 1;
@@ -197,7 +197,7 @@ class Editor {
     } else if (what == 23) {
       faces_.push_back(faces_[f]);
     } else if (what == 24) {
-      mesh_.points.emplace_back(bytes_.number(), bytes_.number(), bytes_.number());
+      mesh_.points.push_back(bytes_.point());
     } else if (bytes_.byte() % 2) {
       mesh_.creases.push_back({any_point() - 1, any_point()});
     } else if (!faces_[f].empty()) {
@@ -219,6 +219,12 @@ void append(mesh::MeshArrays& mesh, const mesh::MeshArrays& other) {
 }
 
 }  // namespace
+
+Eigen::Vector3d ByteReader::point() {
+  Eigen::Vector3d p;
+  for (double& x : p) x = number();
+  return p;
+}
 
 double ByteReader::number() {
   const int drawn = byte();

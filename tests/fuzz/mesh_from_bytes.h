@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 
@@ -8,7 +9,8 @@
 
 namespace hull::fuzz {
 
-// Numbers drawn from a string of bytes; zeros when it has ended.
+// Numbers drawn from a string of bytes; zeros when it has ended. Each statement draws once, so that
+// any compiler makes the same of the same bytes.
 class ByteReader {
  public:
   ByteReader(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
@@ -17,11 +19,12 @@ class ByteReader {
   int byte() { return at_end() ? 0 : *data_++; }
   // 0 <= result < count, or 0.
   int below(int count) {
-    const int drawn = 256 * byte() + byte();
+    const int high = byte(), drawn = 256 * high + byte();
     return count > 0 ? drawn % count : 0;
   }
   // Tame numbers in [-2, 2], now and then one that is not.
   double number();
+  Eigen::Vector3d point();
 
  private:
   const std::uint8_t* data_;

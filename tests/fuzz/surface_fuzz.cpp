@@ -195,8 +195,10 @@ void check_surface(const mesh::ControlMesh& mesh, surface::Scheme scheme, ByteRe
   const int step = 1 + surface.cell_count() / kMostCells;
   for (int cell = 0; cell < surface.cell_count(); cell += step) {
     check_place(surface, bounds, cell, 0.0, 0.0);
-    check_place(surface, bounds, cell, kPlaces[bytes.byte() % 9], kPlaces[bytes.byte() % 9]);
-    check_place(surface, bounds, cell, bytes.byte() / 255.0, bytes.byte() / 255.0);
+    const double known_u = kPlaces[bytes.byte() % 9], known_v = kPlaces[bytes.byte() % 9];
+    check_place(surface, bounds, cell, known_u, known_v);
+    const double any_u = bytes.byte() / 255.0, any_v = bytes.byte() / 255.0;
+    check_place(surface, bounds, cell, any_u, any_v);
   }
   check_sides(surface, bounds);
   check_pieces(surface, bounds);

@@ -179,6 +179,19 @@ class Caster {
     }
   }
 
+  // What crosses the surface where the ray runs along it, or just before or after, is part of the
+  // stretch, which reaches as far: a crossing before its beginning may be all that is wanted, and
+  // what lies farther be left out already.
+  void swallow_crossings(RawStretch& stretch, double gap) {
+    const double from = stretch.begin.t - gap, to = stretch.end.t + gap;
+    std::erase_if(hits_, [&](const RawHit& raw) {
+      if (raw.hit.t < from || raw.hit.t > to) return false;
+      if (raw.hit.t < stretch.begin.t) stretch.begin = raw.hit;
+      if (raw.hit.t > stretch.end.t) stretch.end = raw.hit;
+      return true;
+    });
+  }
+
   // Ends of the stretches that touch one another, in order.
   void join_stretches() {
     std::sort(stretches_.begin(), stretches_.end(), [](const auto& a, const auto& b) {
@@ -196,12 +209,7 @@ class Caster {
       }
     }
     stretches_.resize(count);
-    for (RawStretch& stretch : stretches_) {
-      // What crosses the surface where the ray runs along it is part of the stretch.
-      std::erase_if(hits_, [&](const RawHit& raw) {
-        return raw.hit.t >= stretch.begin.t - gap && raw.hit.t <= stretch.end.t + gap;
-      });
-    }
+    for (RawStretch& stretch : stretches_) swallow_crossings(stretch, gap);
     for (RawStretch& stretch : stretches_) {
       stretch.begin.grazing = stretch.end.grazing = true;
       hits_.push_back({stretch.begin, gap});

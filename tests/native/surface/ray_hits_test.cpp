@@ -212,6 +212,43 @@ TEST(RayHits, AtBordersOfNarrowCells) {
   }
 }
 
+// A body that is large but for a small part: in the small one pieces are flat to the tolerance, and
+// what crosses a piece beside such a flat one is the beginning of the ray's run along it.
+TEST(RayHits, WhereTheyAreAimedAtSmallPartsOfLargeBodies) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kRayHitsSeed);
+  std::mt19937 random(kRayHitsSeed + 8);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int aimed = 0;
+  for (int trial = 0; trial < 15; ++trial) {
+    mesh::MeshArrays arrays = testing::prism(3 + trial % 4);
+    testing::randomise(arrays, random, 0.3, 0.1, 0.4);
+    const double size = std::pow(10.0, 6.0 + 2.9 * unit(random));
+    for (int far = trial % 3; far >= 0; --far) {
+      arrays.points[static_cast<std::size_t>(unit(random) * arrays.points.size())] =
+          size * random_direction(random);
+    }
+    const LimitSurface surface{mesh::ControlMesh(arrays)};
+    const SurfaceTree tree(surface);
+    for (int cell = 0; cell < surface.cell_count(); ++cell) {
+      for (const Eigen::Vector2d& uv : {Eigen::Vector2d(0.0, 0.0), {0.0, unit(random)}}) {
+        const Vector3d aim = surface.position(cell, uv.x(), uv.y());
+        for (int i = 0; i < 5; ++i) {
+          const Vector3d direction = random_direction(random);
+          if (std::abs(surface.normal(cell, uv.x(), uv.y()).dot(direction)) < 0.1) continue;
+          const Ray ray{aim - 1.5 * size * direction, direction};
+          const std::vector<RayHit> hits = all_ray_hits(tree, ray);
+          ASSERT_LT(nearest(hits, aim), 1e-6 * tree.error_size()) << "trial " << trial;
+          const std::optional<RayHit> first = first_ray_hit(tree, ray);
+          ASSERT_TRUE(first.has_value()) << "trial " << trial << ", cell " << cell;
+          ASSERT_NEAR(first->t, hits.front().t, 1e-11 * tree.error_size());
+          ++aimed;
+        }
+      }
+    }
+  }
+  EXPECT_GT(aimed, 1000);
+}
+
 TEST(RayHits, OfABoxAreThoseOfTheClosedForm) {
   const Vector3d low(0.0, -2.0, 0.0), high(5.0, 2.0, 3.0);
   const SurfaceTree tree{LimitSurface(mesh::ControlMesh(testing::creased_box(5.0, 4.0, 3.0)))};
