@@ -2,7 +2,7 @@
 """One hull's control mesh laid onto another: the paper's pair of ships in kind, members between, a
 hull onto itself in other layouts, and what is refused.
 
-HULL_ALL_MEMBERS: eleven members of the paper's pair are written, instead of one.
+HULL_ALL_MEMBERS: eleven members of the paper's pair are written and judged, instead of one.
 """
 
 import os
@@ -11,6 +11,7 @@ import hull_native as hn
 import numpy as np
 import pytest
 import vessels
+from hull_fairness.lines import judged
 from hull_io.mirror import mirror_faces
 from test_form_numbers import Sample
 from test_hull_families import fuller, remade
@@ -116,10 +117,25 @@ def integral(fitted, family, t):
     return hn.hydrostatics(body, draft=surface.mesh.points[:, 2].max() + 1.0).displaced_volume
 
 
-MEMBERS = np.linspace(0, 1, 11) if os.environ.get("HULL_ALL_MEMBERS") else (0.5,)
+def members(few):
+    return np.linspace(0, 1, 11) if os.environ.get("HULL_ALL_MEMBERS") else few
 
 
-@pytest.mark.parametrize("t", MEMBERS)
+def marks_of(surface):
+    beam = 2.0 * surface.tessellate(4).points[:, 1].max()
+    return sum(len(line.found) for line in judged(surface, beam))
+
+
+# Wanted marks included: what is wanted of a member is told for nobody.
+@pytest.mark.parametrize("t", members((1.0,)))
+def test_members_have_no_more_marks_than_their_parents_together(ships, fitted, family, t):
+    own = [marks_of(ship.surface) for ship in ships]
+    of_member = marks_of(member(fitted, family, t))
+    print(own, of_member)
+    assert of_member <= sum(own)
+
+
+@pytest.mark.parametrize("t", members((0.5,)))
 def test_members_are_written_as_solids(fitted, family, t, tmp_path):
     path = tmp_path / "member.step"
     hn.write_step(member(fitted, family, t), path, mirrored=True, solid=True)
