@@ -13,7 +13,7 @@ from ..bridge.objects import hull_objects
 from ..features.fields import handles, isolines, seen
 from ..features.modelling import drags, pull_lines
 from . import field_arrays
-from .lines import batch_of_strokes, depth_test
+from .lines import batch_of_strokes, seen_then_hidden
 from .shapes import discs, draw_segments, draw_triangles, ring
 from .view import Handler, hulls_in_view
 
@@ -52,9 +52,8 @@ def _draw_lines():
         shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
         with gpu.matrix.push_pop():
             gpu.matrix.load_matrix(shown.to_view(layer=_LAYER))
-            for test, alpha in (("GREATER", _BEHIND), ("LESS_EQUAL", 1.0)):
-                with depth_test(test):
-                    _draw_strokes(shown, found, shader, alpha)
+            for alpha in seen_then_hidden(_BEHIND):
+                _draw_strokes(shown, found, shader, alpha)
 
 
 def _draw_strokes(shown, found, shader, alpha):

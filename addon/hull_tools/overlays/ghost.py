@@ -5,7 +5,7 @@ and its own before a preview of shape fields."""
 from ..bridge.blender import preferences
 from ..features.fields import before
 from ..features.variants import ghosts
-from .lines import HIDDEN_ALPHA, WIDTHS, Pen, batch_of, depth_test
+from .lines import WIDTHS, Pen, batch_of, depth_test, seen_then_hidden
 from .view import Handler, hulls_in_view
 
 _WIDTH = 0.8  # of theirs
@@ -18,10 +18,11 @@ def _draw():
         if not groups:
             continue
         if shown.hull.hull.lines.in_front:
-            _draw_groups(shown, groups, "NONE", 1.0)
+            with depth_test("NONE"):
+                _draw_groups(shown, groups, 1.0)
         else:
-            _draw_groups(shown, groups, "GREATER", HIDDEN_ALPHA)
-            _draw_groups(shown, groups, "LESS_EQUAL", 1.0)
+            for alpha in seen_then_hidden():
+                _draw_groups(shown, groups, alpha)
 
 
 def _groups_of(shown):
@@ -33,14 +34,11 @@ def _groups_of(shown):
     return groups
 
 
-def _draw_groups(shown, groups, depth, alpha):
+def _draw_groups(shown, groups, alpha):
     pen = Pen(shown, _LAYER)
     colour = (*preferences.colour("ghost", "ghost", shown.is_on_light), alpha)
-    with depth_test(depth):
-        for group in groups:
-            pen.draw(
-                group, batch_of(group, pen.shader), _WIDTH * WIDTHS.get(group.kind, 1.0), colour
-            )
+    for group in groups:
+        pen.draw(group, batch_of(group, pen.shader), _WIDTH * WIDTHS.get(group.kind, 1.0), colour)
 
 
 _handler = Handler(_draw, "POST_VIEW")

@@ -18,7 +18,7 @@ from .view import Handler, hulls_in_view
 # Times the width that is set.
 WIDTHS = {"draft": 1.6, "feature": 1.3, "plane": 1.6, "reflection": 1.3, "silhouette": 2.0}
 _TEETH_WIDTH, _TEETH_ALPHA = 0.7, 0.55
-HIDDEN_ALPHA = 0.25  # of combs behind the surface
+HIDDEN_ALPHA = 0.25  # of what is behind the surface
 
 _batches = weakref.WeakKeyDictionary()  # by group: GPUBatch, None where there is nothing to draw
 _comb_batches = weakref.WeakKeyDictionary()  # by CombGroup: (scale, teeth, outline)
@@ -60,6 +60,14 @@ def depth_test(mode):
     yield
     gpu.state.depth_test_set("NONE")
     gpu.state.blend_set("NONE")
+
+
+def seen_then_hidden(hidden_alpha=HIDDEN_ALPHA):
+    """The alpha to draw with, once for what is seen and once for what is behind the surface. In this
+    order: what is drawn counts as what is before it, so that what was hidden would be seen."""
+    for mode, alpha in (("LESS_EQUAL", 1.0), ("GREATER", hidden_alpha)):
+        with depth_test(mode):
+            yield alpha
 
 
 class Pen:

@@ -2,7 +2,7 @@
 """Paired lines of a family, over the hulls that they are of, in one colour each."""
 
 from ..features.morphing import pair_lines
-from .lines import HIDDEN_ALPHA, Pen, batch_of, depth_test
+from .lines import Pen, batch_of, seen_then_hidden
 from .view import Handler, hulls_in_view
 
 _WIDTH = 2.5  # of the hull's lines
@@ -23,11 +23,10 @@ def wanted(shown_hulls):
 
 def _draw():
     lines = wanted(list(hulls_in_view()))
-    for depth, alpha in (("LESS_EQUAL", 1.0), ("GREATER", HIDDEN_ALPHA)):
-        with depth_test(depth):
-            for shown, line in lines:
-                pen = Pen(shown, _LAYER)
-                pen.draw(line, batch_of(line, pen.shader), _WIDTH, (*line.colour, alpha))
+    for alpha in seen_then_hidden():
+        for shown, line in lines:
+            pen = Pen(shown, _LAYER)
+            pen.draw(line, batch_of(line, pen.shader), _WIDTH, (*line.colour, alpha))
 
 
 _handler = Handler(_draw, "POST_VIEW")
