@@ -63,8 +63,8 @@ def depth_test(mode):
 
 
 def seen_then_hidden(hidden_alpha=HIDDEN_ALPHA):
-    """The alpha to draw with, once for what is seen and once for what is behind the surface. In this
-    order: what is drawn counts as what is before it, so that what was hidden would be seen."""
+    """The alpha to draw with, for what is seen, then for what is behind the surface. In this order:
+    what is drawn is before what comes after it, so that what was hidden would be seen."""
     for mode, alpha in (("LESS_EQUAL", 1.0), ("GREATER", hidden_alpha)):
         with depth_test(mode):
             yield alpha
