@@ -2,6 +2,8 @@
 """All pairs of seagoing hulls, samples and FREE!ship's, as parents of a family: each is made, with
 distances both ways within the tolerance and no member folded, or it is said why, and what to do.
 
+What neither layout of the two does a third hull's does.
+
 HULL_ALL_PAIRS=1 tries all of them, each hull's layout on each other one; a few otherwise.
 """
 
@@ -17,6 +19,7 @@ import pytest
 import vessels
 
 FOLDER = Path(__file__).resolve().parents[3] / "shared" / "hulls" / "freeship"
+ALL = os.environ.get("HULL_ALL_PAIRS") == "1"
 SEED, FEW = 20261124, 2
 SAMPLES = (
     "coaster", "container_ship", "bulk_carrier", "roro", "research_vessel", "naval_vessel",
@@ -27,6 +30,16 @@ BARRED = ("container_ship", "research_vessel")
 # Of the length, both ways: the tolerance of fit_layout().
 MET = 1e-4
 MEMBERS = np.linspace(0.0, 1.0, 11)
+# Whose layouts do not come onto one another, and whose layout comes onto all of them.
+BY_A_THIRD = (
+    ("FREE!ship demo 4", "bulk_carrier"),
+    ("FREE!ship demo 4", "container_ship"),
+    ("FREE!ship demo 3", "bulk_carrier"),
+    ("FREE!ship demo 3", "container_ship"),
+    ("FREE!ship demo 3", "FREE!ship demo 4"),
+    ("FREE!ship demo 3", "FREE!ship demo 6"),
+)
+THIRD = "coaster"
 # What can be done.
 REMEDY = re.compile(
     "pair by hand|pair the two by hand|mirror the half|leave out of the|all lines are"
@@ -36,7 +49,7 @@ REMARK = re.compile("nothing is paired with .*: pair it by hand")
 
 def chosen():
     pairs = list(itertools.permutations(SAMPLES + OTHERS, 2))
-    if os.environ.get("HULL_ALL_PAIRS") == "1":
+    if ALL:
         return pairs
     order = np.random.default_rng(SEED).permutation(len(pairs))
     return [BARRED, *(pairs[k] for k in order[:FEW])]
@@ -70,14 +83,26 @@ def test_pairs_are_made_or_it_is_said_what_to_do(names):
         assert ("embers are folded" in fit.shortfall) == (fit.fold is not None)
         return
     assert fit.shortfall == ""
-    check_members(fit, length)
+    check_members(hn.HullFamily([fit.first, fit.second]), length)
 
 
-def check_members(fit, length):
+@pytest.mark.parametrize("names", BY_A_THIRD if ALL else BY_A_THIRD[:1], ids=" and ".join)
+def test_a_third_layout_makes_what_the_two_do_not(names):
+    hulls = [surface_of(name) for name in names]
+    made = hn.common_layout(hulls, layout=surface_of(THIRD))
+    for hull, fit in zip(hulls, made.fits):
+        length = float(np.ptp(hull.mesh.points[:, 0]))
+        print(names, fit.rms / length, fit.rms_back / length, made.subdivisions)
+        assert max(fit.rms, fit.rms_back) <= MET * length
+        assert fit.shortfall == ""
+    check_members(made.family, length)
+
+
+def check_members(family, length):
     """No member is folded, and halves stay halves."""
-    family = hn.HullFamily([fit.first, fit.second])
+    is_half = family.points([1.0, 0.0])[:, 1].min() >= 0.0
     for t in MEMBERS:
         points = family.points([1.0 - t, t])
         assert family.first_fold(points) is None
-        if fit.first.mesh.points[:, 1].min() >= 0.0:
+        if is_half:
             assert points[:, 1].min() >= -1e-9 * length

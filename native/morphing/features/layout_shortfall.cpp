@@ -52,7 +52,8 @@ std::string remedy(const FeatureGraph& first, const FeatureGraph& second, const 
   }
   const int a = nearest_of(first, fit.match.alone_in_first, place);
   const int b = nearest_of(second, fit.match.alone_in_second, other);
-  const char* const or_another = "take the layout of the other hull, or of a third one";
+  const char* const or_another =
+      "take the layout of the other hull, or of a third one, such as the sample coaster's";
   if (a < 0 && b < 0) return std::string("all lines are paired: ") + or_another;
   std::string text;
   if (a >= 0 && b >= 0 && first.features[a].role == second.features[b].role) {
