@@ -17,6 +17,8 @@ _NEAR_FLAT, _IN_FLAT, _LEAST_FLAT = 1e-3, 3e-5, 0.05
 _LEAST_PLACES = 30
 # Of the half-breadth: the points that are in a flat go beyond its rim.
 _AROUND_FLAT = 0.12
+# A place that is missed by the tolerance over this counts for twice as much; and at most.
+_HEED, _MOST_HEED = 1.5, 2.0
 _CENTRE = 1e-6
 _X, _Y, _Z = np.eye(3)
 
@@ -72,6 +74,7 @@ class GridFit:
         self.points = np.array(self.mesh.points)
         self.in_flats = {}  # point -> [axes]
         self._limits = self._row_limits()
+        self._weights, self._distances = targets.weights, None
 
     @property
     def surface(self):
@@ -90,6 +93,11 @@ class GridFit:
                 if flat.axis not in self.in_flats.get(number, []):
                     self.in_flats.setdefault(number, []).append(flat.axis)
                     self.points[number, flat.axis] = flat.place
+
+    def heed(self, tolerance):
+        """Places that the last run missed by much of the tolerance, m, count for more from now on."""
+        more = 1.0 + np.minimum((_HEED * self._distances / tolerance) ** 2, _MOST_HEED)
+        self._weights = np.where(self.targets.on_curves, more, 1.0) * self._weights
 
     def flat_points(self):
         """Tuples (points, normal, offset) of the flats."""
@@ -112,7 +120,7 @@ class GridFit:
         found = fit_surface(
             surface,
             self.targets.points,
-            weights=self.targets.weights,
+            weights=self._weights,
             curves=self._curves(surface),
             held_points=[number for number, _ in held],
             held_normals=np.array([normal for _, normal in held]).reshape(-1, 3),
@@ -125,6 +133,7 @@ class GridFit:
             progress=progress,
         )
         self.points = np.array(found.points)
+        self._distances = np.nan_to_num(np.asarray(found.distances))
         for row, numbers in zip(self.grid.rows, self.mesh.numbers):
             there = numbers >= 0
             row.points[there] = self.points[numbers[there]]
@@ -206,7 +215,9 @@ class GridFit:
             if len(names) != 1 or None in names or chain.closed:
                 continue
             line = line_named(self.grid, names.pop())
-            curves.append((_stretch(line, self.points[vertices]), number, True))
+            stretch = _stretch(line, self.points[vertices])
+            if len(stretch) > 1:
+                curves.append((stretch, number, True))
         return curves
 
 

@@ -17,7 +17,7 @@ class RowsAndColumns:
     tolerance, m, up to a budget of points. Which of the two follows from what each gained last."""
 
     def __init__(self, places, tolerance, budget):
-        self._places, self._tolerance, self._budget = places, tolerance, budget
+        self._places, self.tolerance, self.budget = places, tolerance, budget
         self._gains = {"row": np.inf, "column": np.inf}
         self._last = None
 
@@ -25,9 +25,9 @@ class RowsAndColumns:
         """Adds to the fit's grid. False where that need not, or can't, be done."""
         of_rows, of_columns, distances = _missed_strips(fit, self._places)
         self._learn(len(fit.points), float(np.sum(distances**2)))
-        if distances.max() <= self._tolerance:
+        if distances.max() <= self.tolerance:
             return False
-        grid, left = fit.grid, self._budget - len(fit.points)
+        grid, left = fit.grid, self.budget - len(fit.points)
         has_bar = grid.outline.middle is not None
         row_costs = [grid.columns + 1 + has_bar - row.low for row in grid.rows[:-1]]
         column_costs = [

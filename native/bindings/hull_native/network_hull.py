@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ._core import SurfaceTree
 from .grid_fit import GridFit, extreme_flats
 from .grid_refinement import RowsAndColumns
 from .hull_grid import laid_grid
@@ -20,11 +21,15 @@ _TOLERANCE = 3e-4
 # Points at most where no budget is given: Greshake (2021) has 105 to 153 for ships.
 _BUDGET = 150
 # Columns and rows to begin with; a post below an arch has more columns, and so have knuckles.
-_COLUMNS, _COLUMNS_OF_POST, _ROWS = 6, 7, 9
+_COLUMNS, _COLUMNS_OF_POST = 6, 7
+# Which additions pay depends on where the rows are at first: the best of these is taken.
+_ROWS = (9, 10)
+# Of the tolerance: additions go on to this, as the flats cost some of it.
+_AIM = 0.8
 # Evenness of the moves and steps: first, after an addition, at last.
-_FIRST = ((3e-2, 12), (3e-3, 12))
-_AFTER_ADDITION = (3e-3, 6)
-_LAST = ((3e-3, 20), (3e-3, 20))
+_FIRST = ((1e-1, 12), (1e-2, 12))
+_AFTER_ADDITION = (1e-2, 8)
+_LAST = ((3e-3, 15), (1e-3, 20), (1e-3, 20), (1e-3, 20))
 # Of the size of points: rows of one x are within it.
 _ONE_X = 2e-3
 
@@ -81,43 +86,58 @@ def _places(network):
 
 
 def _laid(network, places, tolerance, budget, progress):
+    """The surface and its flats, of the first layout within the tolerance, or the best one."""
     outline = hull_outline(network)
     columns = _COLUMNS if outline.arch is None else _COLUMNS_OF_POST
     columns = max(columns, len(outline.knuckles) + 3)
-    grid = laid_grid(outline, columns, _ROWS)
     targets, flats = network_targets(network), extreme_flats(outline, places)
-    told = _Progress(progress, budget)
+    found = []
+    for number, rows in enumerate(_ROWS):
+        told = _Progress(progress, budget, number / len(_ROWS), 1.0 / len(_ROWS))
+        grid = laid_grid(outline, columns, rows)
+        fit = _grown(grid, targets, flats, RowsAndColumns(places, _AIM * tolerance, budget), told)
+        distances = np.asarray(SurfaceTree(fit.surface).closest_points(places).distances)
+        found.append((float(np.sqrt(np.mean(distances**2))), number, fit))
+        if distances.max() <= tolerance:
+            break
+    fit = min(found)[2] if distances.max() > tolerance else fit
+    return fit.surface, fit.flat_points()
+
+
+def _grown(grid, targets, flats, additions, told):
     fit = GridFit(grid, targets, flats)
-    if len(fit.points) > budget:
+    if len(fit.points) > additions.budget:
         raise ValueError(
             f"The simplest layout has {len(fit.points)} control points, more than the budget of "
-            f"{budget}: give a larger one."
+            f"{additions.budget}: give a larger one."
         )
     for evenness, steps in _FIRST:
         fit.run(evenness, steps, told.at(len(fit.points)))
-    additions = RowsAndColumns(places, tolerance, budget)
     while additions.add_to(fit):
         fit = GridFit(grid, targets, flats)
         fit.run(*_AFTER_ADDITION, told.at(len(fit.points)))
     for evenness, steps in _LAST:
         fit.flatten()
-        fit.run(evenness, steps, told.at(budget))
-    return fit.surface, fit.flat_points()
+        fit.run(evenness, steps, told.at(additions.budget))
+        fit.heed(additions.tolerance)
+    return fit
 
 
 class _Progress:
-    """Tells of a share that grows with the points."""
+    """Tells of a share, from `start` over `width`, that grows with the points."""
 
-    def __init__(self, progress, budget):
-        self._progress, self._budget, self._told = progress, budget, 0.0
+    def __init__(self, progress, budget, start, width):
+        self._progress, self._budget, self._told = progress, budget, start
+        self._start, self._width = start, width
 
     def at(self, count):
         if self._progress is None:
             return None
-        low = max(self._told, 0.8 * min(1.0, count / self._budget))
+        low = self._start + self._width * 0.8 * min(1.0, count / self._budget)
+        low, high = max(self._told, low), self._start + self._width
 
         def told(share):
-            self._told = max(self._told, low + 0.2 * (1.0 - low) * share)
+            self._told = max(self._told, low + 0.2 * (high - low) * share)
             self._progress(self._told)
 
         return told

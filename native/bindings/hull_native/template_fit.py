@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from ._core import ControlMesh, LimitSurface, crease_curves, fit_surface
+from ._core import LimitSurface, crease_curves, fit_surface
 from .network_targets import network_targets
 from .polylines import foot_on, lengths_along, points_at
 
@@ -45,12 +45,7 @@ def fit_template(network, layout, progress=None):
             draw_border=True,
             progress=_share(progress, stage),
         )
-        surface = LimitSurface(
-            ControlMesh(
-                found.points, mesh.face_sizes, mesh.face_vertices, mesh.creases, mesh.corners
-            ),
-            layout.scheme,
-        )
+        surface = LimitSurface(mesh.with_points(found.points), layout.scheme)
     return surface
 
 
