@@ -45,7 +45,8 @@ std::vector<modelling::FitSum> sums_from(const py::iterable& sums) {
   for (const py::handle item : sums) {
     const std::string name = "sums[" + std::to_string(result.size()) + "]";
     try {
-      const auto [points, weights, rest] = item.cast<std::tuple<py::object, DoubleArray, DoubleArray>>();
+      const auto [points, weights, rest] =
+          item.cast<std::tuple<py::object, DoubleArray, DoubleArray>>();
       result.push_back({integers_from(points, (name + "[0]").c_str()),
                         numbers_from(weights, (name + "[1]").c_str()),
                         point_from(rest, (name + "[2]").c_str())});
@@ -98,8 +99,8 @@ void bind_fit(py::module_& module) {
          const py::object& locked, const py::object& held_points, const DoubleArray& held_normals,
          const py::object& tied, const DoubleArray& tied_directions, const py::iterable& kept,
          double fairness, double stiffness, double curve_weight, const py::iterable& sums,
-         double reach, bool draw_border,
-         int most_steps, double least_move, const py::object& progress) {
+         double reach, bool draw_border, int most_steps, double least_move,
+         const py::object& progress) {
         const modelling::FitTarget target = target_from(targets, normals, weights);
         const std::vector<modelling::FitCurve> along = curves_from(curves);
         modelling::FitOptions options;
@@ -124,8 +125,7 @@ void bind_fit(py::module_& module) {
       py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
       py::arg("fairness") = modelling::FitOptions().fairness,
       py::arg("stiffness") = modelling::FitOptions().stiffness,
-      py::arg("curve_weight") = modelling::FitOptions().curve_weight,
-      py::arg("sums") = py::tuple(),
+      py::arg("curve_weight") = modelling::FitOptions().curve_weight, py::arg("sums") = py::tuple(),
       py::arg("reach") = modelling::FitOptions().reach, py::arg("draw_border") = false,
       py::arg("most_steps") = modelling::FitOptions().most_steps,
       py::arg("least_move") = modelling::FitOptions().least_move, py::arg("progress") = py::none(),

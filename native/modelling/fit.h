@@ -82,10 +82,11 @@ struct Fit {
 
 // Moves the control points of a surface so that it goes through targets, its creases along curves,
 // and bends little: the least sum of the mean squared distance of the targets from the exact
-// surface, the same of the curves, the sums' squares, and the energies, by the method of Levenberg 1944 and Marquardt
-// 1963. Distances are to the closest points (closest_point.h), found anew for each step; control
-// points count by their exact weights there (point_weights.h). What neither targets nor curves tell
-// of stays where it is nearest to its start, but for fairness and stiffness.
+// surface, the same of the curves, the sums' squares, and the energies, by the method of Levenberg
+// 1944 and Marquardt 1963. Distances are to the closest points (closest_point.h), found anew for
+// each step; control points count by their exact weights there (point_weights.h). What neither
+// targets nor curves tell of stays where it is nearest to its start, but for fairness and
+// stiffness.
 //
 // The surface's own energy has a say by its slope with the metric as it is (thin_plate.h): without
 // what would draw borders in and slide points along the surface. The fit settles where that and the

@@ -228,8 +228,7 @@ def _rows_beside_ends(rows):
     return {
         i
         for i in range(len(rows))
-        if kinds[i + 1] == "station"
-        and {kinds[i], kinds[i + 2]} & {"stem", "post", "free", "arch"}
+        if kinds[i + 1] == "station" and {kinds[i], kinds[i + 2]} & {"stem", "post", "free", "arch"}
     }
 
 
@@ -240,7 +239,5 @@ def _stretch(line, places):
     feet = [foot_on(line, lengths, place)[0] for place in places]
     rising = feet[-1] > feet[0]
     feet = np.maximum.accumulate(feet) if rising else np.minimum.accumulate(feet)
-    parts = [
-        np.linspace(a, b, _BETWEEN, endpoint=False) for a, b in zip(feet, feet[1:]) if a != b
-    ]
+    parts = [np.linspace(a, b, _BETWEEN, endpoint=False) for a, b in zip(feet, feet[1:]) if a != b]
     return points_at(line, lengths, np.concatenate([*parts, feet[-1:]]))

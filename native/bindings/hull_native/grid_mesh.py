@@ -116,9 +116,7 @@ def _contour_path(mesh):
     path += [(numbers[i, 0], (i, -1)) for i in range(first, len(rows))]
     if rows[-1].kind == "stem":
         path += [(numbers[-1, j], (-1, j)) for j in range(1, mesh.grid.columns + 1)]
-    return [
-        (int(a), strip) for (a, strip), (b, _) in zip(path, [*path[1:], (-1, None)]) if a != b
-    ]
+    return [(int(a), strip) for (a, strip), (b, _) in zip(path, [*path[1:], (-1, None)]) if a != b]
 
 
 def _add_bar(mesh, path):
