@@ -73,6 +73,7 @@ class GridFit:
         self.mesh = grid_mesh(grid)
         self.points = np.array(self.mesh.points)
         self.in_flats = {}  # point -> [axes]
+        self.at_centre = set()
         self._limits = self._row_limits()
         self._weights, self._distances = targets.weights, None
 
@@ -81,7 +82,11 @@ class GridFit:
         return self.mesh.surface(self.points)
 
     def flatten(self):
-        """Points near flats, or beyond them, are in them from now on."""
+        """Points near flats, or beyond them, are in them from now on; and those beyond the centre
+        plane in that."""
+        beyond_centre = np.flatnonzero(self.points[:, 1] < 0.0)
+        self.points[beyond_centre, 1] = 0.0
+        self.at_centre.update(beyond_centre.tolist())
         outline = self.grid.outline
         margin = _AROUND_FLAT * outline.high[1]
         shell = np.zeros(len(self.points), dtype=bool)
@@ -95,7 +100,7 @@ class GridFit:
                     self.points[number, flat.axis] = flat.place
 
     def heed(self, tolerance):
-        """Places that the last run missed by much of the tolerance, m, count for more from now on."""
+        """Places that the last run missed by much of the tolerance, m, count for more now."""
         more = 1.0 + np.minimum((_HEED * self._distances / tolerance) ** 2, _MOST_HEED)
         self._weights = np.where(self.targets.on_curves, more, 1.0) * self._weights
 
@@ -115,7 +120,7 @@ class GridFit:
         what a distance does."""
         held, tied = self._limits
         flat = [(n, np.eye(3)[axis]) for n, axes in self.in_flats.items() for axis in axes]
-        held = held + flat
+        held = held + flat + [(n, _Y) for n in sorted(self.at_centre)]
         surface = self.surface
         found = fit_surface(
             surface,
