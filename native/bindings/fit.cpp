@@ -40,6 +40,23 @@ modelling::FitTarget target_from(const DoubleArray& targets, const py::object& n
   return target;
 }
 
+std::vector<modelling::FitSum> sums_from(const py::iterable& sums) {
+  std::vector<modelling::FitSum> result;
+  for (const py::handle item : sums) {
+    const std::string name = "sums[" + std::to_string(result.size()) + "]";
+    try {
+      const auto [points, weights, rest] =
+          item.cast<std::tuple<py::object, DoubleArray, DoubleArray>>();
+      result.push_back({integers_from(points, (name + "[0]").c_str()),
+                        numbers_from(weights, (name + "[1]").c_str()),
+                        point_from(rest, (name + "[2]").c_str())});
+    } catch (const py::cast_error&) {
+      throw std::invalid_argument(name + " must be (points, weights, rest).");
+    }
+  }
+  return result;
+}
+
 void bind_fit_result(py::module_& module) {
   py::class_<modelling::Fit>(module, "Fit", "A surface drawn onto targets: fit_surface().")
       .def_property_readonly(
@@ -81,8 +98,9 @@ void bind_fit(py::module_& module) {
          const py::object& normals, const py::object& weights, const py::iterable& curves,
          const py::object& locked, const py::object& held_points, const DoubleArray& held_normals,
          const py::object& tied, const DoubleArray& tied_directions, const py::iterable& kept,
-         double fairness, double stiffness, double curve_weight, double reach, bool draw_border,
-         int most_steps, double least_move, const py::object& progress) {
+         double fairness, double stiffness, double curve_weight, const py::iterable& sums,
+         double reach, bool draw_border, int most_steps, double least_move,
+         const py::object& progress) {
         const modelling::FitTarget target = target_from(targets, normals, weights);
         const std::vector<modelling::FitCurve> along = curves_from(curves);
         modelling::FitOptions options;
@@ -91,6 +109,7 @@ void bind_fit(py::module_& module) {
         options.fairness = fairness;
         options.stiffness = stiffness;
         options.curve_weight = curve_weight;
+        options.sums = sums_from(sums);
         options.reach = reach;
         options.draw_border = draw_border;
         options.most_steps = most_steps;
@@ -106,7 +125,7 @@ void bind_fit(py::module_& module) {
       py::arg("tied_directions") = py::tuple(), py::arg("kept") = py::tuple(),
       py::arg("fairness") = modelling::FitOptions().fairness,
       py::arg("stiffness") = modelling::FitOptions().stiffness,
-      py::arg("curve_weight") = modelling::FitOptions().curve_weight,
+      py::arg("curve_weight") = modelling::FitOptions().curve_weight, py::arg("sums") = py::tuple(),
       py::arg("reach") = modelling::FitOptions().reach, py::arg("draw_border") = false,
       py::arg("most_steps") = modelling::FitOptions().most_steps,
       py::arg("least_move") = modelling::FitOptions().least_move, py::arg("progress") = py::none(),
@@ -123,7 +142,8 @@ void bind_fit(py::module_& module) {
       "fairness: its square, times the squared size of the mesh, times the thin-plate energy is "
       "added to the mean squared distance; 0 for none. stiffness: the same for the energy "
       "of the moves, which keeps the control points' layout. curve_weight: of the curves' mean "
-      "squared distance. reach, m: what is "
+      "squared distance. sums: tuples (control points (k,), weights (k,), rest (3,)): the squared "
+      "distance of each weighted sum from its rest, m, is added. reach, m: what is "
       "farther from the surface is left out. draw_border: whether targets beyond the surface's "
       "border draw it, rather than being left out. most_steps; least_move: of the mesh's size; the "
       "fit ends when no control point moves more. progress: a callable that takes the share done, "

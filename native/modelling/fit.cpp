@@ -80,6 +80,40 @@ void check_options(const FitOptions& options) {
   }
 }
 
+void check_sums(const std::vector<FitSum>& sums, int point_count) {
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const FitSum& sum = sums[i];
+    const std::string name = "Sum " + std::to_string(i);
+    if (sum.points.size() != sum.weights.size()) {
+      throw std::invalid_argument(name + " must have as many weights as points, " +
+                                  std::to_string(sum.points.size()) + ", not " +
+                                  std::to_string(sum.weights.size()) + ".");
+    }
+    for (int point : sum.points) check_point(point, point_count, (name + "'s point").c_str());
+    const auto is_finite = [](double weight) { return std::isfinite(weight); };
+    if (!sum.rest.allFinite() || !std::ranges::all_of(sum.weights, is_finite)) {
+      throw std::invalid_argument(name + " has a weight or a rest that is no number.");
+    }
+  }
+}
+
+// How far a sum is from its rest.
+Vector3d off_rest(const FitSum& sum, const std::vector<Vector3d>& points) {
+  Vector3d off = -sum.rest;
+  for (std::size_t k = 0; k < sum.points.size(); ++k) off += sum.weights[k] * points[sum.points[k]];
+  return off;
+}
+
+void add_sums(const std::vector<FitSum>& sums, const std::vector<Vector3d>& points,
+              FitEquations& equations) {
+  for (const FitSum& sum : sums) {
+    const auto size = static_cast<Eigen::Index>(sum.weights.size());
+    const Eigen::VectorXd weights = Eigen::VectorXd::Map(sum.weights.data(), size);
+    equations.add_scalar(sum.points, weights * weights.transpose(),
+                         -weights * off_rest(sum, points).transpose());
+  }
+}
+
 // The surface at some step, and all that its cost is made of.
 struct State {
   surface::LimitSurface surface;
@@ -89,6 +123,7 @@ struct State {
   PlacePulls places;
   double energy = 0.0;       // of the surface
   double move_energy = 0.0;  // of the moves
+  double sums = 0.0;         // their squares
 };
 
 class Fitting {
@@ -131,7 +166,7 @@ class Fitting {
   // In m²: what the fit makes least.
   double cost(const State& state) const {
     return state.feet.mean_square + state.places.mean_square +
-           options_.curve_weight * state.curves.mean_square +
+           options_.curve_weight * state.curves.mean_square + state.sums +
            factor(options_.fairness) * state.energy +
            factor(options_.stiffness) * state.move_energy;
   }
@@ -142,6 +177,10 @@ class Fitting {
     state.curves = fit_internal::find_curve_pulls(state.surface, curves_, options_);
     if (shape_tree_) {
       state.places = fit_internal::find_place_pulls(state.surface, *target_.shape, *shape_tree_);
+    }
+    state.sums = 0.0;
+    for (const FitSum& sum : options_.sums) {
+      state.sums += off_rest(sum, state.surface.mesh().points()).squaredNorm();
     }
     if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
     if (options_.stiffness > 0.0) {
@@ -166,6 +205,7 @@ class Fitting {
     for (fit_internal::FitRow& row : rows) row.weight *= options_.curve_weight;
     fit_internal::add_rows(rows, state_.surface, pieces_, equations);
     fit_internal::add_rows(state_.places.rows, state_.surface, pieces_, equations);
+    add_sums(options_.sums, state_.surface.mesh().points(), equations);
     if (options_.fairness > 0.0) {
       add_thin_plate(state_.surface, pieces_, state_.surface.mesh().points(),
                      factor(options_.fairness), equations);
@@ -261,6 +301,7 @@ Fit fit(const surface::LimitSurface& surface, const FitTarget& target,
   check_target(target);
   check_options(options);
   check_curves(curves, static_cast<int>(surface::crease_curves(surface).size()));
+  check_sums(options.sums, surface.mesh().topology().vertex_count());
   return Fitting(surface, target, curves, options).run();
 }
 

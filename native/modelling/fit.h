@@ -35,6 +35,15 @@ struct FitCurve {
 // Fits that settle do so within some dozens.
 inline constexpr int kMostFitSteps = 1000;
 
+// A sum over control points, Σ weights[i] · points[i], that is wanted to be `rest`, m: its squared
+// distance from that is added to what the fit makes least. Second differences along rows of control
+// points, with their values at the start as rest, keep a layout even, however small its faces are.
+struct FitSum {
+  std::vector<int> points;
+  std::vector<double> weights;
+  Vector3d rest;
+};
+
 struct FitOptions {
   ReshapeLimits limits;  // nothing of it is prescribed
   // What fair costs: this squared, times the mesh's size squared, times the thin-plate energy, is
@@ -44,6 +53,7 @@ struct FitOptions {
   // points as they are laid out, where the target does not tell.
   double stiffness = 0.0;
   double curve_weight = 1.0;  // of the curves' mean squared distance
+  std::vector<FitSum> sums = {};
   // Farther targets and points of curves are left out, m.
   double reach = std::numeric_limits<double>::infinity();
   // Targets beyond the surface's border are left out; or they draw the border.
@@ -72,10 +82,11 @@ struct Fit {
 
 // Moves the control points of a surface so that it goes through targets, its creases along curves,
 // and bends little: the least sum of the mean squared distance of the targets from the exact
-// surface, the same of the curves, and the energies, by the method of Levenberg 1944 and Marquardt
-// 1963. Distances are to the closest points (closest_point.h), found anew for each step; control
-// points count by their exact weights there (point_weights.h). What neither targets nor curves tell
-// of stays where it is nearest to its start, but for fairness and stiffness.
+// surface, the same of the curves, the sums' squares, and the energies, by the method of Levenberg
+// 1944 and Marquardt 1963. Distances are to the closest points (closest_point.h), found anew for
+// each step; control points count by their exact weights there (point_weights.h). What neither
+// targets nor curves tell of stays where it is nearest to its start, but for fairness and
+// stiffness.
 //
 // The surface's own energy has a say by its slope with the metric as it is (thin_plate.h): without
 // what would draw borders in and slide points along the surface. The fit settles where that and the

@@ -142,6 +142,27 @@ def test_fairness_takes_away_a_dent_and_stiffness_keeps_it():
     assert np.abs(stiff.points - points).max() < np.abs(loose.points - points).max()
 
 
+def test_sums_of_control_points_come_to_rest():
+    # Against targets in the surface itself, which no sum moves as long as it has its rest: a sum
+    # that counts for much brings its points to another one.
+    surface = surface_of("barge")
+    points = np.asarray(surface.mesh.points)
+    there = samples_of(surface, 3)
+    weights = np.array([1.0, -2.0, 1.0])
+    rest = weights @ points[:3]
+    options = {"fairness": 0.0, "most_steps": 20}
+    still = hn.fit_surface(surface, there, sums=[([0, 1, 2], weights, rest)], **options)
+    assert np.abs(still.points - points).max() < 1e-6
+    moved = hn.fit_surface(
+        surface, there, sums=[([0, 1, 2], 1e6 * weights, 1e6 * (rest + [0.0, 0.0, 0.1]))], **options
+    )
+    assert weights @ moved.points[:3] == pytest.approx(rest + [0.0, 0.0, 0.1], abs=1e-6)
+    with pytest.raises(ValueError, match="as many weights as points, 2, not 1"):
+        hn.fit_surface(surface, there, sums=[([0, 1], [1.0], rest)])
+    with pytest.raises(ValueError, match="Sum 0's point"):
+        hn.fit_surface(surface, there, sums=[([10**6], [1.0], rest)])
+
+
 def test_it_can_be_watched_and_cancelled():
     surface = surface_of("barge")
     start = shaken(surface, np.random.default_rng(SEED), 0.1)

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A HullGrid's control points fitted to a network: rows keep one x, what is flat stays flat."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ._core import crease_curves, fit_surface
+from .grid_mesh import grid_mesh, line_named
+from .polylines import foot_on, lengths_along, points_at
+
+# Places of a line between two control points of the border or crease along it.
+_BETWEEN = 6
+# Of the length: points nearer to a flat's plane, or beyond it, are put into it; places of curves
+# are in it; it reaches as far along the ship.
+_NEAR_FLAT, _IN_FLAT, _LEAST_FLAT = 1e-3, 3e-5, 0.05
+_LEAST_PLACES = 30
+# Of the half-breadth: the points that are in a flat go beyond its rim.
+_AROUND_FLAT = 0.12
+# A place that is missed by the tolerance over this counts for twice as much; and at most.
+_HEED, _MOST_HEED = 1.5, 2.0
+_CENTRE = 1e-6
+_X, _Y, _Z = np.eye(3)
+
+
+@dataclass(frozen=True)
+class ExtremeFlat:
+    """The flat bottom (axis 2) or flat side (axis 1), in the plane where the coordinate is `place`:
+    between low and high, m, of the other coordinate across the ship, at x (k,), rising."""
+
+    axis: int
+    place: float
+    x: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+
+    def has(self, points, margin):
+        """Of points (n, 3), projected into its plane, whether they are in it."""
+        across = points[:, 3 - self.axis]
+        low, high = (np.interp(points[:, 0], self.x, side) for side in (self.low, self.high))
+        along = (points[:, 0] >= self.x[0] - margin) & (points[:, 0] <= self.x[-1] + margin)
+        return along & (across >= low - margin) & (across <= high + margin)
+
+
+def extreme_flats(outline, places):
+    """The ExtremeFlats that many places of the curves lie in."""
+    found = []
+    for axis, place in ((2, places[:, 2].min()), (1, places[:, 1].max())):
+        inside = places[np.abs(places[:, axis] - place) < _IN_FLAT * outline.length]
+        if len(inside) < _LEAST_PLACES or np.ptp(inside[:, 0]) < _LEAST_FLAT * outline.length:
+            continue
+        at, which = np.unique((inside[:, 0] / (1e-5 * outline.length)).round(), return_inverse=True)
+        across = [inside[which == k][:, 3 - axis] for k in range(len(at))]
+        # Of a line along the flat there is one place each: a station has more.
+        wide = [k for k, values in enumerate(across) if len(values) > 2]
+        if len(wide) < 2:
+            continue
+        found.append(
+            ExtremeFlat(
+                axis, float(np.median(inside[:, axis])), at[wide] * 1e-5 * outline.length,
+                np.array([across[k].min() for k in wide]),
+                np.array([across[k].max() for k in wide]),
+            )  # fmt: skip
+        )
+    return found
+
+
+class GridFit:
+    """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them."""
+
+    def __init__(self, grid, targets, flats):
+        self.grid, self.targets, self.flats = grid, targets, flats
+        self.mesh = grid_mesh(grid)
+        self.points = np.array(self.mesh.points)
+        self.in_flats = {}  # point -> [axes]
+        self.at_centre = set()
+        self._limits = self._row_limits()
+        self._weights, self._distances = targets.weights, None
+
+    @property
+    def surface(self):
+        return self.mesh.surface(self.points)
+
+    def flatten(self):
+        """Points near flats, or beyond them, are in them from now on; and those beyond the centre
+        plane in that."""
+        beyond_centre = np.flatnonzero(self.points[:, 1] < 0.0)
+        self.points[beyond_centre, 1] = 0.0
+        self.at_centre.update(beyond_centre.tolist())
+        outline = self.grid.outline
+        margin = _AROUND_FLAT * outline.high[1]
+        shell = np.zeros(len(self.points), dtype=bool)
+        shell[self.mesh.numbers[self.mesh.numbers >= 0]] = True
+        for flat in self.flats:
+            beyond = (self.points[:, flat.axis] - flat.place) * (1.0 if flat.axis == 1 else -1.0)
+            near = shell & (beyond > -_NEAR_FLAT * outline.length)
+            for number in np.flatnonzero(near & flat.has(self.points, margin)).tolist():
+                if flat.axis not in self.in_flats.get(number, []):
+                    self.in_flats.setdefault(number, []).append(flat.axis)
+                    self.points[number, flat.axis] = flat.place
+
+    def heed(self, tolerance):
+        """Places that the last run missed by much of the tolerance, m, count for more now."""
+        more = 1.0 + np.minimum((_HEED * self._distances / tolerance) ** 2, _MOST_HEED)
+        self._weights = np.where(self.targets.on_curves, more, 1.0) * self._weights
+
+    def flat_points(self):
+        """Tuples (points, normal, offset) of the flats."""
+        found = []
+        for flat in self.flats:
+            points = sorted(n for n, axes in self.in_flats.items() if flat.axis in axes)
+            if points:
+                sign = 1.0 if flat.axis == 1 else -1.0
+                normal = tuple((sign * np.eye(3)[flat.axis]).tolist())
+                found.append((np.array(points), normal, sign * flat.place))
+        return found
+
+    def run(self, evenness, most_steps, progress=None):
+        """evenness: what a second difference of the moves along a row or column counts for, of
+        what a distance does."""
+        held, tied = self._limits
+        flat = [(n, np.eye(3)[axis]) for n, axes in self.in_flats.items() for axis in axes]
+        held = held + flat + [(n, _Y) for n in sorted(self.at_centre)]
+        surface = self.surface
+        found = fit_surface(
+            surface,
+            self.targets.points,
+            weights=self._weights,
+            curves=self._curves(surface),
+            held_points=[number for number, _ in held],
+            held_normals=np.array([normal for _, normal in held]).reshape(-1, 3),
+            tied=np.array([pair for pair, _ in tied]).reshape(-1, 2),
+            tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
+            sums=self._even_moves(evenness),
+            fairness=0.0,
+            draw_border=True,
+            most_steps=most_steps,
+            progress=progress,
+        )
+        self.points = np.array(found.points)
+        self._distances = np.nan_to_num(np.asarray(found.distances))
+        for row, numbers in zip(self.grid.rows, self.mesh.numbers):
+            there = numbers >= 0
+            row.points[there] = self.points[numbers[there]]
+            if row.x is not None:
+                row.x = float(np.median(row.points[there, 0]))
+
+    def _row_limits(self):
+        """Held points with normals; tied pairs with directions. Rows are put to one x first."""
+        mesh, rows = self.mesh, self.grid.rows
+        held = [(n, _Y) for n in np.flatnonzero(self._is_central()).tolist()]
+        for points in mesh.ends.values():
+            held += self._held_in_plane(sorted(points))
+        at_end = set().union(*mesh.ends.values())
+        self._beside_ends = _rows_beside_ends(rows)
+        tied, leaders = [], {}
+        below_arch = self._below_arch()
+        for number, i in enumerate(mesh.row_of):
+            row = rows[i]
+            if row.x is None or number in at_end or number in mesh.feet or number in below_arch:
+                continue
+            if row.is_knuckle or i in self._beside_ends:
+                held.append((number, _X))
+                self.points[number, 0] = row.x
+            elif i in leaders:
+                tied.append(((number, leaders[i]), _X))
+                self.points[number, 0] = self.points[leaders[i], 0]
+            else:
+                leaders[i] = number
+        for number, partner in mesh.partners.items():
+            if partner == number:
+                continue
+            held.append((number, _Y))
+            tied.append(((partner, number), _Z))
+            self.points[partner, [0, 2]] = self.points[number, [0, 2]]
+            if not any(pair[0] == partner and way is _X for pair, way in tied):
+                tied.append(((partner, number), _X))
+        return held, tied
+
+    def _is_central(self):
+        return np.abs(self.points[:, 1]) < _CENTRE * self.grid.outline.length
+
+    def _below_arch(self):
+        arch = self.grid.arch_row
+        if arch is None:
+            return set()
+        below = {int(n) for n in self.mesh.numbers[arch, : self.grid.rows[0].low] if n >= 0}
+        return below | {self.mesh.partners.get(n, n) for n in below}
+
+    def _held_in_plane(self, numbers):
+        """Points of an end in its plane; it may lean."""
+        place = self.points[numbers].mean(axis=0)
+        normal = np.linalg.svd(self.points[numbers] - place, full_matrices=False)[2][2]
+        normal[np.abs(normal) < 1e-6] = 0.0
+        normal /= np.linalg.norm(normal)
+        self.points[numbers] -= ((self.points[numbers] - place) @ normal)[:, None] * normal
+        return [(number, normal) for number in numbers]
+
+    def _even_moves(self, evenness):
+        numbers = self.mesh.numbers
+        triples = [
+            np.stack(three, axis=-1).reshape(-1, 3)
+            for three in (
+                (numbers[:-2], numbers[1:-1], numbers[2:]),
+                (numbers[:, :-2], numbers[:, 1:-1], numbers[:, 2:]),
+            )
+        ]
+        triples = np.concatenate(triples)
+        triples = triples[(triples.min(axis=1) >= 0) & (np.diff(triples, axis=1) != 0).all(axis=1)]
+        weights = evenness / np.sqrt(len(triples)) * np.array([1.0, -2.0, 1.0])
+        rests = np.einsum("k,nkd->nd", weights, self.points[triples])
+        return [(triple, weights, rest) for triple, rest in zip(triples, rests)]
+
+    def _curves(self, surface):
+        curves = []
+        for number, chain in enumerate(crease_curves(surface)):
+            vertices = np.asarray(chain.vertices).tolist()
+            edges = [(min(e), max(e)) for e in zip(vertices, vertices[1:])]
+            names = {self.mesh.lines.get(edge) for edge in edges}
+            if len(names) != 1 or None in names or chain.closed:
+                continue
+            line = line_named(self.grid, names.pop())
+            stretch = _stretch(line, self.points[vertices])
+            if len(stretch) > 1:
+                curves.append((stretch, number, True))
+        return curves
+
+
+def _rows_beside_ends(rows):
+    """Rows of one x beside others: they stay, so that they do not go beyond where sections are
+    whole."""
+    kinds = ["", *(row.kind for row in rows), ""]
+    return {
+        i
+        for i in range(len(rows))
+        if kinds[i + 1] == "station" and {kinds[i], kinds[i + 2]} & {"stem", "post", "free", "arch"}
+    }
+
+
+def _stretch(line, places):
+    """Places along a line from the foot of the first place to that of the last, closer where these
+    are."""
+    lengths = lengths_along(line)
+    feet = [foot_on(line, lengths, place)[0] for place in places]
+    rising = feet[-1] > feet[0]
+    feet = np.maximum.accumulate(feet) if rising else np.minimum.accumulate(feet)
+    parts = [np.linspace(a, b, _BETWEEN, endpoint=False) for a, b in zip(feet, feet[1:]) if a != b]
+    return points_at(line, lengths, np.concatenate([*parts, feet[-1:]]))

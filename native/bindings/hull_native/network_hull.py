@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A network of curves as a hull: a control mesh laid over it and fitted.
+
+Lengths are in metres.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ._core import SurfaceTree
+from .grid_fit import GridFit, extreme_flats
+from .grid_refinement import RowsAndColumns
+from .hull_grid import laid_grid
+from .hull_outline import hull_outline
+from .network_targets import curve_distances, network_places, network_targets
+from .template_fit import fit_template
+
+# Of the length: the tolerance that is meant where none is given.
+_TOLERANCE = 3e-4
+# Points at most where no budget is given: Greshake (2021) has 105 to 153 for ships.
+_BUDGET = 150
+# Columns and rows to begin with; a post below an arch has more columns, and so have knuckles.
+_COLUMNS, _COLUMNS_OF_POST = 6, 7
+# Which additions pay depends on where the rows are at first: the best of these is taken.
+_ROWS = (9, 10)
+# Of the tolerance: additions go on to this, as the flats cost some of it.
+_AIM = 0.8
+# Evenness of the moves and steps: first, after an addition, at last.
+_FIRST = ((1e-1, 12), (1e-2, 12))
+_AFTER_ADDITION = (1e-2, 8)
+_LAST = ((3e-3, 15), (1e-3, 20), (1e-3, 20), (1e-3, 20))
+# Of the size of points: rows of one x are within it.
+_ONE_X = 2e-3
+
+
+@dataclass(frozen=True)
+class NetworkHull:
+    """A hull laid over a network: its LimitSurface; a CurveDistance of each curve; of all places on
+    curves the root mean square and the largest distance, m, and where that is; flats: tuples
+    (points (k,), normal (3,), offset) of control points that are in a plane; in_rows: the share of
+    control points in rows of one x; is_within: whether the largest distance is within the
+    tolerance."""
+
+    surface: object
+    curves: list
+    rms: float
+    largest: float
+    place: tuple
+    flats: list
+    in_rows: float
+    is_within: bool
+
+
+def hull_from_network(network, *, tolerance=None, budget=None, layout=None, progress=None):
+    """The NetworkHull of a CurveNetwork of a half hull.
+
+    tolerance, m: rows and columns are added where curves are missed by more, until none is or there
+    are `budget` control points; None: 3e-4 of the length, 150 points. layout: a LimitSurface whose
+    control mesh is taken as it is, and fitted; it has to lie near the network, with a crease or
+    border for each that the network has. progress: a callable that takes the share done, 0 to 1;
+    what it raises ends it.
+
+    ValueError for a network without regions, of a whole hull, of more than one body, with another
+    border than one line in the centre plane and one along the deck between two ends, and for a
+    tolerance or budget that is none.
+    """
+    places, curve_numbers = _places(network)
+    length = float(np.ptp(places[:, 0]))
+    tolerance = _TOLERANCE * length if tolerance is None else float(tolerance)
+    if not tolerance > 0.0:
+        raise ValueError("tolerance has to be above zero.")
+    budget = _BUDGET if budget is None else int(budget)
+    if layout is not None:
+        surface, flats = fit_template(network, layout, progress), []
+    else:
+        surface, flats = _laid(network, places, tolerance, budget, progress)
+    curves = curve_distances(network, surface)
+    return _told(network, surface, curves, flats, tolerance)
+
+
+def _places(network):
+    if network.region_count == 0:
+        hull_outline(network)
+    return network_places(network)
+
+
+def _laid(network, places, tolerance, budget, progress):
+    """The surface and its flats, of the first layout within the tolerance, or the best one."""
+    outline = hull_outline(network)
+    columns = _COLUMNS if outline.arch is None else _COLUMNS_OF_POST
+    columns = max(columns, len(outline.knuckles) + 3)
+    targets, flats = network_targets(network), extreme_flats(outline, places)
+    found = []
+    for number, rows in enumerate(_ROWS):
+        told = _Progress(progress, budget, number / len(_ROWS), 1.0 / len(_ROWS))
+        grid = laid_grid(outline, columns, rows)
+        fit = _grown(grid, targets, flats, RowsAndColumns(places, _AIM * tolerance, budget), told)
+        distances = np.asarray(SurfaceTree(fit.surface).closest_points(places).distances)
+        found.append((float(np.sqrt(np.mean(distances**2))), number, fit))
+        if distances.max() <= tolerance:
+            break
+    fit = min(found)[2] if distances.max() > tolerance else fit
+    return fit.surface, fit.flat_points()
+
+
+def _grown(grid, targets, flats, additions, told):
+    fit = GridFit(grid, targets, flats)
+    if len(fit.points) > additions.budget:
+        raise ValueError(
+            f"The simplest layout has {len(fit.points)} control points, more than the budget of "
+            f"{additions.budget}: give a larger one."
+        )
+    for evenness, steps in _FIRST:
+        fit.run(evenness, steps, told.at(len(fit.points)))
+    while additions.add_to(fit):
+        fit = GridFit(grid, targets, flats)
+        fit.run(*_AFTER_ADDITION, told.at(len(fit.points)))
+    for evenness, steps in _LAST:
+        fit.flatten()
+        fit.run(evenness, steps, told.at(additions.budget))
+        fit.heed(additions.tolerance)
+    return fit
+
+
+class _Progress:
+    """Tells of a share, from `start` over `width`, that grows with the points."""
+
+    def __init__(self, progress, budget, start, width):
+        self._progress, self._budget, self._told = progress, budget, start
+        self._start, self._width = start, width
+
+    def at(self, count):
+        if self._progress is None:
+            return None
+        low = self._start + self._width * 0.8 * min(1.0, count / self._budget)
+        low, high = max(self._told, low), self._start + self._width
+
+        def told(share):
+            self._told = max(self._told, low + 0.2 * (high - low) * share)
+            self._progress(self._told)
+
+        return told
+
+
+def _told(network, surface, curves, flats, tolerance):
+    counts = np.bincount(np.asarray(network.edge_curves), minlength=len(network.curves))
+    weights = [counts[number] for number in np.flatnonzero(counts)]
+    rms = float(np.sqrt(np.average([curve.rms**2 for curve in curves], weights=weights)))
+    worst = max(curves, key=lambda curve: curve.largest)
+    return NetworkHull(
+        surface, curves, rms, worst.largest, worst.place, flats, share_in_rows(surface.mesh),
+        worst.largest <= tolerance,
+    )  # fmt: skip
+
+
+def share_in_rows(mesh):
+    """The share of control points in rows of one x: three or more joined by edges, all within 0.2 %
+    of the length of one another."""
+    points = np.asarray(mesh.points)
+    within = _ONE_X * float(np.ptp(points[:, 0]))
+    row = np.arange(len(points))
+
+    def first(number):
+        while row[number] != number:
+            number = row[number]
+        return number
+
+    sizes, corners = np.asarray(mesh.face_sizes), np.asarray(mesh.face_vertices)
+    for end, size in zip(np.cumsum(sizes), sizes):
+        face = corners[end - size : end]
+        for a, b in zip(face, np.roll(face, -1)):
+            if abs(points[a, 0] - points[b, 0]) < within:
+                row[first(a)] = first(b)
+    rows = np.array([first(number) for number in range(len(points))])
+    count = 0
+    for number in np.unique(rows):
+        members = points[rows == number, 0]
+        if len(members) > 2 and np.ptp(members) <= within:
+            count += len(members)
+    return count / len(points)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Networks of curves as hulls: control meshes laid over samples' lines, and the samples' own."""
+
+from functools import lru_cache
+
+import hull_native as hn
+import numpy as np
+import pytest
+from test_curve_networks import sample_surface, square_net
+
+# Of the length.
+CURVES, JOINED = 1e-5, 3e-5
+
+
+def network_of(surface, stations=19, waterlines=9, curves=CURVES):
+    points = np.asarray(surface.mesh.points)
+    low, high = points.min(axis=0), points.max(axis=0)
+    length = high[0] - low[0]
+    lines = hn.network_curves(
+        surface,
+        stations=np.linspace(low[0], high[0], stations + 2)[1:-1],
+        waterlines=np.linspace(low[2], high[2], waterlines + 2)[1:-1],
+        tolerance=curves * length,
+    )
+    return hn.CurveNetwork(lines, JOINED * length), length
+
+
+@lru_cache(maxsize=None)
+def laid(name, budget):
+    surface = sample_surface(name)
+    network, length = network_of(surface)
+    return surface, network, length, hn.hull_from_network(network, budget=budget)
+
+
+# Budgets are at most 1.3 times the samples' own 113, 117 and 149 points. The tolerance is that of
+# hull_from_network(); the root mean square is a third of it.
+@pytest.mark.parametrize("name, budget", [("coaster", 146), ("roro", 152), ("naval_vessel", 150)])
+def test_lines_of_samples_become_hulls(name, budget):
+    surface, network, length, hull = laid(name, budget)
+    points = np.asarray(hull.surface.mesh.points)
+    assert len(points) <= budget
+    assert hull.rms <= 1e-4 * length
+    assert hull.is_within == (hull.largest <= 3e-4 * length)
+    assert hull.is_within
+    assert hull.in_rows >= 0.8
+    # By another way: places all over the surface that the lines are of.
+    there = surface.tessellate(3).points
+    apart = np.asarray(hn.SurfaceTree(hull.surface).closest_points(there).distances)
+    assert np.sqrt(np.mean(apart**2)) < 2e-4 * length
+
+
+def test_distances_are_those_of_the_curves():
+    _, network, _, hull = laid("coaster", 146)
+    assert [curve.name for curve in hull.curves] == [curve.name for curve in network.curves]
+    tree = hn.SurfaceTree(hull.surface)
+    for curve in hull.curves:
+        assert 0.0 <= curve.rms <= curve.largest <= hull.largest
+        (there,) = tree.closest_points([curve.place]).distances
+        assert there == pytest.approx(curve.largest, abs=1e-12)
+    assert max(hull.curves, key=lambda curve: curve.largest).place == hull.place
+
+
+def test_flats_are_flat_and_rows_are_of_one_x():
+    _, _, length, hull = laid("coaster", 146)
+    points = np.asarray(hull.surface.mesh.points)
+    assert len(hull.flats) == 2
+    for numbers, normal, offset in hull.flats:
+        assert len(numbers) > 3
+        assert np.abs(points[numbers] @ normal - offset).max() < 1e-12 * length
+    # The mesh is half a hull without a gap in the centre plane, and sound.
+    assert points[:, 1].min() > -1e-9 * length
+    assert len(hull.surface.mesh.near_centre_line) == 0
+    assert hull.surface.mesh.warnings == []
+
+
+def test_a_layout_of_ones_own_meets_the_curves():
+    # The sample's own layout, put elsewhere by up to 1 % of the length and 5 % of the breadth,
+    # comes back: the curves are of a surface that it has.
+    surface = sample_surface("coaster")
+    network, length = network_of(surface, curves=1e-8)
+    own = np.asarray(surface.mesh.points)
+    share = (own - own.min(axis=0)) / np.ptp(own, axis=0)
+    points = own.copy()
+    points[:, 0] += 0.01 * length * np.sin(6.0 * share[:, 0])
+    points[:, 1] *= 1.03 + 0.02 * np.sin(5.0 * share[:, 0])
+    layout = hn.LimitSurface(surface.mesh.with_points(points), surface.scheme)
+    hull = hn.hull_from_network(network, layout=layout)
+    assert hull.rms <= 1e-6 * length
+    assert len(hull.surface.mesh.points) == len(own)
+    # By another way: the surface between the curves is the sample's, too.
+    there = hn.SurfaceTree(hull.surface).closest_points(surface.tessellate(3).points)
+    assert np.sqrt(np.mean(np.asarray(there.distances) ** 2)) < 5e-6 * length
+
+
+def test_progress_rises_and_ends_what_it_interrupts():
+    network, _ = network_of(sample_surface("coaster"), 9, 4)
+    told = []
+    hn.hull_from_network(network, budget=100, progress=told.append)
+    assert told == sorted(told) and 0.0 <= told[0] and told[-1] <= 1.0
+
+    def stop(share):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        hn.hull_from_network(network, progress=stop)
+
+
+def test_what_is_no_hull_is_refused():
+    with pytest.raises(ValueError, match="rises to no stem"):
+        hn.hull_from_network(hn.CurveNetwork(square_net(lambda x, y: 0.02 * x * y + 5.0), 1e-3))
+    lines = [hn.NetworkCurve("A", [(0, 0, 0), (1, 1, 1)])]
+    with pytest.raises(ValueError, match="The network has no regions"):
+        hn.hull_from_network(hn.CurveNetwork(lines, 1e-3))
+    network, _ = network_of(sample_surface("coaster"), 9, 4)
+    with pytest.raises(ValueError, match="tolerance has to be above zero"):
+        hn.hull_from_network(network, tolerance=0.0)
+    with pytest.raises(ValueError, match="more than the budget of 20"):
+        hn.hull_from_network(network, budget=20)
