@@ -214,6 +214,15 @@ void bind_curve_network(py::module_& module) {
           "The CurveNetwork with a NetworkCurve in place of the one of that number. What curves "
           "meet that stay as they are, is not looked for again. ValueError for a number that none "
           "has.")
+      .def(
+          "with_curves",
+          [](const CurveNetwork& network, const std::vector<NetworkCurve>& curves) {
+            const py::gil_scoped_release release;
+            return std::make_unique<CurveNetwork>(network.with_curves(curves));
+          },
+          py::arg("curves"),
+          "The same with all NetworkCurves given, of which several may be others than before. "
+          "ValueError where they are not as many.")
       .def("patch", &CurveNetwork::patch, py::arg("region"),
            "The TransfinitePatch of a region. ValueError where it has one side, more than ten, or "
            "an edge with a halt.");

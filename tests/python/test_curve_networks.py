@@ -90,6 +90,10 @@ def test_a_moved_curve_moves_its_slaves():
     assert [p.what for p in moved.problems] == [p.what for p in anew.problems]
     with pytest.raises(ValueError, match="There is no curve 6"):
         network.with_curve(curves[0], 6)
+    both = network.with_curves([*curves[:4], hn.NetworkCurve("V", points), curves[5]])
+    assert np.array_equal(both.nodes, anew.nodes)
+    with pytest.raises(ValueError, match="give as many, not 5"):
+        network.with_curves(curves[:5])
 
 
 def problem_of(curves, kind, **options):

@@ -76,6 +76,15 @@ CurveNetwork CurveNetwork::with_curve(int number, NetworkCurve curve) const {
   }
   std::vector<NetworkCurve> curves = curves_;
   curves[static_cast<std::size_t>(number)] = std::move(curve);
+  return with_curves(std::move(curves));
+}
+
+CurveNetwork CurveNetwork::with_curves(std::vector<NetworkCurve> curves) const {
+  if (curves.size() != curves_.size()) {
+    throw std::invalid_argument("The network has " + std::to_string(curves_.size()) +
+                                " curves: give as many, not " + std::to_string(curves.size()) +
+                                ".");
+  }
   return CurveNetwork(std::move(curves), options_, this);
 }
 

@@ -49,6 +49,9 @@ class CurveNetwork {
   // what they meet is not looked for again. Throws std::invalid_argument for a number that none
   // has.
   CurveNetwork with_curve(int number, NetworkCurve curve) const;
+  // The same with all curves given, of which several may be others than before. Throws
+  // std::invalid_argument where they are not as many.
+  CurveNetwork with_curves(std::vector<NetworkCurve> curves) const;
 
   const std::vector<NetworkCurve>& curves() const { return curves_; }
   const std::vector<CurveShape>& shapes() const { return shapes_; }

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What moves along when points of curves move: points of other curves that were in the same place.
+
+Nothing of ties is stored. Points in one place are tied; where one of them has moved since the
+network was last looked at, the others follow, each within its plane.
+"""
+
+import numpy as np
+
+from . import planes
+
+
+class Tied:
+    """before, now: (n, 3) points of curves by name; planes: by name, (normal, offset) or None.
+    first: names of curves in the order in which they have the say where several moved."""
+
+    def __init__(self, before, now, planes_by_name, first, distance):
+        self._before, self._planes = before, planes_by_name
+        self._now = {name: points.copy() for name, points in now.items()}
+        self._names = sorted(now, key=lambda name: first.index(name) if name in first else 1e9)
+        self._distance = distance
+
+    def moved(self):
+        """Points of all curves by name, with what is tied moved along, all in their planes."""
+        for name in self._names:
+            self._put_in_plane(name)
+        done = set()
+        for name in self._names:
+            for index in self._moved_points(name):
+                if (name, index) not in done:
+                    done |= self._bring_along(name, index)
+        return self._now
+
+    def _put_in_plane(self, name):
+        if self._planes[name] is not None:
+            self._now[name] = planes.onto(self._now[name], [self._planes[name]])
+
+    def _moved_points(self, name):
+        before, now = self._before.get(name), self._now[name]
+        if before is None or len(before) != len(now):
+            return ()
+        # Only what has moved further than Blender's rounding counts.
+        least = 4.0 * np.spacing(np.abs(now).max().astype(np.float32))
+        return np.flatnonzero(np.abs(now - before).max(axis=1) > least).tolist()
+
+    def _bring_along(self, name, index):
+        """Moves what was where a point was to where it is now; returns pairs (name, number)."""
+        group = self._at(self._before[name][index], name, index)
+        place = self._now[name][index][None]
+        wanted = [self._planes[one] for one, _ in group if self._planes[one] is not None]
+        target = planes.onto(place, wanted)
+        if target is None:  # as of two stations: they have no place in common any longer
+            return {(name, index)}
+        for one, number in group:
+            self._now[one][number] = target[0]
+        return set(group)
+
+    def _at(self, place, name, index):
+        """Pairs (name, number) of points that were in a place: of each other curve the nearest."""
+        group = [(name, index)]
+        for one, before in self._before.items():
+            if one == name or one not in self._now or len(before) != len(self._now[one]):
+                continue
+            distances = np.abs(before - place).max(axis=1)
+            nearest = int(distances.argmin())
+            if distances[nearest] <= self._distance:
+                group.append((one, nearest))
+        return group
