@@ -11,9 +11,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-# Blender's numbers of kinds of handles.
-_FREE, _ALIGNED = 0, 3
-_KNUCKLED = (_FREE, 2)
+_KNUCKLED = frozenset(("FREE", "VECTOR"))
 _SIDES = ("left", "right")
 
 
@@ -56,9 +54,6 @@ def read(obj):
     handles = np.stack([_vectors(knots, f"handle_{side}") for side in _SIDES], axis=1)
     if not (np.isfinite(places).all() and np.isfinite(handles).all()):
         raise ValueError(f'"{obj.name}" has a point without a place: delete it')
-    kinds = [_integers(knots, f"handle_{side}_type") for side in _SIDES]
-    is_knuckle = np.isin(kinds, _KNUCKLED).any(axis=0)
-    is_knuckle[[0, -1]] = False
     weights = np.empty(len(knots), dtype=np.float32)
     knots.foreach_get("weight_softbody", weights)
     weights[weights <= 0.0] = 1.0  # as Blender leaves those of new points
@@ -69,9 +64,16 @@ def read(obj):
         _moved(places, matrix),
         _moved(handles.reshape(-1, 3), matrix).reshape(-1, 2, 3),
         weights.astype(np.float64),
-        tuple(np.flatnonzero(is_knuckle).tolist()),
+        _knuckles(knots),
         selected,
     )
+
+
+def _knuckles(knots):
+    # One by one: Blender has no way to tell of kinds of handles all at once.
+    kinds = [(knot.handle_left_type, knot.handle_right_type) for knot in knots]
+    inner = enumerate(kinds[1:-1], 1)
+    return tuple(number for number, own in inner if not _KNUCKLED.isdisjoint(own))
 
 
 def write(obj, points, handles, knuckles):
@@ -79,12 +81,11 @@ def write(obj, points, handles, knuckles):
     has as many points."""
     knots = obj.data.splines[0].bezier_points
     matrix = np.linalg.inv(np.array(obj.matrix_world, dtype=np.float64))
-    kinds = np.full(len(knots), _ALIGNED, dtype=np.int32)
-    kinds[list(knuckles)] = _FREE
     # Kinds first: Blender may move handles when theirs change.
-    for side in _SIDES:
-        if (_integers(knots, f"handle_{side}_type") != kinds).any():
-            knots.foreach_set(f"handle_{side}_type", kinds)
+    for number, knot in enumerate(knots):
+        kind = "FREE" if number in knuckles else "ALIGNED"
+        if knot.handle_left_type != kind or knot.handle_right_type != kind:
+            knot.handle_left_type = knot.handle_right_type = kind
     _set(knots, "co", _moved(points, matrix))
     for index, side in enumerate(_SIDES):
         _set(knots, f"handle_{side}", _moved(handles[:, index], matrix))
@@ -136,12 +137,6 @@ def _vectors(knots, name):
     values = np.empty((len(knots), 3), dtype=np.float32)
     knots.foreach_get(name, values.reshape(-1))
     return values.astype(np.float64)
-
-
-def _integers(knots, name):
-    values = np.empty(len(knots), dtype=np.int32)
-    knots.foreach_get(name, values)
-    return values
 
 
 def _set(knots, name, values):

@@ -9,40 +9,70 @@ _PARTS = 12  # of a span of a spline, between which it is straight enough
 _ROUNDS = 12
 
 
-def chosen(points, kept, knuckles, tolerance):
+def chosen(points, kept, knuckles, tolerance, turn=None):
     """Numbers, rising, of those of points (n, 3) through which the smooth curve from knuckle to
-    knuckle is within a tolerance of all; the ends, those of `kept` and knuckles are among them."""
+    knuckle is within a tolerance of all, and, where that is given, within an angle `turn`, rad, of
+    the direction in which they follow one another; the ends, those of `kept` and knuckles are among
+    them."""
     ends = [0, *knuckles, len(points) - 1]
     kept = np.unique([*kept, *ends])
     found = []
     for first, last in zip(ends, ends[1:]):
         own = kept[(kept >= first) & (kept <= last)]
-        found.append(_chosen_in_run(points[first : last + 1], own - first, tolerance) + first)
+        run = points[first : last + 1]
+        found.append(_chosen_in_run(run, own - first, tolerance, turn) + first)
     return np.unique(np.concatenate(found))
 
 
-def _chosen_in_run(points, numbers, tolerance):
+def _chosen_in_run(points, numbers, tolerance, turn):
     for _ in range(_ROUNDS):
-        more = _missed(points, numbers, tolerance)
+        spline, t = _through(points[numbers])
+        more = _missed(points, numbers, spline, t, tolerance)
+        if turn is not None:
+            more = np.union1d(more, _turned(points, numbers, spline, t, turn))
         if not len(more):
             break
         numbers = np.union1d(numbers, more)
     return numbers
 
 
-def _missed(points, numbers, tolerance):
-    """Of each span that misses points by more than the tolerance, the one that it misses most."""
-    spline, t = _through(points[numbers])
+def _missed(points, numbers, spline, t, tolerance):
+    """Of each span that misses points by more than the tolerance, or goes astray from them, the one
+    where it does most."""
     shares = np.arange(_PARTS + 1) / _PARTS
     more = []
     for i, (first, last) in enumerate(zip(numbers, numbers[1:])):
         if last - first < 2:
             continue
         line = spline.evaluate(t[i] + shares * (t[i + 1] - t[i]))
-        off = distances_to(points[first + 1 : last], line)
-        if off.max() > tolerance:
+        inner = points[first + 1 : last]
+        off, beyond = distances_to(inner, line), distances_to(line, points[first : last + 1])
+        if off.max() > tolerance and off.max() >= beyond.max():
             more.append(first + 1 + int(off.argmax()))
+        elif beyond.max() > tolerance:
+            worst = line[beyond.argmax()]
+            more.append(first + 1 + int(np.linalg.norm(inner - worst, axis=1).argmin()))
     return np.array(more, dtype=np.int64)
+
+
+def _turned(points, numbers, spline, t, turn):
+    """The middles of spans beside a chosen point where the curve leaves it by another direction."""
+    way = np.gradient(points, axis=0)[numbers]
+    own = spline.evaluate(t, 1)
+    across, along = np.linalg.norm(np.cross(way, own), axis=1), (way * own).sum(axis=1)
+    more = []
+    for i in np.flatnonzero(np.arctan2(across, along) > turn):
+        for k in (i - 1, i):
+            if 0 <= k < len(numbers) - 1 and numbers[k + 1] - numbers[k] > 1:
+                more.append(_middle(points, numbers[k], numbers[k + 1]))
+    return np.array(more, dtype=np.int64)
+
+
+def _middle(points, first, last):
+    """The number of the point between two others that is the middle by length."""
+    steps = np.linalg.norm(np.diff(points[first : last + 1], axis=0), axis=1)
+    along = np.cumsum(steps)[:-1]
+    return first + 1 + int(np.abs(along - 0.5 * steps.sum()).argmin())
 
 
 def _through(points):

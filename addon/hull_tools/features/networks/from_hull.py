@@ -16,7 +16,8 @@ from ..lines.line_places import line_places
 from . import choosing_points, curve_shapes, making, network_state, planes
 
 # Of the hull's size: how exactly sections are cut, and joined; how near curves are to them.
-_CUT, _JOIN, _CHOOSE = 1e-5, 3e-5, 1e-4
+_CUT, _JOIN, _CHOOSE = 1e-5, 3e-5, 5e-5
+_TURN = 0.02  # rad: how far they are turned where others meet them
 _SHARE_CUT = 0.3  # of the work
 
 
@@ -130,7 +131,7 @@ def _common(place, found):
 def _line(curve, plane, places, pieces, size):
     dense, knuckles = [], []
     for piece in pieces:
-        part = curve_shapes.evaluate(piece, curve_shapes.parameters_of(piece, 2))[0]
+        part = curve_shapes.evaluate(piece, curve_shapes.parameters_of(piece, 4))[0]
         if dense:
             knuckles.append(sum(map(len, dense)) - 1)
             part = part[1:]
@@ -141,7 +142,7 @@ def _line(curve, plane, places, pieces, size):
     spans = [dense[i : i + 2] for i in range(len(dense) - 1)]
     points, numbers, old = choosing_points.with_places(dense, spans, places, 2.0 * _JOIN * size)
     knuckles = [int(old[k]) for k in knuckles]
-    chosen = choosing_points.chosen(points, list(numbers.values()), knuckles, _CHOOSE * size)
+    chosen = choosing_points.chosen(points, list(numbers.values()), knuckles, _CHOOSE * size, _TURN)
     chosen = _spaced(points, chosen, {*numbers.values(), *knuckles, 0, len(points) - 1}, size)
     kind, role = _kind_and_role(curve, plane, points)
     own = tuple(int(np.searchsorted(chosen, k)) for k in knuckles)
