@@ -97,7 +97,11 @@ void CurveNetwork::join(const CurveNetwork* before) {
   keep_connected(frame.joined, shapes_, names());
   problems_ = frame.joined.problems;
   if (frame.joined.edges.empty()) return;
-  frame.shapes = edge_shapes(frame.joined, shapes_);
+  const NetworkFrame* known_frame = before == nullptr ? nullptr : before->frame_.get();
+  frame.shapes = known_frame == nullptr || known.is_changed.empty()
+                     ? edge_shapes(frame.joined, shapes_)
+                     : edge_shapes(frame.joined, shapes_,
+                                   {&known_frame->joined, &known_frame->shapes, known.is_changed});
   frame.order = node_order(frame.joined, frame.shapes);
   try {
     frame.faces = region_faces(frame.joined, frame.shapes, frame.order);

@@ -7,9 +7,11 @@ Where things are:
   planes         the planes in which curves stay
   ties           what moves along when points move
   network_state  what is known of each network; follows its curves
+  joining        curves joined to a hull_native.CurveNetwork, and their shapes
+  following      which networks follow what Blender tells of
   live_surface   the object that shows the surface
   problems       what is wrong, and the way there
-  choosing_points, crossings, making, adding, sections, smoothing, from_hull: tools
+  choosing_points, crossings, making, adding, drawing, sections, smoothing, from_hull: tools
 What makes something else of a network (a control mesh, files) is one more file: it takes
 network_state.up_to_date(network), which has the hull_native.CurveNetwork.
 """

@@ -11,7 +11,8 @@ _SLAVES = ("SLAVE_TANGENT", "SLAVE_CURVATURE")
 
 
 def key_of(obj, read, scale, order):
-    """What the definition of a curve object depends on, to be compared. order: the names of all
+    """What the definition of a curve object depends on, to be compared. read: its points, weights
+    and knuckles, of a KnownCurve. order: the names of all
     curves of the network that are joined, as they are numbered."""
     own = obj.hull.curve
     plane = planes.plane_of(own)

@@ -15,14 +15,18 @@ _is_following = False
 
 def after_changes(changed, scene):
     """Follows the networks of changed objects."""
-    concerned = {networks.network_of(obj) for obj in changed} - {None}
+    concerned = {}
+    for obj in changed:
+        network = networks.network_of(obj)
+        if network is not None:
+            concerned.setdefault(network, set()).add(obj.name)
     _follow(concerned, scene)
 
 
 def after_other_members(scene):
     """Objects came, went, or changed collections."""
     network_state.forget_deleted()
-    _follow(networks.all_networks(), scene)
+    _follow(dict.fromkeys(networks.all_networks()), scene)
 
 
 def follow_all():
@@ -31,7 +35,7 @@ def follow_all():
     for network, state in network_state.known_networks():
         state.surface.forget()
     for network in networks.all_networks():
-        _follow([network], networks.scene_of(network))
+        _follow({network: None}, networks.scene_of(network))
 
 
 def forget_all():
@@ -40,14 +44,15 @@ def forget_all():
 
 
 def _follow(concerned, scene):
+    """concerned: names of changed objects, None for all, by network."""
     global _is_following
     if _is_following:
         return
     _is_following = True
     try:
-        for network in concerned:
+        for network, changed in concerned.items():
             if scene is not None and network in scene.collection.children_recursive:
-                state = network_state.follow(network, scene)
+                state = network_state.follow(network, scene, changed)
                 if not state.surface.is_finished:
                     _pause.put_off()
     finally:

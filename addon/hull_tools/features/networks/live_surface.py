@@ -58,8 +58,10 @@ class LiveSurface:
             return
         if shown_objects.is_worked_on(shown) or not self._is_of(shown):
             return
-        self._evaluate(range(len(self._layout.regions)))
-        self._move(shown, state.scale)
+        layout = Layout(self._network, self._layout.parts)
+        is_same = layout.key == self._layout.key
+        self._begin(layout)
+        (self._move if is_same else self._make)(shown, state.scale)
         normals = self._normals[self._layout.triangles].reshape(-1, 3)
         blender_versions.set_corner_normals(shown.data, normals)
         self._has_normals = True
@@ -74,19 +76,28 @@ class LiveSurface:
     def _bring(self, shown, state, samples):
         if state.network is self._network and self._is_of(shown) and self._layout.parts == samples:
             return
-        layout = Layout(state.network, samples)
-        if self._is_of(shown) and layout.key == self._layout.key:
-            changed = self._changed(layout, state.network)
-            self._network, self._layout = state.network, layout
-            self._evaluate(changed)
-            self._move(shown, state.scale)
-        else:
-            self._network, self._layout = state.network, layout
-            self._points = np.zeros((layout.count, 3))
-            self._normals = np.zeros((layout.count, 3))
-            self._evaluate(range(len(layout.regions)))
+        is_moved = self._is_of(shown) and self._layout.parts == samples
+        if not (is_moved and self._layout.is_of(state.network) and self._follow(state.network)):
+            self._begin(Layout(state.network, samples))
             self._make(shown, state.scale)
+        else:
+            self._move(shown, state.scale)
         self._has_normals = False
+
+    def _begin(self, layout):
+        self._network, self._layout = layout.network, layout
+        self._points = np.zeros((layout.count, 3))
+        self._normals = np.zeros((layout.count, 3))
+        self._evaluate(range(len(layout.regions)))
+
+    def _follow(self, native_network):
+        """Whether the patches that have moved were computed anew; they have the same sides."""
+        changed = self._changed(self._layout, native_network)
+        if not self._layout.take(native_network, changed):
+            return False
+        self._network = native_network
+        self._evaluate(changed)
+        return True
 
     def _evaluate(self, regions):
         for number in regions:
@@ -133,26 +144,43 @@ class Layout:
     the mesh. key: equal for equal faces; edges: of each region."""
 
     def __init__(self, native_network, parts):
-        self._network, self.parts = native_network, parts
-        self.regions, self.edges, self._patches, counts = [], [], [], []
+        self.network, self.parts = native_network, parts
+        self.regions, self.edges, self._patches, self._sides = [], [], [], []
         for region in range(native_network.region_count):
-            sides = native_network.sides(region)
-            try:
-                patch = native_network.patch(region)
-            except ValueError:  # it is among the problems
-                continue
-            self.regions.append(region)
-            self._patches.append(patch)
-            self.edges.append([edge for side in sides for edge, _ in side])
-            counts.append(patch.side_count)
-        self._grids, self._sides = {}, counts
-        for count, patch in zip(counts, self._patches):
+            patch = _patch(native_network, region)
+            if patch is not None:
+                self.regions.append(region)
+                self._patches.append(patch)
+                self.edges.append(_edges_of(native_network, region))
+                self._sides.append(patch.side_count)
+        self._grids = {}
+        for count, patch in zip(self._sides, self._patches):
             if count not in self._grids:
                 self._grids[count] = patch.grid(parts)
-        lengths = [len(self._grids[count][0]) for count in counts]
+        lengths = [len(self._grids[count][0]) for count in self._sides]
         self._starts = np.concatenate([[0], np.cumsum(lengths, dtype=np.int64)])
         self.count = int(self._starts[-1])
-        self.key = (parts, tuple(counts), tuple(map(tuple, self.edges)))
+        self.key = (parts, tuple(self._sides), tuple(map(tuple, self.edges)))
+
+    def is_of(self, native_network):
+        """Whether edges and regions of another network are as many, between the same nodes."""
+        return self.network.region_count == native_network.region_count and np.array_equal(
+            self.network.edges, native_network.edges
+        )
+
+    def take(self, native_network, numbers):
+        """Takes the patches of these numbers from another network that it is_of, where they have
+        the same sides; whether they have."""
+        for number in numbers:
+            region = self.regions[number]
+            patch = _patch(native_network, region)
+            if patch is None or patch.side_count != self._sides[number]:
+                return False
+            if _edges_of(native_network, region) != self.edges[number]:
+                return False
+            self._patches[number] = patch
+        self.network = native_network
+        return True
 
     @property
     def triangles(self):
@@ -168,6 +196,18 @@ class Layout:
 
     def places(self, number):
         return self._grids[self._sides[number]][0]
+
+
+def _patch(native_network, region):
+    """The patch of a region; None where it has none, which is among the problems."""
+    try:
+        return native_network.patch(region)
+    except ValueError:
+        return None
+
+
+def _edges_of(native_network, region):
+    return [edge for side in native_network.sides(region) for edge, _ in side]
 
 
 def _edge_points(native_network):

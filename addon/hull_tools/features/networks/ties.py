@@ -11,29 +11,29 @@ from . import planes
 
 
 class Tied:
-    """before, now: (n, 3) points of curves by name; planes: by name, (normal, offset) or None.
-    first: names of curves in the order in which they have the say where several moved."""
+    """before, now: (n, 3) points of curves by name, the very same array where a curve has not
+    changed; planes: by name, (normal, offset) or None. first: names of curves that may have
+    changed, in the order in which they have the say where several moved."""
 
     def __init__(self, before, now, planes_by_name, first, distance):
         self._before, self._planes = before, planes_by_name
-        self._now = {name: points.copy() for name, points in now.items()}
-        self._names = sorted(now, key=lambda name: first.index(name) if name in first else 1e9)
+        self._now, self._changed = dict(now), {}
+        self._names = list(dict.fromkeys(first))
         self._distance = distance
 
     def moved(self):
-        """Points of all curves by name, with what is tied moved along, all in their planes."""
+        """Points by name of the curves that are to have others, with what is tied moved along, all
+        in their planes."""
         for name in self._names:
-            self._put_in_plane(name)
+            if self._planes[name] is not None:
+                self._changed[name] = planes.onto(self._now[name], [self._planes[name]])
+                self._now[name] = self._changed[name]
         done = set()
         for name in self._names:
             for index in self._moved_points(name):
                 if (name, index) not in done:
                     done |= self._bring_along(name, index)
-        return self._now
-
-    def _put_in_plane(self, name):
-        if self._planes[name] is not None:
-            self._now[name] = planes.onto(self._now[name], [self._planes[name]])
+        return self._changed
 
     def _moved_points(self, name):
         before, now = self._before.get(name), self._now[name]
@@ -52,14 +52,16 @@ class Tied:
         if target is None:  # as of two stations: they have no place in common any longer
             return {(name, index)}
         for one, number in group:
-            self._now[one][number] = target[0]
+            if one not in self._changed:
+                self._changed[one] = self._now[one] = self._now[one].copy()
+            self._changed[one][number] = target[0]
         return set(group)
 
     def _at(self, place, name, index):
         """Pairs (name, number) of points that were in a place: of each other curve the nearest."""
         group = [(name, index)]
         for one, before in self._before.items():
-            if one == name or one not in self._now or len(before) != len(self._now[one]):
+            if one == name or len(before) != len(self._now[one]):
                 continue
             distances = np.abs(before - place).max(axis=1)
             nearest = int(distances.argmin())
