@@ -228,6 +228,26 @@ void bind_curve_network(py::module_& module) {
            "an edge with a halt.");
   bind_parts(bound);
   module.def(
+      "network_meetings",
+      [](const std::vector<NetworkCurve>& curves, double tolerance) {
+        std::vector<network::Contact> found;
+        {
+          const py::gil_scoped_release release;
+          found = network::network_meetings(curves, tolerance);
+        }
+        py::list meetings;
+        for (const network::Contact& contact : found) {
+          meetings.append(py::make_tuple(
+              contact.first.curve, contact.second.curve,
+              to_array(std::vector<Vector3d>{contact.first.place, contact.second.place})));
+        }
+        return meetings;
+      },
+      py::arg("curves"), py::arg("tolerance"),
+      "Where NetworkCurves come within a tolerance, m, of one another, of each coherent stretch "
+      "once: tuples (number of a curve, of another one or the same, places (2, 3) on both, m). "
+      "ValueError for a curve that cannot be made.");
+  module.def(
       "network_check",
       [](const std::vector<NetworkCurve>& curves, double tolerance, double near_misses,
          double plane_angle) {

@@ -96,6 +96,20 @@ def test_a_moved_curve_moves_its_slaves():
         network.with_curves(curves[:5])
 
 
+def test_meetings_are_found_whether_they_join_anything_or_not():
+    curves = [
+        hn.NetworkCurve("A", [(0, 0, 0), (10, 0, 0)]),
+        hn.NetworkCurve("B", [(4, -5, 0.02), (4, 5, 0.02)]),
+    ]
+    assert hn.CurveNetwork(curves, 0.05).nodes.shape == (0, 3)
+    ((first, second, places),) = hn.network_meetings(curves, 0.05)
+    assert (first, second) == (0, 1)
+    assert np.abs(places - [(4, 0, 0), (4, 0, 0.02)]).max() < 1e-12
+    assert hn.network_meetings(curves, 0.01) == []
+    with pytest.raises(ValueError, match="Curve A"):
+        hn.network_meetings([hn.NetworkCurve("A", [(0, 0, 0), (0, 0, 0)])], 0.01)
+
+
 def problem_of(curves, kind, **options):
     found = [p for p in hn.network_check(curves, 1e-3, **options) if p.kind == kind]
     assert found, [p.what for p in hn.network_check(curves, 1e-3, **options)]

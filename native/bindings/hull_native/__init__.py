@@ -52,6 +52,7 @@ _LATER = {
     "NetworkProblem": "._network",
     "TransfinitePatch": "._network",
     "network_check": "._network",
+    "network_meetings": "._network",
     "network_curves": ".sampled_network",
     "Plot": "._drawing",
     "PlotSheet": "._drawing",

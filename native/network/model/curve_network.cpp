@@ -233,6 +233,21 @@ TransfinitePatch CurveNetwork::patch(int region) const {
   return TransfinitePatch(ribboned_sides(frame_, sides));
 }
 
+std::vector<Contact> network_meetings(const std::vector<NetworkCurve>& curves, double tolerance) {
+  std::vector<CurveDefinition> definitions;
+  std::vector<std::string> names;
+  for (const NetworkCurve& curve : curves) {
+    definitions.push_back(curve.definition);
+    names.push_back(curve.definition.name);
+  }
+  const std::vector<CurveShape> shapes = network_curve_shapes(definitions, tolerance);
+  std::vector<Contact> meetings;
+  for (const auto& [pair, contacts] : contact_table(shapes, names, {tolerance})) {
+    meetings.insert(meetings.end(), contacts.joined.begin(), contacts.joined.end());
+  }
+  return meetings;
+}
+
 std::vector<NetworkProblem> network_check(const std::vector<NetworkCurve>& curves,
                                           const NetworkOptions& options) {
   return CurveNetwork(curves, options).problems();

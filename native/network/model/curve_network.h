@@ -91,6 +91,11 @@ class CurveNetwork {
   std::vector<std::vector<RegionSide>> regions_;
 };
 
+// Where curves come within a tolerance, m, of one another, of each coherent stretch once, whether
+// anything hangs together by it or not. Throws std::invalid_argument as network_curve_shapes() and
+// contact_table() do.
+std::vector<Contact> network_meetings(const std::vector<NetworkCurve>& curves, double tolerance);
+
 // All that is wrong with curves as a network, the notes last; empty where nothing is.
 std::vector<NetworkProblem> network_check(const std::vector<NetworkCurve>& curves,
                                           const NetworkOptions& options);

@@ -23,14 +23,13 @@ def tie(network, scene, reach, only=()):
     state = network_state.up_to_date(network, scene)
     names, scale = state.joined, state.scale
     reach = max(reach * scale, state.tolerance)
-    found = native.require().CurveNetwork([state.curves[n].native for n in names], reach)
-    if not len(found.nodes):
-        return 0
-    visits = _visits(found, names, only)
-    places = _places(network, visits, np.asarray(found.nodes) / scale)
+    curves = [state.curves[name].native for name in names]
+    found = native.require().network_meetings(curves, reach)
+    visits, nodes = _visits(found, names, only, reach)
+    places = _places(network, visits, nodes / scale)
     by_curve = defaultdict(list)
-    for node, curves in visits.items():
-        for name in curves if places[node] is not None else ():
+    for node, own in visits.items():
+        for name in own if places[node] is not None else ():
             by_curve[name].append(places[node])
     for name, own in by_curve.items():
         _put_in(network.objects[name], state, np.array(own), reach / scale)
@@ -38,17 +37,22 @@ def tie(network, scene, reach, only=()):
     return sum(place is not None for place in places.values())
 
 
-def _visits(found, names, only):
-    """Names of the curves that meet at each node at which two do."""
-    visits = defaultdict(set)
-    for (start, end), curve in zip(found.edges, found.edge_curves):
-        for node in (start, end):
-            visits[int(node)].add(names[curve])
-    return {
-        node: curves
-        for node, curves in visits.items()
-        if len(curves) > 1 and (not only or curves & set(only))
-    }
+def _visits(found, names, only, reach):
+    """(names of the curves that meet at each node, the nodes (n, 3), m): meetings that are within
+    the reach of one another are one node."""
+    nodes, visits = [], {}
+    for first, second, places in found:
+        own = {names[first], names[second]}
+        if len(own) < 2 or (only and not own & set(only)):
+            continue
+        place = np.asarray(places).mean(axis=0)
+        near = [i for i, node in enumerate(nodes) if np.linalg.norm(node - place) <= reach]
+        if near:
+            visits[near[0]] |= own
+        else:
+            visits[len(nodes)] = own
+            nodes.append(place)
+    return visits, np.array(nodes).reshape(-1, 3)
 
 
 def _places(network, visits, nodes):

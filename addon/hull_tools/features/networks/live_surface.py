@@ -108,7 +108,7 @@ class LiveSurface:
     def _changed(self, layout, native_network):
         """Numbers of regions beside edges, or next but one to edges, that have moved."""
         edges = _edge_points(native_network)
-        if self._edges is None or self._edges.shape != edges.shape:
+        if self._edges is None or self._edges.shape != edges.shape or not len(edges):
             self._edges = edges
             return range(len(layout.regions))
         size = np.ptp(edges.reshape(-1, 3), axis=0).max()
