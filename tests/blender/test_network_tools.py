@@ -6,7 +6,16 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import make_active, part, sample
-from networks import add, finish, grid_network, height, new_network, points_of, state_of, surface_points
+from networks import (
+    add,
+    finish,
+    grid_network,
+    height,
+    new_network,
+    points_of,
+    state_of,
+    surface_points,
+)
 
 _ROUNDING = 2e-6
 
@@ -150,7 +159,10 @@ def test_slaves_follow_and_circles_are_named():
     slave.hull.curve.start_master = master
     bpy.context.view_layer.update()
     assert not any("follows" in one.text for one in state_of(network).problems)
-    first, second = (slave.data.splines[0].bezier_points[0], master.data.splines[0].bezier_points[1])
+    first, second = (
+        slave.data.splines[0].bezier_points[0],
+        master.data.splines[0].bezier_points[1],
+    )
     own, other = first.handle_right - first.co, second.handle_right - second.co
     assert own.normalized().cross(other.normalized()).length < 1e-5
     master.hull.curve.start, master.hull.curve.start_master = "SLAVE_TANGENT", slave

@@ -14,7 +14,7 @@ from ..features.networks import adding, drawing, smoothing
 from ..properties.network_settings import KINDS
 from ..properties.shared import angle, length
 from .networks import NetworkOperator
-from .shared import in_object_mode, make_active, property_column
+from .shared import in_object_mode, make_active, property_column, suit_views
 from .view_drag import DONE, ViewDrag
 
 _AXIS_OF_KIND = {"STATION": 0, "BUTTOCK": 1, "WATERLINE": 2, "DIAGONAL": 2}
@@ -50,6 +50,10 @@ class CurveOperator(NetworkOperator):
             self.position = context.scene.cursor.location[_AXIS_OF_KIND[self.kind]]
         return units.as_typed(self.position)
 
+    def show(self, context, made):
+        make_active(context, made)
+        suit_views(context)
+
     def draw(self, context):
         column = property_column(self)
         column.prop(self, "kind")
@@ -79,7 +83,7 @@ class HULL_OT_add_network_curve(bpy.types.Operator, CurveOperator):
         points = drawing.points_from(self.points) if self.points else None
         position = self.placed(context)
         made = adding.add(network, context.scene, self.kind, position, self.angle, points)
-        make_active(context, made)
+        self.show(context, made)
         self.report({"INFO"}, f'"{made.name}" is added')
 
 
@@ -97,7 +101,7 @@ class HULL_OT_add_network_section(bpy.types.Operator, CurveOperator):
     def run_on(self, network, context):
         position = self.placed(context)
         made = adding.add_section(network, context.scene, self.kind, position, self.angle)
-        make_active(context, made[0])
+        self.show(context, made[0])
         self.report({"INFO"}, f"{counted(len(made), 'curve')} through the surface")
 
 
@@ -163,7 +167,7 @@ class HULL_OT_draw_network_curve(bpy.types.Operator, CurveOperator, ViewDrag):
         made = adding.add(
             network, context.scene, self.kind, position, self.angle, points, is_knuckle
         )
-        make_active(context, made)
+        self.show(context, made)
         self.report({"INFO"}, f'"{made.name}" is drawn')
 
 
@@ -190,7 +194,9 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
         return self.execute(context)
 
     def run_on(self, network, context):
-        own = [o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects]
+        own = [
+            o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects
+        ]
         if not own:
             raise ValueError("Select curves of the network first")
         deviation = 1e-3 * units.as_typed(self.deviation_mm)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Networks of curves: made, taken from a hull or from Blender's curves, tied, and their problems."""
+"""Networks of curves: made, taken from a hull or from curves, tied, and their problems."""
 
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
@@ -11,7 +11,14 @@ from ..bridge.objects import networks
 from ..features.networks import crossings, from_hull, making, network_state, problems
 from ..properties.network_settings import ROLES
 from ..properties.shared import length
-from .shared import BaseOperator, asked_length, in_object_mode, make_active, native_is_there
+from .shared import (
+    BaseOperator,
+    asked_length,
+    in_object_mode,
+    make_active,
+    native_is_there,
+    suit_views,
+)
 from .tasks import TaskOperator
 
 
@@ -107,6 +114,7 @@ class HULL_OT_network_from_hull(bpy.types.Operator, TaskOperator):
         if finished == {"FINISHED"}:
             curves = networks.curves_of(self._made)
             make_active(context, curves[0])
+            suit_views(context)
         return finished
 
 
@@ -135,6 +143,7 @@ class HULL_OT_curves_to_network(bpy.types.Operator, BaseOperator):
         network = network or making.new(context.scene, "Network")
         made = making.take(context.selected_objects, network, context.scene)
         make_active(context, made[0])
+        suit_views(context)
         self.report({"INFO"}, f'"{network.name}" took {counted(len(made), "curve")}')
 
 
@@ -189,7 +198,9 @@ class HULL_OT_remove_from_network(bpy.types.Operator, NetworkOperator):
     needs = (*NetworkOperator.needs, in_object_mode)
 
     def run_on(self, network, context):
-        own = [o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects]
+        own = [
+            o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects
+        ]
         if not own:
             raise ValueError("Select curves of the network first")
         for obj in own:
@@ -208,7 +219,9 @@ class HULL_OT_set_curve_role(bpy.types.Operator, NetworkOperator):
     role: EnumProperty(name="Role", description="What the surface does along them", items=ROLES)
 
     def run_on(self, network, context):
-        own = [o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects]
+        own = [
+            o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects
+        ]
         if not own:
             raise ValueError("Select curves of the network first")
         for obj in own:

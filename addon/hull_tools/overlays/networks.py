@@ -5,6 +5,7 @@ is being drawn."""
 import bpy
 import gpu
 import numpy as np
+from gpu.types import GPUBatch, GPUVertBuf
 
 from ..bridge.blender import blender_versions, preferences
 from ..bridge.objects import networks
@@ -14,7 +15,7 @@ from .lines import HIDDEN_ALPHA, batch_of_strokes, depth_test
 from .view import Handler, brought_nearer, is_light_ground, is_seen
 
 _WIDTH, _TEETH_WIDTH, _TEETH_ALPHA = 1.8, 0.9, 0.55
-_NODE, _PROBLEM, _PROBLEM_WIDTH, _POINT, _PLACE = 2.6, 9.0, 2.0, 4.0, 5.5
+_NODE, _PROBLEM, _PROBLEM_WIDTH, _POINT, _PLACE = 5.0, 9.0, 2.0, 4.0, 5.5
 _PEN = (1.0, 0.45, 0.05, 1.0)
 _LAYER = 2  # before a hull's lines
 
@@ -47,12 +48,14 @@ def _draw_lines():
         view = brought_nearer(context, view, found.centre, found.size, _LAYER) @ view
         with gpu.matrix.push_pop():
             gpu.matrix.load_matrix(view)
-            for test, alpha in (("GREATER", HIDDEN_ALPHA), ("LESS_EQUAL", 1.0)):
+            # What is hidden last: each pass also says how near it is.
+            for test, alpha in (("LESS_EQUAL", 1.0), ("GREATER", HIDDEN_ALPHA)):
                 with depth_test(test):
                     _strokes(found, "lines", shader, lines, _WIDTH * width, alpha)
                     teeth = alpha * _TEETH_ALPHA
                     _strokes(found, "teeth", shader, combs, _TEETH_WIDTH * width, teeth)
                     _strokes(found, "outlines", shader, combs, width, alpha)
+                    _nodes(found, (*lines["station"], alpha), _NODE * width)
 
 
 def _strokes(found, part, shader, palette, width, alpha):
@@ -68,19 +71,32 @@ def _strokes(found, part, shader, palette, width, alpha):
             batch.draw(shader)
 
 
+def _nodes(found, colour, size):
+    if not len(found.nodes):
+        return
+    shader = blender_versions.builtin_shader("UNIFORM_COLOR")
+    if "nodes" not in found.batches:
+        points = GPUVertBuf(shader.format_calc(), len(found.nodes))
+        points.attr_fill("pos", found.nodes.astype(np.float32))
+        found.batches["nodes"] = GPUBatch(type="POINTS", buf=points)
+    shader.bind()
+    shader.uniform_float("color", colour)
+    gpu.state.point_size_set(size)
+    found.batches["nodes"].draw(shader)
+    gpu.state.point_size_set(1.0)
+
+
 def _draw_marks():
     pen = drawing.at_hand()
     for context, network, found in _seen_networks():
         scale = context.preferences.system.ui_scale
         is_light = _is_on_light(context, network)
         gpu.state.blend_set("ALPHA")
-        nodes = _in_picture(context, found.nodes)
-        if len(nodes):
-            colour = preferences.colour("lines", "station", is_light)
-            shapes.draw_triangles(shapes.discs(nodes, _NODE * scale), (*colour, 0.9))
         colour = preferences.colour("tags", "problem", is_light)
         for place in _in_picture(context, found.problems):
-            shapes.draw_segments(shapes.ring(place, _PROBLEM * scale), ((*colour, 1.0), _PROBLEM_WIDTH * scale))
+            shapes.draw_segments(
+                shapes.ring(place, _PROBLEM * scale), ((*colour, 1.0), _PROBLEM_WIDTH * scale)
+            )
         gpu.state.blend_set("NONE")
     if pen is not None and bpy.context.region_data is not None:
         _draw_pen(bpy.context, pen)

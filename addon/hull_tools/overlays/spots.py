@@ -29,7 +29,9 @@ def _draw():
 def _draw_spot(place, text, scale):
     gpu.state.blend_set("ALPHA")
     width = _WIDTH * scale
-    shapes.draw_segments(shapes.ring(place, _RADIUS * scale), (PAPER, 2.0 * width), (_COLOUR, width))
+    shapes.draw_segments(
+        shapes.ring(place, _RADIUS * scale), (PAPER, 2.0 * width), (_COLOUR, width)
+    )
     _, height = shapes.measure(text, _TEXT * scale)
     left, low = place[0] + (_RADIUS + 2.0 * _MARGIN) * scale, place[1] - 0.5 * height
     shapes.draw_words(text, left, low, _TEXT * scale, _MARGIN * scale)

@@ -7,8 +7,8 @@ import gpu
 
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
-from .plots import free_room
 from . import shapes
+from .plots import free_room
 from .view import Handler
 
 _SIZE = 12.0  # dots, at a scale of 1

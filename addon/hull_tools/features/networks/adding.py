@@ -162,7 +162,9 @@ def _through_curves(state, carrier, kind):
     left = points[np.argsort(points[:, axis], kind="stable")].tolist()
     line = [left.pop(0)]
     while left:
-        nearest = min(range(len(left)), key=lambda i: np.linalg.norm(np.subtract(left[i], line[-1])))
+        nearest = min(
+            range(len(left)), key=lambda i: np.linalg.norm(np.subtract(left[i], line[-1]))
+        )
         line.append(left.pop(nearest))
     return np.array(line)
 

@@ -26,7 +26,9 @@ def evaluate(piece, parameters, order=0):
             break
         spans = knots[degree + 1 : -1] - knots[1 : -degree - 1]
         steps = degree * np.diff(spline, axis=0)
-        spline = np.divide(steps, spans[:, None], out=np.zeros_like(steps), where=spans[:, None] > 0)
+        spline = np.divide(
+            steps, spans[:, None], out=np.zeros_like(steps), where=spans[:, None] > 0
+        )
         degree, knots = degree - 1, knots[1:-1]
     return _without_weights(jets[: order + 1])
 

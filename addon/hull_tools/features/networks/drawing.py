@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A curve that is being drawn in a 3D view: points in its plane, snapped to curves of the network."""
+"""A curve that is drawn in a 3D view: points in its plane, snapped to curves of the network."""
 
 import numpy as np
 from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_3d

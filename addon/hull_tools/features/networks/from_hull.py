@@ -146,7 +146,7 @@ def _line(curve, plane, places, pieces, size):
     chosen = _spaced(points, chosen, {*numbers.values(), *knuckles, 0, len(points) - 1}, size)
     kind, role = _kind_and_role(curve, plane, points)
     own = tuple(int(np.searchsorted(chosen, k)) for k in knuckles)
-    return _Line(curve.name.capitalize(), kind, role, plane, points[chosen], own)
+    return _Line(_name(curve, kind, role), kind, role, plane, points[chosen], own)
 
 
 def _spaced(points, chosen, needed, size):
@@ -159,6 +159,14 @@ def _spaced(points, chosen, needed, size):
                 kept.pop()
             kept.append(number)
     return np.array(kept)
+
+
+def _name(curve, kind, role):
+    """Blender numbers what has the same name."""
+    if role == "KNUCKLE":
+        return "Knuckle"
+    own = {"PROFILE": "Profile", "DECK_EDGE": "Deck edge", "FREE": "Border"}
+    return own.get(kind) or curve.name.capitalize()
 
 
 def _kind_and_role(curve, plane, points):

@@ -39,7 +39,9 @@ def take(objects, network, scene):
     for obj, points, knuckles in lines:
         curve = bezier_curves.made(obj.name, points, knuckles, network)
         plane, normal, position = planes.found_in(points)
-        planes.give(curve.hull.curve, planes.kind_of(plane, position, size), plane, normal, position)
+        planes.give(
+            curve.hull.curve, planes.kind_of(plane, position, size), plane, normal, position
+        )
         made.append(curve)
     for obj in own:
         bpy.data.objects.remove(obj)

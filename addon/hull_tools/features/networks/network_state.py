@@ -103,7 +103,9 @@ def follow(network, scene, changed=None):
     is_locked = bool(networks.locked(network)) if fresh else True
     if not is_locked:
         _carry_planes(state, objects, fresh)
-    known = _known(state, objects, fresh, {} if is_locked else _moved(network, state, objects, fresh))
+    known = _known(
+        state, objects, fresh, {} if is_locked else _moved(network, state, objects, fresh)
+    )
     faults = joining.join(network, state, objects, known)
     state.problems = [*refusals, *faults, *state.found]
     if not is_locked:
@@ -200,9 +202,7 @@ def _known(state, objects, fresh, moved):
     for name, obj in objects.items():
         before, read = state.curves.get(name), state.read[name]
         if name not in fresh and name not in moved:
-            known[name] = KnownCurve(
-                before.points, before.weights, before.knuckles, before.matrix
-            )
+            known[name] = KnownCurve(before.points, before.weights, before.knuckles, before.matrix)
             continue
         points = moved.get(name, read.points)
         if before is not None and np.array_equal(before.points, points):
