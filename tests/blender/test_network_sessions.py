@@ -238,6 +238,75 @@ def test_random_orders_end_in_no_traceback(capsys):
     assert "Traceback" not in printed.out + printed.err
 
 
+def test_an_extruded_point_leaves_what_is_tied():
+    network = grid_network()
+    station, buttock = network.objects["Station 5"], network.objects["Buttock 10"]
+    before = points_of(buttock)
+    make_active(station)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.curve.select_all(action="DESELECT")
+    last = station.data.splines[0].bezier_points[-1]
+    last.select_control_point = last.select_left_handle = last.select_right_handle = True
+    bpy.ops.curve.extrude()
+    bpy.context.view_layer.update()
+    move_point(station, 3, (0.0, 1.0, 1.0))
+    assert len(points_of(station)) == 4
+    assert np.array_equal(points_of(buttock), before)
+    move_point(station, 2, (0.0, 0.0, 0.5))
+    assert abs(points_of(buttock)[1][2] - before[1][2] - 0.5) < 1e-6
+
+
+def test_turned_and_scaled_objects_come_to_rest():
+    network = grid_network()
+    station = network.objects["Station 5"]
+    writes = []
+    curves = part("bridge.objects.bezier_curves")
+    write = curves.write
+    curves.write = lambda obj, *more: (writes.append(obj.name), write(obj, *more))
+    try:
+        for location, turn, scale in (
+            ((3000.0, 0.0, 0.0), 0.0, 1.0), ((0.0, 0.0, 0.0), 0.7, 0.3), ((1e4, 1e4, 0.0), 2.0, 7.0)
+        ):  # fmt: skip
+            station.location, station.scale = location, (scale,) * 3
+            station.rotation_euler = (turn, 0.3 * turn, turn)
+            for _ in range(3):
+                bpy.context.view_layer.update()
+            writes.clear()
+            for _ in range(3):
+                station.update_tag()
+                bpy.context.view_layer.update()
+            assert not writes
+    finally:
+        curves.write = write
+
+
+def test_units_of_the_scene_count():
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    network = grid_network()
+    assert np.abs(np.asarray(state_of(network).network.nodes)).max() < 0.11
+    move_point(network.objects["Station 5"], 1, (0.0, 0.0, 1.0))
+    assert abs(points_of(network.objects["Buttock 5"])[1][2] - 1.5) < 1e-5
+    bpy.context.scene.unit_settings.scale_length = 1.0
+    bpy.context.view_layer.update()
+    assert np.abs(np.asarray(state_of(network).network.nodes)).max() > 9.9
+
+
+def test_a_network_that_shares_its_curves_and_one_left_out():
+    network = grid_network(show_surface=True)
+    copy = network.copy()
+    bpy.context.scene.collection.children.link(copy)
+    bpy.context.view_layer.update()
+    move_point(network.objects["Station 5"], 1, (0.0, 0.0, 1.0))
+    assert np.abs(surface_points(network) - patch_points(network)).max() < 1e-5
+    bpy.data.collections.remove(copy)
+    bpy.context.view_layer.update()
+    bpy.context.view_layer.objects.active = None
+    bpy.context.view_layer.layer_collection.children[network.name].exclude = True
+    bpy.context.view_layer.update()
+    with pytest.raises(RuntimeError, match="outliner"):
+        bpy.ops.hull.add_network_curve(kind="STATION", position=3.0)
+
+
 def test_refused_input_has_a_sentence():
     with pytest.raises(RuntimeError, match="make a network"):
         bpy.ops.hull.add_network_curve(kind="STATION")

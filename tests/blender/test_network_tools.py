@@ -93,6 +93,21 @@ def test_smoothing_moves_points_by_the_mean_deviation():
     assert np.abs(points_of(station) - after).max() < _ROUNDING
 
 
+def test_points_count_by_their_weights():
+    network = new_network()
+    station = wavy_station(network)
+    before = points_of(station)
+    make_active(station)
+    bpy.ops.hull.smooth_network_curve(deviation_mm=8.0)
+    moved = abs(points_of(station)[8] - before[8]).max()
+    bpy.data.objects.remove(station)
+    station = wavy_station(network)
+    station.data.splines[0].bezier_points[8].weight_softbody = 50.0
+    make_active(station)
+    bpy.ops.hull.smooth_network_curve(deviation_mm=8.0)
+    assert abs(points_of(station)[8] - before[8]).max() < 0.2 * moved
+
+
 def test_smoothing_takes_tied_curves_along():
     network = new_network()
     station = wavy_station(network)

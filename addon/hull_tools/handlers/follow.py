@@ -93,10 +93,8 @@ def after_update(scene, depsgraph):
     hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
     hulls += preview.concerned(changed, depsgraph.view_layer)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
-    if depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION"):
-        networks.after_other_members(scene)
-    else:
-        networks.after_changes(changed, scene)
+    has_others = depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION")
+    networks.after_changes(changed, scene, has_others)
 
 
 @persistent
@@ -105,7 +103,7 @@ def after_frame(scene, depsgraph):
     a frame of its own."""
     changed = {update.id.original for update in _updates_of_objects(depsgraph)}
     _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
-    networks.after_changes(changed, scene)
+    networks.after_changes(changed, scene, has_other_members=False)
 
 
 @persistent

@@ -30,7 +30,10 @@ def has_network(cls, context):
 
 
 def can_change_network(cls, context):
-    reason = networks.locked(networks.at_hand(context))
+    network = networks.at_hand(context)
+    reason = networks.locked(network)
+    if not reason and networks.is_left_out(network, context.view_layer):
+        reason = f'The view layer leaves "{network.name}" out: tick its box in the outliner'
     if reason:
         cls.poll_message_set(reason)
     return not reason

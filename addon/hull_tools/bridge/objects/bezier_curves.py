@@ -129,6 +129,13 @@ def rounded(obj, points):
     return _moved(own, matrix)
 
 
+def rounding(obj, points):
+    """What single precision leaves of points (n, 3) in the world, some times over."""
+    matrix = np.array(obj.matrix_world, dtype=np.float64)
+    own = np.abs(_moved(points, np.linalg.inv(matrix))).max() * np.abs(matrix[:3, :3]).max()
+    return 2.0 * float(np.spacing(np.float32(max(np.abs(points).max(), own, 1e-6))))
+
+
 def _moved(points, matrix):
     return points @ matrix[:3, :3].T + matrix[:3, 3]
 

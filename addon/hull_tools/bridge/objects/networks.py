@@ -64,6 +64,17 @@ def locked(network):
     return ""
 
 
+def is_left_out(network, view_layer):
+    """Whether a view layer leaves a network out: nothing of it can be selected there."""
+    left = [view_layer.layer_collection]
+    while left:
+        layer = left.pop()
+        if layer.collection == network and not layer.exclude:
+            return False
+        left += layer.children
+    return True
+
+
 def scene_of(network):
     """The first scene that has a network; None where none has."""
     for scene in bpy.data.scenes:

@@ -13,20 +13,18 @@ _PAUSE_SECONDS = 0.4
 _is_following = False
 
 
-def after_changes(changed, scene):
-    """Follows the networks of changed objects."""
+def after_changes(changed, scene, has_other_members):
+    """Follows the networks of changed objects; all, where objects came, went, or changed
+    collections."""
     concerned = {}
+    if has_other_members:
+        network_state.forget_deleted()
+        concerned = {network: set() for network in networks.all_networks()}
     for obj in changed:
         network = networks.network_of(obj)
         if network is not None:
             concerned.setdefault(network, set()).add(obj.name)
     _follow(concerned, scene)
-
-
-def after_other_members(scene):
-    """Objects came, went, or changed collections."""
-    network_state.forget_deleted()
-    _follow(dict.fromkeys(networks.all_networks()), scene)
 
 
 def follow_all():

@@ -45,6 +45,8 @@ class Tied:
 
     def _bring_along(self, name, index):
         """Moves what was where a point was to where it is now; returns pairs (name, number)."""
+        if self._has_left_another(name, index):
+            return {(name, index)}
         group = self._at(self._before[name][index], name, index)
         place = self._now[name][index][None]
         wanted = [self._planes[one] for one, _ in group if self._planes[one] is not None]
@@ -56,6 +58,15 @@ class Tied:
                 self._changed[one] = self._now[one] = self._now[one].copy()
             self._changed[one][number] = target[0]
         return set(group)
+
+    def _has_left_another(self, name, index):
+        """Whether a point leaves another one of its curve behind, as one that was extruded: what
+        was tied is tied to that."""
+        before, now = self._before[name], self._now[name]
+        was_there = np.abs(before - before[index]).max(axis=1) <= self._distance
+        stays = np.abs(now - before).max(axis=1) <= self._distance
+        was_there[index] = False
+        return bool((was_there & stays).any())
 
     def _at(self, place, name, index):
         """Pairs (name, number) of points that were in a place: of each other curve the nearest."""
