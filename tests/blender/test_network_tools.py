@@ -11,7 +11,9 @@ from networks import (
     finish,
     grid_network,
     height,
+    move_point,
     new_network,
+    patch_points,
     points_of,
     state_of,
     surface_points,
@@ -45,9 +47,22 @@ def test_the_lines_of_a_hull_make_its_surface():
     curves = np.concatenate([points_of(network.objects[name]) for name in state.curves])
     assert np.asarray(tree.closest_points(curves).distances).max() < 1e-4 * length
     assert np.median([len(one.points) for one in state.curves.values()]) < 30
+    assert_follows_moves(network, length)
     planes = [obj.hull.curve for obj in network.objects if obj.type == "CURVE"]
     assert {one.kind for one in planes} >= {"STATION", "WATERLINE", "PROFILE", "DECK_EDGE"}
     assert any(one.role == "KNUCKLE" for one in planes)
+
+
+def assert_follows_moves(network, length):
+    """Points of a station are moved without a pause: what is shown is the patches' all the same."""
+    station = next(one for one in network.objects if one.name.startswith("Station 4"))
+    for index in (3, 4, 3, 5):
+        move_point(station, index, (0.0, 0.05, 0.0))
+    shown, wanted = surface_points(network).astype(float), patch_points(network)
+    assert len(shown) == len(wanted)
+    for some in np.array_split(shown, 40):
+        nearest = np.linalg.norm(some[:, None] - wanted[None], axis=2).min(axis=1)
+        assert nearest.max() < 2e-6 * length
 
 
 def test_a_section_lies_on_the_patches_and_is_tied():

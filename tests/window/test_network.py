@@ -187,3 +187,45 @@ def test_escape_draws_nothing(window):
         assert not network().objects
     finally:
         sidebar.show_all_panels()
+
+
+def test_escape_takes_nothing_from_a_hull(window):
+    with window.in_view():
+        bpy.ops.hull.load_sample(name="container_ship")
+    sidebar.show_panels(window, "networks", "network_problems")
+    window.open_sidebar()
+    yield
+    try:
+        count = len(bpy.data.objects)
+        yield from sidebar.to(window, "hull.network_from_hull")
+        window.click()
+        window.press("ESC")
+        yield lambda: not part("bridge.background.jobs")._unfinished
+        yield
+        assert not part("bridge.objects.networks").all_networks()
+        assert len(bpy.data.objects) == count
+    finally:
+        sidebar.show_all_panels()
+
+
+def test_the_button_of_a_problem_leads_to_it(window):
+    bpy.context.preferences.view.ui_scale = 0.6  # the list is below all else
+    bpy.ops.hull.new_network()
+    sidebar.show_panels(window, "networks", "network_problems")
+    yield
+    try:
+        with window.in_view():
+            for x in (0.0, 10.0):
+                bpy.ops.hull.add_network_curve(kind="STATION", position=x)
+        bpy.ops.ed.undo_push(message="apart")
+        window.open_sidebar()
+        yield
+        problems = state().problems
+        assert problems
+        yield from sidebar.press(window, "hull.select_network_problem")
+        assert bpy.context.view_layer.objects.active.name in problems[0].curves
+        place = np.array(bpy.context.scene.cursor.location)
+        assert np.abs(place - problems[0].places[0]).max() < 1e-6
+    finally:
+        bpy.context.preferences.view.ui_scale = 1.0
+        sidebar.show_all_panels()

@@ -18,13 +18,12 @@ _SIDES = ("left", "right")
 @dataclass(frozen=True, eq=False)
 class BezierPoints:
     """points (n, 3) and handles (n, 2, 3), left and right, in the world, Blender's units; weights
-    (n,); knuckles: numbers of points between the ends; selected (n,) bool."""
+    (n,); knuckles: numbers of points between the ends."""
 
     points: np.ndarray
     handles: np.ndarray
     weights: np.ndarray
     knuckles: tuple
-    selected: np.ndarray
 
 
 def refusal(obj):
@@ -57,15 +56,12 @@ def read(obj):
     weights = np.empty(len(knots), dtype=np.float32)
     knots.foreach_get("weight_softbody", weights)
     weights[weights <= 0.0] = 1.0  # as Blender leaves those of new points
-    selected = np.empty(len(knots), dtype=bool)
-    knots.foreach_get("select_control_point", selected)
     matrix = np.array(obj.matrix_world, dtype=np.float64)
     return BezierPoints(
         _moved(places, matrix),
         _moved(handles.reshape(-1, 3), matrix).reshape(-1, 2, 3),
         weights.astype(np.float64),
         _knuckles(knots),
-        selected,
     )
 
 

@@ -7,7 +7,7 @@ show its surface.
 
 import bpy
 
-_MOST_CURVES = 400
+from .. import limits
 
 
 def is_network(collection):
@@ -37,9 +37,9 @@ def at_hand(context):
 def curves_of(network):
     """The curve objects of a network, by name; ValueError where they are too many to be joined."""
     curves = sorted((o for o in network.objects if o.type == "CURVE"), key=lambda o: o.name)
-    if len(curves) > _MOST_CURVES:
+    if len(curves) > limits.MOST_NETWORK_CURVES:
         raise ValueError(
-            f'"{network.name}" has {len(curves)} curves: a network takes {_MOST_CURVES} at most'
+            f'"{network.name}" has {len(curves)} curves: a network takes {limits.MOST_NETWORK_CURVES} at most'
         )
     return curves
 

@@ -61,7 +61,10 @@ class LiveSurface:
         layout = Layout(self._network, self._layout.parts)
         is_same = layout.key == self._layout.key
         self._begin(layout)
-        (self._move if is_same else self._make)(shown, state.scale)
+        if is_same:
+            self._move(shown, state.scale)
+        else:
+            self._make(shown, state.scale)
         normals = self._normals[self._layout.triangles].reshape(-1, 3)
         blender_versions.set_corner_normals(shown.data, normals)
         self._has_normals = True
@@ -74,14 +77,14 @@ class LiveSurface:
         )
 
     def _bring(self, shown, state, samples):
-        if state.network is self._network and self._is_of(shown) and self._layout.parts == samples:
+        is_known = self._is_of(shown) and self._layout.parts == samples
+        if is_known and state.network is self._network:
             return
-        is_moved = self._is_of(shown) and self._layout.parts == samples
-        if not (is_moved and self._layout.is_of(state.network) and self._follow(state.network)):
+        if is_known and self._layout.is_of(state.network) and self._follow(state.network):
+            self._move(shown, state.scale)
+        else:
             self._begin(Layout(state.network, samples))
             self._make(shown, state.scale)
-        else:
-            self._move(shown, state.scale)
         self._has_normals = False
 
     def _begin(self, layout):
@@ -119,7 +122,7 @@ class LiveSurface:
         for _ in range(2):  # tangent planes are carried on to the next node
             near[ends[moved].ravel()] = True
             moved = near[ends].any(axis=1)
-        return [i for i, edges_of in enumerate(layout.edges) if near[ends[edges_of]].any()]
+        return [i for i, own in enumerate(layout.edges) if near[ends[list(own)]].any()]
 
     def _make(self, shown, scale):
         self._edges = _edge_points(self._network)
@@ -160,24 +163,25 @@ class Layout:
         lengths = [len(self._grids[count][0]) for count in self._sides]
         self._starts = np.concatenate([[0], np.cumsum(lengths, dtype=np.int64)])
         self.count = int(self._starts[-1])
-        self.key = (parts, tuple(self._sides), tuple(map(tuple, self.edges)))
+        self.key = (parts, tuple(self._sides))
 
     def is_of(self, native_network):
-        """Whether edges and regions of another network are as many, between the same nodes."""
-        return self.network.region_count == native_network.region_count and np.array_equal(
-            self.network.edges, native_network.edges
-        )
+        """Whether another network has edges between the same nodes."""
+        return np.array_equal(self.network.edges, native_network.edges)
 
     def take(self, native_network, numbers):
-        """Takes the patches of these numbers from another network that it is_of, where they have
-        the same sides; whether they have."""
-        for number in numbers:
-            region = self.regions[number]
-            patch = _patch(native_network, region)
+        """Takes the patches of these numbers from another network that it is_of; whether that has
+        regions between the same edges, with as many sides. What number a region has there may be
+        another one."""
+        count = native_network.region_count
+        regions = {_edges_of(native_network, region): region for region in range(count)}
+        if count != self.network.region_count or not regions.keys() >= set(self.edges):
+            return False
+        taken = [_patch(native_network, regions[self.edges[number]]) for number in numbers]
+        for number, patch in zip(numbers, taken):
             if patch is None or patch.side_count != self._sides[number]:
                 return False
-            if _edges_of(native_network, region) != self.edges[number]:
-                return False
+        for number, patch in zip(numbers, taken):
             self._patches[number] = patch
         self.network = native_network
         return True
@@ -207,7 +211,7 @@ def _patch(native_network, region):
 
 
 def _edges_of(native_network, region):
-    return [edge for side in native_network.sides(region) for edge, _ in side]
+    return frozenset(edge for side in native_network.sides(region) for edge, _ in side)
 
 
 def _edge_points(native_network):

@@ -184,7 +184,9 @@ def _moved(network, state, objects, fresh):
     tied = ties.Tied(before if settings.tie else {}, now, own_planes, first, settings.tolerance)
     found = {}
     for name, points in tied.moved().items():
-        is_off = np.abs(points - now[name]).max(axis=1) > bezier_curves.rounding(objects[name], points)
+        is_off = np.abs(points - now[name]).max(axis=1) > bezier_curves.rounding(
+            objects[name], points
+        )
         if is_off.any():
             kept = np.where(is_off[:, None], points, now[name])
             found[name] = bezier_curves.rounded(objects[name], kept)
@@ -213,6 +215,8 @@ def _write(state, objects, known):
         if one.handles is None or len(one.handles) != len(one.points):
             one.handles = read.handles
         is_moved = one.points is not read.points and not np.array_equal(one.points, read.points)
-        if is_moved or np.abs(one.handles - read.handles).max() > 4.0 * bezier_curves.rounding(objects[name], one.points):
+        if is_moved or np.abs(one.handles - read.handles).max() > 4.0 * bezier_curves.rounding(
+            objects[name], one.points
+        ):
             bezier_curves.write(objects[name], one.points, one.handles, one.knuckles)
             del state.read[name]
