@@ -3,7 +3,7 @@
 
 import bpy
 import numpy as np
-from addon_under_test import part
+from addon_under_test import make_active, part
 from networks import (
     add,
     finish,
@@ -96,3 +96,30 @@ def test_stations_and_a_profile_from_nothing():
     assert len(points_of(line)) >= 3 and np.abs(points_of(line)[:, 2] - 3.0).max() < _ROUNDING
     assert state_of(network).network.region_count == 3
     assert deck.hull.curve.plane == "NONE"
+
+
+def test_what_is_drawn_over_the_view():
+    network = grid_network(show_surface=True)
+    arrays, state = part("overlays.network_arrays"), state_of(network)
+    found = arrays.of_network(network, state)
+    assert set(found.lines) == {"station", "buttock"} and len(found.nodes) == 9
+    assert not found.teeth and not len(found.problems)
+    assert arrays.of_network(network, state) is found, "kept until something changes"
+    station = network.objects["Station 5"]
+    station.hull.curve.show_comb = True
+    combed = arrays.of_network(network, state)
+    teeth = combed.teeth["station"]
+    assert len(teeth) > 10
+    (piece,) = state.curves[station.name].pieces
+    _, bends = part("features.networks.curve_shapes").curvature(piece, piece[1][:1])
+    tooth = teeth.points[teeth.segments[0, 1]] - teeth.points[teeth.segments[0, 0]]
+    assert np.abs(tooth + combed.comb_scale * bends[0]).max() < 1e-5
+    make_active(station)
+    bpy.ops.object.mode_set(mode="EDIT")
+    edited = arrays.of_network(network, state_of(network))
+    assert len(edited.nodes) == 6, "Blender shows the points of what is edited"
+    assert len(edited.lines["station"]) < len(combed.lines["station"])
+    bpy.ops.object.mode_set(mode="OBJECT")
+    network.hull_network.tie = False
+    move_point(station, 1, (0.0, 0.0, 0.02))
+    assert len(arrays.of_network(network, state_of(network)).problems)

@@ -24,7 +24,8 @@ _PARTS = 8  # of a span between knots
 @dataclass(eq=False)
 class NetworkArrays:
     """lines, teeth, outlines: line_arrays.Strokes by the ink's name; nodes (n, 3); problems (k, 3);
-    in the world, Blender's units. centre (3,), size: of all of it."""
+    in the world, Blender's units. centre (3,), size: of all of it. comb_scale: m², it stays while
+    the same curves have combs. batches: of the graphics card, by what they are of."""
 
     key: tuple
     lines: dict
@@ -34,6 +35,7 @@ class NetworkArrays:
     problems: np.ndarray
     centre: np.ndarray
     size: float
+    comb_scale: float = 0.0
     batches: dict = field(default_factory=dict)
 
 
@@ -45,11 +47,13 @@ def of_network(network, state):
     settings = network.hull_network
     inks = {name: _ink(network.objects.get(name)) for name in state.curves}
     with_comb = tuple(name for name in state.curves if _has_comb(network.objects.get(name)))
-    key = (state.revision, tuple(inks.items()), with_comb, settings.comb_factor, state.scale)
+    # Of a curve in edit mode Blender shows points and handles, which nothing is to hide.
+    edited = tuple(one.name for one in network.objects if one.mode == "EDIT")
+    key = (state.revision, tuple(inks.items()), with_comb, edited, settings.comb_factor)
     known = _known.get(network.name_full)
     if known is None or known.key != (id(state), *key):
         scale = known.comb_scale if known is not None and known.key[3] == with_comb else 0.0
-        known = _made(state, inks, with_comb, settings.comb_factor, scale)
+        known = _made(state, inks, with_comb, edited, settings.comb_factor, scale)
         known.key = (id(state), *key)
         _known[network.name_full] = known
     return known
@@ -69,13 +73,14 @@ def _has_comb(obj):
     return obj is not None and obj.hull.curve.show_comb
 
 
-def _made(state, inks, with_comb, factor, comb_scale):
+def _made(state, inks, with_comb, edited, factor, comb_scale):
     lines, every = {}, [np.zeros((1, 3))] if not state.curves else []
     for name, known in state.curves.items():
         line = known.points
         if known.pieces:
             line = curve_shapes.samples(known.pieces, _PARTS) / state.scale
-        lines.setdefault(inks[name], []).append(line)
+        if name not in edited:
+            lines.setdefault(inks[name], []).append(line)
         every.append(line)
     every = np.concatenate(every)
     size = max(float(np.ptp(every, axis=0).max()), 1e-6)
@@ -84,7 +89,7 @@ def _made(state, inks, with_comb, factor, comb_scale):
         {ink: line_arrays.strokes_of(own) for ink, own in lines.items()},
         {},
         {},
-        _nodes(state),
+        _nodes(state, edited),
         _problems(state),
         every.mean(axis=0),
         size,
@@ -106,10 +111,15 @@ def _add_combs(found, state, inks, with_comb, scale):
         found.teeth[ink], found.outlines[ink] = line_arrays.comb_strokes(points, tips, pairs)
 
 
-def _nodes(state):
+def _nodes(state, edited):
     if state.network is None or not state.is_joined:
         return np.empty((0, 3))
-    return np.asarray(state.network.nodes).reshape(-1, 3) / state.scale
+    nodes = np.asarray(state.network.nodes).reshape(-1, 3) / state.scale
+    reach = state.tolerance / state.scale
+    for points in (state.curves[name].points for name in edited if name in state.curves):
+        apart = np.linalg.norm(nodes[:, None] - points, axis=2).min(axis=1)
+        nodes = nodes[apart > reach]
+    return nodes
 
 
 def _problems(state):

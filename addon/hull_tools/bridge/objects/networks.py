@@ -37,10 +37,7 @@ def at_hand(context):
 def curves_of(network):
     """The curve objects of a network, by name; ValueError where they are too many to be joined."""
     curves = sorted((o for o in network.objects if o.type == "CURVE"), key=lambda o: o.name)
-    if len(curves) > limits.MOST_NETWORK_CURVES:
-        raise ValueError(
-            f'"{network.name}" has {len(curves)} curves: a network takes {limits.MOST_NETWORK_CURVES} at most'
-        )
+    limits.at_most(len(curves), f'curves of "{network.name}"', limits.MOST_NETWORK_CURVES)
     return curves
 
 

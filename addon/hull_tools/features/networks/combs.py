@@ -16,7 +16,7 @@ def comb(pieces, scale):
     scale in m²: of a tooth by the curvature. Knuckles break the line."""
     points, tips, pairs, count = [np.empty((0, 3))], [np.empty((0, 3))], [], 0
     for piece in pieces:
-        at, bends = curve_shapes.curvature(piece, curve_shapes.parameters_of(piece, _TEETH))
+        at, bends = curve_shapes.curvature(piece, curve_shapes.seen_parameters(piece, _TEETH))
         points.append(at)
         tips.append(at - scale * bends)
         numbers = count + np.arange(len(at))
@@ -31,7 +31,7 @@ def handy_scale(curves, size):
     bends = [np.zeros(1)]
     for pieces in curves:
         for piece in pieces:
-            _, own = curve_shapes.curvature(piece, curve_shapes.parameters_of(piece, _TEETH))
+            _, own = curve_shapes.curvature(piece, curve_shapes.seen_parameters(piece, _TEETH))
             bends.append(np.linalg.norm(own, axis=1))
     most = max(float(np.percentile(np.concatenate(bends), 95.0)), _STRAIGHT / size)
     return _HEIGHT * size / most

@@ -10,6 +10,7 @@ import numpy as np
 # Samples of a piece among which the parameter nearest to a point is looked for.
 _SAMPLES = 257
 _REFINEMENTS = 40
+_LEAST_PARTS = 40
 
 
 def evaluate(piece, parameters, order=0):
@@ -59,9 +60,15 @@ def _spline_at(degree, knots, coefficients, t):
 
 
 def samples(pieces, parts):
-    """(n, 3): points along all pieces of a curve, `parts` in each span between knots."""
-    found = [evaluate(piece, parameters_of(piece, parts))[0] for piece in pieces]
+    """(n, 3): points along all pieces of a curve, `parts` in each span between knots or more."""
+    found = [evaluate(piece, seen_parameters(piece, parts))[0] for piece in pieces]
     return np.concatenate([found[0], *(points[1:] for points in found[1:])])
+
+
+def seen_parameters(piece, parts):
+    """(n,): `parts` of each span between knots, or as many more as it takes a curve of few spans to
+    look round."""
+    return parameters_of(piece, max(parts, -(-_LEAST_PARTS // (len(np.unique(piece[1])) - 1))))
 
 
 def parameters_of(piece, parts):

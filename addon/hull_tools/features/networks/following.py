@@ -11,6 +11,7 @@ _PAUSE_SECONDS = 0.4
 
 # Writing to curves makes Blender tell of them in turn.
 _is_following = False
+_has_followed = False
 
 
 def after_changes(changed, scene, has_other_members):
@@ -18,8 +19,9 @@ def after_changes(changed, scene, has_other_members):
     collections."""
     concerned = {}
     if has_other_members:
-        network_state.forget_deleted()
         concerned = {network: set() for network in networks.all_networks()}
+        if concerned or _has_followed:  # in most files there is nothing to be loaded for
+            network_state.forget_deleted()
     for obj in changed:
         network = networks.network_of(obj)
         if network is not None:
@@ -29,24 +31,27 @@ def after_changes(changed, scene, has_other_members):
 
 def follow_all():
     """All networks of the file, each in its first scene, whatever their surface objects show."""
-    network_state.forget_deleted()
-    for network, state in network_state.known_networks():
-        state.surface.forget()
-    for network in networks.all_networks():
+    found = networks.all_networks()
+    if found or _has_followed:
+        network_state.forget_deleted()
+        for _, state in network_state.known_networks():
+            state.surface.forget()
+    for network in found:
         _follow({network: None}, networks.scene_of(network))
 
 
 def forget_all():
     _pause.stop()
-    network_state.forget_all()
+    if _has_followed:
+        network_state.forget_all()
 
 
 def _follow(concerned, scene):
     """concerned: names of changed objects, None for all, by network."""
-    global _is_following
-    if _is_following:
+    global _is_following, _has_followed
+    if _is_following or not concerned:
         return
-    _is_following = True
+    _is_following = _has_followed = True
     try:
         for network, changed in concerned.items():
             if scene is not None and network in scene.collection.children_recursive:
