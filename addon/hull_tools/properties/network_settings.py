@@ -14,6 +14,7 @@ from bpy.props import (
     PointerProperty,
 )
 
+from ..bridge import limits
 from .shared import changed, length, switch
 
 KINDS = (
@@ -145,7 +146,7 @@ class HullNetwork(bpy.types.PropertyGroup):
     samples: IntProperty(
         name="Samples",
         description="Parts of each side of a patch in the surface object",
-        default=6, min=1, max=32, soft_max=12, update=_network_changed,
+        default=6, min=1, max=limits.MOST_SAMPLES, soft_max=12, update=_network_changed,
     )  # fmt: skip
     surface_object: PointerProperty(name="Surface", type=bpy.types.Object)
     show_curves: BoolProperty(

@@ -92,7 +92,7 @@ def _joined(segments, size):
     """Pairs (points, numbers of those at which segments met or ended), end to end."""
     left, found = list(segments), []
     while left:
-        line, knots = list(left.pop()), None
+        line = list(left.pop())
         knots = [0, len(line) - 1]
         for at_end in (True, False):
             while True:
