@@ -5,6 +5,7 @@ as the tests of the window are: see tests/window/stepping.py."""
 from dataclasses import dataclass
 
 import bpy
+import network_scenes
 import numpy as np
 from addon_under_test import part
 
@@ -206,6 +207,9 @@ PANELS = {
         hull_panels("morph", "morph_local", "morph_targets", "morph_series"), _with_morph
     ),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
+    "panels/networks": PanelShot(
+        hull_panels("networks", "network_curve", "network_problems"), network_scenes.prepare_panel
+    ),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),
         _with_variants,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import bmesh
 import bpy
 import field_scenes
+import network_scenes
 import numpy as np
 from addon_under_test import part
 from editing import select
@@ -390,6 +391,7 @@ def _scaled(window):
 _NUMBERS = hull_panels(
     "hydrostatics", "hydrostatics_displacement", "hydrostatics_centres", "hydrostatics_stability"
 )
+_NETWORK = hull_panels("networks", "network_curve", "network_problems")
 VIEWS = {
     "dimensions": View(_scaled, hull_panels("hull")),
     "fields": View(_fields, hull_panels("fields")),
@@ -408,6 +410,7 @@ VIEWS = {
     "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),
     "first-hull/measured": View(_measured, (*_NUMBERS, "HULL_PT_plots")),
     **{name: View(scene, hull_panels("fields")) for name, scene in field_scenes.STEPS.items()},
+    **{name: View(scene, _NETWORK) for name, scene in network_scenes.STEPS.items()},
 }
 
 # By the file's name a scene that writes the picture to a path itself.

@@ -4,7 +4,7 @@
 from . import late_loading
 
 # Of the overlays what makes arrays: nothing is drawn before there is a hull.
-_ARRAYS = ("field", "legend", "line", "mark", "plot", "tag")
+_ARRAYS = ("field", "legend", "line", "mark", "network", "plot", "tag")
 
 late_loading.install(
     f"{__name__}.bridge",
@@ -13,6 +13,7 @@ late_loading.install(
     f"{__package__.rpartition('.')[0]}.hull_fairness",
     *(f"{__name__}.overlays.{name}_arrays" for name in _ARRAYS),
     f"{__name__}.overlays.label_places",
+    f"{__name__}.overlays.shapes",
     f"{__name__}.overlays.tag_drawing",
 )
 

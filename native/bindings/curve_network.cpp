@@ -214,10 +214,39 @@ void bind_curve_network(py::module_& module) {
           "The CurveNetwork with a NetworkCurve in place of the one of that number. What curves "
           "meet that stay as they are, is not looked for again. ValueError for a number that none "
           "has.")
+      .def(
+          "with_curves",
+          [](const CurveNetwork& network, const std::vector<NetworkCurve>& curves) {
+            const py::gil_scoped_release release;
+            return std::make_unique<CurveNetwork>(network.with_curves(curves));
+          },
+          py::arg("curves"),
+          "The same with all NetworkCurves given, of which several may be others than before. "
+          "ValueError where they are not as many.")
       .def("patch", &CurveNetwork::patch, py::arg("region"),
            "The TransfinitePatch of a region. ValueError where it has one side, more than ten, or "
            "an edge with a halt.");
   bind_parts(bound);
+  module.def(
+      "network_meetings",
+      [](const std::vector<NetworkCurve>& curves, double tolerance) {
+        std::vector<network::Contact> found;
+        {
+          const py::gil_scoped_release release;
+          found = network::network_meetings(curves, tolerance);
+        }
+        py::list meetings;
+        for (const network::Contact& contact : found) {
+          meetings.append(py::make_tuple(
+              contact.first.curve, contact.second.curve,
+              to_array(std::vector<Vector3d>{contact.first.place, contact.second.place})));
+        }
+        return meetings;
+      },
+      py::arg("curves"), py::arg("tolerance"),
+      "Where NetworkCurves come within a tolerance, m, of one another, of each coherent stretch "
+      "once: tuples (number of a curve, of another one or the same, places (2, 3) on both, m). "
+      "ValueError for a curve that cannot be made.");
   module.def(
       "network_check",
       [](const std::vector<NetworkCurve>& curves, double tolerance, double near_misses,

@@ -39,8 +39,7 @@ py::tuple evaluated_patch(const TransfinitePatch& patch, const std::vector<Vecto
   std::vector<Vector3d> points, normals;
   {
     const py::gil_scoped_release release;
-    for (const Vector2d& place : places) {
-      const network::PatchPoint at = patch.at(place);
+    for (const network::PatchPoint& at : patch.at_all(places)) {
       points.push_back(at.point);
       normals.push_back(at.normal());
     }

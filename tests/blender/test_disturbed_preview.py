@@ -245,3 +245,18 @@ def test_undo_and_redo_in_object_mode_go_through_a_preview():
     make_active(hull)
     assert bpy.ops.hull.cancel_fields() == {"FINISHED"}
     assert np.array_equal(points_of(hull), before)
+
+
+def test_a_base_curve_that_is_deleted_is_told():
+    hull = sample()
+    place = side_point(hull)
+    row = add(hull, place, base="CURVE", shift=(0.0, 0.2, 0.0), extent=6.0)
+    line = np.array([place - (6.0, 0.0, 0.0), place, place + (6.0, 0.0, 0.0)])
+    row.curve = part("bridge.objects.curve_lines").made("base", line, False, hull)
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.preview_fields() == {"FINISHED"}
+    assert not part("features.fields.preview").of_hull(hull).problem
+    for collection in row.curve.users_collection:
+        collection.objects.unlink(row.curve)
+    bpy.context.view_layer.update()
+    assert "not in the scene" in part("features.fields.preview").of_hull(hull).problem

@@ -10,6 +10,7 @@ import bpy
 import pytest
 from addon_under_test import ROOT, add_hull, compute, part
 from expect_morph import boxes, morph_of
+from networks import grid_network
 from test_panels import Drawn, Notebook, context
 
 DOCS = ROOT / "docs"
@@ -61,7 +62,8 @@ def labels():
         found.add(rna.name)
         for prop in rna.properties:
             found |= names_of(prop)
-    for prop in properties_of(hull_rna()):
+    network = bpy.types.Collection.bl_rna.properties["hull_network"].fixed_type
+    for prop in (*properties_of(hull_rna()), *properties_of(network)):
         found |= names_of(prop)
     for name in ("panels", "features"):
         for path in Path(part(name).__file__).parent.rglob("*.py"):
@@ -170,6 +172,20 @@ def drawn_labels_of_a_family():
     return {pair for pair in found if pair[0] == "morph"}
 
 
+def drawn_labels_of_a_network():
+    bpy.ops.object.mode_set(mode="OBJECT")
+    grid_network()
+    curve = bpy.context.object.hull.curve
+    found = drawn_labels()
+    for name, value in (("plane", "OWN"), ("shape", "CONIC"), ("start", "TANGENT"),
+                        ("end", "SLAVE_TANGENT"), ("show_comb", True)):  # fmt: skip
+        setattr(curve, name, value)
+    bpy.context.view_layer.update()
+    found |= drawn_labels()
+    curve.start = "SLAVE_CURVATURE"
+    return {pair for pair in found | drawn_labels() if pair[0] == "networks"}
+
+
 def page_of(cls):
     while getattr(cls, "bl_parent_id", ""):
         cls = getattr(bpy.types, cls.bl_parent_id)
@@ -195,6 +211,7 @@ def test_what_panels_show_is_on_their_pages():
     bpy.ops.object.mode_set(mode="EDIT")
     found |= drawn_labels()
     found |= drawn_labels_of_a_family()
+    found |= drawn_labels_of_a_network()
     assert len(found) > 100
     missing = []
     for page, label in sorted(found):

@@ -8,6 +8,7 @@ import pytest
 from addon_under_test import module_name, part
 from expect_morph import boxes, morph_of
 from layout_widths import SIDEBAR, Measuring
+from networks import grid_network
 from test_panels import Drawn, compute_all, context
 
 # Those whose length is the user's or the file's.
@@ -110,6 +111,17 @@ def test_a_hull_that_is_scaled_has_a_button_to_apply_it(ship):
     assert "Apply" in buttons()
     ship.scale = (1.0, 1.0, 1.0)
     assert "Apply" not in buttons()
+
+
+def test_a_network_of_curves():
+    grid_network(show_surface=True)
+    curve = bpy.context.object.hull.curve
+    curve.plane, curve.shape, curve.show_comb = "OWN", "CONIC", True
+    curve.start, curve.end = "SLAVE_CURVATURE", "SLAVE_TANGENT"
+    bpy.context.view_layer.update()
+    layouts = {cls.__name__: layout for cls, layout in drawn_panels()}
+    assert {"HULL_PT_network_curve", "HULL_PT_network_problems"} <= set(layouts)
+    assert faults() == []
 
 
 def test_a_linked_hull(ship, tmp_path):

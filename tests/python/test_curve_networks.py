@@ -90,6 +90,24 @@ def test_a_moved_curve_moves_its_slaves():
     assert [p.what for p in moved.problems] == [p.what for p in anew.problems]
     with pytest.raises(ValueError, match="There is no curve 6"):
         network.with_curve(curves[0], 6)
+    both = network.with_curves([*curves[:4], hn.NetworkCurve("V", points), curves[5]])
+    assert np.array_equal(both.nodes, anew.nodes)
+    with pytest.raises(ValueError, match="give as many, not 5"):
+        network.with_curves(curves[:5])
+
+
+def test_meetings_are_found_whether_they_join_anything_or_not():
+    curves = [
+        hn.NetworkCurve("A", [(0, 0, 0), (10, 0, 0)]),
+        hn.NetworkCurve("B", [(4, -5, 0.02), (4, 5, 0.02)]),
+    ]
+    assert hn.CurveNetwork(curves, 0.05).nodes.shape == (0, 3)
+    ((first, second, places),) = hn.network_meetings(curves, 0.05)
+    assert (first, second) == (0, 1)
+    assert np.abs(places - [(4, 0, 0), (4, 0, 0.02)]).max() < 1e-12
+    assert hn.network_meetings(curves, 0.01) == []
+    with pytest.raises(ValueError, match="Curve A"):
+        hn.network_meetings([hn.NetworkCurve("A", [(0, 0, 0), (0, 0, 0)])], 0.01)
 
 
 def problem_of(curves, kind, **options):

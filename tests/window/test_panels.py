@@ -46,6 +46,12 @@ def make_morph(hull):
     assert bpy.ops.hull.make_morph() == {"FINISHED"}
 
 
+def make_network():
+    """With its first curve, active."""
+    assert bpy.ops.hull.new_network() == {"FINISHED"}
+    assert bpy.ops.hull.add_network_curve(kind="STATION", position=2.0) == {"FINISHED"}
+
+
 def test_every_panel_is_drawn_to_its_end(window):
     open_all()
     wanted = {cls.__name__ for cls in hull_panels()}
@@ -72,6 +78,9 @@ def test_every_panel_is_drawn_to_its_end(window):
     yield lambda: len(part("overlays.plots").shown_arrays()) == 1
     with window.in_view():
         make_morph(hull)
+    yield
+    with window.in_view():
+        make_network()
     yield
     bpy.context.preferences.view.ui_scale = 1.0
     assert drawn == wanted

@@ -55,6 +55,8 @@ MORPH_TOLERANCES = (0.001, 10.0)  # per mille of the length
 MOST_MORPH_SUBDIVISIONS = 2
 MOST_PARENTS = 16
 MOST_SERIES_STEPS = 200
+# Of one network; each takes a millisecond whenever one of them moves.
+MOST_NETWORK_CURVES = 400
 # Of a sectional area curve that is wanted: handles, and stations that are brought to it.
 MOST_AREA_HANDLES, MOST_AREA_STATIONS = 60, 60
 AREA_TOLERANCES = (0.001, 20.0)  # percent of the largest section

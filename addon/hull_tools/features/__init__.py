@@ -24,12 +24,12 @@ Each subject uses itself, those above it and the bridge, nothing else:
   dimensions      hulls scaled to main dimensions, with all that belongs to them
   transformation  the whole form changed to given particulars: shifts of sections, lengthening
   fields          shape fields kept with the hull: regions shift, others are protected
+  networks        networks of curves, and the surface between them
   targets         control points moved so that numbers of the form are as wanted
   area_curves     sectional area curves that are wanted, and hulls brought to them
   morphing        hulls between parents: members of a family, moved by weights
   studio          a studio around the hull, for pictures of it
 
 What is to come has its place, as a folder of its own: resistance after stability (an analysis
-more); plates after conversion; networks of curves that make a surface, after fields; the studio
-stays last.
+more); plates after conversion; the studio stays last.
 """

@@ -12,6 +12,7 @@ from ..features.conversion import conversions
 from ..features.fields import before, preview, seen
 from ..features.hull import hull_state, live_normals
 from ..features.morphing import members, pair_lines
+from ..features.networks import following as networks
 from ..features.surface import colour_views
 from ..features.variants import following
 
@@ -24,6 +25,7 @@ def forget_all():
     live_normals.stop()
     studio.stop()
     conversions.stop()
+    networks.forget_all()
     hull_state.forget_all()
 
 
@@ -91,6 +93,8 @@ def after_update(scene, depsgraph):
     hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
     hulls += preview.concerned(changed, depsgraph.view_layer)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
+    has_others = depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION")
+    networks.after_changes(changed, scene, has_others)
 
 
 @persistent
@@ -99,6 +103,7 @@ def after_frame(scene, depsgraph):
     a frame of its own."""
     changed = {update.id.original for update in _updates_of_objects(depsgraph)}
     _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
+    networks.after_changes(changed, scene, has_other_members=False)
 
 
 @persistent
@@ -110,6 +115,7 @@ def after_undo(*unused):
     for hull in hull_objects.hulls(bpy.context.view_layer.objects):
         preview.take_up(hull)
     _follow_all(is_by_hand=False)
+    networks.follow_all()
     colour_views.follow()
 
 
@@ -129,6 +135,7 @@ def begin():
     """Brings all hulls of the file up to date, of which nothing is known yet."""
     live_analyses.start()
     _follow_all()
+    networks.follow_all()
     colour_views.follow()
 
 

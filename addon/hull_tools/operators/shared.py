@@ -108,6 +108,16 @@ def show_all(context):
                 bpy.ops.view3d.view_selected()
 
 
+def suit_views(context):
+    """Has all 3D views of the window begin and end so that the active object does not speckle."""
+    if context.window is None:
+        return
+    context.view_layer.update()
+    for area in context.window.screen.areas:
+        if area.type == "VIEW_3D":
+            view_depth.suit(area.spaces.active, context.object)
+
+
 def enter_edit_mode(context, hull):
     if hull.mode == "EDIT":
         return

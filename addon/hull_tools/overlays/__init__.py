@@ -11,6 +11,7 @@ from . import (
     marks,
     morph_pairs,
     net,
+    networks,
     plots,
     pulls,
     spots,
@@ -18,7 +19,7 @@ from . import (
     tags,
 )
 
-_PARTS = (net, ghost, lines, marks, tags, legend, spots, pulls, fields, morph_pairs)
+_PARTS = (net, ghost, lines, networks, marks, tags, legend, spots, pulls, fields, morph_pairs)
 
 
 def register():

@@ -7,7 +7,7 @@ import gpu
 
 from ..bridge.objects import hull_objects
 from ..features.area_curves import handles, stored
-from .shapes import discs, draw_segments, draw_triangles, draw_words, measure, ring
+from . import shapes
 from .view import Handler
 
 _COLOUR, _HALO = (0.85, 0.35, 0.0, 1.0), (1.0, 1.0, 1.0, 1.0)
@@ -33,19 +33,19 @@ def _draw():
     places = places[[shown.has(place) for place in places]] if held.index is None else places
     gpu.state.blend_set("ALPHA")
     for colour, radius in ((_HALO, _RADIUS + 1.5), (_COLOUR, _RADIUS)):
-        draw_triangles(discs(places, radius * scale), colour)
+        shapes.draw_triangles(shapes.discs(places, radius * scale), colour)
     if held.index is not None and held.index < len(places):
         _draw_held(places[held.index], held.text, shown, scale)
     gpu.state.blend_set("NONE")
 
 
 def _draw_held(place, text, shown, scale):
-    draw_segments(ring(place, _HELD_RADIUS * scale), (_COLOUR, _WIDTH * scale))
-    width, height = measure(text, _TEXT * scale)
+    shapes.draw_segments(shapes.ring(place, _HELD_RADIUS * scale), (_COLOUR, _WIDTH * scale))
+    width, height = shapes.measure(text, _TEXT * scale)
     # Beside the title, where no handle and no curve is.
     _, _, right, top = shown.card
     x, y = right - width - 3.0 * _MARGIN * scale, top - height - 3.0 * _MARGIN * scale
-    draw_words(text, x, y, _TEXT * scale, _MARGIN * scale)
+    shapes.draw_words(text, x, y, _TEXT * scale, _MARGIN * scale)
 
 
 _handler = Handler(_draw, "POST_PIXEL")

@@ -12,9 +12,8 @@ from ..bridge.blender import blender_versions
 from ..bridge.objects import hull_objects
 from ..features.fields import handles, isolines, seen
 from ..features.modelling import drags, pull_lines
-from . import field_arrays
+from . import field_arrays, shapes
 from .lines import batch_of_strokes, seen_then_hidden
-from .shapes import discs, draw_segments, draw_triangles, ring
 from .view import Handler, hulls_in_view
 
 # Dots, at a scale of 1.
@@ -131,8 +130,8 @@ def _draw_handles(shown, base, row):
     if not held.is_on:
         return
     if row.base != "PLANE" and not np.isnan((start, places["extent"])).any():
-        circle = ring(start, float(np.hypot(*(places["extent"] - start))), 96)
-        draw_segments(circle, (colour, _CIRCLE * scale))
+        circle = shapes.ring(start, float(np.hypot(*(places["extent"] - start))), 96)
+        shapes.draw_segments(circle, (colour, _CIRCLE * scale))
     for kind, place in places.items():
         radius = _HELD if held.kind == kind else _HANDLE
         if not np.isnan(place).any():
@@ -143,8 +142,8 @@ def _draw_arrow(segments, head, colour, scale):
     if not len(segments):
         return
     halo, width = (_ARROW + 2.0 * _HALO_WIDTH) * scale, _ARROW * scale
-    draw_segments(segments, (_HALO, halo), (colour, width))
-    draw_triangles(head, colour)
+    shapes.draw_segments(segments, (_HALO, halo), (colour, width))
+    shapes.draw_triangles(head, colour)
 
 
 def _eye(shown):
@@ -159,8 +158,8 @@ def _in_picture(eye, points):
 
 
 def _draw_discs(places, radius, colour, scale):
-    draw_triangles(discs(places, radius + _HALO_WIDTH * scale), _HALO)
-    draw_triangles(discs(places, radius), colour)
+    shapes.draw_triangles(shapes.discs(places, radius + _HALO_WIDTH * scale), _HALO)
+    shapes.draw_triangles(shapes.discs(places, radius), colour)
 
 
 _lines, _marks = Handler(_draw_lines, "POST_VIEW"), Handler(_draw_marks, "POST_PIXEL")

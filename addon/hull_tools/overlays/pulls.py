@@ -10,7 +10,7 @@ from mathutils import Vector
 
 from ..bridge.blender import units
 from ..features.modelling import pull_lines
-from .shapes import draw_segments, ring
+from . import shapes
 from .view import Handler
 
 _COLOUR, _HALO = (0.95, 0.45, 0.0, 1.0), (1.0, 1.0, 1.0, 0.9)
@@ -20,16 +20,16 @@ _RADIUS, _START, _WIDTH, _HALO_WIDTH = 8.0, 3.0, 2.0, 4.5  # dots, at a scale of
 def strokes(start, now, scale, around=0.0):
     """Corners (n, 3) of the segments that show a pull, in the picture: a ring where the point is, a
     smaller one where it was, a line between, and a circle of a radius `around` the latter."""
-    parts = [ring(now, _RADIUS * scale)]
+    parts = [shapes.ring(now, _RADIUS * scale)]
     if around > _RADIUS * scale:
-        parts.append(ring(start, around, 96))
+        parts.append(shapes.ring(start, around, 96))
     way = np.subtract(now, start)
     length = np.hypot(*way)
     if length > (_RADIUS + _START) * scale:
         ends = np.array(
             [start + way * _START * scale / length, now - way * _RADIUS * scale / length]
         )
-        parts += [ring(start, _START * scale), np.column_stack([ends, np.zeros(2)])]
+        parts += [shapes.ring(start, _START * scale), np.column_stack([ends, np.zeros(2)])]
     return np.concatenate(parts).astype(np.float32)
 
 
@@ -46,7 +46,7 @@ def _draw():
     around = _dots_of(context, hull, mark)
     corners = strokes(np.array(places[0]), np.array(places[1]), scale, around)
     gpu.state.blend_set("ALPHA")
-    draw_segments(corners, (_HALO, _HALO_WIDTH * scale), (_COLOUR, _WIDTH * scale))
+    shapes.draw_segments(corners, (_HALO, _HALO_WIDTH * scale), (_COLOUR, _WIDTH * scale))
     gpu.state.blend_set("NONE")
 
 

@@ -6,7 +6,7 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 
 from ..bridge.blender.palette import PAPER
 from ..features.conversion import worst_spots
-from .shapes import draw_segments, draw_words, measure, ring
+from . import shapes
 from .view import Handler, hulls_in_view
 
 _COLOUR = (0.90, 0.05, 0.05, 1.0)
@@ -29,10 +29,12 @@ def _draw():
 def _draw_spot(place, text, scale):
     gpu.state.blend_set("ALPHA")
     width = _WIDTH * scale
-    draw_segments(ring(place, _RADIUS * scale), (PAPER, 2.0 * width), (_COLOUR, width))
-    _, height = measure(text, _TEXT * scale)
+    shapes.draw_segments(
+        shapes.ring(place, _RADIUS * scale), (PAPER, 2.0 * width), (_COLOUR, width)
+    )
+    _, height = shapes.measure(text, _TEXT * scale)
     left, low = place[0] + (_RADIUS + 2.0 * _MARGIN) * scale, place[1] - 0.5 * height
-    draw_words(text, left, low, _TEXT * scale, _MARGIN * scale)
+    shapes.draw_words(text, left, low, _TEXT * scale, _MARGIN * scale)
     gpu.state.blend_set("NONE")
 
 

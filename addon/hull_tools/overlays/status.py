@@ -7,8 +7,8 @@ import gpu
 
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
+from . import shapes
 from .plots import free_room
-from .shapes import draw_card, draw_text, measure
 from .view import Handler
 
 _SIZE = 12.0  # dots, at a scale of 1
@@ -52,14 +52,14 @@ def _draw():
     left, bottom, room, height = free_room(context.area, context.region)
     size, margin = _SIZE * scale, _MARGIN * scale
     room -= (_GAP + _GIZMOS) * scale + 2.0 * margin
-    text = shortened(text, room, lambda words: measure(words, size)[0])
-    width = measure(text, size)[0] + 2.0 * margin
+    text = shortened(text, room, lambda words: shapes.measure(words, size)[0])
+    width = shapes.measure(text, size)[0] + 2.0 * margin
     x = left + _GAP * scale
     y = bottom + height - (_TEXTS + _HEIGHT) * scale
     gpu.state.blend_set("ALPHA")
-    draw_card(x, y, width, _HEIGHT * scale, _CARD)
+    shapes.draw_card(x, y, width, _HEIGHT * scale, _CARD)
     gpu.state.blend_set("NONE")
-    draw_text(text, x + margin, y + 0.5 * (_HEIGHT - 0.7 * _SIZE) * scale, size, _INK)
+    shapes.draw_text(text, x + margin, y + 0.5 * (_HEIGHT - 0.7 * _SIZE) * scale, size, _INK)
 
 
 _handler = Handler(_draw, "POST_PIXEL")

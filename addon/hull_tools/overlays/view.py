@@ -37,18 +37,21 @@ class HullInView:
         scale = 1.0 / self.metres_per_unit
         units = Matrix.Diagonal((scale, -scale if is_image else scale, scale, 1.0))
         to_view = self.context.region_data.view_matrix @ self.hull.matrix_world @ units
-        return self._nearer(to_view, layer) @ to_view
+        middle, size = (0.5 * self.size, 0.0, 0.0), self.size / self.metres_per_unit
+        return brought_nearer(self.context, to_view, middle, size, layer) @ to_view
 
-    def _nearer(self, to_view, layer):
-        """Brings what is in view coordinates nearer without moving it across the picture."""
-        shift = layer * _NEARER * self.size / self.metres_per_unit
-        if not self.context.region_data.is_perspective:
-            return Matrix.Translation((0.0, 0.0, shift))
-        distance = max((to_view @ Vector((0.5 * self.size, 0.0, 0.0))).length, shift)
-        clip_start = self.context.space_data.clip_start
-        shift = layer * view_depth.nearer_by(shift / layer, distance, clip_start)
-        factor = 1.0 - min(shift / distance, _LARGEST_PART)
-        return Matrix.Diagonal((factor, factor, factor, 1.0))
+
+def brought_nearer(context, to_view, middle, size, layer):
+    """Brings what is in view coordinates nearer without moving it across the picture: something of
+    a size, Blender's units, with its middle at a place that to_view brings there."""
+    shift = layer * _NEARER * size
+    if not context.region_data.is_perspective:
+        return Matrix.Translation((0.0, 0.0, shift))
+    distance = max((to_view @ Vector(middle)).length, shift)
+    clip_start = context.space_data.clip_start
+    shift = layer * view_depth.nearer_by(shift / layer, distance, clip_start)
+    factor = 1.0 - min(shift / distance, _LARGEST_PART)
+    return Matrix.Diagonal((factor, factor, factor, 1.0))
 
 
 def has_surface(state):
@@ -77,11 +80,20 @@ def is_seen(context, obj):
 def has_light_ground(context, hull):
     """Whether what the hull's lines are drawn upon is light: its surface, or else the view."""
     surface = shown_objects.surface_of(hull)
-    space = context.space_data
-    has_surface = surface is not None and is_seen(context, surface)
-    if has_surface and space.shading.type != "WIREFRAME":
-        if hull.hull.fairness.colours == "SLOPE":
-            return False  # the sides of a ship are in the dark middle of its colours
+    if is_shaded(context, surface) and hull.hull.fairness.colours == "SLOPE":
+        return False  # the sides of a ship are in the dark middle of its colours
+    return is_light_ground(context, surface)
+
+
+def is_shaded(context, surface):
+    """Whether the 3D view at hand shows the faces of an object, or None."""
+    has_faces = context.space_data.shading.type != "WIREFRAME"
+    return has_faces and surface is not None and is_seen(context, surface)
+
+
+def is_light_ground(context, surface):
+    """Whether an object, or None, is light, or else the view."""
+    if is_shaded(context, surface):
         material = surface.active_material
         return _luminance(material.diffuse_color if material else (0.8, 0.8, 0.8)) > _LIGHT
     gradients = context.preferences.themes[0].view_3d.space.gradients

@@ -16,6 +16,7 @@ from . import (
     field_settings,
     fit_settings,
     morph_settings,
+    network_settings,
     output_settings,
     ship_settings,
     studio_settings,
@@ -75,6 +76,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     fields: PointerProperty(type=field_settings.HullFields)
     area_target: PointerProperty(type=area_target_settings.HullAreaTarget)
     morph: PointerProperty(type=morph_settings.HullMorph)
+    curve: PointerProperty(type=network_settings.HullCurve)
 
 
 CLASSES = (
@@ -91,6 +93,7 @@ CLASSES = (
     *studio_settings.CLASSES,
     *variant_settings.CLASSES,
     *morph_settings.CLASSES,
+    *network_settings.CLASSES,
     HullSettings,
 )
 
@@ -99,9 +102,11 @@ def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Object.hull = PointerProperty(type=HullSettings)
+    network_settings.register()
 
 
 def unregister():
+    network_settings.unregister()
     del bpy.types.Object.hull
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

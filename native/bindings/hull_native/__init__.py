@@ -55,6 +55,7 @@ _LATER = {
     "CurveDistance": ".network_targets",
     "NetworkHull": ".network_hull",
     "hull_from_network": ".network_hull",
+    "network_meetings": "._network",
     "network_curves": ".sampled_network",
     "Plot": "._drawing",
     "PlotSheet": "._drawing",

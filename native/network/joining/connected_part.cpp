@@ -42,7 +42,6 @@ class Pruning {
   };
 
   void cut_dangling() {
-    const std::vector<EdgeShape> shapes = edge_shapes(joined_, shapes_);
     std::vector<std::pair<int, Dangling>> told;
     std::vector<int> told_at(joined_.nodes.size(), -1);
     for (bool is_changed = true; is_changed;) {
@@ -63,11 +62,18 @@ class Pruning {
         }
         Dangling& dangling = told[static_cast<std::size_t>(at)].second;
         dangling.root = node(root);
-        dangling.length += shapes[e].length();
+        dangling.length += length_of(edge);
         told_at[static_cast<std::size_t>(root)] = at;
       }
     }
     for (const auto& [curve, dangling] : told) name_dangling(curve, dangling);
+  }
+
+  double length_of(const CurveEdge& edge) const {
+    const auto& pieces = shapes_[static_cast<std::size_t>(edge.curve)].pieces;
+    return EdgeShape(edge, pieces[static_cast<std::size_t>(edge.piece)], node(edge.from),
+                     node(edge.to))
+        .length();
   }
 
   void name_dangling(int curve, const Dangling& dangling) {

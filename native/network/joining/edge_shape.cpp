@@ -2,6 +2,8 @@
 #include "network/joining/edge_shape.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace hull::network {
 namespace {
@@ -9,6 +11,20 @@ namespace {
 constexpr int kHaltSamples = 16;
 constexpr double kHalted = 1e-9;  // of a length: the speed of what stands still
 constexpr int kChords = 32;       // of which an edge's length is the sum
+
+using EdgeKey = std::tuple<int, int, double, double>;
+
+EdgeKey key_of(const CurveEdge& edge) { return {edge.curve, edge.piece, edge.low, edge.high}; }
+
+std::map<EdgeKey, std::size_t> numbers_of_unchanged(const KnownEdges& known) {
+  std::map<EdgeKey, std::size_t> numbers;
+  if (known.joined == nullptr) return numbers;
+  for (std::size_t e = 0; e < known.shapes->size(); ++e) {
+    const CurveEdge& edge = known.joined->edges[e];
+    if (!known.is_changed[static_cast<std::size_t>(edge.curve)]) numbers[key_of(edge)] = e;
+  }
+  return numbers;
+}
 
 }  // namespace
 
@@ -26,6 +42,9 @@ EdgeShape::EdgeShape(const CurveEdge& edge, const NurbsCurve& piece, const Vecto
     length_ += (next - before).norm();
     before = next;
   }
+  start_tangent_ = found_tangent(true);
+  end_tangent_ = found_tangent(false);
+  halt_ = found_halt();
 }
 
 Points3 EdgeShape::evaluate(double u, int order) const {
@@ -43,7 +62,7 @@ Points3 EdgeShape::evaluate(double u, int order) const {
   return rows;
 }
 
-Vector3d EdgeShape::tangent_from(bool is_start) const {
+Vector3d EdgeShape::found_tangent(bool is_start) const {
   const Points3 jet = evaluate(is_start ? 0.0 : 1.0, 1);
   Vector3d tangent = jet.row(1);
   // A curve whose first control points are one has a tangent all the same.
@@ -54,7 +73,7 @@ Vector3d EdgeShape::tangent_from(bool is_start) const {
   return (is_start ? tangent : Vector3d(-tangent)).normalized();
 }
 
-std::optional<Vector3d> EdgeShape::halt() const {
+std::optional<Vector3d> EdgeShape::found_halt() const {
   Vector3d before = Vector3d::Zero();
   for (int i = 0; i <= kHaltSamples; ++i) {
     const Points3 jet = evaluate(static_cast<double>(i) / kHaltSamples, 1);
@@ -68,13 +87,23 @@ std::optional<Vector3d> EdgeShape::halt() const {
 }
 
 std::vector<EdgeShape> edge_shapes(const JoinedCurves& joined,
-                                   const std::vector<CurveShape>& shapes) {
+                                   const std::vector<CurveShape>& shapes, const KnownEdges& known) {
+  const auto known_numbers = numbers_of_unchanged(known);
   std::vector<EdgeShape> edges;
   for (const CurveEdge& edge : joined.edges) {
+    const Vector3d& from = joined.nodes[static_cast<std::size_t>(edge.from)];
+    const Vector3d& to = joined.nodes[static_cast<std::size_t>(edge.to)];
+    const auto found = known_numbers.find(key_of(edge));
+    if (found != known_numbers.end()) {
+      const CurveEdge& same = known.joined->edges[found->second];
+      if (known.joined->nodes[static_cast<std::size_t>(same.from)] == from &&
+          known.joined->nodes[static_cast<std::size_t>(same.to)] == to) {
+        edges.push_back((*known.shapes)[found->second]);
+        continue;
+      }
+    }
     const auto& pieces = shapes[static_cast<std::size_t>(edge.curve)].pieces;
-    edges.emplace_back(edge, pieces[static_cast<std::size_t>(edge.piece)],
-                       joined.nodes[static_cast<std::size_t>(edge.from)],
-                       joined.nodes[static_cast<std::size_t>(edge.to)]);
+    edges.emplace_back(edge, pieces[static_cast<std::size_t>(edge.piece)], from, to);
   }
   return edges;
 }

@@ -76,6 +76,15 @@ CurveNetwork CurveNetwork::with_curve(int number, NetworkCurve curve) const {
   }
   std::vector<NetworkCurve> curves = curves_;
   curves[static_cast<std::size_t>(number)] = std::move(curve);
+  return with_curves(std::move(curves));
+}
+
+CurveNetwork CurveNetwork::with_curves(std::vector<NetworkCurve> curves) const {
+  if (curves.size() != curves_.size()) {
+    throw std::invalid_argument("The network has " + std::to_string(curves_.size()) +
+                                " curves: give as many, not " + std::to_string(curves.size()) +
+                                ".");
+  }
   return CurveNetwork(std::move(curves), options_, this);
 }
 
@@ -88,7 +97,11 @@ void CurveNetwork::join(const CurveNetwork* before) {
   keep_connected(frame.joined, shapes_, names());
   problems_ = frame.joined.problems;
   if (frame.joined.edges.empty()) return;
-  frame.shapes = edge_shapes(frame.joined, shapes_);
+  const NetworkFrame* known_frame = before == nullptr ? nullptr : before->frame_.get();
+  frame.shapes = known_frame == nullptr || known.is_changed.empty()
+                     ? edge_shapes(frame.joined, shapes_)
+                     : edge_shapes(frame.joined, shapes_,
+                                   {&known_frame->joined, &known_frame->shapes, known.is_changed});
   frame.order = node_order(frame.joined, frame.shapes);
   try {
     frame.faces = region_faces(frame.joined, frame.shapes, frame.order);
@@ -218,6 +231,21 @@ TransfinitePatch CurveNetwork::patch(int region) const {
     }
   }
   return TransfinitePatch(ribboned_sides(frame_, sides));
+}
+
+std::vector<Contact> network_meetings(const std::vector<NetworkCurve>& curves, double tolerance) {
+  std::vector<CurveDefinition> definitions;
+  std::vector<std::string> names;
+  for (const NetworkCurve& curve : curves) {
+    definitions.push_back(curve.definition);
+    names.push_back(curve.definition.name);
+  }
+  const std::vector<CurveShape> shapes = network_curve_shapes(definitions, tolerance);
+  std::vector<Contact> meetings;
+  for (const auto& [pair, contacts] : contact_table(shapes, names, {tolerance})) {
+    meetings.insert(meetings.end(), contacts.joined.begin(), contacts.joined.end());
+  }
+  return meetings;
 }
 
 std::vector<NetworkProblem> network_check(const std::vector<NetworkCurve>& curves,

@@ -49,6 +49,9 @@ class CurveNetwork {
   // what they meet is not looked for again. Throws std::invalid_argument for a number that none
   // has.
   CurveNetwork with_curve(int number, NetworkCurve curve) const;
+  // The same with all curves given, of which several may be others than before. Throws
+  // std::invalid_argument where they are not as many.
+  CurveNetwork with_curves(std::vector<NetworkCurve> curves) const;
 
   const std::vector<NetworkCurve>& curves() const { return curves_; }
   const std::vector<CurveShape>& shapes() const { return shapes_; }
@@ -87,6 +90,11 @@ class CurveNetwork {
   std::vector<bool> has_halt_;  // of edges
   std::vector<std::vector<RegionSide>> regions_;
 };
+
+// Where curves come within a tolerance, m, of one another, of each coherent stretch once, whether
+// anything hangs together by it or not. Throws std::invalid_argument as network_curve_shapes() and
+// contact_table() do.
+std::vector<Contact> network_meetings(const std::vector<NetworkCurve>& curves, double tolerance);
 
 // All that is wrong with curves as a network, the notes last; empty where nothing is.
 std::vector<NetworkProblem> network_check(const std::vector<NetworkCurve>& curves,

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 
 #include "network/patches/coons_gregory.h"
 #include "network/patches/corner_blend.h"
@@ -55,6 +57,19 @@ std::vector<PatchSide> with_halved_side(const std::vector<PatchSide>& sides) {
   return {other, half_of(sides[longer], true), half_of(sides[longer], false)};
 }
 
+// The side with what it was at each parameter asked for before.
+PatchSide remembering(const PatchSide& side) {
+  return [side, known = std::make_shared<std::unordered_map<double, SideJet>>()](double u) {
+    const auto found = known->find(u);
+    return found != known->end() ? found->second : known->emplace(u, side(u)).first->second;
+  };
+}
+
+PatchPoint point_of(const std::vector<PatchSide>& sides, const std::vector<Vector2d>& domain,
+                    const Vector2d& place) {
+  return sides.size() == 4 ? coons_gregory(sides, place) : corner_blend(sides, domain, place);
+}
+
 }  // namespace
 
 TransfinitePatch::TransfinitePatch(std::vector<PatchSide> sides) : sides_(std::move(sides)) {
@@ -98,7 +113,15 @@ void TransfinitePatch::check() const {
 }
 
 PatchPoint TransfinitePatch::at(const Vector2d& place) const {
-  return sides_.size() == 4 ? coons_gregory(sides_, place) : corner_blend(sides_, domain_, place);
+  return point_of(sides_, domain_, place);
+}
+
+std::vector<PatchPoint> TransfinitePatch::at_all(const std::vector<Vector2d>& places) const {
+  std::vector<PatchSide> sides;
+  for (const PatchSide& side : sides_) sides.push_back(remembering(side));
+  std::vector<PatchPoint> points;
+  for (const Vector2d& place : places) points.push_back(point_of(sides, domain_, place));
+  return points;
 }
 
 }  // namespace hull::network

@@ -37,6 +37,9 @@ class TransfinitePatch {
   // REQUIRES: a place within the domain, or on its border. Derivatives at corners of patches
   // without four sides are those of the corner patch.
   PatchPoint at(const Vector2d& place) const;
+  // The same at many places, in a fraction of the time where they are those of a grid: each side is
+  // evaluated once at each of its parameters.
+  std::vector<PatchPoint> at_all(const std::vector<Vector2d>& places) const;
 
  private:
   void check() const;

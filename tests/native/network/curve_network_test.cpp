@@ -271,6 +271,15 @@ TEST(CurveNetwork, WithAnotherCurveItIsWhatItIsAnew) {
     EXPECT_EQ(network.regions().size(), anew.regions().size());
   }
   EXPECT_THROW(network.with_curve(9, curves[0]), std::invalid_argument);
+  // Two that cross, at once.
+  for (std::size_t number : {1u, 5u}) {
+    auto& points = curves[number].definition.points;
+    points[1] += 0.1 * hull::testing::random_vector(random);
+  }
+  EXPECT_EQ(network.with_curves(curves).frame().joined.nodes,
+            network_of(curves).frame().joined.nodes);
+  curves.pop_back();
+  EXPECT_THROW(network.with_curves(curves), std::invalid_argument);
 }
 
 TEST(CurveNetwork, OnASpheresOctantHasItsNormalsOnTheBorder) {

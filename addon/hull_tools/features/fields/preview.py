@@ -195,11 +195,17 @@ def _with_another_start(obj, scene, change):
 
 def concerned(changed, view_layer):
     """The hulls in a view layer that are previewed with fields whose curves are among changed
-    objects, or wait for another hull that shares their mesh."""
+    objects or were deleted, of which nothing else is told, or wait for another hull that shares
+    their mesh."""
     known = (obj for obj, _ in hull_state.known_hulls(view_layer))
     hulls = [obj for obj in known if obj.hull.fields.is_previewed]
-    return [obj for obj in hulls if of_hull(obj).waits or any(map(changed.intersection,
-            _curves_of(obj)))]  # fmt: skip
+    return [obj for obj in hulls if of_hull(obj).waits or any(
+            changed.intersection(own) or any(map(_is_deleted, own))
+            for own in _curves_of(obj))]  # fmt: skip
+
+
+def _is_deleted(curve):
+    return curve is not None and not curve.users_collection
 
 
 def _curves_of(obj):
