@@ -11,7 +11,7 @@ from ..bridge.blender import blender_versions, preferences
 from ..bridge.objects import networks
 from ..features.networks import drawing, network_state
 from . import network_arrays, shapes
-from .lines import HIDDEN_ALPHA, batch_of_strokes, depth_test
+from .lines import batch_of_strokes, seen_then_hidden
 from .view import Handler, brought_nearer, is_light_ground, is_seen
 
 _WIDTH, _TEETH_WIDTH, _TEETH_ALPHA = 1.8, 0.9, 0.55
@@ -48,14 +48,12 @@ def _draw_lines():
         view = brought_nearer(context, view, found.centre, found.size, _LAYER) @ view
         with gpu.matrix.push_pop():
             gpu.matrix.load_matrix(view)
-            # What is hidden last: each pass also says how near it is.
-            for test, alpha in (("LESS_EQUAL", 1.0), ("GREATER", HIDDEN_ALPHA)):
-                with depth_test(test):
-                    _strokes(found, "lines", shader, lines, _WIDTH * width, alpha)
-                    teeth = alpha * _TEETH_ALPHA
-                    _strokes(found, "teeth", shader, combs, _TEETH_WIDTH * width, teeth)
-                    _strokes(found, "outlines", shader, combs, width, alpha)
-                    _nodes(found, (*lines["station"], alpha), _NODE * width)
+            for alpha in seen_then_hidden():
+                _strokes(found, "lines", shader, lines, _WIDTH * width, alpha)
+                teeth = alpha * _TEETH_ALPHA
+                _strokes(found, "teeth", shader, combs, _TEETH_WIDTH * width, teeth)
+                _strokes(found, "outlines", shader, combs, width, alpha)
+                _nodes(found, (*lines["station"], alpha), _NODE * width)
 
 
 def _strokes(found, part, shader, palette, width, alpha):
