@@ -146,7 +146,8 @@ def test_emphasis_multiplies_what_is_near():
     middles, reach = places[[20 * 9 + 4, 21 * 9 + 4]], 1.0
     near = np.linalg.norm(places[:, None] - middles, axis=2) <= reach
     factors = np.where(near, [50.0, 8.0], 1.0).max(axis=1)
-    faired = region(surface, before, emphasised=middles, factors=[50.0, 8.0], reach=reach).solve(0.1)
+    emphasis = {"emphasised": middles, "factors": [50.0, 8.0], "reach": reach}
+    faired = region(surface, before, **emphasis).solve(0.1)
     for found, moves in ((faired.energy_before, None), (faired.energy_after, faired.moves)):
         assert found == pytest.approx(energy(before, surface, moves, factors), rel=1e-9)
 
