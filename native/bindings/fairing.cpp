@@ -171,7 +171,9 @@ void bind_region(py::module_& module) {
                        const py::object& held_points, const DoubleArray& held_normals,
                        const py::object& tied, const DoubleArray& tied_directions,
                        const py::iterable& kept, bool keep_creases, bool keep_stations,
-                       bool along_normals, const py::iterable& conditions, int most_steps) {
+                       bool along_normals, const py::iterable& conditions, int most_steps,
+                       const DoubleArray& before, double least_bend, const DoubleArray& emphasised,
+                       const DoubleArray& factors, double reach) {
              modelling::FairOptions options;
              options.points = integers_from(points, "points");
              options.energy = energy_from(energy);
@@ -182,6 +184,11 @@ void bind_region(py::module_& module) {
              options.along_normals = along_normals;
              options.conditions = conditions_from(conditions, "conditions");
              options.most_steps = most_steps;
+             const std::vector<Vector3d> points_before = points_from(before, "before");
+             if (!points_before.empty()) {
+               options.before = {points_before, least_bend, points_from(emphasised, "emphasised"),
+                                 numbers_from(factors, "factors"), reach};
+             }
              const py::gil_scoped_release release;
              return std::make_unique<FairRegion>(surface, options);
            }),
@@ -192,6 +199,9 @@ void bind_region(py::module_& module) {
            py::arg("keep_creases") = true, py::arg("keep_stations") = true,
            py::arg("along_normals") = true, py::arg("conditions") = py::tuple(),
            py::arg("most_steps") = modelling::FairOptions().most_steps,
+           py::arg("before") = py::tuple(), py::arg("least_bend") = 0.0,
+           py::arg("emphasised") = py::tuple(), py::arg("factors") = py::tuple(),
+           py::arg("reach") = 0.0,
            "points (k,): control points that may move. energy: 'thin_plate' (squared second "
            "derivatives to the metric of the surface as it was), 'lengthwise' (of these what bends "
            "along the ship: sections keep their own bend), 'curvature' (the integral of the "
@@ -201,7 +211,12 @@ void bind_region(py::module_& module) {
            "keep_creases: points of creases, borders and corners stay. keep_stations: x stays, bit "
            "by bit. along_normals: points move along the surface's normal (with keep_stations its "
            "part "
-           "across the ship), not along the surface. most_steps: of the latter two energies.\n\n"
+           "across the ship), not along the surface. most_steps: of the latter two energies. "
+           "before (n, 3): control points of the surface before a change; the energy is then how "
+           "much each place bends otherwise than there, in proportion to how much it did, where "
+           "bends below least_bend, 1/m, count as that one. emphasised (k, 3): places on that "
+           "surface within whose reach, m, it counts so many times as factors (k,) tell, the "
+           "largest of several.\n\n"
            "The surface is read here and not kept. ValueError for what is none of these, and where "
            "no point may move.")
       .def_property_readonly("area", &FairRegion::area,

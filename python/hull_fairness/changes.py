@@ -4,7 +4,11 @@
 A mark goes with the surface: where sections are shifted an inflection of a waterline is shifted,
 too. So a mark of the changed hull is looked for on the hull before, at the place of the surface
 with the same parameters. It is an old one where that hull has a mark of its kind within REACH, on a
-line of its kind, that a finer EYE sees; each of these stands for one.
+line of its kind, that a finer EYE sees; each of these stands for one. Between the lines that are
+judged there are others: a mark is old, too, that is there on the line through its place.
+
+Marks that extend along a line, as a flat bottom does, are as far apart as they are where they are
+nearest: the middle of a flat goes half as far as its end.
 
 Stretching a hull keeps inflections, but not dips, kinks and waves: other lights are mirrored at the
 same place then. So of these the hull before has all marks that its images have which are stretched
@@ -16,7 +20,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .inflections import INFLECTION
-from .lines import judged, with_reasons
+from .lines import PLANES, found_through, judged, with_reasons
 from .native import hull_native as hn
 
 # Of the beam: a mark that wanders along the surface by no more is the same.
@@ -27,11 +31,13 @@ STRETCHES = (7.0 / 8.0, 9.0 / 8.0)
 
 @dataclass(frozen=True)
 class Placed:
-    """A Found mark of a Line, and its place (3,) on the hull before, m."""
+    """A Found mark of a Line, and on the hull before its place (3,) and places (k, 3) along it, m.
+    """
 
     line: object
     found: object
     place: tuple
+    extent: np.ndarray
 
     @property
     def kind(self):
@@ -51,13 +57,13 @@ class Known:
     in m; progress: as `judged` takes it."""
 
     def __init__(self, surface, beam, progress=None):
-        self.surface, self.reach = surface, REACH * beam
+        self.surface, self.beam, self.reach = surface, beam, REACH * beam
         parts = _parts(progress, 1 + 3 * len(STRETCHES))
         lines = judged(surface, beam, progress=next(parts), eye=EYE)
         self.marks = placed(lines, surface, surface)
         self._seen = {}  # places by kind
         for one in self.marks + self._of_images(beam, parts):
-            self._seen.setdefault(one.kind, []).append(one.place)
+            self._seen.setdefault(one.kind, []).append(one.extent)
 
     def _of_images(self, beam, parts):
         mesh, found = self.surface.mesh, []
@@ -82,6 +88,7 @@ class Known:
         pairs = _pairs(self.marks, now, self.reach)
         was, stays = {a for a, _ in pairs}, {b for _, b in pairs}
         stays |= {i for i, one in enumerate(now) if self._is_seen(one)}
+        stays |= self._between_lines(now, stays)
         return MarkChange(
             [now[i] for i in _beyond(now, stays, wanted)],
             [one for i, one in enumerate(self.marks) if i not in was],
@@ -90,8 +97,28 @@ class Known:
     def _is_seen(self, one):
         if one.found.mark == INFLECTION or one.kind not in self._seen:
             return False
-        places = np.array(self._seen[one.kind])
-        return bool(np.linalg.norm(places - one.place, axis=1).min() <= self.reach)
+        return bool(_apart(np.concatenate(self._seen[one.kind]), one.extent) <= self.reach)
+
+    def _between_lines(self, now, stays):
+        """Indices of marks besides those that stay which are there on the line of the hull before
+        through their own place; of a line each of the hull before stands for one."""
+        found = set()
+        for kind in PLANES:
+            left = [i for i, one in enumerate(now) if one.line.kind == kind and i not in stays]
+            places = np.array([now[i].place for i in left]).reshape(-1, 3)
+            through = found_through(self.surface, self.beam, kind, places, EYE)
+            for index, marks in zip(left, through):
+                line = now[index].line
+                own = [i for i, one in enumerate(now) if one.line is line]
+                old = [Placed(line, one, one.point, _along(one)) for one in marks]
+                pairs = _pairs(old, [now[i] for i in own], self.reach)
+                found |= {index} & {own[j] for _, j in pairs}
+        return found
+
+
+def _along(found):
+    """The place (1 + k, 3) of a Found mark and those along it."""
+    return np.array([found.point, *found.extent])
 
 
 def _parts(progress, count):
@@ -108,9 +135,16 @@ def placed(lines, changed, before):
     found = [(line, mark) for line in lines for mark in line.found]
     if not found:
         return []
-    near = hn.SurfaceTree(changed).closest_points(np.array([mark.point for _, mark in found]))
+    points = [_along(mark) for _, mark in found]
+    near = hn.SurfaceTree(changed).closest_points(np.concatenate(points))
     places = before.evaluate(near.cells, near.uv, 0)[0]
-    return [Placed(line, mark, tuple(at)) for (line, mark), at in zip(found, places)]
+    own = np.split(places, np.cumsum(list(map(len, points)))[:-1])
+    return [Placed(line, mark, tuple(at[0]), at) for (line, mark), at in zip(found, own)]
+
+
+def _apart(some, others):
+    """The least distance of places (k, 3) from others (l, 3)."""
+    return np.linalg.norm(some[:, None] - others, axis=2).min()
 
 
 def _pairs(old, now, reach):
@@ -122,8 +156,7 @@ def _pairs(old, now, reach):
     found = []
     for a, b in kinds.values():
         if a and b:
-            before, after = np.array([old[i].place for i in a]), np.array([now[i].place for i in b])
-            apart = np.linalg.norm(before[:, None] - after, axis=2)
+            apart = np.array([[_apart(old[i].extent, now[j].extent) for j in b] for i in a])
             found += [(apart[i, j], a[i], b[j]) for i, j in np.argwhere(apart <= reach)]
     pairs, taken = [], (set(), set())
     for _, i, j in sorted(found):

@@ -6,9 +6,13 @@ the curve lies below its chord. A dip is the place of least bend between two whe
 the same side; it vanishes with the lesser of the two when both are made one even bend, and its
 depth is how far that moves the curve. What is less deep than a given length, or than SHALLOWEST of
 its own length, is not seen: splines ripple by that about circles.
+
+A mark extends along the curve: a dip as far as it bends hardly more than there, as along a flat
+bottom; an inflection as far to either side as the curve goes straight on for all that is seen.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -19,17 +23,22 @@ _ROUNDING = 1e-9
 _BISECTIONS = 30
 # Waves whose heights differ by less are of one height.
 _ABOUT = 0.05
+# Of the lesser bend beside a dip: with less more than in it the curve bends hardly more.
+_HARDLY = 0.01
 
 INFLECTION, DIP = "inflection", "dip"
 
 
 @dataclass(frozen=True)
 class Mark:
-    """An inflection or a dip, at an index of the samples; its depth in m."""
+    """An inflection or a dip, at an index of the samples; its depth in m. first, last: the indices
+    up to which it extends."""
 
     kind: str
     index: int
     depth: float
+    first: int
+    last: int
 
 
 def marks(lengths, curvatures, least_depth, shallowest=SHALLOWEST):
@@ -59,6 +68,11 @@ class _Curve:
         rise = _integral(s, _integral(s, bend))
         depth = float(np.abs(rise[-1] * (s - s[0]) / length - rise).max())
         return depth, depth / max(self.least_depth, self.shallowest * length)
+
+    def is_seen(self, first, last, sign):
+        """Whether what bends to one side between two indices is as deep as is seen."""
+        bend = np.maximum(sign * self.k[first : last + 1], 0.0)
+        return self.depth(first, last, bend)[1] >= 1.0
 
     def hollow(self, first, last, sign):
         """depth() of all that bends to one side between two indices."""
@@ -96,10 +110,28 @@ def _sides(curve):
         other = sides[least - 1 if least else 1][2]
         sides[max(least - 1, 0) : least + 2] = [(around[0][0], around[-1][1], other)]
     found = [
-        Mark(INFLECTION, int(side[1]), min(depths[i][0], depths[i + 1][0]))
-        for i, side in enumerate(sides[:-1])
+        Mark(INFLECTION, int(a[1]), min(one, other), *_straight_part(curve, *a, b[1]))
+        for (a, b), ((one, _), (other, _)) in zip(pairwise(sides), pairwise(depths))
     ]
     return sides, found
+
+
+def _straight_part(curve, first, border, sign, last):
+    """The indices up to which nothing is seen of how it bends to one side from `first` up to a
+    border, and to the other side from there on."""
+    low = _halved(border, first, lambda at: curve.is_seen(at, border, sign))
+    return low, _halved(border, last, lambda at: curve.is_seen(border, at, -sign))
+
+
+def _halved(near, far, is_beyond):
+    """The index farthest from `near` on the way to `far`, which is beyond, that is not."""
+    while abs(far - near) > 1:
+        middle = (near + far) // 2
+        if is_beyond(middle):
+            far = middle
+        else:
+            near = middle
+    return near
 
 
 def _dips(curve, first, last, sign):
@@ -116,7 +148,8 @@ def _dips(curve, first, last, sign):
     marks = []
     for i in dips:
         depth = max(_Evened(curve, first, bend, at, pair).depth for pair in (i - 1, i))
-        marks.append(Mark(DIP, first + _middle(bend, *at[i - 1 : i + 2]), depth))
+        low, high = _level_part(bend, *at[i - 1 : i + 2])
+        marks.append(Mark(DIP, first + (low + high) // 2, depth, first + low, first + high))
     return marks
 
 
@@ -179,10 +212,8 @@ def _beyond(bend, level, low, one, other, high):
     return slice(start, stop)
 
 
-def _middle(bend, before, dip, after):
-    """The middle of where it bends hardly more than in a dip."""
-    level = bend[dip] + 0.01 * (min(bend[before], bend[after]) - bend[dip])
+def _level_part(bend, before, dip, after):
+    """The indices up to which it bends hardly more than in a dip."""
+    level = bend[dip] + _HARDLY * (min(bend[before], bend[after]) - bend[dip])
     more = np.flatnonzero(bend[before : after + 1] > level) + before
-    low = more[more < dip].max(initial=before)
-    high = more[more > dip].min(initial=after)
-    return int(low + high) // 2
+    return int(more[more < dip].max(initial=before)), int(more[more > dip].min(initial=after))

@@ -12,7 +12,7 @@ with the kinds and marks of MARKS, and the box in m that the mark is in; a lette
 everywhere.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -35,19 +35,21 @@ LEAST_DEPTH = 2e-4
 KNUCKLE = np.radians(1.0)
 # A hull has about as many: planes, light in two views, creases and borders.
 _USUAL_LINES = 200
-# Of the beam: the distance of samples.
+# Of the beam: the distance of samples. Of the extent of a mark every so many are told.
 _STEP = 1.0 / 200.0
+_EXTENT_STEP = 10
 
 
 @dataclass(frozen=True)
 class Found:
-    """A mark on a line: its kind and place (3,), how much it is, such as "3.1 mm deep", and why it
-    is wanted or None."""
+    """A mark on a line: its kind and place (3,), how much it is, such as "3.1 mm deep", why it is
+    wanted or None, and points ((3,), ...) along it where it extends farther than its place."""
 
     mark: str
     point: tuple
     size: str
     reason: object = None
+    extent: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -100,17 +102,28 @@ def _all_curves(surface, step, within):
     for kind, (axis, count) in PLANES.items():
         column = "xyz".index(axis)
         at = low[column] + (np.arange(count) + 0.5) / count * (high[column] - low[column])
-        planes = np.zeros((count, 4))
-        planes[:, column], planes[:, 3] = 1.0, at
-        kept = [i for i in range(3) if i != column]
         if within is not None:
-            is_in = (within[0][column] <= at) & (at <= within[1][column])
-            at, planes = at[is_in], planes[is_in]
-        cut = hn.section_fairness(surface, planes, step=step, marks=False)
-        for place, curves in zip(at, cut):
-            name = f"{kind} {axis} = {place:.3f} m"
-            yield kind, name, [_seen(curve, kept) for curve in curves]
+            at = at[(within[0][column] <= at) & (at <= within[1][column])]
+        for place, curves in zip(at, _cut(surface, column, at, step)):
+            yield kind, f"{kind} {axis} = {place:.3f} m", curves
     yield from _features(surface, step, float(np.ptp(points, axis=0).max()))
+
+
+def _cut(surface, column, at, step):
+    """Of each plane across an axis, at places (n,) along it: its curves as _all_curves has them."""
+    planes = np.zeros((len(at), 4))
+    planes[:, column], planes[:, 3] = 1.0, at
+    kept = [i for i in range(3) if i != column]
+    for curves in hn.section_fairness(surface, planes, step=step, marks=False):
+        yield [_seen(curve, kept) for curve in curves]
+
+
+def found_through(surface, beam, kind, places, eye=1.0):
+    """Of each of places (n, 3): the [Found] on the line of a kind of PLANES that goes through it.
+    """
+    column = "xyz".index(PLANES[kind][0])
+    for curves in _cut(surface, column, np.asarray(places)[:, column], _STEP * beam):
+        yield [mark for curve in curves for mark in _marks(*curve, beam, eye)]
 
 
 def _features(surface, step, size):
@@ -159,7 +172,9 @@ def _marks(flat, points, curvatures, starts, beam, eye):
             continue
         for mark in marks(lengths, curvatures[first:last], least, eye * SHALLOWEST):
             size = f"{1e3 * mark.depth:.1f} mm deep"
-            yield Found(mark.kind, tuple(points[first + mark.index]), size)
+            along = [*range(mark.first, mark.last, _EXTENT_STEP), mark.last]
+            extent = tuple(map(tuple, points[first + np.array(along)]))
+            yield Found(mark.kind, tuple(points[first + mark.index]), size, extent=extent)
 
 
 def _turns(part, beam, eye):
@@ -183,7 +198,7 @@ def _parts(flat, starts):
 def with_reasons(kind, marks, wanted):
     """Found of a line of a kind, with why they are wanted."""
     left = [[entry, entry[2]] for entry in wanted if entry[0] == kind]
-    return [Found(found.mark, found.point, found.size, _reason(found, left)) for found in marks]
+    return [replace(found, reason=_reason(found, left)) for found in marks]
 
 
 def _reason(found, left):

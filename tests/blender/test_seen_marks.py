@@ -95,6 +95,27 @@ def test_what_changes_the_form_keeps_the_form_before(change):
     assert np.array_equal(form_before().of_hull(hull).mesh.points, before)
 
 
+def test_what_undo_brings_back_is_compared_with_what_was_before_that():
+    bpy.ops.hull.load_sample(name="coaster")
+    hull, scene = bpy.context.view_layer.objects.active, bpy.context.scene
+    forms = [mesh_points(hull)]
+    for block in (0.74, 0.745):
+        bpy.ops.hull.shift_sections(measure="BLOCK", block=block, lcb_as="NONE")
+        forms.append(mesh_points(hull))
+
+    def back_to(number):
+        part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(forms[0])), forms[number])
+        part("features.hull.hull_state").follow_edit(hull, scene)
+
+    for number in (1, 2):
+        back_to(number)
+        assert np.array_equal(form_before().of_hull(hull).mesh.points, forms[number - 1])
+    back_to(0)
+    assert not form_before().is_known(hull)
+    bpy.ops.hull.shift_sections(measure="BLOCK", block=0.73, lcb_as="NONE")
+    assert np.array_equal(form_before().of_hull(hull).mesh.points, forms[0])
+
+
 def test_new_marks_are_told_from_those_of_the_form_before():
     hull = grid_hull(5, 5)
     form_before().keep(hull, state_of(hull).ship.source.new_surface())

@@ -7,7 +7,14 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge import limits
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
-from ..features.transformation import halves, least_change, particulars, reports, section_shifts
+from ..features.transformation import (
+    fair_changes,
+    halves,
+    least_change,
+    particulars,
+    reports,
+    section_shifts,
+)
 from ..properties.outline_settings import keep_deck, keep_profile, keep_side
 from .shared import HullOperator, asked_length, asked_number, can_change, property_column
 from .tasks import TaskOperator
@@ -244,4 +251,41 @@ class HULL_OT_change_displacement(bpy.types.Operator, _Displacement, TaskOperato
         return reports.changed(self._task.write(scene), scene), False
 
 
-CLASSES = (HULL_OT_shift_sections, HULL_OT_change_displacement)
+class HULL_OT_fair_new_marks(bpy.types.Operator, TaskOperator):
+    """Take out marks that the hull has and the form before the last transformation had not:
+    control points move across the ship so that the surface bends as it did before, in proportion.
+    Displacement and centre of buoyancy stay"""
+
+    bl_idname = "hull.fair_new_marks"
+    bl_label = "Fair New Marks"
+    bl_options = {"REGISTER", "UNDO"}
+
+    needs = (*TaskOperator.needs, can_change)
+
+    per_mille: FloatProperty(
+        name="Deviation in ‰ of B",
+        description="How far the surface may shift at most, root mean square, per mille of the "
+        "beam; it shifts by no more than it takes",
+        default=5.0,
+        min=0.0,
+        max=100.0,
+        options=_SKIP,
+    )
+    keep_parallel: BoolProperty(
+        name="Parallel body",
+        description="Control points of the parallel middle body stay",
+        default=True,
+        options=_SKIP,
+    )
+
+    def begin(self, hull, scene):
+        most = 1e-3 * units.as_typed(self.per_mille)
+        return fair_changes.FairingChange(
+            hull, scene, fair_changes.Asked(most, self.keep_parallel)
+        )
+
+    def outcome(self, found, scene):
+        return fair_changes.summary(self._task.write(scene))
+
+
+CLASSES = (HULL_OT_shift_sections, HULL_OT_change_displacement, HULL_OT_fair_new_marks)

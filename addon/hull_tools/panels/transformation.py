@@ -4,6 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects
+from ..features.hull import form_before
 from .conversion import draw_task
 from .fairness import draw_mark_change
 from .shared import HullPanel, field_or, text_field
@@ -32,6 +33,8 @@ class HULL_PT_transform(HullPanel, bpy.types.Panel):
             field_or(column, settings, "kept_fade", "a tenth of the length")
         if not draw_task(layout, hull):
             draw_mark_change(layout, hull)
+            if form_before.is_known(hull):
+                layout.operator("hull.fair_new_marks")
 
 
 CLASSES = (HULL_PT_transform,)

@@ -49,6 +49,19 @@ HullBody::HullBody(const surface::LimitSurface& surface, bool mirrored, Openings
   close();
 }
 
+HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy)
+    : stamp_(copy),
+      mirrored_(body.mirrored_),
+      openings_(body.openings_),
+      tolerance_(body.tolerance_),
+      bodies_(body.bodies_),
+      parts_(body.parts_, copy),
+      boxes_(body.boxes()),
+      border_(body.border_),
+      closings_(body.closings_),
+      caps_(body.caps_),
+      inversion_(body.inversion_) {}
+
 void HullBody::update() {
   parts_.update();
   boxes_.update(surface());

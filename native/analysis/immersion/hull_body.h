@@ -36,6 +36,10 @@ class HullBody {
   HullBody(const surface::LimitSurface& surface, bool mirrored,
            Openings openings = Openings::kClosed, double tolerance = kFinest);
 
+  // The same body of a copy of its surface, that is of one with its layout and points: nothing is
+  // computed again. Throws std::invalid_argument if the body is out of date.
+  HullBody(const HullBody& body, const surface::LimitSurface& copy);
+
   // To be called after surface.set_points(). Only what has moved is computed again.
   void update();
 

@@ -35,6 +35,11 @@ ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, doub
   for (int i = 0; i < layout.corner_count(); ++i) update_corner(i);
 }
 
+ShellParts::ShellParts(const ShellParts& parts, const surface::LimitSurface& copy)
+    : ShellParts(parts) {
+  surface_ = &copy;
+}
+
 void ShellParts::update() {
   const BodyRules rules = body_rules(*surface_, mirrored_, tolerance_);
   const bool all = !(rules == rules_);

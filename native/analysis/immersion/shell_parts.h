@@ -21,6 +21,9 @@ class ShellParts {
   // `surface` must outlive the parts.
   ShellParts(const surface::LimitSurface& surface, bool mirrored, double tolerance);
 
+  // The same parts of a surface with the layout and points of theirs, as of a copy.
+  ShellParts(const ShellParts& parts, const surface::LimitSurface& copy);
+
   // After surface.set_points(): computes again the parts whose control points have moved. The
   // results do not depend on what was there before.
   void update();

@@ -56,7 +56,9 @@ class FairRegion::Problem {
     }
     find_moving();
     find_region();
-    if (energy_ == FairEnergy::kCurvature || energy_ == FairEnergy::kVariation) {
+    if (options.before) {
+      take_change(checked(*options.before));
+    } else if (energy_ == FairEnergy::kCurvature || energy_ == FairEnergy::kVariation) {
       geometric_.emplace(weights_, pieces_, energy_);
     } else {
       take_quadratic(surface);
@@ -77,6 +79,8 @@ class FairRegion::Problem {
   void find_moving();
   void find_region();
   void take_quadratic(const surface::LimitSurface& surface);
+  const BendsBefore& checked(const BendsBefore& before) const;
+  void take_change(const BendsBefore& before);
   Sparse mass() const;
   Sparse by_freedom(const Triplets& entries) const;
 
@@ -181,6 +185,29 @@ void FairRegion::Problem::take_quadratic(const surface::LimitSurface& surface) {
   }
   h_ = by_freedom(entries);
   g_ = space_.basis().transpose() * gradient;
+}
+
+const BendsBefore& FairRegion::Problem::checked(const BendsBefore& before) const {
+  if (before.points.size() != points_.size()) {
+    throw std::invalid_argument("The surface before must have " + std::to_string(points_.size()) +
+                                " control points, not " + std::to_string(before.points.size()) +
+                                ".");
+  }
+  if (before.emphasised.size() != before.factors.size()) {
+    throw std::invalid_argument("There must be a factor for each place that is emphasised.");
+  }
+  const auto is_sound = [](double x) { return x > 0.0 && std::isfinite(x); };
+  if (!is_sound(before.least) || !std::ranges::all_of(before.factors, is_sound)) {
+    throw std::invalid_argument("The least bend and factors must be above zero, and not infinite.");
+  }
+  return before;
+}
+
+void FairRegion::Problem::take_change(const BendsBefore& before) {
+  const QuadraticEnergy energy = bend_change(points_, before, weights_, pieces_, may_move_);
+  h_ = space_.basis().transpose() * (energy.matrix * space_.basis());
+  g_ = space_.basis().transpose() * energy.gradient;
+  constant_ = energy.constant;
 }
 
 std::vector<Vector3d> FairRegion::Problem::moved(const Eigen::VectorXd& x) const {

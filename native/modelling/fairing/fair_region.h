@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "modelling/fairing/bend_change.h"
 #include "modelling/fairing/surface_energy.h"
 #include "modelling/reshape/reshape.h"
 #include "surface/limit_surface.h"
@@ -14,6 +16,8 @@ namespace hull::modelling {
 struct FairOptions {
   std::vector<int> points;  // control points that are to move
   FairEnergy energy = FairEnergy::kLengthwise;
+  // Instead of that energy: how much the surface bends otherwise than before (bend_change.h).
+  std::optional<BendsBefore> before;
   ReshapeLimits limits;  // of all control points; nothing prescribed
   // Points of creases and borders, and of corners, stay.
   bool keep_creases = true;
@@ -52,9 +56,10 @@ struct Faired {
 // shift is found for it. A shift is measured between places of the same parameters, so the surface
 // is never farther from the old one than told.
 //
-// Thin plate and lengthwise: quadratic, one factorisation for each of some five to ten weights.
-// Geometric energies: steps of Gauss and Newton, each of which keeps the RMS, damped by Levenberg's
-// and Marquardt's rule; they end where the energy does not fall any more.
+// Thin plate, lengthwise and what is compared with before: quadratic, one factorisation for each of
+// some five to ten weights. Geometric energies: steps of Gauss and Newton, each of which keeps the
+// RMS, damped by Levenberg's and Marquardt's rule; they end where the energy does not fall any
+// more.
 //
 // Immutable: solutions are thread-safe.
 class FairRegion {

@@ -17,8 +17,26 @@ namespace {
 // Of a normal: beyond, its plane is raked.
 constexpr double kRaked = 1e-9;
 
-ReshapeOptions options_for(const std::vector<Vector3d>& points, const TransformLimits& limits,
+// Ties of the ends of creases' and borders' edges in planes across the ship, but where a point is
+// among those whose moves are settled otherwise.
+std::vector<TiedPoint> ties_across(const surface::LimitSurface& surface,
+                                   const std::vector<char>& is_settled) {
+  const mesh::Topology& t = surface.mesh().topology();
+  const std::vector<Vector3d>& points = surface.mesh().points();
+  const double least = kInPlane * surface.mesh().size();
+  std::vector<TiedPoint> ties;
+  for (int h = 0; h < t.half_edge_count(); ++h) {
+    const int a = t.origin(h), b = t.origin(t.next(h));
+    if (!t.is_crease(h) || std::abs(points[a].x() - points[b].x()) > least) continue;
+    if (is_settled[a] || is_settled[b]) continue;
+    ties.push_back({a, b, Vector3d::UnitX()});
+  }
+  return ties;
+}
+
+ReshapeOptions options_for(const surface::LimitSurface& surface, const TransformLimits& limits,
                            const std::vector<int>& rigid) {
+  const std::vector<Vector3d>& points = surface.mesh().points();
   ReshapeOptions options;
   options.limits.limits = limits.limits;
   std::vector<char> is_raked(points.size(), 0);
@@ -42,6 +60,14 @@ ReshapeOptions options_for(const std::vector<Vector3d>& points, const TransformL
     const auto is_rigid = [&](int point) { return std::ranges::find(rigid, point) != rigid.end(); };
     if (!std::ranges::all_of(sum.points, is_rigid)) options.limits.kept.push_back(sum);
   }
+  std::vector<char> is_settled = is_raked;
+  for (int point : limits.limits.locked) {
+    check_point(point, static_cast<int>(points.size()), "locked");
+    is_settled[point] = 1;
+  }
+  for (int point : rigid) is_settled[point] = 1;
+  const std::vector<TiedPoint> across = ties_across(surface, is_settled);
+  options.limits.tied.insert(options.limits.tied.end(), across.begin(), across.end());
   options.limits.prescribed = rigid;
   return options;
 }
@@ -111,7 +137,7 @@ LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
                                          const TransformLimits& limits, const Rigid& rigid)
     : groups_(rigid.groups),
       group_of_(rigid.group_of),
-      reshape_(surface, options_for(surface.mesh().points(), limits, rigid.points)) {}
+      reshape_(surface, options_for(surface, limits, rigid.points)) {}
 
 double LongitudinalReshape::with_groups(const std::function<double(double x)>& shift,
                                         double x) const {

@@ -25,7 +25,7 @@ std::vector<std::vector<int>> plane_ends(const surface::LimitSurface& surface);
 // Reshaping by shifts along the ship alone: control points move along x, but for those held in
 // planes that are raked, which move within these. Rigid groups move by what is wanted in their
 // middle, and sections along a group with them: the shift goes over to what is wanted elsewhere
-// within twice its length. Immutable.
+// within twice its length. Creases and borders in a plane across the ship stay in one. Immutable.
 class LongitudinalReshape {
  public:
   // Throws std::invalid_argument as Reshape does.

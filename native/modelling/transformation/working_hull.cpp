@@ -15,17 +15,11 @@ analysis::Plane checked_water(const analysis::FloatingPosition& position) {
   return analysis::water_plane(position);
 }
 
-// Throws std::invalid_argument for a body out of date, as its queries do.
-const surface::LimitSurface& current_surface(const analysis::HullBody& body) {
-  static_cast<void>(body.boxes());
-  return body.surface();
-}
-
 }  // namespace
 
 WorkingHull::WorkingHull(const analysis::HullBody& body, const analysis::FloatingPosition& position)
-    : surface_(current_surface(body)),
-      body_(surface_, body.mirrored(), body.openings(), body.tolerance()),
+    : surface_(body.surface()),
+      body_(body, surface_),
       water_(checked_water(position)),
       points_(surface_.mesh().points()),
       moves_(points_.size(), Vector3d::Zero()),

@@ -40,6 +40,22 @@ def test_a_flat_between_two_bends_is_a_dip_in_its_middle():
     assert s[mark.index] == pytest.approx(4.75, abs=0.3)
 
 
+def test_a_flat_is_a_mark_as_long_as_it_is_flat():
+    s = np.linspace(0.0, 10.0, 1001)
+    curvature = np.clip(np.abs(s - 4.0) - 3.0, 0.0, None)
+    (mark,) = marks_seen(s, curvature, LEAST)
+    # Bends by a hundredth of the lesser one beside it, which is 2.0, are none.
+    assert (s[mark.first], s[mark.last]) == pytest.approx((1.0, 7.0), abs=0.03)
+
+
+def test_an_inflection_is_as_long_as_nothing_is_seen_of_a_bend():
+    """Of k = c s, which leaves the chord of 0 to l by c l³ / (9 √3)."""
+    s, c = np.linspace(-10.0, 10.0, 4001), 0.01
+    (mark,) = marks_seen(s, c * s, LEAST, 0.0)
+    far = (9.0 * np.sqrt(3.0) * LEAST / c) ** (1.0 / 3.0)
+    assert (s[mark.first], s[mark.last]) == pytest.approx((-far, far), abs=0.02)
+
+
 def test_ripple_counts_from_its_depth_on():
     """A circle with a ripple r cos(w s) of its radius: the curvature's is r w²."""
     s, waves = np.linspace(0.0, 1.5, 1501), 24.0

@@ -11,7 +11,7 @@ from ...bridge.blender.units import as_typed
 from ...bridge.mesh import mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_objects
-from ..hull import hull_state
+from ..hull import form_before, hull_state
 from . import following, keeping
 
 # Scales nearer to one are the rounding of single precision.
@@ -76,6 +76,7 @@ def set_dimensions(
     wanted = {"length": length, "beam": beam, "draft": draft, "depth": depth}
     factors = scaling.factors(now, **wanted)
     kept = keeping.find(obj, scene, now, keep, wanted, of_surface) if keep else None
+    _keep_form(obj, scene)
     if kept is None:
         scale_hull(obj, scene, factors)
     else:
@@ -89,6 +90,13 @@ def set_dimensions(
             setattr(obj.hull, name, value / units.metres_per_unit(scene))
     hull_state.follow_edit(obj, scene, is_by_hand=False)
     return Brought(factors, kept)
+
+
+def _keep_form(obj, scene):
+    """Where it has a surface it is the form before."""
+    state = hull_state.refresh(obj, scene)
+    if not state.status:
+        form_before.keep(obj, state.ship.source.new_surface())
 
 
 def scale_hull(obj, scene, factors):

@@ -14,16 +14,16 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.counts import counted
 from ...bridge.mesh import mesh_points
-from ...bridge.objects import hull_mesh, hull_objects
+from ...bridge.objects import hull_mesh
 from ..constraints import move_limits
 from ..conversion import conversions
 from ..hull import hull_state
+from ..hull.as_it_was import AsItWas
 from ..lines import lines
 from . import form_keeping, local_marks, marks_out, seen_marks
 
 # As hull_native.FairRegion names them, in capitals.
 ENERGIES = ("LENGTHWISE", "THIN_PLATE", "CURVATURE", "VARIATION")
-_CHANGED = "The hull was changed meanwhile, and stays as it is: fair it again"
 _prepared = {}  # the last one only, by its key
 
 
@@ -89,7 +89,7 @@ class _Start:
 
     def __init__(self, obj, scene, asked):
         self.asked, self.state = asked.checked(), hull_state.up_to_date(obj, scene)
-        self.name, self.scale = obj.name, units.metres_per_unit(scene)
+        self.scale = units.metres_per_unit(scene)
         self.found = hull_mesh.read(obj)
         self.control = self.found.control(self.scale)
         self.chosen = np.flatnonzero(
@@ -220,6 +220,7 @@ class Fairing(jobs.JobTask):
     def __init__(self, obj, scene, asked):
         self._start = _Start(obj, scene, asked)
         self.state = self._start.state
+        self._before = AsItWas(obj, "fair it again")
         conversions.clear_way(obj)
         self._job = jobs.Job(self._start.solve)
         conversions.watch(self)
@@ -232,16 +233,7 @@ class Fairing(jobs.JobTask):
         """Moves the hull's control points; returns the Report. ValueError when the hull is no
         longer what was faired."""
         solved = self.result()
-        start, obj = self._start, scene.objects.get(self._start.name)
-        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
-            raise ValueError(_CHANGED)
-        found = hull_mesh.read(obj)
-        if (found.topology, found.points_digest) != (
-            start.found.topology,
-            start.found.points_digest,
-        ):
-            raise ValueError(_CHANGED)
-        return start.write(obj, scene, *solved)
+        return self._start.write(self._before.checked(scene), scene, *solved)
 
 
 def last_report(obj):

@@ -11,17 +11,17 @@ from ...bridge import limits, native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays, mesh_points
-from ...bridge.objects import hull_mesh, hull_objects
+from ...bridge.objects import hull_mesh
 from ..constraints import move_limits
 from ..conversion import conversions
 from ..hull import hull_state
+from ..hull.as_it_was import AsItWas
 from ..lines import lines
 from . import coverage, fit_targets
 
 _USUAL_REACH = 0.05  # of the length
 _VIEW_DISTANCE = 0.3  # of the length
 _MOST_LEFT_OUT = 1.0 / 3.0
-_CHANGED = "The hull was changed meanwhile, and stays as it is: fit it again"
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +63,8 @@ class Fitting(jobs.JobTask):
     def __init__(self, obj, scene):
         self.state = hull_state.up_to_date(obj, scene)
         conversions.clear_way(obj)
-        self._name, self.scale = obj.name, units.metres_per_unit(scene)
+        self.scale, self._before = units.metres_per_unit(scene), AsItWas(obj, "fit it again")
         found = hull_mesh.read(obj)
-        self._before = _digests(found)
         control = found.control(self.scale)
         self._ids = control.vertex_ids
         hull_native = native.require()
@@ -87,11 +86,7 @@ class Fitting(jobs.JobTask):
         """Moves the hull's control points to where they fit; returns the Report. ValueError when
         the hull is no longer what was fitted."""
         fit = self.result()
-        obj = scene.objects.get(self._name)
-        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
-            raise ValueError(_CHANGED)
-        if _digests(hull_mesh.read(obj)) != self._before:
-            raise ValueError(_CHANGED)
+        obj = self._before.checked(scene)
         mesh_points.write(obj.data, self._ids, fit.points / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
         apart = coverage.distances(state.ship.surface, self._targets)
@@ -109,10 +104,6 @@ class Fitting(jobs.JobTask):
             self._faces_alone,
         )
         return report
-
-
-def _digests(found):
-    return found.topology, found.points_digest
 
 
 def _arguments(obj, surface, control, scale):

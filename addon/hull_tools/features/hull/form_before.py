@@ -1,42 +1,73 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The surface that a hull had before its form was last changed as a whole: by that it is told which
-marks the change made."""
+marks the change made.
 
-from dataclasses import dataclass
+Forms are kept by the geometry that they were, in their order: a hull to which undo has brought one
+of them back is what the change before that one made.
+"""
+
+from dataclasses import dataclass, field
 
 from ...bridge.objects import hull_mesh
 from . import hull_state
 
+_MOST = 8
+
+
+@dataclass(frozen=True, eq=False)
+class _Form:
+    """geometry: the ship's geometry_key; surface: a hull_native.LimitSurface of its own;
+    topology_key: as hull_mesh's HullMesh has it."""
+
+    geometry: object
+    surface: object
+    topology_key: object
+
 
 @dataclass
-class FormBefore:
-    """surface: a hull_native.LimitSurface of its own, or None; topology_key: as hull_mesh's
-    HullMesh has it."""
+class FormsBefore:
+    """_Forms, each before a change of the form, the last one last."""
 
-    surface: object = None
-    topology_key: object = None
+    forms: list = field(default_factory=list)
 
 
 def keep(obj, surface):
     """The form of a hull is about to be changed from a surface of its own."""
-    kept = hull_state.state_of(obj).of(FormBefore)
-    kept.surface, kept.topology_key = surface, hull_mesh.read(obj).topology_key
+    state = hull_state.state_of(obj)
+    kept, geometry = state.of(FormsBefore), state.ship.geometry_key
+    earlier = kept.forms[: _index(kept.forms, geometry)]
+    form = _Form(geometry, surface, hull_mesh.read(obj).topology_key)
+    kept.forms = [*earlier, form][-_MOST:]
 
 
 def is_known(obj):
-    state = hull_state.state_of(obj)
-    return state is not None and state.of(FormBefore).surface is not None
+    return _last(obj) is not None
 
 
 def of_hull(obj):
     """The surface before; ValueError where there is none by which the hull as it is can be
     judged."""
-    if not is_known(obj):
+    form = _last(obj)
+    if form is None:
         raise ValueError("Nothing is known of the hull's form before: transform it first")
-    kept = hull_state.state_of(obj).of(FormBefore)
-    if kept.topology_key != hull_mesh.read(obj).topology_key:
+    if form.topology_key != hull_mesh.read(obj).topology_key:
         raise ValueError(
             "The mesh itself was changed since the transformation, not its points alone: count "
             "marks without comparing"
         )
-    return kept.surface
+    return form.surface
+
+
+def _last(obj):
+    """The _Form before the hull as it is, or None."""
+    state = hull_state.state_of(obj)
+    if state is None:
+        return None
+    forms = state.of(FormsBefore).forms
+    earlier = forms[: _index(forms, state.ship.geometry_key)]
+    return earlier[-1] if earlier else None
+
+
+def _index(forms, geometry):
+    """Where the form of a geometry is among _Forms; behind the last one where it is none."""
+    return next((i for i, form in enumerate(forms) if form.geometry == geometry), len(forms))

@@ -8,15 +8,15 @@ from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points
-from ...bridge.objects import hull_mesh, hull_objects
+from ...bridge.objects import hull_mesh
 from ..constraints import held_points, move_limits
 from ..conversion import conversions
 from ..dimensions import dimensions
 from ..hull import form_before, hull_state
+from ..hull.as_it_was import AsItWas
 from ..lines import lines
 from . import asked, reports, rows
 
-_CHANGED = "The hull was changed meanwhile, and stays as it is: solve it again"
 # Of a breadth: what single precision leaves.
 _ROUNDING = 1e-6
 
@@ -30,10 +30,8 @@ class Solving(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         self._rows = rows.in_use(obj)
         conversions.clear_way(obj)
-        self._name, self.scale = obj.name, units.metres_per_unit(scene)
-        found = hull_mesh.read(obj)
-        self._before = found.topology, found.points_digest
-        control = found.control(self.scale)
+        self.scale, self._before = units.metres_per_unit(scene), AsItWas(obj, "solve it again")
+        control = hull_mesh.read(obj).control(self.scale)
         self._ids, self._points = control.vertex_ids, control.points
         surface = self._surface = self.state.ship.source.new_surface()
         self._targets = [asked.form_target(row, obj, self.scale) for row in self._rows]
@@ -54,12 +52,7 @@ class Solving(jobs.JobTask):
         """Moves the hull's control points to what is reached; returns the reports.Report.
         ValueError when the hull is no longer what it was."""
         reached, beam_binds = self.result()
-        obj = scene.objects.get(self._name)
-        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
-            raise ValueError(_CHANGED)
-        found = hull_mesh.read(obj)
-        if (found.topology, found.points_digest) != self._before:
-            raise ValueError(_CHANGED)
+        obj = self._before.checked(scene)
         kg = rows.kg_of(obj, self.scale)
         form_before.keep(obj, self._surface)
         found_rows = reports.rows_reached(asked.told(obj), reached, kg)

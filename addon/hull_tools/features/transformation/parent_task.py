@@ -5,12 +5,9 @@ they began."""
 from dataclasses import replace
 
 from ...bridge.background import jobs
-from ...bridge.objects import hull_mesh, hull_objects
 from ..conversion import conversions
-from ..hull import hull_state
+from ..hull.as_it_was import AsItWas
 from . import parents
-
-_CHANGED = "The hull was changed meanwhile, and stays as it is: transform it again"
 
 
 class ParentTask(jobs.JobTask):
@@ -21,8 +18,8 @@ class ParentTask(jobs.JobTask):
         conversions.clear_way(obj)
         self.parent = parents.of_hull(obj, scene)
         self.parent.position()  # refused here where there is a heel
-        self.state = hull_state.state_of(obj)
-        self._name, self._before = obj.name, _mesh_key(obj)
+        self._before = AsItWas(obj, "transform it again")
+        self.state = self._before.state
 
     def begin(self, work):
         self._job = jobs.Job(work)
@@ -35,14 +32,8 @@ class ParentTask(jobs.JobTask):
     def moved(self, scene, moves):
         """Moves the hull's control points; returns the HullState of what it is then. ValueError
         when the hull is no longer what it was."""
-        obj = scene.objects.get(self._name)
-        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
-            raise ValueError(_CHANGED)
-        if _mesh_key(obj) != self._before:
-            raise ValueError(_CHANGED)
-        return replace(self.parent, obj=obj).write(scene, moves)
+        return replace(self.parent, obj=self.unchanged(scene)).write(scene, moves)
 
-
-def _mesh_key(obj):
-    found = hull_mesh.read(obj)
-    return found.topology, found.points_digest
+    def unchanged(self, scene):
+        """The hull; ValueError when it is no longer what it was."""
+        return self._before.checked(scene)

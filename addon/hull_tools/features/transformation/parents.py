@@ -142,8 +142,12 @@ class Parent:
 
     def write(self, scene, moves):
         """Moves the hull's control points by moves (n, 3), m; returns the HullState of what it is
-        then."""
+        then. What it was is the form before."""
         form_before.keep(self.obj, self.surface)
+        return self.moved(scene, moves)
+
+    def moved(self, scene, moves):
+        """The same, but the form before is that which it was."""
         moved = np.flatnonzero((moves != 0.0).any(axis=1))
         places = (self.control.points[moved] + moves[moved]) / self.scale
         mesh_points.write(self.obj.data, self.control.vertex_ids[moved], places)

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hulls that tasks were begun of: what came of a task is written only to a hull that is as it was
+then."""
+
+from ...bridge.objects import hull_mesh, hull_objects
+from . import hull_state
+
+
+class AsItWas:
+    """A hull as it is now, of which a task begins; again: what to do where it is another later, as
+    "fit it again"."""
+
+    def __init__(self, obj, again):
+        self.state = hull_state.state_of(obj)
+        self._name, self._key, self._again = obj.name, _key_of(obj), again
+
+    def checked(self, scene):
+        """The hull; ValueError where it is not there any more, or its mesh is another."""
+        obj = scene.objects.get(self._name)
+        if (
+            not hull_objects.is_hull(obj)
+            or hull_state.state_of(obj) is not self.state
+            or _key_of(obj) != self._key
+        ):
+            raise ValueError(
+                f"The hull was changed meanwhile, and stays as it is: {self._again}"
+            )
+        return obj
+
+
+def _key_of(obj):
+    found = hull_mesh.read(obj)
+    return found.topology, found.points_digest
