@@ -55,6 +55,8 @@ class CurveNetwork {
   const std::vector<NetworkProblem>& problems() const { return problems_; }
   // What the joined part is made of; without regions that is no more than nodes and edges.
   const NetworkFrame& frame() const { return *frame_; }
+  std::shared_ptr<const NetworkFrame> shared_frame() const { return frame_; }
+  double tolerance() const { return options_.joining.tolerance; }
   // Sides of each region, counterclockwise seen from outside.
   const std::vector<std::vector<RegionSide>>& regions() const { return regions_; }
   // Of each curve; all zero without regions.

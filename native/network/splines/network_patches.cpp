@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/splines/network_patches.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "network/splines/joined_quads.h"
+#include "network/splines/patch_problems.h"
+
+namespace hull::network {
+namespace {
+
+constexpr int kMostSpans = 64;
+constexpr double kOfNetworksTolerance = 0.1;
+
+void append(std::vector<double>& key, const Vector3d& value) {
+  key.insert(key.end(), {value.x(), value.y(), value.z()});
+}
+
+// All that a region's patches depend on, but for numbers of edges.
+std::vector<double> key_of(const RegionInput& input, const std::vector<RegionSide>& sides) {
+  std::vector<double> key{input.tolerance, static_cast<double>(input.spans)};
+  const NetworkFrame& frame = *input.frame;
+  for (const RegionSide& side : sides) {
+    key.push_back(static_cast<double>(side.size()));
+    const std::vector<double> ends = side_ends(frame, side);
+    key.insert(key.end(), ends.begin(), ends.end());
+    for (const RegionEdge& edge : side) {
+      const auto e = static_cast<std::size_t>(edge.edge);
+      key.push_back(edge.is_along ? 1.0 : 0.0);
+      for (const Vector3d& point : input.edges.fitted[e].curve.points) append(key, point);
+      const NormalField& field = (edge.is_along ? frame.normals.left : frame.normals.right)[e];
+      for (const Vector3d* part : {&field.start, &field.end, &field.start_slope, &field.end_slope})
+        append(key, *part);
+    }
+  }
+  return key;
+}
+
+class PatchMaker {
+ public:
+  PatchMaker(const CurveNetwork& network, double tolerance, int spans,
+             const NetworkPatches* before)
+      : network_(network),
+        edges_(edge_splines(network.frame(), tolerance)),
+        input_{network.shared_frame(), edges_, tolerance, spans},
+        before_(before),
+        known_(std::make_shared<NetworkPatches::Known>()) {}
+
+  NetworkPatches run() {
+    for (int r = 0; r < static_cast<int>(network_.regions().size()); ++r) add(r);
+    name_missed();
+    made_.set = joined_quads(network_.frame(), placed_);
+    made_.known = std::move(known_);
+    return std::move(made_);
+  }
+
+ private:
+  void add(int region) {
+    const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
+    std::vector<double> key = key_of(input_, sides);
+    if (const RegionQuads* old = find(key)) {
+      keep(region, known_->emplace(std::move(key), *old).first->second);
+      return;
+    }
+    try {
+      RegionQuads quads = region_quads(input_, sides, network_.patch(region));
+      keep(region, known_->emplace(std::move(key), std::move(quads)).first->second);
+    } catch (const std::invalid_argument& fault) {
+      made_.problems.push_back(open_region(network_.frame(), sides, fault.what()));
+    }
+  }
+
+  const RegionQuads* find(const std::vector<double>& key) const {
+    if (before_ == nullptr) return nullptr;
+    const auto at = before_->known->find(key);
+    return at == before_->known->end() ? nullptr : &at->second;
+  }
+
+  void keep(int region, const RegionQuads& quads) {
+    const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
+    placed_.push_back({&quads, quad_borders(network_.frame(), sides)});
+    made_.largest_error = std::max(made_.largest_error, quads.spoke_error);
+    made_.regions.insert(made_.regions.end(), quads.patches.size(), region);
+  }
+
+  void name_missed() {
+    std::map<int, std::pair<double, Vector3d>> worst;  // of curves
+    for (std::size_t e = 0; e < edges_.fitted.size(); ++e) {
+      const double error = edges_.fitted[e].error;
+      made_.largest_error = std::max(made_.largest_error, error);
+      if (error <= input_.tolerance) continue;
+      auto& curve = worst[network_.frame().joined.edges[e].curve];
+      if (error > curve.first) curve = {error, edges_.fitted[e].curve.position(0.5)};
+    }
+    for (const auto& [curve, missed] : worst) {
+      made_.problems.push_back(missed_curve(
+          network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
+          missed.second, missed.first));
+    }
+  }
+
+  const CurveNetwork& network_;
+  EdgeSplines edges_;
+  RegionInput input_;
+  const NetworkPatches* before_;
+  std::shared_ptr<NetworkPatches::Known> known_;
+  std::vector<PlacedQuads> placed_;
+  NetworkPatches made_;
+};
+
+}  // namespace
+
+NetworkPatches network_patches(const CurveNetwork& network, const PatchOptions& options,
+                               const NetworkPatches* before) {
+  if (options.spans < 1 || options.spans > kMostSpans) {
+    throw std::invalid_argument("spans must be from 1 to " + std::to_string(kMostSpans) + ".");
+  }
+  if (!(options.tolerance >= 0.0)) {
+    throw std::invalid_argument("The patches' tolerance must not be below zero.");
+  }
+  const double tolerance =
+      options.tolerance > 0.0 ? options.tolerance : kOfNetworksTolerance * network.tolerance();
+  return PatchMaker(network, tolerance, options.spans, before).run();
+}
+
+}  // namespace hull::network

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/splines/region_quads.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "network/splines/border_plate.h"
+
+namespace hull::network {
+namespace {
+
+constexpr int kPlateSamples = 8;  // of a side
+constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
+
+// A region's surface over some plane domain, before it is splines.
+struct StarTarget {
+  std::function<PatchPoint(const Vector2d&)> at;
+  std::function<Vector2d(std::size_t, double)> border;  // of a side, by its parameter
+  Vector2d centre;
+};
+
+QuadSide part_of(const SideSpline& side, double begin, double end, const Vector3d& from,
+                 const Vector3d& to) {
+  QuadSide part{side.curve().part(begin, end), [&side, begin, end](double t) {
+                  return side.normal(begin + t * (end - begin));
+                }};
+  part.curve.points.front() = from;
+  part.curve.points.back() = to;
+  return part;
+}
+
+QuadSide whole(const SideSpline& side) {
+  return {side.curve(), [&side](double t) { return side.normal(t); }};
+}
+
+RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>& sides,
+                        const TransfinitePatch& patch) {
+  RegionQuads quads;
+  const QuadTarget target = [&](double u, double v) { return patch.at({u, v}).point; };
+  quads.patches.push_back(fitted_quad(
+      {whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])}, target, input.spans));
+  return quads;
+}
+
+std::optional<StarTarget> plate_target(const std::vector<SideSpline>& sides) {
+  std::vector<PlateSample> samples;
+  for (const SideSpline& side : sides) {
+    for (int i = 0; i < kPlateSamples; ++i) {
+      const double t = static_cast<double>(i) / kPlateSamples;
+      const Points3 jet = spline_jet(side.curve(), t);
+      samples.push_back({jet.row(0), jet.row(1), side.normal(t), i > 0});
+    }
+  }
+  const auto plate = BorderPlate::within(samples);
+  if (!plate) return std::nullopt;
+  return StarTarget{[plate](const Vector2d& place) { return plate->at(place); },
+                    [plate, &sides](std::size_t side, double t) {
+                      return plate->place(sides[side].curve().position(t));
+                    },
+                    plate->centre()};
+}
+
+StarTarget blend_target(const TransfinitePatch& patch) {
+  return {[&patch](const Vector2d& place) { return patch.at(place); },
+          [&patch](std::size_t side, double t) -> Vector2d {
+            const auto& polygon = patch.domain();
+            return (1.0 - t) * polygon[side] + t * polygon[(side + 1) % polygon.size()];
+          },
+          Vector2d::Zero()};
+}
+
+// Quads around the centre of a region: each at the corner where a side begins, between halves of
+// that side and of the one before.
+class Star {
+ public:
+  Star(const RegionInput& input, const std::vector<SideSpline>& sides, StarTarget target)
+      : input_(input), sides_(sides), target_(std::move(target)) {
+    for (const SideSpline& side : sides_) middles_.push_back(side.parts().middle());
+  }
+
+  // Whether the quads cover their domain without folds.
+  bool is_regular() const {
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      for (int a = 0; a < kFoldSamples; ++a) {
+        for (int b = 0; b < kFoldSamples; ++b) {
+          constexpr double kStep = 1.0 / kFoldSamples;
+          const double u = a * kStep, v = b * kStep;
+          const Vector2d at = place(i, u, v), by_u = place(i, u + kStep, v) - at,
+                         by_v = place(i, u, v + kStep) - at;
+          if (!(by_u.x() * by_v.y() - by_u.y() * by_v.x() > 0.0)) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  RegionQuads quads() {
+    RegionQuads made;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      spokes_.push_back(spoke(i));
+      made.spoke_error = std::max(made.spoke_error, spokes_.back().error);
+    }
+    for (std::size_t i = 0; i < sides_.size(); ++i) add_quad(made, i);
+    return made;
+  }
+
+ private:
+  std::size_t before(std::size_t i) const { return (i + sides_.size() - 1) % sides_.size(); }
+
+  // Of the quad at the beginning of side i, u along that: Coons' in the plane.
+  Vector2d place(std::size_t i, double u, double v) const {
+    const std::size_t last = before(i);
+    const auto on_last = [&](double t) {
+      return target_.border(last, 1.0 - t * (1.0 - middles_[last]));
+    };
+    const Vector2d corner = target_.border(i, 0.0), middle = target_.border(i, middles_[i]),
+                   other = on_last(1.0), &centre = target_.centre;
+    const Vector2d low = target_.border(i, u * middles_[i]),
+                   high = (1.0 - u) * other + u * centre, left = on_last(v),
+                   right = (1.0 - v) * middle + v * centre;
+    return (1.0 - v) * low + v * high + (1.0 - u) * left + u * right -
+           (1.0 - u) * ((1.0 - v) * corner + v * other) - u * ((1.0 - v) * middle + v * centre);
+  }
+
+  Vector2d on_spoke(std::size_t i, double t) const {
+    return (1.0 - t) * target_.border(i, middles_[i]) + t * target_.centre;
+  }
+
+  // Where the middle of a side is.
+  Vector3d middle_place(std::size_t i) const {
+    const EdgePiece piece = sides_[i].parts().pieces(0.0, middles_[i]).back();
+    return input_.edges.place(*input_.frame, piece.edge, piece.to);
+  }
+
+  // It begins in its side's tangent plane.
+  FittedSpline spoke(std::size_t i) const {
+    const Vector2d way = on_spoke(i, 1.0) - on_spoke(i, 0.0);
+    const Vector3d start = middle_place(i), normal = sides_[i].normal(middles_[i]);
+    const auto jet = [&](double t) {
+      const PatchPoint point = target_.at(on_spoke(i, t));
+      Points3 rows(2, 3);
+      Vector3d slope = way.x() * point.by_first + way.y() * point.by_second;
+      if (t == 0.0) slope -= slope.dot(normal) * normal;
+      rows.row(0) = t == 0.0 ? start : point.point;
+      rows.row(1) = slope;
+      return rows;
+    };
+    return uniform_spline(jet, input_.tolerance);
+  }
+
+  QuadSide spoke_side(std::size_t i, bool is_inwards) const {
+    const BSplineCurve& curve = spokes_[i].curve;
+    return {is_inwards ? curve : curve.reversed(), [this, i, &curve, is_inwards](double given) {
+              const double t = is_inwards ? given : 1.0 - given;
+              const Vector3d normal = target_.at(on_spoke(i, t)).normal();
+              const Vector3d along = Vector3d(spline_jet(curve, t).row(1)).normalized();
+              return Vector3d((normal - normal.dot(along) * along).normalized());
+            }};
+  }
+
+  void add_quad(RegionQuads& made, std::size_t i) const {
+    const std::size_t last = before(i);
+    const Vector3d corner = sides_[i].curve().points.front(), middle = middle_place(i),
+                   other = middle_place(last);
+    const QuadTarget target = [this, i](double u, double v) {
+      return target_.at(place(i, u, v)).point;
+    };
+    made.patches.push_back(
+        fitted_quad({part_of(sides_[i], 0.0, middles_[i], corner, middle), spoke_side(i, true),
+                     spoke_side(last, false), part_of(sides_[last], middles_[last], 1.0, other,
+                                                      corner)},
+                    target, input_.spans));
+  }
+
+  const RegionInput& input_;
+  const std::vector<SideSpline>& sides_;
+  StarTarget target_;
+  std::vector<double> middles_;
+  std::vector<FittedSpline> spokes_;
+};
+
+}  // namespace
+
+std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
+                                                    const std::vector<RegionSide>& sides) {
+  std::vector<SideParts> parts;
+  for (const RegionSide& side : sides) parts.emplace_back(frame, side);
+  std::vector<std::array<QuadBorder, 4>> borders;
+  if (sides.size() == 4) {
+    auto& around = borders.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) around[k].pieces = parts[k].pieces(0.0, 1.0);
+    return borders;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t last = (i + parts.size() - 1) % parts.size();
+    borders.push_back({QuadBorder{parts[i].pieces(0.0, parts[i].middle()), -1, true},
+                       QuadBorder{{}, static_cast<int>(i), true},
+                       QuadBorder{{}, static_cast<int>(last), false},
+                       QuadBorder{parts[last].pieces(parts[last].middle(), 1.0), -1, true}});
+  }
+  return borders;
+}
+
+RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& sides,
+                         const TransfinitePatch& patch) {
+  std::vector<SideSpline> splines;
+  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  if (splines.size() == 4) return single_quad(input, splines, patch);
+  if (const std::optional<StarTarget> plate = plate_target(splines)) {
+    Star star(input, splines, *plate);
+    if (star.is_regular()) return star.quads();
+  }
+  if (splines.size() == 2) {
+    throw std::invalid_argument(
+        "A region within two sides is no graph over a plane: divide it by a curve.");
+  }
+  return Star(input, splines, blend_target(patch)).quads();
+}
+
+}  // namespace hull::network
