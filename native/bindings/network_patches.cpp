@@ -16,6 +16,10 @@ void bind_network_patches(py::module_& module) {
       .def_property_readonly(
           "regions", [](const NetworkPatches& made) { return to_array(made.regions); },
           "(p,) the region of each patch.")
+      .def_property_readonly(
+          "edges", [](const NetworkPatches& made) { return to_array(made.edges); },
+          "(e,) of each edge of the PatchSet the network's edge that it is along; -1: within a "
+          "region.")
       .def_readonly("problems", &NetworkPatches::problems,
                     "NetworkProblems: regions left open, and curves that are missed.")
       .def_readonly("largest_error", &NetworkPatches::largest_error,

@@ -62,8 +62,10 @@ class CurveNetwork {
   // Of each curve; all zero without regions.
   std::vector<CurveRole> roles() const;
 
-  // The surface within a region. Throws std::invalid_argument where it has one side, or more than
-  // ten, or an edge that comes to a halt.
+  // Throws std::invalid_argument for a region of one side, or more than ten, or with an edge that
+  // comes to a halt, and for a number that none has.
+  void check_region(int region) const;
+  // The surface within a region that check_region() has no objection to.
   TransfinitePatch patch(int region) const;
 
  private:

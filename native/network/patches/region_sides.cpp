@@ -145,6 +145,19 @@ std::vector<RegionSide> region_sides(const NetworkFrame& frame,
   return sides;
 }
 
+std::vector<RegionSide> sides_of_one_curve(const NetworkFrame& frame,
+                                           const std::vector<RegionSide>& sides) {
+  std::vector<RegionSide> cut;
+  for (const RegionSide& side : sides) {
+    cut.emplace_back();
+    for (const RegionEdge& edge : side) {
+      if (!cut.back().empty() && changes_curve(frame, cut.back().back(), edge)) cut.emplace_back();
+      cut.back().push_back(edge);
+    }
+  }
+  return cut;
+}
+
 std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side) {
   const bool is_one = std::ranges::all_of(side, [&](const RegionEdge& other) {
     return !changes_curve(frame, side.front(), other);

@@ -17,7 +17,7 @@ class QuadJoiner {
   QuadJoiner(const NetworkFrame& frame, const std::vector<PlacedQuads>& regions)
       : frame_(frame), regions_(regions), cuts_(frame.joined.edges.size(), {0.0, 1.0}) {}
 
-  PatchSet run() {
+  JoinedQuads run() {
     for (const PlacedQuads& region : regions_) {
       for (const auto& borders : region.borders) {
         for (const QuadBorder& border : borders) collect(border);
@@ -27,7 +27,11 @@ class QuadJoiner {
     for (const PlacedQuads& region : regions_) add(region);
     set_.vertex_count = vertex_count_;
     set_.edge_count = edge_count_;
-    return std::move(set_);
+    std::vector<int> edges(static_cast<std::size_t>(edge_count_), -1);
+    for (std::size_t e = 0; e < cuts_.size(); ++e) {
+      std::fill_n(edges.begin() + first_edge_[e], cuts_[e].size() - 1, static_cast<int>(e));
+    }
+    return {std::move(set_), std::move(edges)};
   }
 
  private:
@@ -131,7 +135,7 @@ class QuadJoiner {
 
 }  // namespace
 
-PatchSet joined_quads(const NetworkFrame& frame, const std::vector<PlacedQuads>& regions) {
+JoinedQuads joined_quads(const NetworkFrame& frame, const std::vector<PlacedQuads>& regions) {
   return QuadJoiner(frame, regions).run();
 }
 

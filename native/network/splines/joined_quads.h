@@ -12,9 +12,14 @@ struct PlacedQuads {
   std::vector<std::array<QuadBorder, 4>> borders;  // of its patches
 };
 
+struct JoinedQuads {
+  conversion::PatchSet set;
+  std::vector<int> edges;  // of edges of the set the network's; -1: within a region
+};
+
 // The patches of regions as one set, in their order. Edges of the network are edges of the set, cut
 // where patches of either side of them end.
-conversion::PatchSet joined_quads(const NetworkFrame& frame,
+JoinedQuads joined_quads(const NetworkFrame& frame,
                                   const std::vector<PlacedQuads>& regions);
 
 }  // namespace hull::network

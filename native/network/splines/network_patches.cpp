@@ -50,7 +50,9 @@ class PatchMaker {
   NetworkPatches run() {
     for (int r = 0; r < static_cast<int>(network_.regions().size()); ++r) add(r);
     name_missed();
-    made_.set = joined_quads(network_.frame(), placed_);
+    JoinedQuads joined = joined_quads(network_.frame(), placed_);
+    made_.set = std::move(joined.set);
+    made_.edges = std::move(joined.edges);
     made_.known = std::move(known_);
     return std::move(made_);
   }
@@ -58,14 +60,16 @@ class PatchMaker {
  private:
   void add(int region) {
     const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
-    std::vector<double> key = key_of(input_, sides);
+    const RegionLayout layout(network_.frame(), sides);
+    std::vector<double> key = key_of(input_, layout.sides);
     if (const RegionQuads* old = find(key)) {
-      keep(region, known_->emplace(std::move(key), *old).first->second);
+      keep(region, layout, known_->emplace(std::move(key), *old).first->second);
       return;
     }
     try {
-      RegionQuads quads = region_quads(input_, sides, network_.patch(region));
-      keep(region, known_->emplace(std::move(key), std::move(quads)).first->second);
+      network_.check_region(region);
+      RegionQuads quads = region_quads(input_, layout);
+      keep(region, layout, known_->emplace(std::move(key), std::move(quads)).first->second);
     } catch (const std::invalid_argument& fault) {
       made_.problems.push_back(open_region(network_.frame(), sides, fault.what()));
     }
@@ -77,9 +81,8 @@ class PatchMaker {
     return at == before_->known->end() ? nullptr : &at->second;
   }
 
-  void keep(int region, const RegionQuads& quads) {
-    const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
-    placed_.push_back({&quads, quad_borders(network_.frame(), sides)});
+  void keep(int region, const RegionLayout& layout, const RegionQuads& quads) {
+    placed_.push_back({&quads, quad_borders(network_.frame(), layout)});
     made_.largest_error = std::max(made_.largest_error, quads.spoke_error);
     made_.regions.insert(made_.regions.end(), quads.patches.size(), region);
   }

@@ -21,6 +21,7 @@ struct PatchOptions {
 struct NetworkPatches {
   conversion::PatchSet set;
   std::vector<int> regions;              // of patches
+  std::vector<int> edges;                // of edges of the set the network's; -1: within a region
   std::vector<NetworkProblem> problems;  // regions that are left open, and curves not met
   double largest_error = 0.0;            // m, of splines from curves and spokes
 

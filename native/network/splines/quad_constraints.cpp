@@ -6,8 +6,9 @@ namespace {
 
 using conversion::BSplinePatch;
 
-// Of independent constraints the least one, as a part of the largest.
-constexpr double kIndependent = 1e-12;
+// Of independent constraints the least one, as a part of the largest: what is below contradicts
+// others, or says the same.
+constexpr double kIndependent = 1e-9;
 
 // Σ weights · points at right angles to a normal.
 struct Constraint {

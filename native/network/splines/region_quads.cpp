@@ -181,12 +181,15 @@ class Star {
 
 }  // namespace
 
+RegionLayout::RegionLayout(const NetworkFrame& frame, const std::vector<RegionSide>& given)
+    : sides(sides_of_one_curve(frame, given)), is_single(given.size() == 4 && sides.size() == 4) {}
+
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
-                                                    const std::vector<RegionSide>& sides) {
+                                                    const RegionLayout& layout) {
   std::vector<SideParts> parts;
-  for (const RegionSide& side : sides) parts.emplace_back(frame, side);
+  for (const RegionSide& side : layout.sides) parts.emplace_back(frame, side);
   std::vector<std::array<QuadBorder, 4>> borders;
-  if (sides.size() == 4) {
+  if (layout.is_single) {
     auto& around = borders.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) around[k].pieces = parts[k].pieces(0.0, 1.0);
     return borders;
@@ -201,11 +204,11 @@ std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
   return borders;
 }
 
-RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& sides,
-                         const TransfinitePatch& patch) {
+RegionQuads region_quads(const RegionInput& input, const RegionLayout& layout) {
   std::vector<SideSpline> splines;
-  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
-  if (splines.size() == 4) return single_quad(input, splines, patch);
+  for (const RegionSide& side : layout.sides) splines.emplace_back(input.frame, input.edges, side);
+  const auto patch = [&] { return TransfinitePatch(ribboned_sides(input.frame, layout.sides)); };
+  if (layout.is_single) return single_quad(input, splines, patch());
   if (const std::optional<StarTarget> plate = plate_target(splines)) {
     Star star(input, splines, *plate);
     if (star.is_regular()) return star.quads();
@@ -214,7 +217,8 @@ RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>
     throw std::invalid_argument(
         "A region within two sides is no graph over a plane: divide it by a curve.");
   }
-  return Star(input, splines, blend_target(patch)).quads();
+  const TransfinitePatch blend = patch();
+  return Star(input, splines, blend_target(blend)).quads();
 }
 
 }  // namespace hull::network

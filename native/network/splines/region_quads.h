@@ -22,9 +22,17 @@ struct RegionQuads {
   double spoke_error = 0.0;  // m, of splines along spokes
 };
 
+// The sides between which a region's patches are: each of one curve, so that it has no kink.
+struct RegionLayout {
+  RegionLayout(const NetworkFrame& frame, const std::vector<RegionSide>& given);
+
+  std::vector<RegionSide> sides;
+  bool is_single;  // one patch, because the region has four sides, none of which was cut
+};
+
 // Of its patches.
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
-                                                    const std::vector<RegionSide>& sides);
+                                                    const RegionLayout& layout);
 
 struct RegionInput {
   std::shared_ptr<const NetworkFrame> frame;
@@ -33,11 +41,9 @@ struct RegionInput {
   int spans;
 };
 
-// Within sides of a region that has a TransfinitePatch, `patch`. With four sides the target of the
-// patch is that. With others it is a BorderPlate's surface, where the border is a graph over a
-// plane and quads around its centroid cover it without folds, and the TransfinitePatch where not.
-// Throws std::invalid_argument for two sides where it is not.
-RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& sides,
-                         const TransfinitePatch& patch);
+// Of a single patch the target is the region's TransfinitePatch. Of others it is a BorderPlate's
+// surface, where the border is a graph over a plane and quads around its centroid cover it without
+// folds, and a TransfinitePatch where not. Throws std::invalid_argument for what then has none.
+RegionQuads region_quads(const RegionInput& input, const RegionLayout& layout);
 
 }  // namespace hull::network
