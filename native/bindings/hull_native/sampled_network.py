@@ -94,18 +94,19 @@ def _flat_parts(surface, tree, position, stations, tolerance):
         points, knuckles = _points_and_knuckles(branch.splines, surface.mesh.size, stations)
         if len(points) < 2:
             continue
-        for low, high in _flat_ranges(surface, tree, points, stations):
+        for low, high in _flat_ranges(surface, tree, points, stations, knuckles):
             inner = [k - low for k in knuckles if low < k < high]
             name = f"buttock {position:g} ({number + 1}.{low})"
             part = points[low : high + 1]
             yield NetworkCurve(name, part, kind="buttock", knuckles=inner, plane=plane)
 
 
-def _flat_ranges(surface, tree, points, stations):
-    """Pairs of numbers of points, at stations or ends, between which the surface is flat."""
+def _flat_ranges(surface, tree, points, stations, knuckles):
+    """Pairs of numbers of points, at stations, knuckles or ends, between which the surface is
+    flat."""
     x = points[:, :1] - np.asarray(stations)[None]
     at_station = np.abs(x).min(axis=1, initial=np.inf) <= _AT_STATION * surface.mesh.size
-    cuts = np.unique(np.r_[0, np.flatnonzero(at_station), len(points) - 1])
+    cuts = np.unique(np.r_[0, np.flatnonzero(at_station), knuckles, len(points) - 1]).astype(int)
     closest = tree.closest_points(points)
     upwards = np.abs(surface.normals(closest.cells, closest.uv)[:, 2])
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)

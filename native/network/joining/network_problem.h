@@ -26,6 +26,7 @@ struct NetworkProblem {
     kFewSides,        // a region within one side
     kManySides,       // a region of more than ten
     kOpenRegion,      // of which there are no patches
+    kLooseRegion,     // whose patches are not smooth with their neighbours
     kMissedCurve,     // that patches are off
   };
   Kind kind;

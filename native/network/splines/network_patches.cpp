@@ -60,16 +60,15 @@ class PatchMaker {
  private:
   void add(int region) {
     const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
-    const RegionLayout layout(network_.frame(), sides);
-    std::vector<double> key = key_of(input_, layout.sides);
+    std::vector<double> key = key_of(input_, sides);
     if (const RegionQuads* old = find(key)) {
-      keep(region, layout, known_->emplace(std::move(key), *old).first->second);
+      keep(region, known_->emplace(std::move(key), *old).first->second);
       return;
     }
     try {
       network_.check_region(region);
-      RegionQuads quads = region_quads(input_, layout);
-      keep(region, layout, known_->emplace(std::move(key), std::move(quads)).first->second);
+      RegionQuads quads = region_quads(input_, sides);
+      keep(region, known_->emplace(std::move(key), std::move(quads)).first->second);
     } catch (const std::invalid_argument& fault) {
       made_.problems.push_back(open_region(network_.frame(), sides, fault.what()));
     }
@@ -81,8 +80,12 @@ class PatchMaker {
     return at == before_->known->end() ? nullptr : &at->second;
   }
 
-  void keep(int region, const RegionLayout& layout, const RegionQuads& quads) {
-    placed_.push_back({&quads, quad_borders(network_.frame(), layout)});
+  void keep(int region, const RegionQuads& quads) {
+    const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
+    const NetworkFrame& frame = network_.frame();
+    placed_.push_back(
+        {&quads, quad_borders(frame, sides_of_one_curve(frame, sides), quads.is_single())});
+    if (!quads.has_normals) made_.problems.push_back(loose_region(frame, sides));
     made_.largest_error = std::max(made_.largest_error, quads.spoke_error);
     made_.regions.insert(made_.regions.end(), quads.patches.size(), region);
   }

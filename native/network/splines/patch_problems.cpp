@@ -5,9 +5,11 @@
 
 namespace hull::network {
 
-NetworkProblem open_region(const NetworkFrame& frame, const std::vector<RegionSide>& sides,
-                           const std::string& reason) {
-  NetworkProblem problem{NetworkProblem::Kind::kOpenRegion, "", {}, {}};
+namespace {
+
+NetworkProblem of_region(NetworkProblem::Kind kind, const NetworkFrame& frame,
+                         const std::vector<RegionSide>& sides) {
+  NetworkProblem problem{kind, "", {}, {}};
   std::set<int> curves;
   for (const RegionSide& side : sides) {
     const RegionEdge& first = side.front();
@@ -19,8 +21,24 @@ NetworkProblem open_region(const NetworkFrame& frame, const std::vector<RegionSi
     }
   }
   problem.curves.assign(curves.begin(), curves.end());
-  problem.what =
-      "The region at " + place_text(problem.places.front()) + " is left open: " + reason;
+  problem.what = "The region at " + place_text(problem.places.front());
+  return problem;
+}
+
+}  // namespace
+
+NetworkProblem open_region(const NetworkFrame& frame, const std::vector<RegionSide>& sides,
+                           const std::string& reason) {
+  NetworkProblem problem = of_region(NetworkProblem::Kind::kOpenRegion, frame, sides);
+  problem.what += " is left open: " + reason;
+  return problem;
+}
+
+NetworkProblem loose_region(const NetworkFrame& frame, const std::vector<RegionSide>& sides) {
+  NetworkProblem problem = of_region(NetworkProblem::Kind::kLooseRegion, frame, sides);
+  problem.what +=
+      " is not everywhere smooth with its neighbours: the tangent planes along its border "
+      "contradict one another. Move curves that nearly touch there apart, or divide it.";
   return problem;
 }
 

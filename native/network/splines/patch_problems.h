@@ -12,6 +12,9 @@ namespace hull::network {
 NetworkProblem open_region(const NetworkFrame& frame, const std::vector<RegionSide>& sides,
                            const std::string& reason);
 
+// A region whose patches have not everywhere the tangent planes that its curves tell.
+NetworkProblem loose_region(const NetworkFrame& frame, const std::vector<RegionSide>& sides);
+
 // A curve that splines of the most spans are off by more than their tolerance: by `error`, m.
 NetworkProblem missed_curve(const std::string& name, int curve, const Vector3d& place,
                             double error);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "network/splines/quad_constraints.h"
 
+#include <Eigen/Geometry>
+
 namespace hull::network {
 namespace {
 
@@ -9,6 +11,7 @@ using conversion::BSplinePatch;
 // Of independent constraints the least one, as a part of the largest: what is below contradicts
 // others, or says the same.
 constexpr double kIndependent = 1e-9;
+constexpr double kMostMove = 0.1;  // of a patch's size
 
 // Σ weights · points at right angles to a normal.
 struct Constraint {
@@ -56,11 +59,11 @@ std::vector<Constraint> constraints_of(const BSplinePatch& patch,
 
 }  // namespace
 
-void meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
+bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
                   const InverseForm& inverse) {
   const std::vector<Constraint> constraints = constraints_of(patch, sides);
   const auto count = static_cast<Eigen::Index>(constraints.size());
-  if (count == 0) return;
+  if (count == 0) return true;
   std::vector<Eigen::MatrixXd> answers;
   Eigen::MatrixXd form(count, count);
   Eigen::VectorXd excess(count);
@@ -77,16 +80,22 @@ void meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
   solver.setThreshold(kIndependent);
   const Eigen::VectorXd multipliers = solver.compute(form).solve(-excess);
+  std::vector<Vector3d> moves(patch.control_points.size(), Vector3d::Zero());
+  Eigen::AlignedBox3d box, moved;
   for (int u = 0; u + 2 < patch.count_u; ++u) {
     for (int v = 0; v + 2 < patch.count_v; ++v) {
-      Vector3d& point =
-          patch.control_points[static_cast<std::size_t>((u + 1) * patch.count_v + v + 1)];
+      Vector3d& move = moves[static_cast<std::size_t>((u + 1) * patch.count_v + v + 1)];
       for (Eigen::Index q = 0; q < count; ++q) {
         const auto at = static_cast<std::size_t>(q);
-        point += multipliers[q] * answers[at](u, v) * constraints[at].normal;
+        move += multipliers[q] * answers[at](u, v) * constraints[at].normal;
       }
+      moved.extend(move);
     }
   }
+  for (const Vector3d& point : patch.control_points) box.extend(point);
+  if (!(moved.diagonal().norm() <= kMostMove * box.diagonal().norm())) return false;
+  for (std::size_t i = 0; i < moves.size(); ++i) patch.control_points[i] += moves[i];
+  return true;
 }
 
 }  // namespace hull::network

@@ -116,13 +116,14 @@ class InnerFit {
 
 }  // namespace
 
-BSplinePatch fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& target,
-                         int spans) {
-  BSplinePatch patch = with_borders(sides, spans);
-  const InnerFit inner(patch);
-  inner.fit(patch, target);
-  meet_normals(patch, sides, [&](const Eigen::MatrixXd& right) { return inner.solved(right); });
-  return patch;
+FittedQuad fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& target, int spans) {
+  FittedQuad fitted{with_borders(sides, spans)};
+  const InnerFit inner(fitted.patch);
+  inner.fit(fitted.patch, target);
+  fitted.has_normals =
+      meet_normals(fitted.patch, sides,
+                   [&](const Eigen::MatrixXd& right) { return inner.solved(right); });
+  return fitted;
 }
 
 }  // namespace hull::network

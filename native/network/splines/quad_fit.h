@@ -28,7 +28,11 @@ using QuadTarget = std::function<Vector3d(double, double)>;
 // into those along u and along v.
 //
 // REQUIRES: each side begins in the point, bit for bit, in which the one before ends.
-conversion::BSplinePatch fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& target,
+struct FittedQuad {
+  conversion::BSplinePatch patch;
+  bool has_normals = true;  // else they contradict one another, and it has what comes
+};
+FittedQuad fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& target,
                                      int spans);
 
 }  // namespace hull::network

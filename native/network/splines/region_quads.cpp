@@ -33,16 +33,34 @@ QuadSide whole(const SideSpline& side) {
   return {side.curve(), [&side](double t) { return side.normal(t); }};
 }
 
+void keep(RegionQuads& quads, FittedQuad fitted) {
+  quads.patches.push_back(std::move(fitted.patch));
+  quads.has_normals = quads.has_normals && fitted.has_normals;
+}
+
+// Whether normals within are nowhere turned away from those at all corners.
+bool is_folded(const TransfinitePatch& patch) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector2d& corner : patch.domain()) mean += patch.at(corner).normal();
+  for (int i = 1; i < kFoldSamples; ++i) {
+    for (int k = 1; k < kFoldSamples; ++k) {
+      constexpr double kStep = 1.0 / kFoldSamples;
+      if (!(patch.at({i * kStep, k * kStep}).normal().dot(mean) > 0.0)) return true;
+    }
+  }
+  return false;
+}
+
 RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>& sides,
                         const TransfinitePatch& patch) {
   RegionQuads quads;
   const QuadTarget target = [&](double u, double v) { return patch.at({u, v}).point; };
-  quads.patches.push_back(fitted_quad(
-      {whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])}, target, input.spans));
+  keep(quads, fitted_quad({whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])},
+                          target, input.spans));
   return quads;
 }
 
-std::optional<StarTarget> plate_target(const std::vector<SideSpline>& sides) {
+std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool has_normals) {
   std::vector<PlateSample> samples;
   for (const SideSpline& side : sides) {
     for (int i = 0; i < kPlateSamples; ++i) {
@@ -51,13 +69,15 @@ std::optional<StarTarget> plate_target(const std::vector<SideSpline>& sides) {
       samples.push_back({jet.row(0), jet.row(1), side.normal(t), i > 0});
     }
   }
-  const auto plate = BorderPlate::within(samples);
-  if (!plate) return std::nullopt;
-  return StarTarget{[plate](const Vector2d& place) { return plate->at(place); },
-                    [plate, &sides](std::size_t side, double t) {
-                      return plate->place(sides[side].curve().position(t));
-                    },
-                    plate->centre()};
+  return BorderPlate::within(samples, has_normals);
+}
+
+StarTarget plate_target(const BorderPlate& plate, const std::vector<SideSpline>& sides) {
+  return {[&plate](const Vector2d& place) { return plate.at(place); },
+          [&plate, &sides](std::size_t side, double t) {
+            return plate.place(sides[side].curve().position(t));
+          },
+          plate.centre()};
 }
 
 StarTarget blend_target(const TransfinitePatch& patch) {
@@ -73,8 +93,9 @@ StarTarget blend_target(const TransfinitePatch& patch) {
 // that side and of the one before.
 class Star {
  public:
-  Star(const RegionInput& input, const std::vector<SideSpline>& sides, StarTarget target)
-      : input_(input), sides_(sides), target_(std::move(target)) {
+  Star(const RegionInput& input, const std::vector<SideSpline>& sides, StarTarget target,
+       bool has_normals)
+      : input_(input), sides_(sides), target_(std::move(target)), has_normals_(has_normals) {
     for (const SideSpline& side : sides_) middles_.push_back(side.parts().middle());
   }
 
@@ -94,8 +115,19 @@ class Star {
     return true;
   }
 
+  std::vector<Vector2d> inner_places() const {
+    std::vector<Vector2d> places{target_.centre};
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      for (double u : {0.25, 0.75}) {
+        for (double v : {0.25, 0.75}) places.push_back(place(i, u, v));
+      }
+    }
+    return places;
+  }
+
   RegionQuads quads() {
     RegionQuads made;
+    made.has_normals = has_normals_;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       spokes_.push_back(spoke(i));
       made.spoke_error = std::max(made.spoke_error, spokes_.back().error);
@@ -165,31 +197,30 @@ class Star {
     const QuadTarget target = [this, i](double u, double v) {
       return target_.at(place(i, u, v)).point;
     };
-    made.patches.push_back(
-        fitted_quad({part_of(sides_[i], 0.0, middles_[i], corner, middle), spoke_side(i, true),
-                     spoke_side(last, false), part_of(sides_[last], middles_[last], 1.0, other,
-                                                      corner)},
-                    target, input_.spans));
+    std::array<QuadSide, 4> around{part_of(sides_[i], 0.0, middles_[i], corner, middle),
+                                   spoke_side(i, true), spoke_side(last, false),
+                                   part_of(sides_[last], middles_[last], 1.0, other, corner)};
+    if (!has_normals_) around[0].normal = around[3].normal = nullptr;
+    keep(made, fitted_quad(around, target, input_.spans));
   }
 
   const RegionInput& input_;
   const std::vector<SideSpline>& sides_;
   StarTarget target_;
+  bool has_normals_;
   std::vector<double> middles_;
   std::vector<FittedSpline> spokes_;
 };
 
 }  // namespace
 
-RegionLayout::RegionLayout(const NetworkFrame& frame, const std::vector<RegionSide>& given)
-    : sides(sides_of_one_curve(frame, given)), is_single(given.size() == 4 && sides.size() == 4) {}
-
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
-                                                    const RegionLayout& layout) {
+                                                    const std::vector<RegionSide>& sides,
+                                                    bool is_single) {
   std::vector<SideParts> parts;
-  for (const RegionSide& side : layout.sides) parts.emplace_back(frame, side);
+  for (const RegionSide& side : sides) parts.emplace_back(frame, side);
   std::vector<std::array<QuadBorder, 4>> borders;
-  if (layout.is_single) {
+  if (is_single) {
     auto& around = borders.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) around[k].pieces = parts[k].pieces(0.0, 1.0);
     return borders;
@@ -204,21 +235,27 @@ std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
   return borders;
 }
 
-RegionQuads region_quads(const RegionInput& input, const RegionLayout& layout) {
+RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& given) {
+  const std::vector<RegionSide> sides = sides_of_one_curve(*input.frame, given);
   std::vector<SideSpline> splines;
-  for (const RegionSide& side : layout.sides) splines.emplace_back(input.frame, input.edges, side);
-  const auto patch = [&] { return TransfinitePatch(ribboned_sides(input.frame, layout.sides)); };
-  if (layout.is_single) return single_quad(input, splines, patch());
-  if (const std::optional<StarTarget> plate = plate_target(splines)) {
-    Star star(input, splines, *plate);
-    if (star.is_regular()) return star.quads();
+  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  if (given.size() == 4 && sides.size() == 4) {
+    const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+    if (!is_folded(patch)) return single_quad(input, splines, patch);
   }
-  if (splines.size() == 2) {
+  for (bool has_normals : {true, false}) {
+    const auto plate = plate_of(splines, has_normals);
+    if (!plate) continue;
+    Star star(input, splines, plate_target(*plate, splines), has_normals);
+    if (star.is_regular() && plate->is_gentle(star.inner_places())) return star.quads();
+  }
+  const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+  const StarTarget target = blend_target(patch);
+  if (splines.size() == 2 || splines.size() == 4) {
     throw std::invalid_argument(
-        "A region within two sides is no graph over a plane: divide it by a curve.");
+        "Its border is no graph over a plane, or turns back: divide it by a curve.");
   }
-  const TransfinitePatch blend = patch();
-  return Star(input, splines, blend_target(blend)).quads();
+  return Star(input, splines, target, true).quads();
 }
 
 }  // namespace hull::network

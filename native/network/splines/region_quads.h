@@ -20,19 +20,15 @@ struct QuadBorder {
 struct RegionQuads {
   std::vector<conversion::BSplinePatch> patches;
   double spoke_error = 0.0;  // m, of splines along spokes
+  bool has_normals = true;   // else it has not, everywhere, the network's tangent planes
+
+  bool is_single() const { return patches.size() == 1; }
 };
 
-// The sides between which a region's patches are: each of one curve, so that it has no kink.
-struct RegionLayout {
-  RegionLayout(const NetworkFrame& frame, const std::vector<RegionSide>& given);
-
-  std::vector<RegionSide> sides;
-  bool is_single;  // one patch, because the region has four sides, none of which was cut
-};
-
-// Of its patches.
+// Of its patches. `sides`: sides_of_one_curve().
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
-                                                    const RegionLayout& layout);
+                                                    const std::vector<RegionSide>& sides,
+                                                    bool is_single);
 
 struct RegionInput {
   std::shared_ptr<const NetworkFrame> frame;
@@ -41,9 +37,11 @@ struct RegionInput {
   int spans;
 };
 
-// Of a single patch the target is the region's TransfinitePatch. Of others it is a BorderPlate's
-// surface, where the border is a graph over a plane and quads around its centroid cover it without
-// folds, and a TransfinitePatch where not. Throws std::invalid_argument for what then has none.
-RegionQuads region_quads(const RegionInput& input, const RegionLayout& layout);
+// Of a region with four sides, none of which goes on in another curve, the target is its
+// TransfinitePatch, and there is a single patch, unless it is folded. Of others it is a
+// BorderPlate's surface, where the border is a graph over a plane and quads around its centroid
+// cover it without folds; where that is steep inside a BorderPlate's without normals; and a
+// TransfinitePatch where there is none.
+RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& given);
 
 }  // namespace hull::network
