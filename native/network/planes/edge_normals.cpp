@@ -114,9 +114,18 @@ class NormalFields {
       span.last = e;
       span.width = joined_.edges[e].high - joined_.edges[span.first].low;
       span.field.end = side.fields[e].end;
+      const bool has_start = side.starts_told[span.first], has_end = side.ends_told[e];
+      if (has_end && !has_start) span.field.start = carried(span.field.end, span.first, true);
+      if (has_start && !has_end) span.field.end = carried(span.field.start, e, false);
       spans.push_back(span);
     }
     return spans;
+  }
+
+  // What is told at one end of a span, where nothing is at the other.
+  Vector3d carried(const Vector3d& normal, std::size_t edge, bool is_start) const {
+    const Vector3d tangent = shapes_[edge].tangent_from(is_start);
+    return (normal - normal.dot(tangent) * tangent).normalized();
   }
 
   // The edges of a piece of a curve are one after the other; a crease across it parts them.
@@ -161,8 +170,8 @@ class NormalFields {
       const NormalJet end = span.field.at((edge.high - low) / span.width);
       const double part = (edge.high - edge.low) / span.width;
       NormalField& field = side.fields[e];
-      if (e > span.first) field.start = start.normal;
-      if (e < span.last) field.end = end.normal;
+      field.start = start.normal;
+      field.end = end.normal;
       field.start_slope = part * start.slope;
       field.end_slope = part * end.slope;
     }

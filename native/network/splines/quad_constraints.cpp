@@ -11,6 +11,7 @@ using conversion::BSplinePatch;
 // Of independent constraints the least one, as a part of the largest: what is below contradicts
 // others, or says the same.
 constexpr double kIndependent = 1e-9;
+constexpr double kLeastShare = 0.02;  // of a side
 constexpr double kMostMove = 0.1;  // of a patch's size
 
 // Σ weights · points at right angles to a normal.
@@ -49,6 +50,8 @@ std::vector<Constraint> constraints_of(const BSplinePatch& patch,
     if (!side.normal) continue;
     const std::vector<double> knots = patch.side_knots(k);
     for (std::size_t i = 4; i + 4 < knots.size(); ++i) {
+      // Beside an end, which has its plane, a knot would say the same again.
+      if (knots[i] < kLeastShare || knots[i] > 1.0 - kLeastShare) continue;
       // At a knot of the degree's multiplicity the curve may have a kink, and no plane.
       if (knots[i] == knots[i - 1] || knots[i] == knots[i + 2]) continue;
       all.push_back(constraint_at(patch, k, knots, knots[i], side.normal(knots[i])));

@@ -2,6 +2,7 @@
 #include "network/splines/region_quads.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "network/splines/border_plate.h"
@@ -9,7 +10,7 @@
 namespace hull::network {
 namespace {
 
-constexpr int kPlateSamples = 8;  // of a side
+constexpr int kPlateSamples = 8;  // of a side, but of short ones
 constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
 
 // A region's surface over some plane domain, before it is splines.
@@ -61,10 +62,16 @@ RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>&
 }
 
 std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool has_normals) {
+  double longest = 0.0;
+  for (const SideSpline& side : sides) longest = std::max(longest, side.curve().polygon_length());
   std::vector<PlateSample> samples;
   for (const SideSpline& side : sides) {
-    for (int i = 0; i < kPlateSamples; ++i) {
-      const double t = static_cast<double>(i) / kPlateSamples;
+    // Samples that crowd along a short side would magnify all that it is off.
+    const double share = side.curve().polygon_length() / longest;
+    const int count = std::clamp(static_cast<int>(std::ceil(4.0 * share * kPlateSamples)), 1,
+                                 kPlateSamples);
+    for (int i = 0; i < count; ++i) {
+      const double t = static_cast<double>(i) / count;
       const Points3 jet = spline_jet(side.curve(), t);
       samples.push_back({jet.row(0), jet.row(1), side.normal(t), i > 0});
     }
@@ -81,12 +88,16 @@ StarTarget plate_target(const BorderPlate& plate, const std::vector<SideSpline>&
 }
 
 StarTarget blend_target(const TransfinitePatch& patch) {
+  Vector2d centre = Vector2d::Zero();
+  for (const Vector2d& corner : patch.domain()) {
+    centre += corner / static_cast<double>(patch.domain().size());
+  }
   return {[&patch](const Vector2d& place) { return patch.at(place); },
           [&patch](std::size_t side, double t) -> Vector2d {
             const auto& polygon = patch.domain();
             return (1.0 - t) * polygon[side] + t * polygon[(side + 1) % polygon.size()];
           },
-          Vector2d::Zero()};
+          centre};
 }
 
 // Quads around the centre of a region: each at the corner where a side begins, between halves of
@@ -249,13 +260,12 @@ RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>
     Star star(input, splines, plate_target(*plate, splines), has_normals);
     if (star.is_regular() && plate->is_gentle(star.inner_places())) return star.quads();
   }
-  const TransfinitePatch patch(ribboned_sides(input.frame, sides));
-  const StarTarget target = blend_target(patch);
-  if (splines.size() == 2 || splines.size() == 4) {
+  if (sides.size() == 2) {
     throw std::invalid_argument(
         "Its border is no graph over a plane, or turns back: divide it by a curve.");
   }
-  return Star(input, splines, target, true).quads();
+  const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+  return Star(input, splines, blend_target(patch), true).quads();
 }
 
 }  // namespace hull::network
