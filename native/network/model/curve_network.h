@@ -22,8 +22,12 @@ struct NetworkCurve {
     kProfile,
     kDeckEdge,
   };
+  // What it is for B-spline patches: they have borders along boundaries, and only pass through
+  // references. All may be borders, also those that end on another curve.
+  enum class Role { kBoundary, kReference };
   CurveDefinition definition;
   Kind kind = Kind::kFree;
+  Role role = Role::kBoundary;
 };
 
 struct NetworkOptions {

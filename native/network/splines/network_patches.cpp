@@ -18,10 +18,16 @@ void append(std::vector<double>& key, const Vector3d& value) {
 }
 
 // All that a region's patches depend on, but for numbers of edges.
-std::vector<double> key_of(const RegionInput& input, const std::vector<RegionSide>& sides) {
+std::vector<double> key_of(const RegionInput& input, const MergedRegion& region) {
   std::vector<double> key{input.tolerance, static_cast<double>(input.spans)};
   const NetworkFrame& frame = *input.frame;
-  for (const RegionSide& side : sides) {
+  for (int edge : region.references) {
+    for (const Vector3d& point :
+         input.edges.fitted[static_cast<std::size_t>(edge)].curve.points) {
+      append(key, point);
+    }
+  }
+  for (const RegionSide& side : region.sides) {
     key.push_back(static_cast<double>(side.size()));
     const std::vector<double> ends = side_ends(frame, side);
     key.insert(key.end(), ends.begin(), ends.end());
@@ -48,7 +54,10 @@ class PatchMaker {
         known_(std::make_shared<NetworkPatches::Known>()) {}
 
   NetworkPatches run() {
-    for (int r = 0; r < static_cast<int>(network_.regions().size()); ++r) add(r);
+    for (const MergedRegion& region :
+         merged_regions(network_.frame(), network_.regions(), reference_edges())) {
+      add(region);
+    }
     name_missed();
     JoinedQuads joined = joined_quads(network_.frame(), placed_);
     made_.set = std::move(joined.set);
@@ -58,19 +67,27 @@ class PatchMaker {
   }
 
  private:
-  void add(int region) {
-    const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
-    std::vector<double> key = key_of(input_, sides);
+  std::vector<bool> reference_edges() const {
+    std::vector<bool> is_reference;
+    for (const CurveEdge& edge : network_.frame().joined.edges) {
+      const NetworkCurve& curve = network_.curves()[static_cast<std::size_t>(edge.curve)];
+      is_reference.push_back(curve.role == NetworkCurve::Role::kReference);
+    }
+    return is_reference;
+  }
+
+  void add(const MergedRegion& region) {
+    std::vector<double> key = key_of(input_, region);
     if (const RegionQuads* old = find(key)) {
       keep(region, known_->emplace(std::move(key), *old).first->second);
       return;
     }
     try {
-      network_.check_region(region);
-      RegionQuads quads = region_quads(input_, sides);
+      for (int one : region.regions) network_.check_region(one);
+      RegionQuads quads = region_quads(input_, region);
       keep(region, known_->emplace(std::move(key), std::move(quads)).first->second);
     } catch (const std::invalid_argument& fault) {
-      made_.problems.push_back(open_region(network_.frame(), sides, fault.what()));
+      made_.problems.push_back(open_region(network_.frame(), region.sides, fault.what()));
     }
   }
 
@@ -80,14 +97,20 @@ class PatchMaker {
     return at == before_->known->end() ? nullptr : &at->second;
   }
 
-  void keep(int region, const RegionQuads& quads) {
-    const auto& sides = network_.regions()[static_cast<std::size_t>(region)];
+  void keep(const MergedRegion& region, const RegionQuads& quads) {
     const NetworkFrame& frame = network_.frame();
     placed_.push_back(
-        {&quads, quad_borders(frame, sides_of_one_curve(frame, sides), quads.is_single())});
-    if (!quads.has_normals) made_.problems.push_back(loose_region(frame, sides));
-    made_.largest_error = std::max(made_.largest_error, quads.spoke_error);
-    made_.regions.insert(made_.regions.end(), quads.patches.size(), region);
+        {&quads, quad_borders(frame, sides_of_one_curve(frame, region.sides), quads.is_single())});
+    made_.largest_error = std::max({made_.largest_error, quads.spoke_error, quads.curve_error});
+    made_.regions.insert(made_.regions.end(), quads.patches.size(), region.regions.front());
+    if (!quads.has_normals) made_.problems.push_back(loose_region(frame, region.sides));
+    if (quads.curve_error > input_.tolerance) {
+      const int edge = region.references.front();
+      const int curve = frame.joined.edges[static_cast<std::size_t>(edge)].curve;
+      made_.problems.push_back(
+          missed_curve(network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
+                       edges_.place(frame, edge, 0.5), quads.curve_error));
+    }
   }
 
   void name_missed() {

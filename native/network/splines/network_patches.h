@@ -15,12 +15,13 @@ struct PatchOptions {
 };
 
 // The surface of a network as B-spline patches that share their borders: one patch in each region
-// of four sides, N around a centre in regions of other numbers N. Curves are met within the
+// of four sides, N around a centre in regions of other numbers N. Regions that only reference
+// curves part are one, where that has four sides (merged_regions()). Curves are met within the
 // tolerance, borders of neighbours are the same curves, and their tangent planes are the same at
 // the inner knots that both have. See fitted_quad() and region_quads().
 struct NetworkPatches {
   conversion::PatchSet set;
-  std::vector<int> regions;              // of patches
+  std::vector<int> regions;              // of patches; of merged ones the first
   std::vector<int> edges;                // of edges of the set the network's; -1: within a region
   std::vector<NetworkProblem> problems;  // regions that are left open, and curves not met
   double largest_error = 0.0;            // m, of splines from curves and spokes

@@ -6,12 +6,14 @@
 #include <stdexcept>
 
 #include "network/splines/border_plate.h"
+#include "network/splines/reference_fit.h"
 
 namespace hull::network {
 namespace {
 
 constexpr int kPlateSamples = 8;  // of a side, but of short ones
 constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
+constexpr int kCurveSamples = 8;  // of an edge of a reference curve
 
 // A region's surface over some plane domain, before it is splines.
 struct StarTarget {
@@ -58,6 +60,40 @@ RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>&
   const QuadTarget target = [&](double u, double v) { return patch.at({u, v}).point; };
   keep(quads, fitted_quad({whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])},
                           target, input.spans));
+  return quads;
+}
+
+// What reference curves tell of the tangent planes along the network's border is all there is.
+void free_border(const RegionInput& input, const SideSpline& side, QuadSide& quad_side) {
+  const RegionEdge& edge = side.parts().edges().front();
+  const auto sides = input.frame->faces.region_of_side.begin() + 2 * edge.edge;
+  if (sides[0] < 0 || sides[1] < 0) quad_side.normal = nullptr;
+}
+
+RegionQuads quad_with_references(const RegionInput& input, const std::vector<SideSpline>& sides,
+                                 const std::vector<int>& references) {
+  std::array<QuadSide, 4> around{whole(sides[0]), whole(sides[1]), whole(sides[2]),
+                                 whole(sides[3])};
+  for (std::size_t k = 0; k < 4; ++k) free_border(input, sides[k], around[k]);
+  std::vector<Vector3d> points;
+  for (int edge : references) {
+    const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(edge)];
+    for (int i = 0; i < kCurveSamples; ++i) {
+      points.emplace_back(shape.evaluate((i + 0.5) / kCurveSamples, 0).row(0));
+    }
+  }
+  // Curves inside tell more than normals at corners: the bilinear Coons patch.
+  const auto on = [&](std::size_t k, double t) { return around[k].curve.position(t); };
+  const QuadTarget start = [&](double u, double v) {
+    const Vector3d low = on(0, u), right = on(1, v), high = on(2, 1.0 - u), left = on(3, 1.0 - v);
+    return Vector3d((1.0 - v) * low + v * high + (1.0 - u) * left + u * right -
+                    (1.0 - u) * ((1.0 - v) * on(0, 0.0) + v * on(3, 0.0)) -
+                    u * ((1.0 - v) * on(1, 0.0) + v * on(2, 0.0)));
+  };
+  ReferenceFit fit = fitted_to_curves(around, start, points, {input.tolerance, input.spans});
+  RegionQuads quads;
+  quads.curve_error = fit.error;
+  keep(quads, std::move(fit.quad));
   return quads;
 }
 
@@ -246,10 +282,14 @@ std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
   return borders;
 }
 
-RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& given) {
+RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
+  const std::vector<RegionSide>& given = region.sides;
   const std::vector<RegionSide> sides = sides_of_one_curve(*input.frame, given);
   std::vector<SideSpline> splines;
   for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  if (!region.references.empty()) {
+    return quad_with_references(input, splines, region.references);
+  }
   if (given.size() == 4 && sides.size() == 4) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
     if (!is_folded(patch)) return single_quad(input, splines, patch);

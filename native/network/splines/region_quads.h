@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "network/patches/transfinite_patch.h"
+#include "network/splines/merged_regions.h"
 #include "network/splines/side_spline.h"
 
 namespace hull::network {
@@ -20,6 +21,7 @@ struct QuadBorder {
 struct RegionQuads {
   std::vector<conversion::BSplinePatch> patches;
   double spoke_error = 0.0;  // m, of splines along spokes
+  double curve_error = 0.0;  // m, of the patch from reference curves
   bool has_normals = true;   // else it has not, everywhere, the network's tangent planes
 
   bool is_single() const { return patches.size() == 1; }
@@ -41,7 +43,8 @@ struct RegionInput {
 // TransfinitePatch, and there is a single patch, unless it is folded. Of others it is a
 // BorderPlate's surface, where the border is a graph over a plane and quads around its centroid
 // cover it without folds; where that is steep inside a BorderPlate's without normals; and a
-// TransfinitePatch where there is none.
-RegionQuads region_quads(const RegionInput& input, const std::vector<RegionSide>& given);
+// TransfinitePatch where there is none. With reference curves the single patch is
+// fitted_to_curves(), free along the network's border.
+RegionQuads region_quads(const RegionInput& input, const MergedRegion& region);
 
 }  // namespace hull::network

@@ -13,6 +13,7 @@ constexpr int kMostSpans = 64;
 constexpr int kTestsOfSpan = 4;
 constexpr double kSameKnot = 1e-12;
 constexpr double kSameSlope = 1e-9;  // of a spline's size
+constexpr double kRounding = 2e-14;  // of it
 
 // The inner control points have the curve's points at inner knots: one row of 1/6, 2/3, 1/6 each,
 // but beside the ends, solved from both sides inwards (Thomas).
@@ -49,6 +50,26 @@ double furthest(const BSplineCurve& spline, const CurveJet& curve, int spans) {
     error = std::max(error, (spline.position(t) - Vector3d(curve(t).row(0))).norm());
   }
   return error;
+}
+
+// Without one of a double knot, where the curve is as smooth as with a simple one but for rounding
+// (the knot's second insertion, undone from both sides).
+void make_simple(BSplineCurve& curve, double t, double rounding) {
+  auto& knots = curve.knots;
+  const auto s = static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), t) -
+                                          knots.begin());
+  // Of the knots with t once: those around it.
+  const double before = knots[s - 1], second_before = knots[s - 2], after = knots[s + 2],
+               second_after = knots[s + 3];
+  const double low = (t - second_before) / (after - second_before);
+  const double high = (t - before) / (second_after - before);
+  auto& points = curve.points;
+  const Vector3d one = (points[s - 2] - (1.0 - low) * points[s - 3]) / low;
+  const Vector3d other = (points[s - 1] - high * points[s]) / (1.0 - high);
+  if (!((1.0 - high) * (one - other).norm() <= rounding)) return;
+  points[s - 2] = one;
+  points.erase(points.begin() + static_cast<std::ptrdiff_t>(s) - 1);
+  knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(s));
 }
 
 }  // namespace
@@ -132,6 +153,11 @@ BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
     }
   }
   whole.knots.insert(whole.knots.end(), 4, 1.0);
+  for (std::size_t p = 1; p < parts.size(); ++p) {
+    if (std::ranges::count(whole.knots, ends[p]) == 2) {
+      make_simple(whole, ends[p], kRounding * size);
+    }
+  }
   return whole;
 }
 
