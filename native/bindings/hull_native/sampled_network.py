@@ -164,9 +164,7 @@ def _points_and_knuckles(splines, size, stations=()):
 def _station_parameters(spline, at, stations):
     """Where a spline crosses x = stations between the parameters at."""
     x = np.asarray(spline.evaluate(at))[:, 0]
-    rows, crossings = np.nonzero(
-        (x[:-1, None] - stations) * (x[1:, None] - stations) < 0.0
-    )
+    rows, crossings = np.nonzero((x[:-1, None] - stations) * (x[1:, None] - stations) < 0.0)
     low, high, wanted = at[rows], at[rows + 1], np.asarray(stations)[crossings]
     rises = x[rows + 1] > x[rows]
     if not len(low):

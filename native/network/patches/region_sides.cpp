@@ -159,9 +159,8 @@ std::vector<RegionSide> sides_of_one_curve(const NetworkFrame& frame,
 }
 
 std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side) {
-  const bool is_one = std::ranges::all_of(side, [&](const RegionEdge& other) {
-    return !changes_curve(frame, side.front(), other);
-  });
+  const bool is_one = std::ranges::all_of(
+      side, [&](const RegionEdge& other) { return !changes_curve(frame, side.front(), other); });
   std::vector<double> ends{0.0};
   for (const RegionEdge& edge : side) {
     const CurveEdge& part = curve_edge(frame, edge);

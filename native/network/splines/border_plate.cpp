@@ -107,11 +107,10 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
       all(i, k) = !has_normals_ ? radial3(d)
                   : has_slope   ? is_slope ? -one.across.dot(radial5_bend(d, other.across))
                                            : one.across.dot(radial5_slope(d))
-                  : is_slope    ? -other.across.dot(radial5_slope(d))
+                    : is_slope ? -other.across.dot(radial5_slope(d))
                                 : radial5(d);
     }
-    const Polynomials row =
-        has_slope ? polynomial_slopes(one.at, one.across) : polynomials(one.at);
+    const Polynomials row = has_slope ? polynomial_slopes(one.at, one.across) : polynomials(one.at);
     all.block(i, count, 1, terms) = row.head(terms).transpose();
     all.block(count, i, terms, 1) = row.head(terms);
   }

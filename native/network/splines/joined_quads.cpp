@@ -78,8 +78,7 @@ class QuadJoiner {
       const int number =
           first_edge_[static_cast<std::size_t>(piece.edge)] + static_cast<int>(std::min(cut, next));
       const auto on_side = [&](double t) {
-        return piece.begin +
-               (piece.end - piece.begin) * (t - piece.from) / (piece.to - piece.from);
+        return piece.begin + (piece.end - piece.begin) * (t - piece.from) / (piece.to - piece.from);
       };
       const double begin = side.empty() ? 0.0 : side.back().end;
       side.push_back({number, vertex_of(piece.edge, cut), vertex_of(piece.edge, next), begin,
@@ -114,8 +113,8 @@ class QuadJoiner {
         if (border.spoke < 0) {
           for (const EdgePiece& piece : border.pieces) add_pieces(sides[k], piece);
         } else {
-          const int middle = border.is_inwards ? end_of(region.borders[q][0])
-                                               : start_of(region.borders[q][3]);
+          const int middle =
+              border.is_inwards ? end_of(region.borders[q][0]) : start_of(region.borders[q][3]);
           const int edge = first_spoke + border.spoke;
           sides[k] = border.is_inwards ? conversion::whole_side(edge, middle, centre)
                                        : conversion::whole_side(edge, centre, middle);

@@ -19,7 +19,6 @@ struct JoinedQuads {
 
 // The patches of regions as one set, in their order. Edges of the network are edges of the set, cut
 // where patches of either side of them end.
-JoinedQuads joined_quads(const NetworkFrame& frame,
-                                  const std::vector<PlacedQuads>& regions);
+JoinedQuads joined_quads(const NetworkFrame& frame, const std::vector<PlacedQuads>& regions);
 
 }  // namespace hull::network

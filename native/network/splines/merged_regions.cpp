@@ -66,8 +66,10 @@ class RegionMerger {
         return one.edge == side.edge && one.is_along == side.is_along;
       });
       side = at + 1 == loop.end() ? loop.front() : *(at + 1);
-      if (is_open(side)) side.is_along = !side.is_along;
-      else return side;
+      if (is_open(side))
+        side.is_along = !side.is_along;
+      else
+        return side;
     } while (true);
   }
 

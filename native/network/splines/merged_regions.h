@@ -7,9 +7,9 @@ namespace hull::network {
 
 // A region between boundaries, or several that only reference curves part.
 struct MergedRegion {
-  std::vector<int> regions;           // of the network
-  std::vector<RegionSide> sides;      // counterclockwise seen from outside
-  std::vector<int> references;        // edges within
+  std::vector<int> regions;       // of the network
+  std::vector<RegionSide> sides;  // counterclockwise seen from outside
+  std::vector<int> references;    // edges within
 };
 
 // Regions joined over edges that are references. Where that does not make a region within four

@@ -22,8 +22,7 @@ std::vector<double> key_of(const RegionInput& input, const MergedRegion& region)
   std::vector<double> key{input.tolerance, static_cast<double>(input.spans)};
   const NetworkFrame& frame = *input.frame;
   for (int edge : region.references) {
-    for (const Vector3d& point :
-         input.edges.fitted[static_cast<std::size_t>(edge)].curve.points) {
+    for (const Vector3d& point : input.edges.fitted[static_cast<std::size_t>(edge)].curve.points) {
       append(key, point);
     }
   }
@@ -45,8 +44,7 @@ std::vector<double> key_of(const RegionInput& input, const MergedRegion& region)
 
 class PatchMaker {
  public:
-  PatchMaker(const CurveNetwork& network, double tolerance, int spans,
-             const NetworkPatches* before)
+  PatchMaker(const CurveNetwork& network, double tolerance, int spans, const NetworkPatches* before)
       : network_(network),
         edges_(edge_splines(network.frame(), tolerance)),
         input_{network.shared_frame(), edges_, tolerance, spans},
@@ -123,9 +121,9 @@ class PatchMaker {
       if (error > curve.first) curve = {error, edges_.fitted[e].curve.position(0.5)};
     }
     for (const auto& [curve, missed] : worst) {
-      made_.problems.push_back(missed_curve(
-          network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
-          missed.second, missed.first));
+      made_.problems.push_back(
+          missed_curve(network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
+                       missed.second, missed.first));
     }
   }
 

@@ -46,7 +46,8 @@ NetworkProblem missed_curve(const std::string& name, int curve, const Vector3d& 
                             double error) {
   return {NetworkProblem::Kind::kMissedCurve,
           "The surface is " + length_text(error) + " off curve " + name + " near " +
-              place_text(place) + ": let the curve have a knuckle where it bends sharply, or a "
+              place_text(place) +
+              ": let the curve have a knuckle where it bends sharply, or a "
               "point more there.",
           {curve},
           {place}};

@@ -17,8 +17,7 @@ constexpr double kMostMove = 0.1;     // of a patch's size
 // B-spline functions of the points beside the side, against those on it: but for a factor the
 // derivative across.
 NormalConstraint constraint_at(const BSplinePatch& patch, int side,
-                               const std::vector<double>& knots, double t,
-                               const Vector3d& normal) {
+                               const std::vector<double>& knots, double t, const Vector3d& normal) {
   NormalConstraint made{{}, normal};
   const conversion::BasisValues values = conversion::basis_values(knots, 3, t);
   for (int a = 0; a < 4; ++a) {

@@ -120,9 +120,8 @@ FittedQuad fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& t
   FittedQuad fitted{with_borders(sides, spans)};
   const InnerFit inner(fitted.patch);
   inner.fit(fitted.patch, target);
-  fitted.has_normals =
-      meet_normals(fitted.patch, sides,
-                   [&](const Eigen::MatrixXd& right) { return inner.solved(right); });
+  fitted.has_normals = meet_normals(
+      fitted.patch, sides, [&](const Eigen::MatrixXd& right) { return inner.solved(right); });
   return fitted;
 }
 

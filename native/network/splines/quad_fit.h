@@ -32,7 +32,6 @@ struct FittedQuad {
   conversion::BSplinePatch patch;
   bool has_normals = true;  // else they contradict one another, and it has what comes
 };
-FittedQuad fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& target,
-                                     int spans);
+FittedQuad fitted_quad(const std::array<QuadSide, 4>& sides, const QuadTarget& target, int spans);
 
 }  // namespace hull::network

@@ -14,11 +14,11 @@ namespace {
 using conversion::BSplinePatch;
 
 constexpr int kMostReferenceSpans = 32;
-constexpr int kFootSolutions = 20;       // with feet found anew, at most
-constexpr double kSettled = 1e-13;       // of the size: feet that move no more
-constexpr int kFootGrid = 12;            // places each way from which a first foot is taken
-constexpr int kFootSteps = 8;            // of Newton's
-constexpr double kSlideShare = 1e-6;     // of a foot's distance along the patch
+constexpr int kFootSolutions = 20;    // with feet found anew, at most
+constexpr double kSettled = 1e-13;    // of the size: feet that move no more
+constexpr int kFootGrid = 12;         // places each way from which a first foot is taken
+constexpr int kFootSteps = 8;         // of Newton's
+constexpr double kSlideShare = 1e-6;  // of a foot's distance along the patch
 // Of the energy against the mean square of distances: first much, so that the patch's parameters
 // become even, then less and less with each solution, so that it does not keep it off curves.
 constexpr double kFirstEnergy = 1e-3, kLastEnergy = 1e-10, kLessEnergy = 0.3;
@@ -45,9 +45,8 @@ Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
     const surface::SurfaceJet jet = patch.evaluate(at.x(), at.y());
     Eigen::Matrix<double, 3, 2> slopes;
     slopes << jet.du, jet.dv;
-    const Place move = (slopes.transpose() * slopes)
-                           .ldlt()
-                           .solve(slopes.transpose() * (point - jet.point));
+    const Place move =
+        (slopes.transpose() * slopes).ldlt().solve(slopes.transpose() * (point - jet.point));
     if (!move.allFinite()) return at;
     at = (at + move).cwiseMax(0.0).cwiseMin(1.0);
     if (move.norm() < kSettled) break;
@@ -74,8 +73,8 @@ struct Energies {
       third.block<4, 4>(a.first, a.first) += width * jump * jump.transpose();
       constexpr double kNodes[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
                                    0.93056815579702629};
-      constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307,
-                                     0.32607257743127307, 0.17392742256872693};
+      constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                     0.17392742256872693};
       for (int g = 0; g < 4; ++g) {
         const conversion::BasisValues values = at(kNodes[g]);
         const Eigen::Vector4d row = values.rows.row(0).transpose();

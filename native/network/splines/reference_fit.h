@@ -18,9 +18,9 @@ struct ReferenceFit {
 // The patch within four sides that passes near points of curves inside: of their squared distances
 // and a little of ∫ S_uuu² + S_vvv² the least sum, under the constraints of fitted_quad(). The
 // energy leaves biquadratic surfaces alone. Feet of the points are found anew after each solution;
-// spans are doubled until the tolerance holds, up to 32. `start` is where feet are looked for first.
+// spans are doubled until the tolerance holds, up to 32. `start` is where feet are looked for
+// first.
 ReferenceFit fitted_to_curves(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                              const std::vector<Vector3d>& points,
-                              const ReferenceOptions& options);
+                              const std::vector<Vector3d>& points, const ReferenceOptions& options);
 
 }  // namespace hull::network

@@ -24,9 +24,8 @@ struct StarTarget {
 
 QuadSide part_of(const SideSpline& side, double begin, double end, const Vector3d& from,
                  const Vector3d& to) {
-  QuadSide part{side.curve().part(begin, end), [&side, begin, end](double t) {
-                  return side.normal(begin + t * (end - begin));
-                }};
+  QuadSide part{side.curve().part(begin, end),
+                [&side, begin, end](double t) { return side.normal(begin + t * (end - begin)); }};
   part.curve.points.front() = from;
   part.curve.points.back() = to;
   return part;
@@ -104,8 +103,8 @@ std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool h
   for (const SideSpline& side : sides) {
     // Samples that crowd along a short side would magnify all that it is off.
     const double share = side.curve().polygon_length() / longest;
-    const int count = std::clamp(static_cast<int>(std::ceil(4.0 * share * kPlateSamples)), 1,
-                                 kPlateSamples);
+    const int count =
+        std::clamp(static_cast<int>(std::ceil(4.0 * share * kPlateSamples)), 1, kPlateSamples);
     for (int i = 0; i < count; ++i) {
       const double t = static_cast<double>(i) / count;
       const Points3 jet = spline_jet(side.curve(), t);
@@ -194,9 +193,8 @@ class Star {
     };
     const Vector2d corner = target_.border(i, 0.0), middle = target_.border(i, middles_[i]),
                    other = on_last(1.0), &centre = target_.centre;
-    const Vector2d low = target_.border(i, u * middles_[i]),
-                   high = (1.0 - u) * other + u * centre, left = on_last(v),
-                   right = (1.0 - v) * middle + v * centre;
+    const Vector2d low = target_.border(i, u * middles_[i]), high = (1.0 - u) * other + u * centre,
+                   left = on_last(v), right = (1.0 - v) * middle + v * centre;
     return (1.0 - v) * low + v * high + (1.0 - u) * left + u * right -
            (1.0 - u) * ((1.0 - v) * corner + v * other) - u * ((1.0 - v) * middle + v * centre);
   }

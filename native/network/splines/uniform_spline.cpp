@@ -56,8 +56,8 @@ double furthest(const BSplineCurve& spline, const CurveJet& curve, int spans) {
 // (the knot's second insertion, undone from both sides).
 void make_simple(BSplineCurve& curve, double t, double rounding) {
   auto& knots = curve.knots;
-  const auto s = static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), t) -
-                                          knots.begin());
+  const auto s =
+      static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), t) - knots.begin());
   // Of the knots with t once: those around it.
   const double before = knots[s - 1], second_before = knots[s - 2], after = knots[s + 2],
                second_after = knots[s + 3];

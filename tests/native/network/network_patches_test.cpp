@@ -166,10 +166,10 @@ TEST(NetworkPatches, PlanesAtAnAngleKeepIt) {
   EXPECT_LT(angles.of_creases, 1e-6);
   EXPECT_LT(angles.anywhere, 1e-6);
   EXPECT_LT(furthest_off(made,
-                      [&](const Vector3d& p) {
-                        const double over = std::max(0.0, p.y() - 5.0);
-                        return p.z() + over * std::tan(angle);
-                      }),
+                         [&](const Vector3d& p) {
+                           const double over = std::max(0.0, p.y() - 5.0);
+                           return p.z() + over * std::tan(angle);
+                         }),
             1e-12);
 }
 
@@ -205,7 +205,8 @@ std::vector<NetworkCurve> wigley_quarter(const std::vector<double>& inner) {
   for (double at : inner) {
     const std::string number = std::to_string(at);
     curves.push_back(parabola("station " + number, [at](double t) { return wigley_form(at, t); }));
-    curves.push_back(parabola("waterline " + number, [at](double t) { return wigley_form(t, at); }));
+    curves.push_back(
+        parabola("waterline " + number, [at](double t) { return wigley_form(t, at); }));
   }
   for (std::size_t i = 4; i < curves.size(); ++i) {
     curves[i].role = NetworkCurve::Role::kReference;
@@ -214,8 +215,7 @@ std::vector<NetworkCurve> wigley_quarter(const std::vector<double>& inner) {
 }
 
 double off_wigley(const Vector3d& p) {
-  return p.y() - 0.5 * kBreadth * (1.0 - p.x() * p.x() / 2500.0) *
-                     (1.0 - p.z() * p.z() / 39.0625);
+  return p.y() - 0.5 * kBreadth * (1.0 - p.x() * p.x() / 2500.0) * (1.0 - p.z() * p.z() / 39.0625);
 }
 
 TEST(NetworkPatches, AWigleyQuarterWithReferencesIsExact) {
@@ -338,11 +338,14 @@ TEST(NetworkPatches, RegionsOfManySidesAreFound) {
         const double a = 2.0 * std::numbers::pi * k / count;
         return Vector3d(std::cos(a), std::sin(a), 0.0);
       };
-      curves.push_back(curve_along("C" + std::to_string(i), [&](double t) {
-        Vector3d p = (1.0 - t) * corner(i) + t * corner(i + 1);
-        p.z() = height(p.x(), p.y());
-        return p;
-      }, 17));
+      curves.push_back(curve_along(
+          "C" + std::to_string(i),
+          [&](double t) {
+            Vector3d p = (1.0 - t) * corner(i) + t * corner(i + 1);
+            p.z() = height(p.x(), p.y());
+            return p;
+          },
+          17));
     }
     const CurveNetwork network = network_of(curves);
     const NetworkPatches made = patches_of(network);
