@@ -46,6 +46,12 @@ const char* name_of_problem(NetworkProblem::Kind kind) {
       return "few_sides";
     case NetworkProblem::Kind::kManySides:
       return "many_sides";
+    case NetworkProblem::Kind::kOpenRegion:
+      return "open_region";
+    case NetworkProblem::Kind::kLooseRegion:
+      return "loose_region";
+    case NetworkProblem::Kind::kMissedCurve:
+      return "missed_curve";
   }
   return "";
 }
@@ -61,7 +67,8 @@ void bind_problem(py::module_& module) {
           "'shape', 'halt', 'off_plane', 'gap', 'short_edge', 'overlap', 'duplicate', "
           "'dangling_end', "
           "'apart', "
-          "'wrong_order', 'no_tangent_plane', 'tee', 'few_sides' or 'many_sides'.")
+          "'wrong_order', 'no_tangent_plane', 'tee', 'few_sides', 'many_sides'; of NetworkPatches "
+          "'open_region', 'loose_region' or 'missed_curve'.")
       .def_readonly("what", &NetworkProblem::what, "A sentence with place and remedy.")
       .def_property_readonly(
           "curves", [](const NetworkProblem& p) { return to_array(p.curves); },

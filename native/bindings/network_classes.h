@@ -9,5 +9,6 @@ namespace hull::bindings {
 void bind_network_curves(pybind11::module_& module);
 void bind_transfinite_patch(pybind11::module_& module);
 void bind_curve_network(pybind11::module_& module);
+void bind_network_patches(pybind11::module_& module);
 
 }  // namespace hull::bindings

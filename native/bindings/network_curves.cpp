@@ -30,6 +30,10 @@ constexpr KindNames<NetworkCurve::Kind, 8> kCurveKinds{{
     {"profile", NetworkCurve::Kind::kProfile},
     {"deck_edge", NetworkCurve::Kind::kDeckEdge},
 }};
+constexpr KindNames<NetworkCurve::Role, 2> kCurveRoles{{
+    {"boundary", NetworkCurve::Role::kBoundary},
+    {"reference", NetworkCurve::Role::kReference},
+}};
 constexpr KindNames<CurveDefinition::Kind, 4> kShapeKinds{{
     {"free", CurveDefinition::Kind::kFree},
     {"line", CurveDefinition::Kind::kLine},
@@ -94,8 +98,10 @@ NetworkCurve network_curve_from(const std::string& name, const DoubleArray& poin
                                 const std::string& kind, const std::string& shape,
                                 const DoubleArray& weights, const py::object& knuckles,
                                 double deviation, double fullness, const py::object& plane,
-                                const py::object& start, const py::object& end) {
+                                const py::object& start, const py::object& end,
+                                const std::string& role) {
   NetworkCurve curve;
+  curve.role = kind_named(kCurveRoles, role, "role");
   curve.kind = kind_named(kCurveKinds, kind, "kind");
   CurveDefinition& definition = curve.definition;
   definition.name = name;
@@ -132,7 +138,7 @@ void bind_network_curves(py::module_& module) {
            py::arg("kind") = "free", py::arg("shape") = "free", py::arg("weights") = py::tuple(),
            py::arg("knuckles") = py::tuple(), py::arg("deviation") = 0.0, py::arg("fullness") = 1.0,
            py::arg("plane") = py::none(), py::arg("start") = py::none(),
-           py::arg("end") = py::none(),
+           py::arg("end") = py::none(), py::arg("role") = "boundary",
            "points (n, 3), m. kind: 'station', 'waterline', 'buttock', 'diagonal', 'free', "
            "'knuckle' (the surface has one along it), 'profile' or 'deck_edge'. shape: 'free' (a "
            "smooth spline), 'line' of two points, 'arc' of three points, or of two and a tangent "
@@ -140,8 +146,11 @@ void bind_network_curves(py::module_& module) {
            "an ellipse, 1 for a parabola, above 1 for a hyperbola. Of free curves: weights (n,) of "
            "points, knuckles (k,) numbers of points between the ends, deviation, m, in the mean "
            "from the points (0: they are met). plane (4,): a normal and an offset, in which it "
-           "stays. start, end: CurveEnds; None: free. What does not fit is among the problems of "
-           "the network.")
+           "stays. start, end: CurveEnds; None: free. role, for network_patches: 'boundary', along "
+           "which patches have borders, or 'reference', which they pass through. What does not fit "
+           "is among the problems of the network.")
+      .def_property_readonly(
+          "role", [](const NetworkCurve& curve) { return name_of_kind(kCurveRoles, curve.role); })
       .def_property_readonly("name",
                              [](const NetworkCurve& curve) { return curve.definition.name; })
       .def_property_readonly(

@@ -10,5 +10,6 @@ PYBIND11_MODULE(_network, module) {
   bind_network_curves(module);
   bind_transfinite_patch(module);
   bind_curve_network(module);
+  bind_network_patches(module);
   refuse_unmade_instances(module);
 }

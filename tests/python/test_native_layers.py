@@ -18,8 +18,8 @@ USES = {
     "analysis": {"surface", "mesh"},
     "modelling": {"analysis", "surface", "mesh"},
     "morphing": {"modelling", "analysis", "surface", "mesh"},
-    "network": {"modelling", "analysis", "surface", "mesh"},
     "conversion": {"analysis", "surface", "mesh"},
+    "network": {"conversion", "modelling", "analysis", "surface", "mesh"},
     "exchange": {"conversion", "analysis", "surface", "mesh", "files"},
     "drawing": {"analysis", "surface", "mesh", "dxf", "files"},
 }

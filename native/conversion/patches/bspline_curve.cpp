@@ -83,7 +83,7 @@ BSplineCurve BSplineCurve::reversed() const {
   return result;
 }
 
-void BSplineCurve::insert_knot(double t) { insert(*this, t, 0); }
+void BSplineCurve::insert_knot(double t) { insert(*this, t, std::ranges::count(knots, t)); }
 
 BSplineCurve BSplineCurve::part(double begin, double end) const {
   if (begin == 0.0 && end == 1.0) return *this;

@@ -20,7 +20,8 @@ struct BSplineCurve {
 
   // The same curve the other way.
   BSplineCurve reversed() const;
-  // The same curve with one knot more at t, which is inside (0, 1) and no knot yet.
+  // The same curve with one knot more at t, which is inside (0, 1), and a knot less often than the
+  // degree.
   void insert_knot(double t);
   // Its part from `begin` to `end`, over [0, 1]. REQUIRES: 0 <= begin < end <= 1.
   BSplineCurve part(double begin, double end) const;

@@ -25,6 +25,9 @@ struct NetworkProblem {
     kTee,             // a curve that ends within another one's length, with surface beyond
     kFewSides,        // a region within one side
     kManySides,       // a region of more than ten
+    kOpenRegion,      // of which there are no patches
+    kLooseRegion,     // whose patches are not smooth with their neighbours
+    kMissedCurve,     // that patches are off
   };
   Kind kind;
   std::string what;  // with the remedy

@@ -211,7 +211,7 @@ std::vector<CurveRole> CurveNetwork::roles() const {
   return roles;
 }
 
-TransfinitePatch CurveNetwork::patch(int region) const {
+void CurveNetwork::check_region(int region) const {
   if (region < 0 || region >= static_cast<int>(regions_.size())) {
     throw std::invalid_argument("There is no region " + std::to_string(region) + ".");
   }
@@ -230,7 +230,11 @@ TransfinitePatch CurveNetwork::patch(int region) const {
           " that comes to a halt: without a direction there is no tangent plane.");
     }
   }
-  return TransfinitePatch(ribboned_sides(frame_, sides));
+}
+
+TransfinitePatch CurveNetwork::patch(int region) const {
+  check_region(region);
+  return TransfinitePatch(ribboned_sides(frame_, regions_[static_cast<std::size_t>(region)]));
 }
 
 std::vector<Contact> network_meetings(const std::vector<NetworkCurve>& curves, double tolerance) {

@@ -22,8 +22,12 @@ struct NetworkCurve {
     kProfile,
     kDeckEdge,
   };
+  // What it is for B-spline patches: they have borders along boundaries, and only pass through
+  // references. All may be borders, also those that end on another curve.
+  enum class Role { kBoundary, kReference };
   CurveDefinition definition;
   Kind kind = Kind::kFree;
+  Role role = Role::kBoundary;
 };
 
 struct NetworkOptions {
@@ -58,13 +62,17 @@ class CurveNetwork {
   const std::vector<NetworkProblem>& problems() const { return problems_; }
   // What the joined part is made of; without regions that is no more than nodes and edges.
   const NetworkFrame& frame() const { return *frame_; }
+  std::shared_ptr<const NetworkFrame> shared_frame() const { return frame_; }
+  double tolerance() const { return options_.joining.tolerance; }
   // Sides of each region, counterclockwise seen from outside.
   const std::vector<std::vector<RegionSide>>& regions() const { return regions_; }
   // Of each curve; all zero without regions.
   std::vector<CurveRole> roles() const;
 
-  // The surface within a region. Throws std::invalid_argument where it has one side, or more than
-  // ten, or an edge that comes to a halt.
+  // Throws std::invalid_argument for a region of one side, or more than ten, or with an edge that
+  // comes to a halt, and for a number that none has.
+  void check_region(int region) const;
+  // The surface within a region that check_region() has no objection to.
   TransfinitePatch patch(int region) const;
 
  private:

@@ -36,12 +36,7 @@ class SideCurve {
  public:
   SideCurve(std::shared_ptr<const NetworkFrame> frame, RegionSide side)
       : frame_(std::move(frame)), side_(std::move(side)) {
-    ends_.push_back(0.0);
-    for (const RegionEdge& edge : side_) {
-      ends_.push_back(ends_.back() + share_of(edge));
-    }
-    for (double& end : ends_) end /= ends_.back();
-    ends_.back() = 1.0;
+    ends_ = side_ends(*frame_, side_);
   }
 
   struct Jet {
@@ -65,17 +60,6 @@ class SideCurve {
   }
 
  private:
-  // Of one piece of a curve parameters, so that the side is as smooth as the curve is; else
-  // lengths.
-  double share_of(const RegionEdge& edge) const {
-    const auto is_of_one = [&](const RegionEdge& other) {
-      return !changes_curve(*frame_, side_.front(), other);
-    };
-    const CurveEdge& part = curve_edge(*frame_, edge);
-    if (std::ranges::all_of(side_, is_of_one)) return part.high - part.low;
-    return frame_->shapes[static_cast<std::size_t>(edge.edge)].length();
-  }
-
   std::shared_ptr<const NetworkFrame> frame_;
   RegionSide side_;
   std::vector<double> ends_;
@@ -159,6 +143,34 @@ std::vector<RegionSide> region_sides(const NetworkFrame& frame,
     }
   }
   return sides;
+}
+
+std::vector<RegionSide> sides_of_one_curve(const NetworkFrame& frame,
+                                           const std::vector<RegionSide>& sides) {
+  std::vector<RegionSide> cut;
+  for (const RegionSide& side : sides) {
+    cut.emplace_back();
+    for (const RegionEdge& edge : side) {
+      if (!cut.back().empty() && changes_curve(frame, cut.back().back(), edge)) cut.emplace_back();
+      cut.back().push_back(edge);
+    }
+  }
+  return cut;
+}
+
+std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side) {
+  const bool is_one = std::ranges::all_of(
+      side, [&](const RegionEdge& other) { return !changes_curve(frame, side.front(), other); });
+  std::vector<double> ends{0.0};
+  for (const RegionEdge& edge : side) {
+    const CurveEdge& part = curve_edge(frame, edge);
+    ends.push_back(ends.back() +
+                   (is_one ? part.high - part.low
+                           : frame.shapes[static_cast<std::size_t>(edge.edge)].length()));
+  }
+  for (double& end : ends) end /= ends.back();
+  ends.back() = 1.0;
+  return ends;
 }
 
 std::vector<PatchSide> ribboned_sides(std::shared_ptr<const NetworkFrame> frame,

@@ -27,6 +27,14 @@ using RegionSide = std::vector<RegionEdge>;
 std::vector<RegionSide> region_sides(const NetworkFrame& frame,
                                      const std::vector<RegionEdge>& loop);
 
+// Sides cut where one curve, or piece of a curve, goes on in another one.
+std::vector<RegionSide> sides_of_one_curve(const NetworkFrame& frame,
+                                           const std::vector<RegionSide>& sides);
+
+// Where a side's edges begin and end on it, from 0 to 1: of one piece of a curve by parameters, so
+// that the side is as smooth as the curve is; else by lengths.
+std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side);
+
 // The sides with tangent ribbons. With C the side, over shares of its edges' lengths, n the normals
 // along it and T = n × C' / |C'|, the ribbon is
 //

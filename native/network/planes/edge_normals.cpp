@@ -10,6 +10,12 @@ namespace {
 constexpr double kMostRatio = 8.0;    // of neighbouring edges that tell each other's slopes
 constexpr double kSameNormal = 1e-9;  // of unit normals of one plane
 
+// Of all edges, and whether what is at their ends is told there.
+struct Side {
+  std::vector<NormalField> fields;
+  std::vector<bool> starts_told, ends_told;
+};
+
 class NormalFields {
  public:
   NormalFields(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
@@ -21,12 +27,17 @@ class NormalFields {
       normals_.planes.push_back(tangent_planes(star_of(node, is_knuckle), limit));
     }
     const std::size_t count = joined_.edges.size();
-    normals_.left.resize(count);
-    normals_.right.resize(count);
+    for (Side* side : {&left_, &right_}) {
+      side->fields.resize(count);
+      side->starts_told.resize(count);
+      side->ends_told.resize(count);
+    }
     for (std::size_t node = 0; node < joined_.nodes.size(); ++node) set_ends(node);
-    for (std::size_t edge = 0; edge < count; ++edge) set_crease(edge);
-    for (auto* side : {&normals_.left, &normals_.right}) set_slopes(*side);
+    for (std::size_t edge = 0; edge < count; ++edge) copy_beyond(edge);
+    for (Side* side : {&left_, &right_}) set_slopes(*side);
     for (std::size_t edge = 0; edge < count; ++edge) share_slopes(edge);
+    normals_.left = std::move(left_.fields);
+    normals_.right = std::move(right_.fields);
     return std::move(normals_);
   }
 
@@ -53,28 +64,33 @@ class NormalFields {
   void set_ends(std::size_t node) {
     const auto& around = order_.around[node];
     const auto& sectors = normals_.planes[node].normals;
+    const auto& told = normals_.planes[node].is_told;
     for (std::size_t i = 0; i < around.size(); ++i) {
       const auto edge = static_cast<std::size_t>(around[i].edge);
-      const Vector3d& after = sectors[i];
-      const Vector3d& before = sectors[(i + around.size() - 1) % around.size()];
-      NormalField &left = normals_.left[edge], &right = normals_.right[edge];
+      const std::size_t after = i, before = (i + around.size() - 1) % around.size();
       if (around[i].is_start) {
-        left.start = after;
-        right.start = before;
+        left_.fields[edge].start = sectors[after];
+        right_.fields[edge].start = sectors[before];
+        left_.starts_told[edge] = told[after];
+        right_.starts_told[edge] = told[before];
       } else {
-        left.end = before;
-        right.end = after;
+        left_.fields[edge].end = sectors[before];
+        right_.fields[edge].end = sectors[after];
+        left_.ends_told[edge] = told[before];
+        right_.ends_told[edge] = told[after];
       }
     }
   }
 
   // Beyond the border the surface goes on as it is.
-  void set_crease(std::size_t edge) {
-    NormalField &left = normals_.left[edge], &right = normals_.right[edge];
-    if (region(edge, true) < 0) left = right;
-    if (region(edge, false) < 0) right = left;
-    normals_.is_crease.push_back((left.start - right.start).norm() > kSameNormal ||
-                                 (left.end - right.end).norm() > kSameNormal);
+  void copy_beyond(std::size_t edge) {
+    const auto copy = [edge](Side& to, const Side& from) {
+      to.fields[edge] = from.fields[edge];
+      to.starts_told[edge] = from.starts_told[edge];
+      to.ends_told[edge] = from.ends_told[edge];
+    };
+    if (region(edge, true) < 0) copy(left_, right_);
+    if (region(edge, false) < 0) copy(right_, left_);
   }
 
   bool follow(std::size_t edge) const {
@@ -83,37 +99,89 @@ class NormalFields {
     return a.curve == b.curve && a.piece == b.piece && a.to == b.from && a.high == b.low;
   }
 
+  // Edges one after the other, between which no node tells of a plane: the field is one.
+  struct Span {
+    std::size_t first, last;
+    double width;
+    NormalField field;
+  };
+
+  std::vector<Span> spans_of(const Side& side) const {
+    std::vector<Span> spans;
+    for (std::size_t e = 0; e < side.fields.size(); ++e) {
+      Span span{e, e, 0.0, side.fields[e]};
+      while (follow(e) && !side.ends_told[e] && !side.starts_told[e + 1]) ++e;
+      span.last = e;
+      span.width = joined_.edges[e].high - joined_.edges[span.first].low;
+      span.field.end = side.fields[e].end;
+      const bool has_start = side.starts_told[span.first], has_end = side.ends_told[e];
+      if (has_end && !has_start) span.field.start = carried(span.field.end, span.first, true);
+      if (has_start && !has_end) span.field.end = carried(span.field.start, e, false);
+      spans.push_back(span);
+    }
+    return spans;
+  }
+
+  // What is told at one end of a span, where nothing is at the other.
+  Vector3d carried(const Vector3d& normal, std::size_t edge, bool is_start) const {
+    const Vector3d tangent = shapes_[edge].tangent_from(is_start);
+    return (normal - normal.dot(tangent) * tangent).normalized();
+  }
+
   // The edges of a piece of a curve are one after the other; a crease across it parts them.
-  void set_slopes(std::vector<NormalField>& side) {
-    const std::size_t count = side.size();
+  void set_slopes(Side& side) {
+    std::vector<Span> spans = spans_of(side);
+    const std::size_t count = spans.size();
     std::vector<Vector3d> rise(count);
-    const auto width = [&](std::size_t e) { return joined_.edges[e].high - joined_.edges[e].low; };
-    for (std::size_t e = 0; e < count; ++e) rise[e] = (side[e].end - side[e].start) / width(e);
+    for (std::size_t s = 0; s < count; ++s) {
+      rise[s] = (spans[s].field.end - spans[s].field.start) / spans[s].width;
+    }
     // What normals of nodes differ by, over a short edge, tells nothing of a long one.
-    const auto goes_on = [&](std::size_t e) {
-      return follow(e) && (side[e].end - side[e + 1].start).norm() <= kSameNormal &&
-             width(e) < kMostRatio * width(e + 1) && width(e + 1) < kMostRatio * width(e);
+    const auto goes_on = [&](std::size_t s) {
+      return s + 1 < count && follow(spans[s].last) &&
+             (spans[s].field.end - spans[s + 1].field.start).norm() <= kSameNormal &&
+             spans[s].width < kMostRatio * spans[s + 1].width &&
+             spans[s + 1].width < kMostRatio * spans[s].width;
     };
-    for (std::size_t e = 0; e < count; ++e) {
-      const bool has_before = e > 0 && goes_on(e - 1), has_after = goes_on(e);
+    for (std::size_t s = 0; s < count; ++s) {
+      const bool has_before = s > 0 && goes_on(s - 1), has_after = goes_on(s);
       const auto at_joint = [&](std::size_t a) {
-        return Vector3d((width(a + 1) * rise[a] + width(a) * rise[a + 1]) /
-                        (width(a) + width(a + 1)));
+        const double one = spans[a].width, other = spans[a + 1].width;
+        return Vector3d((other * rise[a] + one * rise[a + 1]) / (one + other));
       };
-      Vector3d start = rise[e], end = rise[e];
-      if (has_before) start = at_joint(e - 1);
-      if (has_after) end = at_joint(e);
+      Vector3d start = rise[s], end = rise[s];
+      if (has_before) start = at_joint(s - 1);
+      if (has_after) end = at_joint(s);
       // A parabola's slope rises evenly.
-      if (!has_before && has_after) start = 2.0 * rise[e] - end;
-      if (has_before && !has_after) end = 2.0 * rise[e] - start;
-      side[e].start_slope = width(e) * start;
-      side[e].end_slope = width(e) * end;
+      if (!has_before && has_after) start = 2.0 * rise[s] - end;
+      if (has_before && !has_after) end = 2.0 * rise[s] - start;
+      spans[s].field.start_slope = spans[s].width * start;
+      spans[s].field.end_slope = spans[s].width * end;
+      divide(spans[s], side);
+    }
+  }
+
+  // The span's field over each of its edges.
+  void divide(const Span& span, Side& side) const {
+    const double low = joined_.edges[span.first].low;
+    for (std::size_t e = span.first; e <= span.last; ++e) {
+      const CurveEdge& edge = joined_.edges[e];
+      const NormalJet start = span.field.at((edge.low - low) / span.width);
+      const NormalJet end = span.field.at((edge.high - low) / span.width);
+      const double part = (edge.high - edge.low) / span.width;
+      NormalField& field = side.fields[e];
+      field.start = start.normal;
+      field.end = end.normal;
+      field.start_slope = part * start.slope;
+      field.end_slope = part * end.slope;
     }
   }
 
   void share_slopes(std::size_t edge) {
+    NormalField &left = left_.fields[edge], &right = right_.fields[edge];
+    normals_.is_crease.push_back((left.start - right.start).norm() > kSameNormal ||
+                                 (left.end - right.end).norm() > kSameNormal);
     if (normals_.is_crease[edge]) return;
-    NormalField &left = normals_.left[edge], &right = normals_.right[edge];
     left.start_slope = 0.5 * (left.start_slope + right.start_slope);
     left.end_slope = 0.5 * (left.end_slope + right.end_slope);
     right = left;
@@ -123,6 +191,7 @@ class NormalFields {
   const std::vector<EdgeShape>& shapes_;
   const NodeOrder& order_;
   const RegionFaces& faces_;
+  Side left_, right_;
   EdgeNormals normals_;
 };
 

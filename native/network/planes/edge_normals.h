@@ -15,7 +15,8 @@ struct NormalJet {
 
 // Normals along an edge on one side of it: a cubic through those at its nodes, with the slopes of
 // parabolas through those of three nodes along the curve (Bessel), where they are not too unevenly
-// apart. Regions on both sides of an edge that is no crease have the same.
+// apart. Regions on both sides of an edge that is no crease have the same. Nodes whose edges tell
+// of no plane on that side (where others end from beyond a knuckle) are passed over.
 struct NormalField {
   Vector3d start, end;              // unit
   Vector3d start_slope, end_slope;  // by the edge's parameter

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace hull::network {
 namespace {
@@ -18,6 +19,7 @@ class Planes {
       : star_(star), count_(star.directions.size()) {
     planes_.is_crease = std::move(creases);
     planes_.normals.assign(count_, Vector3d::Zero());
+    planes_.is_told.assign(count_, false);
   }
 
   TangentPlanes run() {
@@ -53,15 +55,24 @@ class Planes {
     for (std::size_t i = 0; i <= std::min(sectors, count_ - 1); ++i) {
       edges.push_back(star_.directions[(sector + i) % count_]);
     }
-    const Vector3d normal = plane_of(edges);
+    const std::optional<Vector3d> told = plane_of(edges);
+    const Vector3d normal = told.value_or(plane_across(edges));
     for (const Vector3d& edge : edges) {
       planes_.deviation =
           std::max(planes_.deviation, std::asin(std::min(1.0, std::abs(edge.dot(normal)))));
     }
-    for (std::size_t i = 0; i < sectors; ++i) planes_.normals[(sector + i) % count_] = normal;
+    for (std::size_t i = 0; i < sectors; ++i) {
+      planes_.normals[(sector + i) % count_] = normal;
+      planes_.is_told[(sector + i) % count_] = told.has_value();
+    }
   }
 
-  Vector3d plane_of(const std::vector<Vector3d>& edges) const {
+  Vector3d plane_across(const std::vector<Vector3d>& edges) const {
+    const Vector3d along = (edges.front() - edges.back()).normalized();
+    return (star_.outwards - star_.outwards.dot(along) * along).normalized();
+  }
+
+  std::optional<Vector3d> plane_of(const std::vector<Vector3d>& edges) const {
     Vector3d normal = Vector3d::Zero();
     double most = 0.0;
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -76,11 +87,8 @@ class Planes {
       }
     }
     // A curve that only bends a little tells nothing of the plane across it.
-    const Vector3d along = (edges.front() - edges.back()).normalized();
     const bool goes_on = edges.front().dot(edges.back()) < 0.0;
-    if (most < kOneLine || (goes_on && most < kPassing)) {
-      return (star_.outwards - star_.outwards.dot(along) * along).normalized();
-    }
+    if (most < kOneLine || (goes_on && most < kPassing)) return std::nullopt;
     if (edges.size() > 2) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
       normal = axes.eigenvectors().col(0);

@@ -20,13 +20,14 @@ struct NodeStar {
 
 struct TangentPlanes {
   std::vector<Vector3d> normals;  // of the sectors, unit, outwards; zero of those beyond
+  std::vector<bool> is_told;      // of the sectors: whether edges span the plane
   std::vector<bool> is_crease;    // of the ends: known, or found
   double deviation = 0.0;         // rad: the most that an edge is off the plane of its sectors
   bool has_planes = true;         // else each sector has one of its own
 };
 
 // Edges that go on in one another within 15° span no plane by themselves: theirs is across what is
-// seen from outside.
+// seen from outside, and not told.
 //
 // One plane for all sectors between creases and beyond-sectors, by least squares, where edges are
 // within `limit`, rad, of it. Where they are not the creases are looked for: along one or two of

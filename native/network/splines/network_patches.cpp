@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/splines/network_patches.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "network/splines/joined_quads.h"
+#include "network/splines/patch_problems.h"
+
+namespace hull::network {
+namespace {
+
+constexpr int kMostSpans = 64;
+constexpr double kOfNetworksTolerance = 0.1;
+
+void append(std::vector<double>& key, const Vector3d& value) {
+  key.insert(key.end(), {value.x(), value.y(), value.z()});
+}
+
+// All that a region's patches depend on, but for numbers of edges.
+std::vector<double> key_of(const RegionInput& input, const MergedRegion& region) {
+  std::vector<double> key{input.tolerance, static_cast<double>(input.spans)};
+  const NetworkFrame& frame = *input.frame;
+  for (int edge : region.references) {
+    for (const Vector3d& point : input.edges.fitted[static_cast<std::size_t>(edge)].curve.points) {
+      append(key, point);
+    }
+  }
+  for (const RegionSide& side : region.sides) {
+    key.push_back(static_cast<double>(side.size()));
+    const std::vector<double> ends = side_ends(frame, side);
+    key.insert(key.end(), ends.begin(), ends.end());
+    for (const RegionEdge& edge : side) {
+      const auto e = static_cast<std::size_t>(edge.edge);
+      key.push_back(edge.is_along ? 1.0 : 0.0);
+      for (const Vector3d& point : input.edges.fitted[e].curve.points) append(key, point);
+      const NormalField& field = (edge.is_along ? frame.normals.left : frame.normals.right)[e];
+      for (const Vector3d* part : {&field.start, &field.end, &field.start_slope, &field.end_slope})
+        append(key, *part);
+    }
+  }
+  return key;
+}
+
+class PatchMaker {
+ public:
+  PatchMaker(const CurveNetwork& network, double tolerance, int spans, const NetworkPatches* before)
+      : network_(network),
+        edges_(edge_splines(network.frame(), tolerance)),
+        input_{network.shared_frame(), edges_, tolerance, spans},
+        before_(before),
+        known_(std::make_shared<NetworkPatches::Known>()) {}
+
+  NetworkPatches run() {
+    for (const MergedRegion& region :
+         merged_regions(network_.frame(), network_.regions(), reference_edges())) {
+      add(region);
+    }
+    name_missed();
+    JoinedQuads joined = joined_quads(network_.frame(), placed_);
+    made_.set = std::move(joined.set);
+    made_.edges = std::move(joined.edges);
+    made_.known = std::move(known_);
+    return std::move(made_);
+  }
+
+ private:
+  std::vector<bool> reference_edges() const {
+    std::vector<bool> is_reference;
+    for (const CurveEdge& edge : network_.frame().joined.edges) {
+      const NetworkCurve& curve = network_.curves()[static_cast<std::size_t>(edge.curve)];
+      is_reference.push_back(curve.role == NetworkCurve::Role::kReference);
+    }
+    return is_reference;
+  }
+
+  void add(const MergedRegion& region) {
+    std::vector<double> key = key_of(input_, region);
+    if (const RegionQuads* old = find(key)) {
+      keep(region, known_->emplace(std::move(key), *old).first->second);
+      return;
+    }
+    try {
+      for (int one : region.regions) network_.check_region(one);
+      RegionQuads quads = region_quads(input_, region);
+      keep(region, known_->emplace(std::move(key), std::move(quads)).first->second);
+    } catch (const std::invalid_argument& fault) {
+      made_.problems.push_back(open_region(network_.frame(), region.sides, fault.what()));
+    }
+  }
+
+  const RegionQuads* find(const std::vector<double>& key) const {
+    if (before_ == nullptr) return nullptr;
+    const auto at = before_->known->find(key);
+    return at == before_->known->end() ? nullptr : &at->second;
+  }
+
+  void keep(const MergedRegion& region, const RegionQuads& quads) {
+    const NetworkFrame& frame = network_.frame();
+    placed_.push_back(
+        {&quads, quad_borders(frame, sides_of_one_curve(frame, region.sides), quads.is_single())});
+    made_.largest_error = std::max({made_.largest_error, quads.spoke_error, quads.curve_error});
+    made_.regions.insert(made_.regions.end(), quads.patches.size(), region.regions.front());
+    if (!quads.has_normals) made_.problems.push_back(loose_region(frame, region.sides));
+    if (quads.curve_error > input_.tolerance) {
+      const int edge = region.references.front();
+      const int curve = frame.joined.edges[static_cast<std::size_t>(edge)].curve;
+      made_.problems.push_back(
+          missed_curve(network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
+                       edges_.place(frame, edge, 0.5), quads.curve_error));
+    }
+  }
+
+  void name_missed() {
+    std::map<int, std::pair<double, Vector3d>> worst;  // of curves
+    for (std::size_t e = 0; e < edges_.fitted.size(); ++e) {
+      const double error = edges_.fitted[e].error;
+      made_.largest_error = std::max(made_.largest_error, error);
+      if (error <= input_.tolerance) continue;
+      auto& curve = worst[network_.frame().joined.edges[e].curve];
+      if (error > curve.first) curve = {error, edges_.fitted[e].curve.position(0.5)};
+    }
+    for (const auto& [curve, missed] : worst) {
+      made_.problems.push_back(
+          missed_curve(network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
+                       missed.second, missed.first));
+    }
+  }
+
+  const CurveNetwork& network_;
+  EdgeSplines edges_;
+  RegionInput input_;
+  const NetworkPatches* before_;
+  std::shared_ptr<NetworkPatches::Known> known_;
+  std::vector<PlacedQuads> placed_;
+  NetworkPatches made_;
+};
+
+}  // namespace
+
+NetworkPatches network_patches(const CurveNetwork& network, const PatchOptions& options,
+                               const NetworkPatches* before) {
+  if (options.spans < 1 || options.spans > kMostSpans) {
+    throw std::invalid_argument("spans must be from 1 to " + std::to_string(kMostSpans) + ".");
+  }
+  if (!(options.tolerance >= 0.0)) {
+    throw std::invalid_argument("The patches' tolerance must not be below zero.");
+  }
+  const double tolerance =
+      options.tolerance > 0.0 ? options.tolerance : kOfNetworksTolerance * network.tolerance();
+  return PatchMaker(network, tolerance, options.spans, before).run();
+}
+
+}  // namespace hull::network

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/splines/region_quads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "network/splines/border_plate.h"
+#include "network/splines/reference_fit.h"
+
+namespace hull::network {
+namespace {
+
+constexpr int kPlateSamples = 8;  // of a side, but of short ones
+constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
+constexpr int kCurveSamples = 8;  // of an edge of a reference curve
+
+// A region's surface over some plane domain, before it is splines.
+struct StarTarget {
+  std::function<PatchPoint(const Vector2d&)> at;
+  std::function<Vector2d(std::size_t, double)> border;  // of a side, by its parameter
+  Vector2d centre;
+};
+
+QuadSide part_of(const SideSpline& side, double begin, double end, const Vector3d& from,
+                 const Vector3d& to) {
+  QuadSide part{side.curve().part(begin, end),
+                [&side, begin, end](double t) { return side.normal(begin + t * (end - begin)); }};
+  part.curve.points.front() = from;
+  part.curve.points.back() = to;
+  return part;
+}
+
+QuadSide whole(const SideSpline& side) {
+  return {side.curve(), [&side](double t) { return side.normal(t); }};
+}
+
+void keep(RegionQuads& quads, FittedQuad fitted) {
+  quads.patches.push_back(std::move(fitted.patch));
+  quads.has_normals = quads.has_normals && fitted.has_normals;
+}
+
+// Whether normals within are nowhere turned away from those at all corners.
+bool is_folded(const TransfinitePatch& patch) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector2d& corner : patch.domain()) mean += patch.at(corner).normal();
+  for (int i = 1; i < kFoldSamples; ++i) {
+    for (int k = 1; k < kFoldSamples; ++k) {
+      constexpr double kStep = 1.0 / kFoldSamples;
+      if (!(patch.at({i * kStep, k * kStep}).normal().dot(mean) > 0.0)) return true;
+    }
+  }
+  return false;
+}
+
+RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>& sides,
+                        const TransfinitePatch& patch) {
+  RegionQuads quads;
+  const QuadTarget target = [&](double u, double v) { return patch.at({u, v}).point; };
+  keep(quads, fitted_quad({whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])},
+                          target, input.spans));
+  return quads;
+}
+
+// What reference curves tell of the tangent planes along the network's border is all there is.
+void free_border(const RegionInput& input, const SideSpline& side, QuadSide& quad_side) {
+  const RegionEdge& edge = side.parts().edges().front();
+  const auto sides = input.frame->faces.region_of_side.begin() + 2 * edge.edge;
+  if (sides[0] < 0 || sides[1] < 0) quad_side.normal = nullptr;
+}
+
+RegionQuads quad_with_references(const RegionInput& input, const std::vector<SideSpline>& sides,
+                                 const std::vector<int>& references) {
+  std::array<QuadSide, 4> around{whole(sides[0]), whole(sides[1]), whole(sides[2]),
+                                 whole(sides[3])};
+  for (std::size_t k = 0; k < 4; ++k) free_border(input, sides[k], around[k]);
+  std::vector<Vector3d> points;
+  for (int edge : references) {
+    const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(edge)];
+    for (int i = 0; i < kCurveSamples; ++i) {
+      points.emplace_back(shape.evaluate((i + 0.5) / kCurveSamples, 0).row(0));
+    }
+  }
+  // Curves inside tell more than normals at corners: the bilinear Coons patch.
+  const auto on = [&](std::size_t k, double t) { return around[k].curve.position(t); };
+  const QuadTarget start = [&](double u, double v) {
+    const Vector3d low = on(0, u), right = on(1, v), high = on(2, 1.0 - u), left = on(3, 1.0 - v);
+    return Vector3d((1.0 - v) * low + v * high + (1.0 - u) * left + u * right -
+                    (1.0 - u) * ((1.0 - v) * on(0, 0.0) + v * on(3, 0.0)) -
+                    u * ((1.0 - v) * on(1, 0.0) + v * on(2, 0.0)));
+  };
+  ReferenceFit fit = fitted_to_curves(around, start, points, {input.tolerance, input.spans});
+  RegionQuads quads;
+  quads.curve_error = fit.error;
+  keep(quads, std::move(fit.quad));
+  return quads;
+}
+
+std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool has_normals) {
+  double longest = 0.0;
+  for (const SideSpline& side : sides) longest = std::max(longest, side.curve().polygon_length());
+  std::vector<PlateSample> samples;
+  for (const SideSpline& side : sides) {
+    // Samples that crowd along a short side would magnify all that it is off.
+    const double share = side.curve().polygon_length() / longest;
+    const int count =
+        std::clamp(static_cast<int>(std::ceil(4.0 * share * kPlateSamples)), 1, kPlateSamples);
+    for (int i = 0; i < count; ++i) {
+      const double t = static_cast<double>(i) / count;
+      const Points3 jet = spline_jet(side.curve(), t);
+      samples.push_back({jet.row(0), jet.row(1), side.normal(t), i > 0});
+    }
+  }
+  return BorderPlate::within(samples, has_normals);
+}
+
+StarTarget plate_target(const BorderPlate& plate, const std::vector<SideSpline>& sides) {
+  return {[&plate](const Vector2d& place) { return plate.at(place); },
+          [&plate, &sides](std::size_t side, double t) {
+            return plate.place(sides[side].curve().position(t));
+          },
+          plate.centre()};
+}
+
+StarTarget blend_target(const TransfinitePatch& patch) {
+  Vector2d centre = Vector2d::Zero();
+  for (const Vector2d& corner : patch.domain()) {
+    centre += corner / static_cast<double>(patch.domain().size());
+  }
+  return {[&patch](const Vector2d& place) { return patch.at(place); },
+          [&patch](std::size_t side, double t) -> Vector2d {
+            const auto& polygon = patch.domain();
+            return (1.0 - t) * polygon[side] + t * polygon[(side + 1) % polygon.size()];
+          },
+          centre};
+}
+
+// Quads around the centre of a region: each at the corner where a side begins, between halves of
+// that side and of the one before.
+class Star {
+ public:
+  Star(const RegionInput& input, const std::vector<SideSpline>& sides, StarTarget target,
+       bool has_normals)
+      : input_(input), sides_(sides), target_(std::move(target)), has_normals_(has_normals) {
+    for (const SideSpline& side : sides_) middles_.push_back(side.parts().middle());
+  }
+
+  // Whether the quads cover their domain without folds.
+  bool is_regular() const {
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      for (int a = 0; a < kFoldSamples; ++a) {
+        for (int b = 0; b < kFoldSamples; ++b) {
+          constexpr double kStep = 1.0 / kFoldSamples;
+          const double u = a * kStep, v = b * kStep;
+          const Vector2d at = place(i, u, v), by_u = place(i, u + kStep, v) - at,
+                         by_v = place(i, u, v + kStep) - at;
+          if (!(by_u.x() * by_v.y() - by_u.y() * by_v.x() > 0.0)) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  std::vector<Vector2d> inner_places() const {
+    std::vector<Vector2d> places{target_.centre};
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      for (double u : {0.25, 0.75}) {
+        for (double v : {0.25, 0.75}) places.push_back(place(i, u, v));
+      }
+    }
+    return places;
+  }
+
+  RegionQuads quads() {
+    RegionQuads made;
+    made.has_normals = has_normals_;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      spokes_.push_back(spoke(i));
+      made.spoke_error = std::max(made.spoke_error, spokes_.back().error);
+    }
+    for (std::size_t i = 0; i < sides_.size(); ++i) add_quad(made, i);
+    return made;
+  }
+
+ private:
+  std::size_t before(std::size_t i) const { return (i + sides_.size() - 1) % sides_.size(); }
+
+  // Of the quad at the beginning of side i, u along that: Coons' in the plane.
+  Vector2d place(std::size_t i, double u, double v) const {
+    const std::size_t last = before(i);
+    const auto on_last = [&](double t) {
+      return target_.border(last, 1.0 - t * (1.0 - middles_[last]));
+    };
+    const Vector2d corner = target_.border(i, 0.0), middle = target_.border(i, middles_[i]),
+                   other = on_last(1.0), &centre = target_.centre;
+    const Vector2d low = target_.border(i, u * middles_[i]), high = (1.0 - u) * other + u * centre,
+                   left = on_last(v), right = (1.0 - v) * middle + v * centre;
+    return (1.0 - v) * low + v * high + (1.0 - u) * left + u * right -
+           (1.0 - u) * ((1.0 - v) * corner + v * other) - u * ((1.0 - v) * middle + v * centre);
+  }
+
+  Vector2d on_spoke(std::size_t i, double t) const {
+    return (1.0 - t) * target_.border(i, middles_[i]) + t * target_.centre;
+  }
+
+  // Where the middle of a side is.
+  Vector3d middle_place(std::size_t i) const {
+    const EdgePiece piece = sides_[i].parts().pieces(0.0, middles_[i]).back();
+    return input_.edges.place(*input_.frame, piece.edge, piece.to);
+  }
+
+  // It begins in its side's tangent plane.
+  FittedSpline spoke(std::size_t i) const {
+    const Vector2d way = on_spoke(i, 1.0) - on_spoke(i, 0.0);
+    const Vector3d start = middle_place(i), normal = sides_[i].normal(middles_[i]);
+    const auto jet = [&](double t) {
+      const PatchPoint point = target_.at(on_spoke(i, t));
+      Points3 rows(2, 3);
+      Vector3d slope = way.x() * point.by_first + way.y() * point.by_second;
+      if (t == 0.0) slope -= slope.dot(normal) * normal;
+      rows.row(0) = t == 0.0 ? start : point.point;
+      rows.row(1) = slope;
+      return rows;
+    };
+    return uniform_spline(jet, input_.tolerance);
+  }
+
+  QuadSide spoke_side(std::size_t i, bool is_inwards) const {
+    const BSplineCurve& curve = spokes_[i].curve;
+    return {is_inwards ? curve : curve.reversed(), [this, i, &curve, is_inwards](double given) {
+              const double t = is_inwards ? given : 1.0 - given;
+              const Vector3d normal = target_.at(on_spoke(i, t)).normal();
+              const Vector3d along = Vector3d(spline_jet(curve, t).row(1)).normalized();
+              return Vector3d((normal - normal.dot(along) * along).normalized());
+            }};
+  }
+
+  void add_quad(RegionQuads& made, std::size_t i) const {
+    const std::size_t last = before(i);
+    const Vector3d corner = sides_[i].curve().points.front(), middle = middle_place(i),
+                   other = middle_place(last);
+    const QuadTarget target = [this, i](double u, double v) {
+      return target_.at(place(i, u, v)).point;
+    };
+    std::array<QuadSide, 4> around{part_of(sides_[i], 0.0, middles_[i], corner, middle),
+                                   spoke_side(i, true), spoke_side(last, false),
+                                   part_of(sides_[last], middles_[last], 1.0, other, corner)};
+    if (!has_normals_) around[0].normal = around[3].normal = nullptr;
+    keep(made, fitted_quad(around, target, input_.spans));
+  }
+
+  const RegionInput& input_;
+  const std::vector<SideSpline>& sides_;
+  StarTarget target_;
+  bool has_normals_;
+  std::vector<double> middles_;
+  std::vector<FittedSpline> spokes_;
+};
+
+}  // namespace
+
+std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
+                                                    const std::vector<RegionSide>& sides,
+                                                    bool is_single) {
+  std::vector<SideParts> parts;
+  for (const RegionSide& side : sides) parts.emplace_back(frame, side);
+  std::vector<std::array<QuadBorder, 4>> borders;
+  if (is_single) {
+    auto& around = borders.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) around[k].pieces = parts[k].pieces(0.0, 1.0);
+    return borders;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t last = (i + parts.size() - 1) % parts.size();
+    borders.push_back({QuadBorder{parts[i].pieces(0.0, parts[i].middle()), -1, true},
+                       QuadBorder{{}, static_cast<int>(i), true},
+                       QuadBorder{{}, static_cast<int>(last), false},
+                       QuadBorder{parts[last].pieces(parts[last].middle(), 1.0), -1, true}});
+  }
+  return borders;
+}
+
+RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
+  const std::vector<RegionSide>& given = region.sides;
+  const std::vector<RegionSide> sides = sides_of_one_curve(*input.frame, given);
+  std::vector<SideSpline> splines;
+  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  if (!region.references.empty()) {
+    return quad_with_references(input, splines, region.references);
+  }
+  if (given.size() == 4 && sides.size() == 4) {
+    const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+    if (!is_folded(patch)) return single_quad(input, splines, patch);
+  }
+  for (bool has_normals : {true, false}) {
+    const auto plate = plate_of(splines, has_normals);
+    if (!plate) continue;
+    Star star(input, splines, plate_target(*plate, splines), has_normals);
+    if (star.is_regular() && plate->is_gentle(star.inner_places())) return star.quads();
+  }
+  if (sides.size() == 2) {
+    throw std::invalid_argument(
+        "Its border is no graph over a plane, or turns back: divide it by a curve.");
+  }
+  const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+  return Star(input, splines, blend_target(patch), true).quads();
+}
+
+}  // namespace hull::network

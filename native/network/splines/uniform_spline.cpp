@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/splines/uniform_spline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conversion/patches/bspline_patch.h"
+
+namespace hull::network {
+namespace {
+
+constexpr int kMostSpans = 64;
+constexpr int kTestsOfSpan = 4;
+constexpr double kSameKnot = 1e-12;
+constexpr double kSameSlope = 1e-9;  // of a spline's size
+constexpr double kRounding = 2e-14;  // of it
+
+// The inner control points have the curve's points at inner knots: one row of 1/6, 2/3, 1/6 each,
+// but beside the ends, solved from both sides inwards (Thomas).
+BSplineCurve complete_spline(const std::vector<Vector3d>& places, const Vector3d& start_slope,
+                             const Vector3d& end_slope) {
+  const int spans = static_cast<int>(places.size()) - 1;
+  BSplineCurve curve{3, uniform_knots(spans), {}};
+  auto& points = curve.points;
+  points.resize(static_cast<std::size_t>(spans) + 3);
+  points.front() = places.front();
+  points.back() = places.back();
+  points[1] = places.front() + start_slope / (3.0 * spans);
+  points[points.size() - 2] = places.back() - end_slope / (3.0 * spans);
+  const std::size_t first = 2, last = static_cast<std::size_t>(spans);
+  std::vector<double> above(points.size(), 0.0);
+  for (std::size_t i = first; i <= last; ++i) {
+    const conversion::BasisValues values =
+        conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
+    const auto row = values.rows.row(0);
+    const double pivot = row(1) - row(0) * above[i - 1];
+    Vector3d right = places[i - 1] - row(0) * points[i - 1];
+    if (i == last) right -= row(2) * points[i + 1];
+    above[i] = i == last ? 0.0 : row(2) / pivot;
+    points[i] = right / pivot;
+  }
+  for (std::size_t i = last; i-- > first;) points[i] -= above[i] * points[i + 1];
+  return curve;
+}
+
+double furthest(const BSplineCurve& spline, const CurveJet& curve, int spans) {
+  double error = 0.0;
+  for (int i = 0; i < spans * kTestsOfSpan; ++i) {
+    const double t = (i + 0.5) / (spans * kTestsOfSpan);
+    error = std::max(error, (spline.position(t) - Vector3d(curve(t).row(0))).norm());
+  }
+  return error;
+}
+
+// Without one of a double knot, where the curve is as smooth as with a simple one but for rounding
+// (the knot's second insertion, undone from both sides).
+void make_simple(BSplineCurve& curve, double t, double rounding) {
+  auto& knots = curve.knots;
+  const auto s =
+      static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), t) - knots.begin());
+  // Of the knots with t once: those around it.
+  const double before = knots[s - 1], second_before = knots[s - 2], after = knots[s + 2],
+               second_after = knots[s + 3];
+  const double low = (t - second_before) / (after - second_before);
+  const double high = (t - before) / (second_after - before);
+  auto& points = curve.points;
+  const Vector3d one = (points[s - 2] - (1.0 - low) * points[s - 3]) / low;
+  const Vector3d other = (points[s - 1] - high * points[s]) / (1.0 - high);
+  if (!((1.0 - high) * (one - other).norm() <= rounding)) return;
+  points[s - 2] = one;
+  points.erase(points.begin() + static_cast<std::ptrdiff_t>(s) - 1);
+  knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(s));
+}
+
+}  // namespace
+
+std::vector<double> uniform_knots(int spans) {
+  return conversion::open_uniform_knots(3, spans + 3);
+}
+
+FittedSpline uniform_spline(const CurveJet& curve, double tolerance) {
+  const Points3 start = curve(0.0), end = curve(1.0);
+  FittedSpline fitted;
+  for (int spans = 1; spans <= kMostSpans; spans *= 2) {
+    std::vector<Vector3d> places{start.row(0)};
+    for (int i = 1; i < spans; ++i) {
+      places.emplace_back(curve(static_cast<double>(i) / spans).row(0));
+    }
+    places.emplace_back(end.row(0));
+    fitted.curve = complete_spline(places, start.row(1), end.row(1));
+    fitted.error = furthest(fitted.curve, curve, spans);
+    if (fitted.error <= tolerance) break;
+  }
+  return fitted;
+}
+
+Points3 spline_jet(const BSplineCurve& curve, double t) {
+  const conversion::BasisValues values = conversion::basis_values(curve.knots, curve.degree, t);
+  Points3 jet = Points3::Zero(2, 3);
+  for (int i = 0; i <= curve.degree; ++i) {
+    const Vector3d& point = curve.points[static_cast<std::size_t>(values.first + i)];
+    for (int k = 0; k < 2; ++k) jet.row(k) += values.rows(k, i) * point.transpose();
+  }
+  return jet;
+}
+
+BSplineCurve with_knots(const BSplineCurve& curve, const std::vector<double>& knots) {
+  BSplineCurve result = curve;
+  for (double& knot : result.knots) {
+    const auto near = std::lower_bound(knots.begin(), knots.end(), knot - kSameKnot);
+    if (near != knots.end() && *near <= knot + kSameKnot) knot = *near;
+  }
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (i >= result.knots.size() || result.knots[i] != knots[i]) result.insert_knot(knots[i]);
+  }
+  return result;
+}
+
+std::vector<double> united_knots(const std::vector<double>& one, const std::vector<double>& other) {
+  std::vector<double> all;
+  std::size_t i = 0, k = 0;
+  while (i < one.size() && k < other.size()) {
+    if (std::abs(one[i] - other[k]) <= kSameKnot) {
+      all.push_back(one[i]);
+      ++i, ++k;
+    } else {
+      all.push_back(one[i] < other[k] ? one[i++] : other[k++]);
+    }
+  }
+  // Both end in the same clamped end.
+  return all;
+}
+
+BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
+                             const std::vector<double>& ends) {
+  if (parts.size() == 1) return parts.front();
+  BSplineCurve whole{3, std::vector<double>(4, 0.0), parts.front().points};
+  double size = 0.0;
+  for (const BSplineCurve& part : parts) size += part.polygon_length();
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const BSplineCurve& part = parts[p];
+    const double width = ends[p + 1] - ends[p];
+    if (p > 0) {
+      const Vector3d before = spline_jet(parts[p - 1], 1.0).row(1) / (ends[p] - ends[p - 1]);
+      const Vector3d after = spline_jet(part, 0.0).row(1) / width;
+      const bool is_smooth = (before - after).norm() <= kSameSlope * size;
+      if (is_smooth) whole.points.pop_back();
+      whole.knots.insert(whole.knots.end(), is_smooth ? 2 : 3, ends[p]);
+      whole.points.insert(whole.points.end(), part.points.begin() + 1, part.points.end());
+    }
+    for (std::size_t i = 4; i + 4 < part.knots.size(); ++i) {
+      whole.knots.push_back(ends[p] + width * part.knots[i]);
+    }
+  }
+  whole.knots.insert(whole.knots.end(), 4, 1.0);
+  for (std::size_t p = 1; p < parts.size(); ++p) {
+    if (std::ranges::count(whole.knots, ends[p]) == 2) {
+      make_simple(whole, ends[p], kRounding * size);
+    }
+  }
+  return whole;
+}
+
+}  // namespace hull::network

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "conversion/patches/bspline_curve.h"
+#include "network/curves/nurbs_curve.h"
+
+namespace hull::network {
+
+using conversion::BSplineCurve;
+
+// The point and the slope of a curve over 0 … 1, a row each.
+using CurveJet = std::function<Points3(double)>;
+
+struct FittedSpline {
+  BSplineCurve curve;
+  double error = 0.0;  // m: the furthest from the curve's points at equal parameters, of samples
+};
+
+// A curve as a cubic spline over uniform knots that has its points there and its slopes at both
+// ends (the complete spline). Spans are doubled until it is within `tolerance`, m, of the curve, up
+// to 64; polynomials up to the third degree are met with one.
+FittedSpline uniform_spline(const CurveJet& curve, double tolerance);
+
+// The point and the slope at t, which is within [0, 1].
+Points3 spline_jet(const BSplineCurve& curve, double t);
+
+// The same curve over other knots, among which are its own but for rounding.
+BSplineCurve with_knots(const BSplineCurve& curve, const std::vector<double>& knots);
+
+// Knots of both, each as often as where it is there oftener; those that differ by rounding are one.
+std::vector<double> united_knots(const std::vector<double>& one, const std::vector<double>& other);
+
+// Clamped, with `spans` equal ones.
+std::vector<double> uniform_knots(int spans);
+
+// Curves that follow one another as one over `ends`, which rise from 0 to 1: where slopes agree but
+// for rounding the knot is a double one, else a threefold one.
+BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
+                             const std::vector<double>& ends);
+
+}  // namespace hull::network
