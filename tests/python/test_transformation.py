@@ -146,6 +146,31 @@ def test_settings_are_checked(how, message):
         hn.SectionShift(body, **{"draft": 2.0, "length_pp": 2.0, **how})
 
 
+def test_a_hull_at_one_x_is_refused():
+    # Its volume is rounding, above zero: found by chance, it ended the process.
+    corners = [(0, 0), (0, 3), (2, 0), (2, 3)]
+    points = [(5.0, *corner) for corner in corners + corners]
+    faces = [2, 3, 7, 6, 0, 2, 6, 4, 0, 1, 3, 2, 4, 6, 7, 5]
+    creases = [
+        (0, 1),
+        (0, 2),
+        (2, 3),
+        (0, 4),
+        (4, 5),
+        (2, 6),
+        (6, 7),
+        (5, 7),
+        (1, 3),
+        (3, 7),
+        (4, 6),
+    ]
+    body = hn.HullBody(hn.LimitSurface(hn.ControlMesh(points, [4] * 4, faces, creases)))
+    for mirrored in (False, True):
+        body = hn.HullBody(body.surface, mirrored=mirrored)
+        with pytest.raises(ValueError, match="immersed of the hull has no length|Nothing"):
+            hn.SectionShift(body, draft=1.8, length_pp=10.0)
+
+
 @pytest.mark.parametrize(
     "wanted, message",
     [

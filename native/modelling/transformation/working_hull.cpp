@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "analysis/hydrostatics/extents.h"
+#include "mesh/tolerances.h"
 
 namespace hull::modelling {
 namespace {
@@ -31,6 +32,12 @@ WorkingHull::WorkingHull(const analysis::HullBody& body, const analysis::Floatin
   using Part = analysis::ExtentSearch::Part;
   immersed_range_ = {-extents.farthest(-Vector3d::UnitX(), Part::kImmersed).value,
                      extents.farthest(Vector3d::UnitX(), Part::kImmersed).value};
+  // Its volume is rounding, which may be more than zero, and places along it mean nothing.
+  if (!(immersed_range_.second - immersed_range_.first > kInPlane * surface_.mesh().size())) {
+    throw std::invalid_argument(
+        "What is immersed of the hull has no length: all of it is at one x. Check the axes, or move "
+        "its points apart.");
+  }
 }
 
 void WorkingHull::move(const std::vector<Vector3d>& moves) {
