@@ -19,6 +19,8 @@ _LONGEST_SHIP = 500.0
 _SHORTEST_IN_MM = 2000.0
 # Of the depth: how near to the lowest point an origin is taken for the base line.
 _NEAR_BASE = 0.02
+# Of the slabs along the hull: how many have their lowest point at 0 where that is the base line.
+_KEEL_AT_ZERO = 0.25
 # Of the length: how near to the after end an origin is taken for the after perpendicular.
 _NEAR_END = 0.12
 # Of the depth, where the stem is taken for the forward perpendicular: about the design waterline.
@@ -161,14 +163,10 @@ class _Guesser:
         if self.geometry.on_ship_axes:
             self._tell("up", "Up is z, as tables and FREE!ship have it.")
             return "+z"
-        lower, upper = cloud.breadths_below_and_above()
-        sign = "+" if upper >= lower else "-"
-        name = sign + "xyz"[cloud.vertical]
-        self._tell(
-            "up",
-            f"Up is {name}: the hull is broader there.",
-            min(lower, upper) > 0.95 * max(lower, upper),
-        )
+        fullness = cloud.fullness_above()
+        name = ("+" if fullness >= 0.0 else "-") + "xyz"[cloud.vertical]
+        reason = f"Up is {name}: the hull is broader there, or open."
+        self._tell("up", reason, abs(fullness) < 0.03)
         return name
 
     def _forward(self, cloud, up):
@@ -225,6 +223,13 @@ class _Guesser:
         lowest = cloud.end(cloud.vertical, up[0] == "-")
         if abs(lowest) <= _NEAR_BASE * cloud.extent(cloud.vertical):
             self._tell("base line", f"The file's own 0 along {up[1]} is at the lowest point.")
+            return 0.0
+        if cloud.share_ending_at_zero(up[0] == "+") >= _KEEL_AT_ZERO:
+            self._tell(
+                "base line",
+                f"The file's own 0 along {up[1]} is along the keel; parts lie below it.",
+                True,
+            )
             return 0.0
         self._tell(
             "base line",

@@ -105,11 +105,16 @@ class HullCloud:
     def extent(self, axis):
         return self.high(axis) - self.low(axis)
 
-    def breadths_below_and_above(self):
-        """Mean half-breadths of the third with the lower and of that with the higher numbers."""
+    def fullness_above(self):
+        """From -1 to 1: how much more of the hull is towards the higher numbers of the vertical
+        axis than towards the lower ones. By breadths, from slab to slab; where these are alike, as
+        in a barge, by the bottom, for most hulls have no deck."""
         breadths = self._breadths()
         third = _BINS // 3
-        return breadths[:, :third].mean(), breadths[:, -third:].mean()
+        lower, upper = breadths[:, :third].mean(), breadths[:, -third:].mean()
+        middle = 0.5 * (self.low(self.vertical) + self.high(self.vertical))
+        below = middle - self.points[:, self.vertical].mean()
+        return (upper - lower) / (upper + lower) + 0.5 * below / self.extent(self.vertical)
 
     def breadths_at_ends(self, is_up_positive):
         """Mean half-breadths above the middle at the end with the lower and with the higher
@@ -118,6 +123,13 @@ class HullCloud:
         breadths = self._breadths()[:, upper].max(axis=1)
         window = _SLABS // 10
         return breadths[:window].mean(), breadths[-window:].mean()
+
+    def share_ending_at_zero(self, is_up_positive):
+        """Of the slabs along the hull those whose lowest point is at the file's own 0."""
+        slabs = _steps(self.points[:, self.long], _SLABS)
+        low, high = _ranges(slabs, self.points[:, self.vertical], _SLABS)
+        lowest = low if is_up_positive else high
+        return np.mean(np.abs(lowest) <= 0.005 * self.extent(self.vertical))
 
     def end_at_height(self, height, is_high):
         """How far the hull reaches along its length about a height."""
@@ -128,11 +140,25 @@ class HullCloud:
         return at.max() if is_high else at.min()
 
     def _breadths(self):
-        """(_SLABS, _BINS) largest distances from the centre plane; 0 where there is nothing."""
-        cells = _cells(self.points, self.long, self.vertical)
+        """(_SLABS, _BINS) largest distances from the centre plane; 0 where there is nothing. Bins
+        divide each slab's own height, for forecastles reach higher than other decks."""
+        slabs = _steps(self.points[:, self.long], _SLABS)
+        heights = self.points[:, self.vertical]
+        low, high = _ranges(slabs, heights, _SLABS)
+        shares = (heights - low[slabs]) / np.maximum(high - low, _EXACT * np.ptp(heights))[slabs]
+        cells = slabs * _BINS + np.minimum((shares * _BINS).astype(int), _BINS - 1)
         found = np.zeros(_SLABS * _BINS)
         np.maximum.at(found, cells, np.abs(self.points[:, self.side] - self.centre))
         return found.reshape(_SLABS, _BINS)
+
+
+def _ranges(cells, values, count):
+    """(least, largest) value of each cell; NaN where there is none."""
+    low, high = np.full(count, np.inf), np.full(count, -np.inf)
+    np.minimum.at(low, cells, values)
+    np.maximum.at(high, cells, values)
+    is_empty = low > high
+    return np.where(is_empty, np.nan, low), np.where(is_empty, np.nan, high)
 
 
 def _steps(values, count):
@@ -148,14 +174,12 @@ def _symmetry(points, long_axis, side):
     """(centre, mean distance of the cells' middles from it, of the extent)."""
     cells = _cells(points, long_axis, 3 - long_axis - side)
     values = points[:, side]
-    low, high = np.full(_SLABS * _BINS, np.inf), np.full(_SLABS * _BINS, -np.inf)
-    np.minimum.at(low, cells, values)
-    np.maximum.at(high, cells, values)
+    low, high = _ranges(cells, values, _SLABS * _BINS)
     counts = np.bincount(cells, minlength=len(low))
     middles = 0.5 * (low + high)[counts >= 6]
-    if not len(middles):
-        return 0.5 * (values.min() + values.max()), 1.0
     centre = 0.5 * (values.min() + values.max())
+    if not len(middles):
+        return centre, 1.0
     return centre, np.abs(middles - centre).mean() / max(np.ptp(values), 1e-300)
 
 

@@ -157,8 +157,9 @@ def _lengthwise(table, stations, name):
             kind = "deck_edge" if is_deck else "knuckle"
             found.setdefault((kind, feature), []).append((station.x, y, z))
     for (kind, at), points in found.items():
+        kind = "border" if kind == "knuckle" and "edge" in at.lower() else kind
         label = f"{kind} {at:.10g}" if kind in ("waterline", "buttock") else kind.replace("_", " ")
-        yield polyline(points, name=at if kind == "knuckle" else label, kind=kind)
+        yield polyline(points, name=at if kind in ("knuckle", "border") else label, kind=kind)
 
 
 def _merged(lower, outer):

@@ -151,10 +151,12 @@ class _Reader:
 
     def _is_header(self, headings):
         first, rest = headings[0], headings[1:]
-        if any(h.is_line or h.kind in ("x", "station") and h.text for h in rest):
+        numbers = [h for h in rest if h.kind == "number"]
+        named = [h for h in rest if h.is_line or h.kind in ("x", "station")]
+        # What is said to be on a knuckle names lines, too.
+        if named and len(named) >= len(numbers):
             return True
         # Numbers alone are headings beside a corner without one.
-        numbers = [h for h in rest if h.kind == "number"]
         return (
             len(numbers) >= 2
             and len(numbers) == sum(bool(h.text) for h in rest)

@@ -89,7 +89,7 @@ def _runs(text, name):
             runs[-1][1].append(values[:3])
             continue
         words = " ".join(cells).strip()
-        if any(value is not None for value in values) and len(values) == 2:
+        if len(values) == 2 and all(value is not None for value in values):
             raise HullFileError(
                 f"{name}: line {number}: '{words[:40]}' are two numbers; give x, y and z in each "
                 "line."

@@ -14,7 +14,7 @@ _KINDS = (
     ("waterline", r"\b(?:w\.?l\.?|water\s?lines?)(?=[\s\d.:=]|$)"),
     ("buttock", r"\b(?:buttocks?|butt\.?|bk\.?|b\.?l\.?)(?=[\s\d.:=]|$)"),
     ("deck", r"\b(?:deck|sheer|gunwale|rail|bulwark)\b"),
-    ("feature", r"\b(?:knuckle|chine|tangent|rabbet line)\b"),
+    ("feature", r"\b(?:knuckle|chine|edge|rabbet line)\b"),
     ("profile", r"\b(?:profile|keel|rabbet|c\.?l\.?|cent(?:re|er)\s?line)(?=\W|$)"),
     ("diagonal", r"\b(?:diagonals?|diag\.?)(?=\W|\d|$)"),
     ("stem", r"\b(?:stem|bow|fore? end|forward end)\b"),
