@@ -51,7 +51,9 @@ MAX_OFFSETS = 200_000
 MAX_GEOMETRY_POINTS = 5_000_000
 MAX_GEOMETRY_CURVES = 100_000
 MAX_GEOMETRY_BYTES = 256 * 2**20
-# Of the process that reads STEP and IGES: its own 100 MB are in it. Seconds of computing.
-CAD_MEMORY_BYTES = 4 * 2**30
+# Of the process that reads STEP and IGES: address space, of which libraries take the half of the
+# first, and seconds of computing.
+CAD_MEMORY_BYTES = 10**9
+CAD_MEMORY_PER_BYTE = 60
 CAD_SECONDS = 4
 CAD_SECONDS_PER_MB = 3.0

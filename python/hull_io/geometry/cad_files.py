@@ -19,6 +19,7 @@ import numpy as np
 from ..errors import HullFileError
 from ..limits import (
     CAD_MEMORY_BYTES,
+    CAD_MEMORY_PER_BYTE,
     CAD_SECONDS,
     CAD_SECONDS_PER_MB,
     FURTHEST_POINT,
@@ -29,6 +30,8 @@ from .splines import Spline
 from .values import METRES_PER_UNIT, Geometry, GeometryMesh, spline_curve
 
 _REFUSED = 3
+# Of the chord that is asked for what Open CASCADE is told: it estimates, and exceeds by a quarter.
+_SURE = 0.7
 _SPLINE_PARTS = ("knots", "weights", "points")
 _REMEDY = "export it again from the program it comes from, as STEP AP214 if that can be chosen"
 
@@ -58,10 +61,12 @@ def read_cad(path, chord_share, progress=None):
 
 
 def _run(path, output, chord_share, progress):
-    seconds = CAD_SECONDS + int(CAD_SECONDS_PER_MB * path.stat().st_size / 2**20)
+    size = path.stat().st_size
+    seconds = CAD_SECONDS + int(CAD_SECONDS_PER_MB * size / 2**20)
+    memory = CAD_MEMORY_BYTES + CAD_MEMORY_PER_BYTE * size
     command = [sys.executable, "-m", "hull_native.cad_process"]
-    command += [str(path.resolve()), str(output), repr(chord_share)]
-    command += [str(CAD_MEMORY_BYTES), str(seconds)]
+    command += [str(path.resolve()), str(output), repr(_SURE * chord_share)]
+    command += [str(memory), str(seconds)]
     with tempfile.TemporaryFile() as complaints:
         process = subprocess.Popen(
             command,
@@ -96,12 +101,13 @@ def _share(line):
 
 
 def _environment():
-    """With this package's folder, where hull_native is, in the Python path; and one thread, for
-    others take address space that nothing uses."""
-    folders = [str(Path(__file__).resolve().parents[2]), os.environ.get("PYTHONPATH", "")]
+    """With this package's folder, where an add-on has hull_native, in the Python path; and one
+    thread, for others take address space that nothing uses."""
+    # Not resolved: a build has links to this package beside hull_native.
+    folders = [str(Path(__file__).absolute().parents[2]), *filter(None, sys.path)]
     return {
         **os.environ,
-        "PYTHONPATH": os.pathsep.join(folder for folder in folders if folder),
+        "PYTHONPATH": os.pathsep.join(folders),
         "OPENBLAS_NUM_THREADS": "1",
         "OMP_NUM_THREADS": "1",
     }
