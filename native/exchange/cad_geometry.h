@@ -17,9 +17,9 @@ struct CadSpline {
   std::string name, layer;  // "" where the file gives none
   int faces = 0;            // that have it as an edge: none for a curve by itself, 1 on a border
   int degree = 1;
-  std::vector<double> knots;      // degree + 1 more than points
-  std::vector<double> weights;    // of the points; none where all are 1
-  std::vector<Vector3d> points;   // m
+  std::vector<double> knots;     // degree + 1 more than points
+  std::vector<double> weights;   // of the points; none where all are 1
+  std::vector<Vector3d> points;  // m
 };
 
 // A face as triangles; its own points, not shared with its neighbours. Turned as the file has it.

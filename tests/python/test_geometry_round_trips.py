@@ -76,7 +76,9 @@ def test_tables_of_offsets(sample, tmp_path):
     # to a millionth of the size.
     tolerance = np.hypot(5e-5, 5e-5) + 1.1e-6 * sample.size
     assert sample.distance(found.all_points()) < tolerance
-    has_place = np.isfinite(table.half_breadths).sum(axis=1) + np.isfinite(table.heights).sum(axis=1)
+    has_place = np.isfinite(table.half_breadths).sum(axis=1) + np.isfinite(table.heights).sum(
+        axis=1
+    )
     stations = [curve for curve in found.curves if curve.kind == "station"]
     wanted = [x for x, count in zip(table.stations, has_place) if count > 1]
     assert {round(x, 6) for x in wanted} <= {round(c.points[0, 0], 6) for c in stations}

@@ -127,4 +127,7 @@ class _Reader:
             if what not in _NOT_DRAWN
         ]
         texts = sum(count for what, count in self.others.items() if what in _NOT_DRAWN)
-        return (*told, *([f"Texts, dimensions and hatches ({texts}) are left out."] if texts else []))
+        return (
+            *told,
+            *([f"Texts, dimensions and hatches ({texts}) are left out."] if texts else []),
+        )

@@ -2,8 +2,8 @@
 """Where a ship's axes, ends, centre plane and base line are in what was read, and its unit.
 
 A pure function of the geometry: the same for the same file, whatever way it is turned. Each answer
-has a reason in a sentence; those that another answer is nearly as good for are named as doubts. What
-the user knows is given, and the rest is guessed around it.
+has a reason in a sentence; those that another answer is nearly as good for are named as doubts.
+What the user knows is given, and the rest is guessed around it.
 """
 
 from dataclasses import dataclass

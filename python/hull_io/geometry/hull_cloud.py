@@ -43,7 +43,9 @@ def _along(curves):
     spacing = max(lengths.sum() / _MOST, np.finfo(float).tiny)
     counts = np.clip(np.ceil(lengths / spacing), 1, _MOST).astype(int)
     piece = np.repeat(np.arange(len(counts)), counts)
-    share = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[piece]
+    share = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[
+        piece
+    ]
     between = starts[piece] + share[:, None] * (ends - starts)[piece]
     return np.concatenate([between, np.array([curve.points[-1] for curve in curves])])
 

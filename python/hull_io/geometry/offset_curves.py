@@ -130,7 +130,9 @@ def _station_positions(table, name):
     if "lpp" in table.settings and values.max() > 0.0:
         step = table.in_unit(table.settings["lpp"]) / values.max()
         return {text: number.value * step for text, number in numbers.items()}
-    is_numbered = (values == np.round(values)).all() and np.abs(values).max() <= _MOST_STATION_NUMBER
+    is_numbered = (values == np.round(values)).all() and np.abs(
+        values
+    ).max() <= _MOST_STATION_NUMBER
     if is_numbered and not any(n.unit for n in numbers.values()) and _steps_of_one(values):
         raise HullFileError(
             f"{name}: its stations have numbers from {values.min():g} to {values.max():g} and no "

@@ -47,7 +47,8 @@ def read_points(text, name):
             return Geometry(name, "points", unit, points=runs[0][1])
         runs = [("", section) for section in sections]
     curves = [
-        polyline(run, name=words or f"curve {number}") for number, (words, run) in enumerate(runs, 1)
+        polyline(run, name=words or f"curve {number}")
+        for number, (words, run) in enumerate(runs, 1)
     ]
     single = [run for (_, run), curve in zip(runs, curves) if curve is None and len(run)]
     return Geometry(

@@ -20,7 +20,10 @@ _KINDS = (
     ("stem", r"\b(?:stem|bow|fore? end|forward end)\b"),
     ("stern", r"\b(?:stern|aft(?:er)? end|transom)\b"),
     ("x", r"^(?:x|position|distance|abscissa|from a\.?p)\b"),
-    ("station", r"\b(?:stations?|sta\.?|st\.?|sections?|frames?|fr\.?|ordinates?|ord\.?)(?=\W|\d|$)"),
+    (
+        "station",
+        r"\b(?:stations?|sta\.?|st\.?|sections?|frames?|fr\.?|ordinates?|ord\.?)(?=\W|\d|$)",
+    ),
 )
 _BREADTH = re.compile(r"half|breadth|width|beam|\bhb\b|\by\b|offset")
 _HEIGHT = re.compile(r"height|\bht\b|\bhgt\b|\bz\b|above")
@@ -63,7 +66,7 @@ def heading_of(cell):
 
 
 def block_of(cells):
-    """"half_breadth" or "height" where a line without numbers is the title of such a block; ""
+    """ "half_breadth" or "height" where a line without numbers is the title of such a block; ""
     elsewhere."""
     words = " ".join(cells).lower()
     if re.search(r"\d", words):

@@ -125,7 +125,13 @@ def test_blocks_are_inserted(read):
 
 
 def test_faces_and_points(read):
-    face = ["3DFACE", *xyz(10, (0, 0, 0)), *xyz(11, (1, 0, 0)), *xyz(12, (1, 1, 0)), *xyz(13, (0, 1, 0))]
+    face = [
+        "3DFACE",
+        *xyz(10, (0, 0, 0)),
+        *xyz(11, (1, 0, 0)),
+        *xyz(12, (1, 1, 0)),
+        *xyz(13, (0, 1, 0)),
+    ]
     found = read(dxf(face, ["POINT", *xyz(10, (7, 8, 9))]))
     assert len(found.meshes[0].triangles) == 2 and found.points.tolist() == [[7, 8, 9]]
 

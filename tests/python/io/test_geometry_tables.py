@@ -70,7 +70,9 @@ def test_layouts(read, text):
     assert list(stations) == list(STATIONS)
     for x, places in STATIONS.items():
         np.testing.assert_allclose(stations[x].points[:, 1:], places, rtol=1e-12)
-    by_kind = {kind: [c for c in found.curves if c.kind == kind] for kind in ("waterline", "buttock")}
+    by_kind = {
+        kind: [c for c in found.curves if c.kind == kind] for kind in ("waterline", "buttock")
+    }
     assert [len(by_kind[kind]) for kind in by_kind] == [2, 1]
     (profile,) = (c for c in found.curves if c.kind == "profile")
     np.testing.assert_allclose(profile.points, [(0, 0, 0.6), (10, 0, 0), (20, 0, 0)])
@@ -104,7 +106,7 @@ def test_knuckles_are_marked(read):
         ("5' 3 1/2\"", 16 * 63 + 8),
         ("5'-3 1/2\"", 16 * 63 + 8),
         ("7'", 16 * 84),
-        ("3 1/4\"", 52),
+        ('3 1/4"', 52),
     ],
 )
 def test_feet_inches_and_eighths(cell, sixteenths):
@@ -173,7 +175,9 @@ def test_points_in_no_order(read):
 
 
 @pytest.mark.parametrize(
-    "between", ["\n", "# next\n", "Frame 2\n", "2\n", "\n2\n"], ids=["empty", "remark", "words", "n", "both"]
+    "between",
+    ["\n", "# next\n", "Frame 2\n", "2\n", "\n2\n"],
+    ids=["empty", "remark", "words", "n", "both"],
 )
 def test_points_with_breaks_are_curves(read, between):
     found = read(f"0 0 0\n0 1 1\n{between}5 0 0\n5 2 1\n5 3 2\n", "txt")
