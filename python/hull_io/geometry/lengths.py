@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lengths as tables have them: plain numbers, and feet, inches and eighths of an inch.
 
-5-3-4 is 5 feet, 3 inches and 4 eighths, 5-3-4+ a sixteenth more, 5-3-4- a sixteenth less; 5-3 has no
+5-3-4 is 5 feet, 3 inches and 4 eighths, 5-3-4+ a sixteenth more, 5-3-4- a sixteenth less; 5-3 has
+no
 eighths. 5' 3 1/2" is the same in another way. A value with a K or a * behind it lies on a knuckle.
 """
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""OBJ files: a mesh for each object or group, faces of any corners as triangles, lines as curves."""
+"""OBJ files: a mesh for each object or group, faces of any corners as triangles, lines as
+curves."""
 
 import numpy as np
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curves of a hull from its table of offsets: stations, waterlines, buttocks, profile, deck edge."""
+"""Curves of a hull from its table of offsets: stations, waterlines, buttocks, profile, deck
+edge."""
 
 import numpy as np
 

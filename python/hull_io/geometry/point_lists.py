@@ -2,7 +2,8 @@
 """Lists of points: x, y and z in each line, what follows them passed over.
 
 Empty lines, words, and lines of one number break the list into curves; words name the one that
-follows, or the unit ("unit: mm"). Without breaks points that come section by section, one coordinate
+follows, or the unit ("unit: mm"). Without breaks points that come section by section, one
+coordinate
 the same, are curves, too; all others are points in no order.
 """
 
@@ -28,7 +29,8 @@ def read_points(text, name):
     count = sum(len(run) for _, run in runs)
     if count < 2:
         raise HullFileError(
-            f"{name}: no two points are found; give x, y and z in each line, such as '12.5 3.0 1.2'."
+            f"{name}: no two points are found; give x, y and z in each line, such as '12.5 "
+            f"3.0 1.2'."
         )
     if len(runs) > MAX_GEOMETRY_CURVES or count > MAX_GEOMETRY_POINTS:
         raise HullFileError(

@@ -62,7 +62,8 @@ def _stored_sections(data, name):
     curves = tuple(curve for curve in curves if curve is not None)
     if not curves:
         raise HullFileError(
-            f"{name}: no sections are stored in it; compute them in FREE!ship and save it again, or "
+            f"{name}: no sections are stored in it; compute them in FREE!ship and save it "
+            f"again, or "
             "import it as a hull."
         )
     return Geometry(name, "FREE!ship", "m", curves, is_half=True, on_ship_axes=True)
@@ -71,7 +72,8 @@ def _stored_sections(data, name):
 def _text(path, data):
     if len(data) > MAX_TABLE_BYTES:
         raise HullFileError(
-            f"{path.name}: as a text it has more than the {MAX_TABLE_BYTES / 2**20:.0f} MB that are "
+            f"{path.name}: as a text it has more than the {MAX_TABLE_BYTES / 2**20:.0f} MB "
+            f"that are "
             "read; thin it out."
         )
     if b"\0" in data[:4096]:

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What was read of a hull that exists: curves, meshes of triangles and points, as the file has them.
+"""What was read of a hull that exists: curves, meshes of triangles and points, as the file has
+them.
 
-Numbers are in the file's own unit of length and on its own axes, whatever these are; `guessing` finds
-out, `orienting` brings them to a ship's. Only points of FREE!ship's stored sections and of CAD files
+Numbers are in the file's own unit of length and on its own axes, whatever these are; `guessing`
+finds
+out, `orienting` brings them to a ship's. Only points of FREE!ship's stored sections and of CAD
+files
 have been scaled, as the latter's formats say how.
 """
 

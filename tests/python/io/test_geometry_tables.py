@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of offsets and lists of points: the layouts that people use, and what is wrong with some."""
+"""Tables of offsets and lists of points: the layouts that people use, and what is wrong with
+some."""
 
 import hull_io
 import numpy as np
@@ -130,7 +131,8 @@ def test_a_table_in_feet(read):
 def test_a_bulb_is_passed_in_order(read):
     """Half-breadths that fall and rise again, with heights of buttocks below and above."""
     found = read(
-        "x,WL 1,WL 2,WL 3,WL 4,WL 5,Buttock 0,Buttock 1,Buttock 2\n0,1.6,2.2,0.8,0.5,1.5,0,0.4,5.5\n"
+        "x,WL 1,WL 2,WL 3,WL 4,WL 5,Buttock 0,Buttock 1,Buttock "
+        "2\n0,1.6,2.2,0.8,0.5,1.5,0,0.4,5.5\n"
         "1,1.6,2.2,0.8,0.5,1.5,0,0.4,5.5\n"
     )
     places = stations_of(found)[0.0].points[:, 1:]
