@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bindings/arrays.h"
+#include "bindings/cad_geometry.h"
 #include "bindings/companion_module.h"
 #include "bindings/progress.h"
 #include "bindings/unmade_instances.h"
@@ -278,5 +279,6 @@ PYBIND11_MODULE(_exchange, module) {
       "free_edge_length (m), area (m2), volume (m3, or None unless closed), box (2, 3; m), curves "
       "(of no face), regions (dicts of name, colour, faces and area), layers, bytes, and from "
       "writing cells_left_out (cells without area). Raises OSError if the file can't be read.");
+  bind_cad_geometry(module);
   refuse_unmade_instances(module);
 }

@@ -17,10 +17,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "exchange/cad_reading.h"
 #include "exchange/face_integrals.h"
@@ -130,26 +127,6 @@ void find_layers(const std::vector<CadLayer>& layers, const Areas& areas, CadRep
   }
 }
 
-// The first line of a file that is not too long for one of text.
-std::string first_line(const std::string& path, const std::string& refusal) {
-  if (std::filesystem::is_directory(path)) throw files::FileError(refusal + "it is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw files::FileError(refusal + std::strerror(errno));
-  std::string line(80, ' ');
-  file.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(static_cast<std::size_t>(file.gcount()));
-  return line;
-}
-
-CadContent read(const std::string& path, const std::string& refusal,
-                const surface::Progress& progress) {
-  const std::string line = first_line(path, refusal);
-  if (line.find("ISO-10303-21") != line.npos) return read_step(path, refusal, progress);
-  // Lines of IGES name their section in column 73.
-  if (line.size() > 72 && line[72] == 'S') return read_iges(path, refusal, progress);
-  throw files::FileError(refusal + "it is neither a STEP nor an IGES file");
-}
-
 }  // namespace
 
 CadReport read_cad_report(const std::string& path, const std::string& name,
@@ -157,8 +134,8 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
   const std::string refusal = "Cannot read \"" + name + "\": ";
   try {
     const OcctSession session;
-    const CadContent content = read(path, refusal, surface::part_of(progress, 0.0, kRead));
-    if (content.shape.IsNull()) throw files::FileError(refusal + "it holds no shape");
+    const CadContent content =
+        read_cad_content(path, refusal, surface::part_of(progress, 0.0, kRead));
     CadReport report;
     report.format = content.format;
     report.unit = content.unit;

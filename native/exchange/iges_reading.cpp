@@ -38,7 +38,7 @@ std::optional<Colour> colour_of(const Handle(IGESData_IGESEntity) & entity) {
   return Colour{percent[0] / 100.0, percent[1] / 100.0, percent[2] / 100.0};
 }
 
-void find_layers(IGESControl_Reader& reader, CadContent& content) {
+void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
   const Handle(Transfer_TransientProcess) process =
       reader.WS()->TransferReader()->TransientProcess();
@@ -51,9 +51,11 @@ void find_layers(IGESControl_Reader& reader, CadContent& content) {
       layers[function->FuncDescriptionCode()].name = text_of(function->FuncDescription());
       continue;
     }
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    const std::string name = text_of(entity->NameValue());
+    if (!shape.IsNull() && !name.empty()) content.names.push_back({name, shape});
     if (entity->DefLevel() != IGESData_DefOne || entity->Level() <= 0) continue;
     CadLayer& layer = layers[entity->Level()];
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
     if (!shape.IsNull()) layer.members.push_back({shape, colour_of(entity)});
   }
   for (auto& [level, layer] : layers) {
@@ -80,7 +82,7 @@ CadContent read_iges(const std::string& path, const std::string& refusal,
   content.format = header.IGESVersion() == 11 ? "IGES 5.3" : "IGES";
   content.unit = unit_name(header.UnitFlag());
   content.product = text_of(header.SendName());
-  find_layers(reader, content);
+  find_layers_and_names(reader, content);
   return content;
 }
 

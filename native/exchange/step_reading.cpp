@@ -4,6 +4,7 @@
 #include <STEPControl_Reader.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -65,6 +66,20 @@ void find_layers(STEPControl_Reader& reader, CadContent& content) {
   }
 }
 
+void find_names(STEPControl_Reader& reader, CadContent& content) {
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  const Handle(Transfer_TransientProcess) process =
+      reader.WS()->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(model->Value(i));
+    if (item.IsNull() || item->Name().IsNull() || item->Name()->IsEmpty()) continue;
+    const TopoDS_Shape shape = STEPConstruct::FindShape(process, item);
+    if (!shape.IsNull()) {
+      content.names.push_back({decode_step_string(item->Name()->ToCString()), shape});
+    }
+  }
+}
+
 }  // namespace
 
 CadContent read_step(const std::string& path, const std::string& refusal,
@@ -83,6 +98,7 @@ CadContent read_step(const std::string& path, const std::string& refusal,
   content.unit = unit_name(reader);
   content.product = product_name(reader.StepModel());
   find_layers(reader, content);
+  find_names(reader, content);
   return content;
 }
 

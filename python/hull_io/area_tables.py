@@ -16,6 +16,7 @@ import numpy as np
 from .bytes_on_disk import read_bytes
 from .errors import HullFileError
 from .limits import FURTHEST_POINT, LARGEST_SECTION, MAX_AREA_TABLE_BYTES, MAX_AREA_TABLE_ROWS
+from .table_text import decoded, number_in, table_rows
 
 _LEAST_ROWS = 3
 _X_NAMES = ("x", "station", "position", "place")
@@ -24,22 +25,14 @@ _X_NAMES = ("x", "station", "position", "place")
 def read_area_table(path):
     """(x (n,) in m, rising; areas (n,) in m²) of a file; HullFileError with line and remedy."""
     path = Path(path)
-    data = read_bytes(path, MAX_AREA_TABLE_BYTES)
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = data.decode("latin-1")
-    return parse_area_table(text, path.name)
+    return parse_area_table(decoded(read_bytes(path, MAX_AREA_TABLE_BYTES)), path.name)
 
 
 def parse_area_table(text, name):
     """The same of a text; name: of the file, for messages."""
-    lines = _lines(text)
-    separator = _separator([line for _, line in lines])
     columns, rows = None, []
-    for number, line in lines:
-        cells = _cells(line, separator)
-        values = [_number(cell, separator) for cell in cells]
+    for number, cells in table_rows(text):
+        values = [number_in(cell) for cell in cells]
         if not rows and not any(value is not None for value in values):
             columns = _columns_named(cells) or columns
             continue
@@ -54,42 +47,6 @@ def parse_area_table(text, name):
             f"needs {_LEAST_ROWS} or more, x in metres and the area in m² in each."
         )
     return _rising(rows, name)
-
-
-def _lines(text):
-    """Pairs (number, line) of those that say something."""
-    bare = (
-        (number, line.split("#")[0].strip()) for number, line in enumerate(text.splitlines(), 1)
-    )
-    return [(number, line) for number, line in bare if line]
-
-
-def _separator(lines):
-    """What stands between the columns; None: blanks."""
-    for sign in (";", "\t"):
-        if any(sign in line for line in lines):
-            return sign
-    # "12,5 34,7" has decimal commas, "12.5, 34.7" and "12,34" have columns.
-    with_numbers = [line for line in lines if re.match(r"[-+.\d]", line)]
-    has_decimal_commas = bool(with_numbers) and all(
-        re.search(r"\s", line) and not re.search(r",\s|\s,|,,|\.", line) for line in with_numbers
-    )
-    return "," if any("," in line for line in lines) and not has_decimal_commas else None
-
-
-def _cells(line, separator):
-    return [cell.strip().strip("\"'") for cell in line.split(separator)]
-
-
-def _number(cell, separator):
-    """Of a cell; None where it is none."""
-    if len(cell) > 40 or "_" in cell:
-        return None
-    try:
-        value = float(cell if separator == "," else cell.replace(",", "."))
-    except ValueError:
-        return None
-    return value
 
 
 def _columns_named(cells):

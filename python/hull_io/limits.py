@@ -44,3 +44,16 @@ MAX_AREA_TABLE_BYTES = 2**20
 MAX_AREA_TABLE_ROWS = 500
 # m2; the largest ships have some two thousand.
 LARGEST_SECTION = 1e5
+# Of geometry that is to become a hull: tables and lists of points as text, values of a table,
+# points and triangles of all curves and meshes, curves.
+MAX_TABLE_BYTES = 64 * 2**20
+MAX_OFFSETS = 200_000
+MAX_GEOMETRY_POINTS = 5_000_000
+MAX_GEOMETRY_CURVES = 100_000
+MAX_GEOMETRY_BYTES = 256 * 2**20
+# Of the process that reads STEP and IGES: address space, of which libraries take the half of the
+# first, and seconds of computing.
+CAD_MEMORY_BYTES = 10**9
+CAD_MEMORY_PER_BYTE = 60
+CAD_SECONDS = 4
+CAD_SECONDS_PER_MB = 3.0

@@ -23,13 +23,17 @@ def read_stl(path):
     one point, and triangles that are a line or a point are left out. HullFileError where there is
     nothing to read."""
     path = Path(path)
-    data = read_bytes(path, MAX_STL_BYTES)
+    return parse_stl(read_bytes(path, MAX_STL_BYTES), path.name)
+
+
+def parse_stl(data, name):
+    """The same of a file's bytes; name: of the file, for messages."""
     corners = _binary_corners(data)
     if corners is None:
-        corners = _text_corners(data, path.name)
+        corners = _text_corners(data, name)
     if not np.isfinite(corners).all() or np.abs(corners).max(initial=0.0) > FURTHEST_POINT:
         raise HullFileError(
-            f"{path.name}: a corner of a triangle is no place within {FURTHEST_POINT:.0f}; "
+            f"{name}: a corner of a triangle is no place within {FURTHEST_POINT:.0f}; "
             f"{_REMEDY}."
         )
     points, indices = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
@@ -37,7 +41,7 @@ def read_stl(path):
     following = np.roll(triangles, -1, axis=1)
     triangles = triangles[(triangles != following).all(axis=1)]
     if not len(triangles):
-        raise HullFileError(f"{path.name}: there is no triangle in it; choose an STL file.")
+        raise HullFileError(f"{name}: there is no triangle in it; choose an STL file.")
     return points.astype(np.float64), triangles
 
 

@@ -15,6 +15,7 @@ _LATER = {
     "write_step": "._exchange",
     "write_iges": "._exchange",
     "read_cad_report": "._exchange",
+    "read_cad_geometry": "._exchange",
     "ComparedHull": ".comparison",
     "compare_areas": ".comparison",
     "compare_hulls": ".comparison",

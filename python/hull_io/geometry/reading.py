@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opening a file of any format that geometry is read of."""
+
+from pathlib import Path
+
+from ..bytes_on_disk import read_bytes
+from ..errors import HullFileError
+from ..freeship import is_freeship, read_stored_sections
+from ..limits import MAX_GEOMETRY_BYTES, MAX_STL_BYTES, MAX_TABLE_BYTES
+from ..stl import parse_stl
+from ..table_text import decoded
+from .cad_files import is_cad, read_cad
+from .dxf import read_dxf
+from .obj import read_obj
+from .offset_curves import read_offsets
+from .offset_tables import looks_like_offsets
+from .point_lists import read_points
+from .values import Geometry, GeometryMesh, polyline
+
+# Of the size, how far triangles of CAD faces may be from them.
+CHORD_SHARE = 2e-5
+
+
+def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
+    """The Geometry of a file: STEP, IGES, DXF, STL, OBJ, FREE!ship's stored sections, a table of
+    offsets or a list of points.
+
+    What a file is its content tells; the ending counts for OBJ and where the content tells
+    nothing. progress: called with the share of the work that is done, for STEP and IGES; what it
+    raises ends the reading. HullFileError in one sentence.
+    """
+    path = Path(path)
+    data = read_bytes(path, MAX_GEOMETRY_BYTES)
+    ending = path.suffix.lower()
+    if is_cad(data) or ending in (".step", ".stp", ".iges", ".igs"):
+        return read_cad(path, chord_share, progress)
+    if is_freeship(data) or ending in (".fbm", ".ftm"):
+        return _stored_sections(data, path.name)
+    if ending == ".stl":
+        return _stl(data, path.name)
+    if ending == ".obj":
+        return read_obj(data, path.name)
+    if ending == ".dxf" or data.startswith(b"AutoCAD Binary DXF"):
+        return read_dxf(data, path.name)
+    return _text(path, data)
+
+
+def _stl(data, name):
+    if len(data) > MAX_STL_BYTES:
+        raise HullFileError(f"{name}: it is larger than is read; write fewer triangles.")
+    points, triangles = parse_stl(data, name)
+    return Geometry(name, "STL", None, meshes=(GeometryMesh(points, triangles),))
+
+
+def _stored_sections(data, name):
+    curves = [
+        polyline(points, knuckles.nonzero()[0], name=section.kind, kind=kind)
+        for section in read_stored_sections(data, name)
+        for kind in [section.kind if section.kind != "free" else ""]
+        for points, knuckles in section.curves
+    ]
+    curves = tuple(curve for curve in curves if curve is not None)
+    if not curves:
+        raise HullFileError(
+            f"{name}: no sections are stored in it; compute them in FREE!ship and save it "
+            f"again, or "
+            "import it as a hull."
+        )
+    return Geometry(name, "FREE!ship", "m", curves, is_half=True, on_ship_axes=True)
+
+
+def _text(path, data):
+    if len(data) > MAX_TABLE_BYTES:
+        raise HullFileError(
+            f"{path.name}: as a text it has more than the {MAX_TABLE_BYTES / 2**20:.0f} MB "
+            f"that are "
+            "read; thin it out."
+        )
+    if b"\0" in data[:4096]:
+        raise HullFileError(
+            f"{path.name}: it is no text and none of the known formats; choose a STEP, IGES, DXF, "
+            "STL, OBJ, .fbm or .ftm file, a table of offsets or a list of points."
+        )
+    text = decoded(data)
+    if looks_like_offsets(text):
+        return read_offsets(text, path.name)
+    return read_points(text, path.name)

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What headings of a table of offsets mean, those of columns and of rows alike."""
+
+import re
+from dataclasses import dataclass
+
+from .lengths import Length, length_in, unit_named
+
+_NUMBER = r"""[-+]?\d[\d.]*(?:-\d+)*[-+'"]*(?:\s*(?:mm|cm|m|ft|in)\b)?"""
+_BRACKET = re.compile(r"[\[(]\s*([a-z]+)\.?\s*[\])]", re.IGNORECASE)
+# In this order: "half-breadth at WL 2" is a waterline, "deck height" no height of its own.
+_KINDS = (
+    ("knuckles", r"\bon (?:a )?knuckles?\b"),
+    ("waterline", r"\b(?:w\.?l\.?|water\s?lines?)(?=[\s\d.:=]|$)"),
+    ("buttock", r"\b(?:buttocks?|butt\.?|bk\.?|b\.?l\.?)(?=[\s\d.:=]|$)"),
+    ("deck", r"\b(?:deck|sheer|gunwale|rail|bulwark)\b"),
+    ("feature", r"\b(?:knuckle|chine|edge|rabbet line)\b"),
+    ("profile", r"\b(?:profile|keel|rabbet|c\.?l\.?|cent(?:re|er)\s?line)(?=\W|$)"),
+    ("diagonal", r"\b(?:diagonals?|diag\.?)(?=\W|\d|$)"),
+    ("stem", r"\b(?:stem|bow|fore? end|forward end)\b"),
+    ("stern", r"\b(?:stern|aft(?:er)? end|transom)\b"),
+    ("x", r"^(?:x|position|distance|abscissa|from a\.?p)\b"),
+    (
+        "station",
+        r"\b(?:stations?|sta\.?|st\.?|sections?|frames?|fr\.?|ordinates?|ord\.?)(?=\W|\d|$)",
+    ),
+)
+_BREADTH = re.compile(r"half|breadth|width|beam|\bhb\b|\by\b|offset")
+_HEIGHT = re.compile(r"height|\bht\b|\bhgt\b|\bz\b|above")
+
+
+@dataclass(frozen=True)
+class Heading:
+    """kind: of _KINDS, "number" (a position alone) or "" (nothing known). position: Length or None.
+    what: "half_breadth", "height" or "". unit: of the values below it, where it is told."""
+
+    kind: str
+    text: str
+    position: Length | None = None
+    what: str = ""
+    unit: str | None = None
+
+    @property
+    def is_line(self):
+        """Whether it names what stations are measured at."""
+        return self.kind in ("waterline", "buttock", "deck", "feature", "profile", "stem", "stern")
+
+
+def heading_of(cell):
+    """The Heading of a cell. ValueError for impossible feet and inches."""
+    text = cell.strip()[:200]
+    units = [unit_named(word) for word in _BRACKET.findall(text)]
+    unit = next((unit for unit in units if unit), None)
+    bare = _BRACKET.sub(" ", text).strip().lower()
+    alone = length_in(bare)
+    if alone is not None:
+        return Heading("number", text, alone, unit=unit)
+    kind = next((kind for kind, pattern in _KINDS if re.search(pattern, bare)), "")
+    what = "half_breadth" if _BREADTH.search(bare) else "height" if _HEIGHT.search(bare) else ""
+    position = None
+    if kind in ("waterline", "buttock", "station"):
+        # After the word itself: "2 m WL" is as usual as "WL 2 m", but numbers in names are not.
+        found = re.search(_NUMBER, bare)
+        position = length_in(found[0]) if found else None
+    return Heading(kind, text, position, what, unit)
+
+
+def block_of(cells):
+    """ "half_breadth" or "height" where a line without numbers is the title of such a block; ""
+    elsewhere."""
+    words = " ".join(cells).lower()
+    if re.search(r"\d", words):
+        return ""
+    if re.search(r"half[- ]?breadth|half[- ]?width|breadths", words):
+        return "half_breadth"
+    return "height" if re.search(r"heights?", words) else ""
