@@ -31,8 +31,7 @@ STRETCHES = (7.0 / 8.0, 9.0 / 8.0)
 
 @dataclass(frozen=True)
 class Placed:
-    """A Found mark of a Line, and on the hull before its place (3,) and places (k, 3) along it, m.
-    """
+    """A Found mark of a Line; on the hull before its place (3,), and places (k, 3) along it, m."""
 
     line: object
     found: object

@@ -119,8 +119,7 @@ def _cut(surface, column, at, step):
 
 
 def found_through(surface, beam, kind, places, eye=1.0):
-    """Of each of places (n, 3): the [Found] on the line of a kind of PLANES that goes through it.
-    """
+    """Of each of places (n, 3) the [Found] on the line of a kind of PLANES that goes through it."""
     column = "xyz".index(PLANES[kind][0])
     for curves in _cut(surface, column, np.asarray(places)[:, column], _STEP * beam):
         yield [mark for curve in curves for mark in _marks(*curve, beam, eye)]

@@ -62,9 +62,11 @@ class Bends:
 
         def by(a, b):
             mixed = a[:, 0] * b[:, 1] + a[:, 1] * b[:, 0]
-            return (a[:, 0] * b[:, 0])[:, None] * uu + mixed[:, None] * uv + (
-                a[:, 1] * b[:, 1]
-            )[:, None] * vv
+            return (
+                (a[:, 0] * b[:, 0])[:, None] * uu
+                + mixed[:, None] * uv
+                + (a[:, 1] * b[:, 1])[:, None] * vv
+            )
 
         return by(p, p), np.sqrt(2.0) * by(p, q), by(q, q)
 

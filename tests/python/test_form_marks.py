@@ -141,8 +141,7 @@ def test_new_marks_are_faired_out():
     moved = with_points(surface, surface.mesh.points + found.moves)
     assert new_marks("roro", moved) == []
     before, after = (
-        hn.hydrostatics(hn.HullBody(one, mirrored=sample.half), **where)
-        for one in (surface, moved)
+        hn.hydrostatics(hn.HullBody(one, mirrored=sample.half), **where) for one in (surface, moved)
     )
     assert after.displaced_volume == pytest.approx(before.displaced_volume, rel=1e-9)
     assert after.lcb == pytest.approx(before.lcb, abs=1e-9 * sample.ship.length_pp)

@@ -202,7 +202,8 @@ def test_what_falls_short_is_told_with_what_to_pair():
     assert fit.shortfall.startswith(
         f"The layout is left {off:.1e} of the length off, farthest at ("
     )
-    assert "pair" in fit.shortfall and fit.shortfall.endswith("or of a third one, such as the sample coaster's.")
+    assert "pair" in fit.shortfall
+    assert fit.shortfall.endswith("or of a third one, such as the sample coaster's.")
     assert hn.fit_layout(coaster, roro).shortfall == ""
 
 

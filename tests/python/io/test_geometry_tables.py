@@ -42,8 +42,8 @@ Station	WL 1	WL 2	Buttock 0.5	CL
 1	2	2.25	0.125	0.0
 2	1	1.25	0.25	0.0
 """
-IN_MM = """x from AP [m],half-breadth at WL 1 m [mm],half-breadth at WL 2 m [mm],height at buttock 0 m \
-[mm],height at buttock 0.5 m [mm],on a knuckle
+IN_MM = """x from AP [m],half-breadth at WL 1 m [mm],half-breadth at WL 2 m [mm],\
+height at buttock 0 m [mm],height at buttock 0.5 m [mm],on a knuckle
 0.0,250.0,750.0,600.0,1500.0,
 10.0,2000.0,2250.0,0.0,125.0,WL 1 m
 20.0,1000.0,1250.0,0.0,250.0,
