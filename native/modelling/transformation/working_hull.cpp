@@ -35,7 +35,8 @@ WorkingHull::WorkingHull(const analysis::HullBody& body, const analysis::Floatin
   // Its volume is rounding, which may be more than zero, and places along it mean nothing.
   if (!(immersed_range_.second - immersed_range_.first > kInPlane * surface_.mesh().size())) {
     throw std::invalid_argument(
-        "What is immersed of the hull has no length: all of it is at one x. Check the axes, or move "
+        "What is immersed of the hull has no length: all of it is at one x. Check the axes, or "
+        "move "
         "its points apart.");
   }
 }
