@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -17,11 +18,7 @@ constexpr std::size_t kCellsAtATime = 128;  // their samples stay in the process
 }  // namespace
 
 ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, double metres_per_unit)
-    : stamp_(surface),
-      n_(n),
-      mirrored_(mirrored),
-      metres_per_unit_(metres_per_unit),
-      centre_plane_(kOnCentrePlane * surface.mesh().size()) {
+    : stamp_(surface), n_(n), mirrored_(mirrored), metres_per_unit_(metres_per_unit) {
   if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) {
     throw std::invalid_argument("A unit must be a positive number of metres, not " +
                                 std::to_string(metres_per_unit) + ".");
@@ -40,6 +37,7 @@ ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, doub
     const int j = static_cast<int>(std::lround(n * uv.y()));
     taken_[next[tessellation.cells[point]]++] = {i * (n + 1) + j, static_cast<int>(point)};
   }
+  follow_size();
   coordinates_.reserve(6 * count);  // what reads them may do so while images are numbered anew
   coordinates_.resize(3 * count);
   shared_.assign(count, 1);
@@ -53,9 +51,10 @@ ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, doub
 bool ShownPoints::update() {
   const LimitSurface& surface = stamp_.surface();
   sharing_changed_ = false;
+  const bool are_all_due = follow_size();
   std::vector<int> cells;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    if (surface.moved_at(cell) > stamp_.revision()) cells.push_back(cell);
+    if (are_all_due || surface.moved_at(cell) > stamp_.revision()) cells.push_back(cell);
     if (cells.size() < kCellsAtATime) continue;
     take_cells(cells);
     cells.clear();
@@ -65,6 +64,17 @@ bool ShownPoints::update() {
   if (!sharing_changed_) return true;
   number_images();
   return false;
+}
+
+// What is on the centre plane goes by the size of the hull, which a point that moves may change:
+// whether points that did not move may have come onto it, or off it.
+bool ShownPoints::follow_size() {
+  centre_plane_ = kOnCentrePlane * stamp_.surface().mesh().size();
+  if (!mirrored_) return false;
+  if (farthest_shared_ <= centre_plane_ && nearest_other_ > centre_plane_) return false;
+  farthest_shared_ = 0.0;
+  nearest_other_ = std::numeric_limits<double>::infinity();
+  return true;
 }
 
 void ShownPoints::take_cells(const std::vector<int>& cells) {
@@ -79,7 +89,13 @@ void ShownPoints::take_cells(const std::vector<int>& cells) {
 }
 
 void ShownPoints::take_point(int point, const Vector3d& position) {
-  const bool shared = !mirrored_ || std::abs(position.y()) <= centre_plane_;
+  const double away = std::abs(position.y());
+  const bool shared = !mirrored_ || away <= centre_plane_;
+  if (shared) {
+    farthest_shared_ = std::max(farthest_shared_, away);
+  } else {
+    nearest_other_ = std::min(nearest_other_, away);
+  }
   const auto x = static_cast<float>(position.x() / metres_per_unit_);
   const auto y = mirrored_ && shared ? 0.0f : static_cast<float>(position.y() / metres_per_unit_);
   const auto z = static_cast<float>(position.z() / metres_per_unit_);

@@ -14,8 +14,8 @@ namespace hull::surface {
 // points move, and only those of cells that have moved are computed again.
 //
 // First come the points of the tessellation, in its order, then the mirror images (x, -y, z) of
-// those that are off the centre plane. Points within kOnCentrePlane of it are put on
-// it, and both sides share them.
+// those that are off the centre plane. Points within kOnCentrePlane of the hull's present size of
+// it are put on it, and both sides share them.
 class ShownPoints {
  public:
   // `surface` must outlive this. Throws std::invalid_argument as tessellate() does, and unless
@@ -38,6 +38,7 @@ class ShownPoints {
     int sample, point;
   };
 
+  bool follow_size();
   void take_cells(const std::vector<int>& cells);
   void take_point(int point, const Vector3d& position);
   void number_images();
@@ -46,6 +47,8 @@ class ShownPoints {
   int n_;
   bool mirrored_;
   double metres_per_unit_, centre_plane_;
+  // From the centre plane: no shared point is farther, no other one nearer.
+  double farthest_shared_ = 0.0, nearest_other_ = 0.0;
   std::vector<int> first_;    // of the cell in taken_, which each cell's points follow
   std::vector<Taken> taken_;  // each point is taken from one cell
   std::vector<float> coordinates_;

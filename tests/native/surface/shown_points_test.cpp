@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "mesh/tolerances.h"
 #include "surface/sampling/tessellation.h"
 #include "test_meshes.h"
 
@@ -77,7 +78,7 @@ void expect_fresh(const ShownPoints& shown, const LimitSurface& surface, int n, 
   };
   for (std::size_t i = 0; i < fresh.points.size(); ++i) {
     Vector3d p = fresh.points[i];
-    const bool shared = !mirrored || std::abs(p.y()) <= 1e-9 * surface.mesh().size();
+    const bool shared = !mirrored || std::abs(p.y()) <= kOnCentrePlane * surface.mesh().size();
     ASSERT_EQ(static_cast<bool>(shown.shared()[i]), shared);
     if (mirrored && shared) p.y() = 0.0;
     expect_at(i, p);
@@ -124,6 +125,24 @@ TEST(ShownPoints, NumberImagesAnewWherePointsLeaveTheCentrePlane) {
   EXPECT_EQ(shown.coordinates(), before);
   EXPECT_TRUE(shown.update());
   EXPECT_EQ(shown.coordinates().data(), kept) << "whoever reads the numbers holds on to them";
+}
+
+// A hull that grows by one point at its end: borders by rounding beside the centre plane are on it
+// now, though nothing moved there; and off it again.
+TEST(ShownPoints, FollowTheSizeThatTheCentrePlaneGoesBy) {
+  mesh::MeshArrays arrays = testing::grid(8, 3);
+  const double size = mesh::ControlMesh(arrays).size();
+  for (int i = 0; i < 5; ++i) arrays.points[i].y() = 3.0 * kOnCentrePlane * size;
+  LimitSurface surface{mesh::ControlMesh(arrays)};
+  ShownPoints shown(surface, 4, true, 1.0);
+  std::vector<Vector3d> grown = arrays.points;
+  grown.back().x() += 4.0 * size;
+  for (const std::vector<Vector3d>& points : {grown, arrays.points}) {
+    surface.set_points(points);
+    EXPECT_FALSE(shown.update());
+    expect_fresh(shown, surface, 4, true, 1.0);
+  }
+  EXPECT_TRUE(shown.update());
 }
 
 // Which a program compares with what it has.
