@@ -345,3 +345,26 @@ def test_points_without_places_are_in_no_plane(kind):
         with pytest.raises(ValueError, match="no numbers"):
             part("features.constraints.planes").fit(points, kind)
         assert part("features.constraints.flat_keeping").common_plane(points) is None
+
+
+@pytest.mark.parametrize(
+    "normal, offset",
+    [((0.0, 1.0, 0.0), 1e30), ((0.0, 0.0, 0.0), 2.0), ((0.0, 1.0, 0.0), np.nan)],
+)
+def test_planes_that_are_none_are_found_anew(normal, offset):
+    """Scripts may write anything there: no point goes where no plane is."""
+    hull = divided_hull()
+    number = mark(hull, SIDE)
+    entry = part("features.constraints.flats").plane_entries(hull)[number]
+    entry.normal, entry.offset = normal, offset
+    before = mesh_points(hull)
+    other = next(i for i in range(len(before)) if i not in points_of_region(hull, number))
+    move(hull, [other], (0.0, 0.0, 0.25))
+    assert np.array_equal(np.delete(mesh_points(hull), other, 0), np.delete(before, other, 0))
+    assert kept_planes(hull) == {number: [0.0, 1.0, 0.0, HALF_BREADTH]}
+    assert len(hull.hull.flats) == 1
+
+
+def points_of_region(hull, number):
+    flat = part("features.constraints.flat_marks").read(hull.data)
+    return set(flat.of_region(number)[1].tolist())

@@ -280,9 +280,7 @@ class HULL_OT_fair_new_marks(bpy.types.Operator, TaskOperator):
 
     def begin(self, hull, scene):
         most = 1e-3 * units.as_typed(self.per_mille)
-        return fair_changes.FairingChange(
-            hull, scene, fair_changes.Asked(most, self.keep_parallel)
-        )
+        return fair_changes.FairingChange(hull, scene, fair_changes.Asked(most, self.keep_parallel))
 
     def outcome(self, found, scene):
         return fair_changes.summary(self._task.write(scene))

@@ -15,6 +15,9 @@ from ...bridge.counts import counted_are
 from ...bridge.mesh import mesh_points
 from . import flat_marks, planes
 
+# Of a mesh's points, in metres or other units, from its origin.
+_FARTHEST = 1e9
+
 
 @dataclass(frozen=True, eq=False)
 class Region:
@@ -126,8 +129,14 @@ def new_number(obj):
 
 
 def plane_entries(obj):
-    """The entries of Object.hull.flats by the number of the region."""
-    return {entry.region: entry for entry in obj.hull.flats}
+    """The entries of Object.hull.flats by the number of the region. Those that scripts or files
+    have given no plane, or one that no point of a mesh reaches, are as if they were not there."""
+    return {entry.region: entry for entry in obj.hull.flats if _tells_plane(entry)}
+
+
+def _tells_plane(entry):
+    numbers = (*entry.normal, entry.offset)
+    return bool(np.isfinite(numbers).all() and any(entry.normal)) and abs(entry.offset) <= _FARTHEST
 
 
 def plane_of(entry):
@@ -146,6 +155,8 @@ def store_plane(obj, number, plane):
     entry = plane_entries(obj).get(number)
     if entry is not None and np.array_equal(plane_of(entry), plane):
         return
+    if entry is None:
+        entry = next((other for other in obj.hull.flats if other.region == number), None)
     if entry is None:
         entry = obj.hull.flats.add()
         entry.region = number

@@ -22,9 +22,7 @@ class AsItWas:
             or hull_state.state_of(obj) is not self.state
             or _key_of(obj) != self._key
         ):
-            raise ValueError(
-                f"The hull was changed meanwhile, and stays as it is: {self._again}"
-            )
+            raise ValueError(f"The hull was changed meanwhile, and stays as it is: {self._again}")
         return obj
 
 
