@@ -260,3 +260,17 @@ def test_a_base_curve_that_is_deleted_is_told():
         collection.objects.unlink(row.curve)
     bpy.context.view_layer.update()
     assert "not in the scene" in part("features.fields.preview").of_hull(hull).problem
+
+
+def test_a_vertex_group_of_its_name_is_told():
+    """Blender's own operators make vertex groups of attributes, under their names."""
+    hull = sample()
+    before = points_of(hull)
+    add(hull, side_point(hull), extent=12.0, shift=(0.0, 0.2, 0.0))
+    group = hull.vertex_groups.new(name="hull_start")
+    with pytest.raises(RuntimeError, match='named "hull_start".*vertex group'):
+        bpy.ops.hull.preview_fields()
+    assert not hull.hull.fields.is_previewed
+    assert np.array_equal(points_of(hull), before)
+    hull.vertex_groups.remove(group)
+    assert bpy.ops.hull.preview_fields() == {"FINISHED"}

@@ -7,11 +7,13 @@ that is divided leaves its mark on both parts.
 
 import numpy as np
 
+from . import own_attributes
+
 
 def stored_marks(mesh, name):
     """(edges,) bool; `mesh` is not in edit mode."""
-    attribute = mesh.attributes.get(name)
-    if attribute is None or attribute.data_type != "INT" or attribute.domain != "EDGE":
+    attribute = own_attributes.found(mesh, name, "INT", "EDGE")
+    if attribute is None:
         return np.zeros(len(mesh.edges), dtype=bool)
     values = np.zeros(len(mesh.edges), dtype=np.int32)
     attribute.data.foreach_get("value", values)
@@ -28,12 +30,7 @@ def edited_marks(bm, name):
 
 def store_marks(mesh, name, marks):
     """Marks exactly the edges of (edges,) bool; `mesh` is not in edit mode."""
-    attribute = mesh.attributes.get(name)
-    if attribute is not None and (attribute.data_type != "INT" or attribute.domain != "EDGE"):
-        mesh.attributes.remove(attribute)
-        attribute = None
-    if attribute is None:
-        attribute = mesh.attributes.new(name, "INT", "EDGE")
+    attribute = own_attributes.made(mesh, name, "INT", "EDGE")
     attribute.data.foreach_set("value", np.ascontiguousarray(marks, dtype=np.int32))
 
 

@@ -8,11 +8,13 @@ that is divided leaves its number on all its parts.
 import bmesh
 import numpy as np
 
+from . import own_attributes
+
 
 def stored(mesh, name):
     """(faces,) int32; `mesh` is not in edit mode. Zeros too of an attribute of another kind."""
     numbers = np.zeros(len(mesh.polygons), dtype=np.int32)
-    attribute = _own_attribute(mesh, name)
+    attribute = own_attributes.found(mesh, name, "INT", "FACE")
     if attribute is not None:
         attribute.data.foreach_get("value", numbers)
     return numbers
@@ -53,18 +55,5 @@ def _write_edited(mesh, name, faces, numbers):
 def _write_stored(mesh, name, faces, numbers):
     every = stored(mesh, name)
     every[faces] = numbers
-    if _own_attribute(mesh, name) is None:
-        of_another_kind = mesh.attributes.get(name)
-        if of_another_kind is not None:
-            mesh.attributes.remove(of_another_kind)
-        mesh.attributes.new(name, "INT", "FACE")
-    _own_attribute(mesh, name).data.foreach_set("value", every)
+    own_attributes.made(mesh, name, "INT", "FACE").data.foreach_set("value", every)
     mesh.update_tag()
-
-
-def _own_attribute(mesh, name):
-    """The mesh's attribute; None too for one of another kind with this name."""
-    attribute = mesh.attributes.get(name)
-    if attribute is None or (attribute.data_type, attribute.domain) != ("INT", "FACE"):
-        return None
-    return attribute

@@ -9,6 +9,9 @@ with the points, undo in edit mode too.
 import bmesh
 import numpy as np
 
+from . import own_attributes
+
+_KIND = "FLOAT_VECTOR", "POINT"
 _START, _SHOWN = "hull_start", "hull_shown_for_a_while"
 
 
@@ -48,7 +51,7 @@ def _write(mesh, name, points):
         for vertex, point in zip(bm.verts, points.tolist()):
             vertex[layer] = point
         return
-    attribute = _attribute(mesh, name) or mesh.attributes.new(name, "FLOAT_VECTOR", "POINT")
+    attribute = own_attributes.made(mesh, name, *_KIND)
     attribute.data.foreach_set("vector", np.ascontiguousarray(points).reshape(-1))
 
 
@@ -59,7 +62,7 @@ def _read(mesh, name):
         if layer is None:
             return None
         return np.array([vertex[layer] for vertex in bm.verts], dtype=np.float32).reshape(-1, 3)
-    attribute = _attribute(mesh, name)
+    attribute = own_attributes.found(mesh, name, *_KIND)
     if attribute is None:
         return None
     points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
@@ -74,13 +77,6 @@ def _remove(mesh, name):
         if layer is not None:
             layers.remove(layer)
         return
-    attribute = _attribute(mesh, name)
+    attribute = own_attributes.found(mesh, name, *_KIND)
     if attribute is not None:
         mesh.attributes.remove(attribute)
-
-
-def _attribute(mesh, name):
-    attribute = mesh.attributes.get(name)
-    if attribute is None or (attribute.data_type, attribute.domain) != ("FLOAT_VECTOR", "POINT"):
-        return None
-    return attribute

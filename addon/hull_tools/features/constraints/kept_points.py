@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import bmesh
 import numpy as np
 
-from ...bridge.mesh import mesh_points
+from ...bridge.mesh import mesh_points, own_attributes
 
 ATTRIBUTE, PLACE_ATTRIBUTE = "hull_kept", "hull_kept_at"
 
@@ -22,6 +22,7 @@ PLANES = {"STATION": 0, "BUTTOCK": 1, "WATERLINE": 2}
 
 _LARGEST_CHECK = 2**22  # single precision has a bit to spare for means of equal ones
 _NO_AXIS = (False, False, False)
+_KIND = "FLOAT_VECTOR", "POINT"  # of the attributes
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,20 +92,12 @@ def _layers(bm):
 
 
 def _read_stored(mesh):
-    found = [_own_attribute(mesh, name) for name in (ATTRIBUTE, PLACE_ATTRIBUTE)]
+    found = [own_attributes.found(mesh, name, *_KIND) for name in (ATTRIBUTE, PLACE_ATTRIBUTE)]
     if None in found:
         return _NONE
     checks, places = (_values(mesh, attribute) for attribute in found)
     indices = np.flatnonzero(checks.any(axis=1))
     return indices, checks[indices], places[indices]
-
-
-def _own_attribute(mesh, name):
-    """The mesh's attribute of a name; None too for one of another kind."""
-    found = mesh.attributes.get(name)
-    if found is None or (found.data_type, found.domain) != ("FLOAT_VECTOR", "POINT"):
-        return None
-    return found
 
 
 def _values(mesh, attribute):
@@ -147,12 +140,7 @@ def _write_edited(mesh, indices, checks, places):
 
 
 def _write_stored(mesh, name, indices, values):
-    if _own_attribute(mesh, name) is None:
-        of_another_kind = mesh.attributes.get(name)
-        if of_another_kind is not None:
-            mesh.attributes.remove(of_another_kind)
-        mesh.attributes.new(name, "FLOAT_VECTOR", "POINT")
-    attribute = _own_attribute(mesh, name)
+    attribute = own_attributes.made(mesh, name, *_KIND)
     stored = _values(mesh, attribute)
     stored[indices] = values
     attribute.data.foreach_set("vector", stored.reshape(-1))

@@ -8,6 +8,8 @@ joining. Blender's own tools move locked points as any others.
 import bmesh
 import numpy as np
 
+from ...bridge.mesh import own_attributes
+
 ATTRIBUTE = "hull_locked"
 
 
@@ -19,8 +21,8 @@ def locked_points(mesh):
         if layer is None:
             return np.empty(0, dtype=np.int64)
         return np.flatnonzero([vertex[layer] for vertex in bm.verts])
-    attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None or (attribute.data_type, attribute.domain) != ("INT", "POINT"):
+    attribute = own_attributes.found(mesh, ATTRIBUTE, "INT", "POINT")
+    if attribute is None:
         return np.empty(0, dtype=np.int64)
     values = np.zeros(len(mesh.vertices), dtype=np.int32)
     attribute.data.foreach_get("value", values)
@@ -31,9 +33,7 @@ def write(mesh, indices):
     """Locks points (k,) of a Blender mesh that is not in edit mode."""
     if not len(indices):
         return
-    attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None:
-        attribute = mesh.attributes.new(ATTRIBUTE, "INT", "POINT")
+    attribute = own_attributes.made(mesh, ATTRIBUTE, "INT", "POINT")
     values = np.zeros(len(mesh.vertices), dtype=np.int32)
     values[indices] = 1
     attribute.data.foreach_set("value", values)

@@ -103,10 +103,9 @@ def follow(obj, scene):
         at_start = found.with_points(replace(found.data, points=start))
         preview.own = prepared.of_hull(obj, at_start, scale, preview.own)
         preview.applied = _solved(obj, preview.own)
+        _show(obj, scene, start, preview)
     except ValueError as error:
         preview.problem = str(error)
-        return
-    _show(obj, scene, start, preview)
 
 
 def end(obj, scene, is_kept):
