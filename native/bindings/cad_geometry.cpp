@@ -82,9 +82,9 @@ void bind_cad_geometry(py::module_& module) {
       "What a STEP or IGES file holds, in metres, as a dict: format, unit (of the file; \"\" for "
       "one that write_step does not know), product, curves (dicts of name, layer, faces (how many "
       "have it as an edge), degree, knots, weights (none where all are 1) and points (n, 3)), "
-      "faces (dicts of name, layer, points and triangles (m, 3), from the face by about "
-      "chord_share "
-      "of the size), points (n, 3), curves_left_out and faces_left_out (numbers of those of "
+      "faces (dicts of name, layer, points and triangles (m, 3), at their middles within "
+      "chord_share of the size from the face), points (n, 3), curves_left_out and faces_left_out "
+      "(numbers of those of "
       "which nothing could be made). Files that may be damaged can end the process: read them by "
       "hull_io.read_geometry. Raises OSError if the file can't be read.");
 }

@@ -164,9 +164,9 @@ def test_a_hull_at_one_x_is_refused():
         (3, 7),
         (4, 6),
     ]
-    body = hn.HullBody(hn.LimitSurface(hn.ControlMesh(points, [4] * 4, faces, creases)))
+    surface = hn.LimitSurface(hn.ControlMesh(points, [4] * 4, faces, creases))
     for mirrored in (False, True):
-        body = hn.HullBody(body.surface, mirrored=mirrored)
+        body = hn.HullBody(surface, mirrored=mirrored)
         with pytest.raises(ValueError, match="immersed of the hull has no length|Nothing"):
             hn.SectionShift(body, draft=1.8, length_pp=10.0)
 

@@ -10,7 +10,7 @@
 namespace hull::network {
 namespace {
 
-constexpr int kMostSpans = 64;
+constexpr int kMostSpansAsked = 64;
 constexpr double kOfNetworksTolerance = 0.1;
 
 void append(std::vector<double>& key, const Vector3d& value) {
@@ -140,8 +140,8 @@ class PatchMaker {
 
 NetworkPatches network_patches(const CurveNetwork& network, const PatchOptions& options,
                                const NetworkPatches* before) {
-  if (options.spans < 1 || options.spans > kMostSpans) {
-    throw std::invalid_argument("spans must be from 1 to " + std::to_string(kMostSpans) + ".");
+  if (options.spans < 1 || options.spans > kMostSpansAsked) {
+    throw std::invalid_argument("spans must be from 1 to " + std::to_string(kMostSpansAsked) + ".");
   }
   if (!(options.tolerance >= 0.0)) {
     throw std::invalid_argument("The patches' tolerance must not be below zero.");

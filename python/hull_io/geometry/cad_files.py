@@ -30,8 +30,6 @@ from .splines import Spline
 from .values import METRES_PER_UNIT, Geometry, GeometryMesh, spline_curve
 
 _REFUSED = 3
-# Of the chord that is asked for what Open CASCADE is told: it estimates, and exceeds by a quarter.
-_SURE = 0.7
 _SPLINE_PARTS = ("knots", "weights", "points")
 _REMEDY = "export it again from the program it comes from, as STEP AP214 if that can be chosen"
 
@@ -65,7 +63,7 @@ def _run(path, output, chord_share, progress):
     seconds = CAD_SECONDS + int(CAD_SECONDS_PER_MB * size / 2**20)
     memory = CAD_MEMORY_BYTES + CAD_MEMORY_PER_BYTE * size
     command = [sys.executable, "-m", "hull_native.cad_process"]
-    command += [str(path.resolve()), str(output), repr(_SURE * chord_share)]
+    command += [str(path.resolve()), str(output), repr(chord_share)]
     command += [str(memory), str(seconds)]
     with tempfile.TemporaryFile() as complaints:
         process = subprocess.Popen(

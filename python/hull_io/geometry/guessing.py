@@ -20,7 +20,7 @@ _SHORTEST_IN_MM = 2000.0
 # Of the depth: how near to the lowest point an origin is taken for the base line.
 _NEAR_BASE = 0.02
 # Of the slabs along the hull: how many have their lowest point at 0 where that is the base line.
-_KEEL_AT_ZERO = 0.25
+_KEEL_AT_ZERO = 0.15
 # Of the length: how near to the after end an origin is taken for the after perpendicular.
 _NEAR_END = 0.12
 # Of the depth, where the stem is taken for the forward perpendicular: about the design waterline.

@@ -32,7 +32,12 @@ def cloud_points(geometry):
 
 
 def _thinned(points):
-    return points[:: max(1, len(points) // _MOST)]
+    """Some of many points, with the outermost along each axis: dimensions are of all of them."""
+    step = max(1, len(points) // _MOST)
+    if step == 1:
+        return points
+    outermost = np.concatenate([points.argmin(axis=0), points.argmax(axis=0)])
+    return np.concatenate([points[::step], points[outermost]])
 
 
 def _along(curves):
