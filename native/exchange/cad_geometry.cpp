@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/cad_geometry.h"
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GeomConvert.hxx>
@@ -19,11 +17,10 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
-#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "exchange/cad_reading.h"
+#include "exchange/face_triangles.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
 #include "files/atomic_file.h"
@@ -34,7 +31,6 @@ namespace {
 constexpr double kFileRead = 0.6, kMeshed = 0.9;  // shares of the time
 // Radians between neighbouring triangles: only so much that round faces are no polygons.
 constexpr double kMeshAngle = 0.5;
-constexpr int kMostMeshings = 4;
 
 // Texts of shapes without orientation.
 using Texts = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
@@ -110,7 +106,7 @@ class GeometryReader {
     }
   }
 
-  void add_faces(CadGeometry& geometry) const {
+  void add_faces(CadGeometry& geometry, double chord) const {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape_, TopAbs_FACE, faces);
     for (int i = 1; i <= faces.Extent(); ++i) {
@@ -121,8 +117,7 @@ class GeometryReader {
         ++geometry.faces_left_out;
         continue;
       }
-      geometry.faces.push_back(
-          triangles_of(*mesh, location, face.Orientation() == TopAbs_REVERSED));
+      geometry.faces.push_back(face_triangles(face, *mesh, location, chord));
       geometry.faces.back().name = text_for(face, names_);
       geometry.faces.back().layer = text_for(face, layers_);
     }
@@ -147,71 +142,9 @@ class GeometryReader {
     }
   }
 
-  static CadFace triangles_of(const Poly_Triangulation& mesh, const TopLoc_Location& location,
-                              bool is_reversed) {
-    CadFace face;
-    for (int i = 1; i <= mesh.NbNodes(); ++i) {
-      face.points.push_back(in_metres(mesh.Node(i).Transformed(location.Transformation())));
-    }
-    for (int i = 1; i <= mesh.NbTriangles(); ++i) {
-      int a = 0, b = 0, c = 0;
-      mesh.Triangle(i).Get(a, b, c);
-      if (is_reversed) std::swap(b, c);
-      face.triangles.push_back({a - 1, b - 1, c - 1});
-    }
-    return face;
-  }
-
   const TopoDS_Shape& shape_;
   Texts names_, layers_;
 };
-
-// How far the triangles of a face are from it, at their middles and those of their sides, mm.
-double chord_of(const TopoDS_Face& face) {
-  TopLoc_Location location;
-  const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
-  if (mesh.IsNull() || !mesh->HasUVNodes()) return 0.0;
-  const BRepAdaptor_Surface adaptor(face);
-  const auto distance = [&](std::initializer_list<int> nodes, const gp_Vec& normal) {
-    gp_XY uv;
-    gp_XYZ middle;
-    for (int node : nodes) {
-      uv += mesh->UVNode(node).XY();
-      middle += mesh->Node(node).Transformed(location.Transformation()).XYZ();
-    }
-    const double share = 1.0 / static_cast<double>(nodes.size());
-    const gp_Pnt on_face = adaptor.Value(share * uv.X(), share * uv.Y());
-    return std::abs((on_face.XYZ() - share * middle).Dot(normal.XYZ()));
-  };
-  double largest = 0.0;
-  for (int i = 1; i <= mesh->NbTriangles(); ++i) {
-    int a = 0, b = 0, c = 0;
-    mesh->Triangle(i).Get(a, b, c);
-    const auto node = [&](int k) { return mesh->Node(k).Transformed(location.Transformation()); };
-    const gp_Vec normal = gp_Vec(node(a), node(b)).Crossed(gp_Vec(node(a), node(c)));
-    if (normal.Magnitude() < gp::Resolution()) continue;
-    const gp_Vec unit = normal.Normalized();
-    largest = std::max({largest, distance({a, b, c}, unit), distance({a, b}, unit),
-                        distance({b, c}, unit), distance({c, a}, unit)});
-  }
-  return largest;
-}
-
-// Gives the faces of a shape triangles within `chord` from them, mm; as near as some tries come.
-void triangulate(const TopoDS_Shape& shape, double chord) {
-  double asked = chord;
-  for (int tries = 0; tries < kMostMeshings; ++tries) {
-    BRepMesh_IncrementalMesh(shape, asked, Standard_False, kMeshAngle);
-    double largest = 0.0;
-    for (TopExp_Explorer part(shape, TopAbs_FACE); part.More(); part.Next()) {
-      largest = std::max(largest, chord_of(TopoDS::Face(part.Current())));
-    }
-    if (largest <= chord) return;
-    asked *= std::max(0.25, 0.7 * chord / largest);
-    BRepTools::Clean(shape);
-  }
-  BRepMesh_IncrementalMesh(shape, asked, Standard_False, kMeshAngle);
-}
 
 // Of the box around the shape, mm.
 double diagonal_of(const TopoDS_Shape& shape, const std::string& refusal) {
@@ -233,7 +166,8 @@ CadGeometry read_cad_geometry(const std::string& path, double chord_share,
     const CadContent content =
         read_cad_content(path, refusal, surface::part_of(progress, 0.0, kFileRead));
     const double diagonal = diagonal_of(content.shape, refusal);
-    if (diagonal > 0.0) triangulate(content.shape, chord_share * diagonal);
+    const double chord = chord_share * diagonal;
+    if (chord > 0.0) BRepMesh_IncrementalMesh(content.shape, chord, Standard_False, kMeshAngle);
     surface::tell(progress, kMeshed, 1.0);
     CadGeometry geometry;
     geometry.format = content.format;
@@ -241,7 +175,7 @@ CadGeometry read_cad_geometry(const std::string& path, double chord_share,
     geometry.product = content.product;
     const GeometryReader reader(content);
     reader.add_curves(geometry);
-    reader.add_faces(geometry);
+    reader.add_faces(geometry, chord);
     reader.add_points(geometry);
     surface::tell(progress, 1.0, 1.0);
     return geometry;
