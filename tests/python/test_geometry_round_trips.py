@@ -127,7 +127,8 @@ def test_stl_files(sample, tmp_path):
 def test_drawings(sample, tmp_path):
     """Buttocks and waterlines of the lines plan, at true size where their own view has them."""
     points = sample.surface.mesh.points
-    buttock = 0.4 * points[:, 1].max()
+    inner, outer = points[:, 1].min(), points[:, 1].max()
+    buttock = inner + 0.4 * (outer - inner)
     path = tmp_path / "lines.dxf"
     hn.write_lines_drawing(
         sample.surface,
