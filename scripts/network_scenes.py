@@ -84,9 +84,9 @@ def _drawn(window):
     with window.in_view():
         bpy.ops.hull.draw_network_curve("INVOKE_DEFAULT", kind="WATERLINE", position=1.5)
     for x in (5.0, 10.0):
-        _move_to(window, _on_station(network, x, 1.5))
+        window.move_to_place(_on_station(network, x, 1.5))
         window.click()
-    _move_to(window, _on_station(network, 15.0, 1.5))
+    window.move_to_place(_on_station(network, 15.0, 1.5))
     yield
 
 
@@ -94,19 +94,6 @@ def _on_station(network, x, z):
     known = part("features.networks.network_state").state_of(network).curves[f"Station {x:g}"]
     line = part("features.networks.curve_shapes").samples(known.pieces, 40)
     return line[np.abs(line[:, 2] - z).argmin()]
-
-
-def _move_to(window, place):
-    from bpy_extras.view3d_utils import location_3d_to_region_2d
-    from mathutils import Vector
-
-    def move():
-        region = window.region()
-        dots = location_3d_to_region_2d(region, window.space.region_3d, Vector(place))
-        window.cursor = round(region.x + dots.x), round(region.y + dots.y)
-        window._simulate("MOUSEMOVE", "NOTHING")
-
-    window.actions.append(move)
 
 
 def _with_surface(window):

@@ -22,6 +22,24 @@ def sample_surface(name):
     return hn.LimitSurface(mesh, data.scheme)
 
 
+def lines_of(surface, stations=19, waterlines=9, curves=1e-5, has_flats=False):
+    """(CurveNetwork, length) of evenly spread sections of a surface, so many inside its ends each;
+    curves: their tolerance, of the length. has_flats: with buttocks of flats and the ends of
+    knuckles that fade out."""
+    points = np.asarray(surface.mesh.points)
+    low, high = points.min(axis=0), points.max(axis=0)
+    length = high[0] - low[0]
+    buttocks = np.linspace(0.0, high[1], waterlines + 2)[1:-1]
+    lines = hn.network_curves(
+        surface,
+        stations=np.linspace(low[0], high[0], stations + 2)[1:-1],
+        waterlines=np.linspace(low[2], high[2], waterlines + 2)[1:-1],
+        tolerance=curves * length,
+        **({"flat_buttocks": buttocks, "fading": True} if has_flats else {}),
+    )
+    return hn.CurveNetwork(lines, 3e-5 * length), length
+
+
 def square_net(height=lambda x, y: 0.0 * x):
     """Lines of a surface over 0 … 10 m each way, three in each direction."""
     at = np.linspace(0.0, 10.0, 9)

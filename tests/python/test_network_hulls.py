@@ -6,29 +6,13 @@ from functools import lru_cache
 import hull_native as hn
 import numpy as np
 import pytest
-from test_curve_networks import sample_surface, square_net
-
-# Of the length.
-CURVES, JOINED = 1e-5, 3e-5
-
-
-def network_of(surface, stations=19, waterlines=9, curves=CURVES):
-    points = np.asarray(surface.mesh.points)
-    low, high = points.min(axis=0), points.max(axis=0)
-    length = high[0] - low[0]
-    lines = hn.network_curves(
-        surface,
-        stations=np.linspace(low[0], high[0], stations + 2)[1:-1],
-        waterlines=np.linspace(low[2], high[2], waterlines + 2)[1:-1],
-        tolerance=curves * length,
-    )
-    return hn.CurveNetwork(lines, JOINED * length), length
+from test_curve_networks import lines_of, sample_surface, square_net
 
 
 @lru_cache(maxsize=None)
 def laid(name, budget):
     surface = sample_surface(name)
-    network, length = network_of(surface)
+    network, length = lines_of(surface)
     return surface, network, length, hn.hull_from_network(network, budget=budget)
 
 
@@ -81,7 +65,7 @@ def test_a_layout_of_ones_own_meets_the_curves():
     # The sample's own layout, put elsewhere by up to 1 % of the length and 5 % of the breadth,
     # comes back: the curves are of a surface that it has.
     surface = sample_surface("coaster")
-    network, length = network_of(surface, curves=1e-8)
+    network, length = lines_of(surface, curves=1e-8)
     own = np.asarray(surface.mesh.points)
     share = (own - own.min(axis=0)) / np.ptp(own, axis=0)
     points = own.copy()
@@ -97,7 +81,7 @@ def test_a_layout_of_ones_own_meets_the_curves():
 
 
 def test_progress_rises_and_ends_what_it_interrupts():
-    network, _ = network_of(sample_surface("coaster"), 9, 4)
+    network, _ = lines_of(sample_surface("coaster"), 9, 4)
     told = []
     hn.hull_from_network(network, budget=100, progress=told.append)
     assert told == sorted(told) and 0.0 <= told[0] and told[-1] <= 1.0
@@ -115,7 +99,7 @@ def test_what_is_no_hull_is_refused():
     lines = [hn.NetworkCurve("A", [(0, 0, 0), (1, 1, 1)])]
     with pytest.raises(ValueError, match="The network has no regions"):
         hn.hull_from_network(hn.CurveNetwork(lines, 1e-3))
-    network, _ = network_of(sample_surface("coaster"), 9, 4)
+    network, _ = lines_of(sample_surface("coaster"), 9, 4)
     with pytest.raises(ValueError, match="tolerance has to be above zero"):
         hn.hull_from_network(network, tolerance=0.0)
     with pytest.raises(ValueError, match="more than the budget of 20"):

@@ -4,23 +4,7 @@
 import hull_native as hn
 import numpy as np
 import pytest
-from test_curve_networks import sample_surface, square_net
-
-
-def lines_of(surface, station_count, waterline_count):
-    """A CurveNetwork of evenly spread lines, and the length."""
-    points = np.asarray(surface.mesh.points)
-    low, high = points.min(axis=0), points.max(axis=0)
-    length = high[0] - low[0]
-    curves = hn.network_curves(
-        surface,
-        stations=np.linspace(low[0], high[0], station_count + 2)[1:-1],
-        waterlines=np.linspace(low[2], high[2], waterline_count + 2)[1:-1],
-        flat_buttocks=np.linspace(0.0, high[1], waterline_count + 2)[1:-1],
-        fading=True,
-        tolerance=1e-5 * length,
-    )
-    return hn.CurveNetwork(curves, 3e-5 * length), length
+from test_curve_networks import lines_of, sample_surface, square_net
 
 
 def points_of(patches, count=8):
@@ -42,9 +26,9 @@ def rms_off(surface, patches):
 )
 def test_patches_of_a_samples_lines_give_it_back(name, most, less):
     surface = sample_surface(name)
-    network, length = lines_of(surface, 9, 4)
+    network, length = lines_of(surface, 9, 4, has_flats=True)
     before = rms_off(surface, hn.network_patches(network).patches) / length
-    network, length = lines_of(surface, 19, 9)
+    network, length = lines_of(surface, 19, 9, has_flats=True)
     made = hn.network_patches(network)
     off = rms_off(surface, made.patches) / length
     print(f"{name}: RMS {before:.2e} then {off:.2e} of the length, {before / off:.1f} times less")
@@ -69,7 +53,7 @@ def test_patches_of_a_samples_lines_give_it_back(name, most, less):
 
 
 def test_step_files_of_a_network_are_valid(tmp_path):
-    network, _ = lines_of(sample_surface("coaster"), 9, 4)
+    network, _ = lines_of(sample_surface("coaster"), 9, 4, has_flats=True)
     patches = hn.network_patches(network).patches
     report = hn.write_step(patches, str(tmp_path / "lines.step"))
     assert report["valid"] and report["shells"] == 1

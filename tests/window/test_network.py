@@ -8,8 +8,7 @@ import bpy
 import numpy as np
 import sidebar
 from addon_under_test import part
-from bpy_extras.view3d_utils import location_3d_to_region_2d
-from mathutils import Euler, Vector
+from mathutils import Euler
 from window import FROM_ABOVE, FROM_AHEAD, FROM_PORT
 
 PROFILE = [(0, 0, 0.5), (2, 0, 0.1), (6, 0, 0), (10, 0, 0), (14, 0, 0), (18, 0, 0.3), (20, 0, 3)]
@@ -35,24 +34,12 @@ def look(window, angles_deg):
     view.view_perspective, view.view_location, view.view_distance = "ORTHO", (10, 0, 1), 24.0
 
 
-def move_to_place(window, place):
-    """Moves the mouse to a place in the world, as it is shown then."""
-
-    def move():
-        region = window.region()
-        dots = location_3d_to_region_2d(region, window.space.region_3d, Vector(place))
-        window.cursor = round(region.x + dots.x), round(region.y + dots.y)
-        window._simulate("MOUSEMOVE", "NOTHING")
-
-    window.actions.append(move)
-
-
 def draw(window, kind, position, places, knuckle_after=None):
     """Clicks through places, and Enter."""
     with window.in_view():
         bpy.ops.hull.draw_network_curve("INVOKE_DEFAULT", kind=kind, position=position)
     for number, place in enumerate(places):
-        move_to_place(window, place)
+        window.move_to_place(place)
         window.click()
         if number == knuckle_after:
             window.press("K")
@@ -141,7 +128,7 @@ def moved_and_taken_back(window):
     bpy.ops.ed.undo_push(message="select point")
     before, deck = points_of("Station 10"), points_of("Deck edge")
     shown = surface_points()
-    move_to_place(window, before[-1])
+    window.move_to_place(before[-1])
     window.press("G")
     window.press("Y")
     window.move_by(40, 0)
@@ -176,7 +163,7 @@ def test_escape_draws_nothing(window):
         with window.in_view():
             bpy.ops.hull.draw_network_curve("INVOKE_DEFAULT", kind="PROFILE", position=0.0)
         for place in PROFILE[:3]:
-            move_to_place(window, place)
+            window.move_to_place(place)
             window.click()
         window.press("BACK_SPACE")
         yield

@@ -10,7 +10,7 @@ import math
 import bpy
 from addon_under_test import make_active
 from bpy_extras.view3d_utils import location_3d_to_region_2d
-from mathutils import Euler
+from mathutils import Euler, Vector
 
 # The view from off the bow, as the angles of its turn; and those of the numpad.
 OFF_THE_BOW = (68.0, 0.0, 48.0)
@@ -164,18 +164,27 @@ class Window:
 
     def move_to_point(self, obj, point):
         """Moves the mouse to a point given in an object's own coordinates, as it is shown then."""
+        self._move_when_due(lambda: self.place_of(obj, point))
 
+    def move_to_place(self, place):
+        """Moves the mouse to a place in the world, as it is shown then."""
+        self._move_when_due(lambda: self._shown_at(Vector(place)))
+
+    def _move_when_due(self, cursor):
         def move():
-            self.cursor = self.place_of(obj, point)
+            self.cursor = cursor()
             self._simulate("MOUSEMOVE", "NOTHING")
 
         self.actions.append(move)
 
     def place_of(self, obj, point):
         """Where in the window the 3D view shows a point of an object."""
+        return self._shown_at(obj.matrix_world @ point)
+
+    def _shown_at(self, place):
         region = self.region()
-        place = location_3d_to_region_2d(region, self.space.region_3d, obj.matrix_world @ point)
-        return round(region.x + place.x), round(region.y + place.y)
+        dots = location_3d_to_region_2d(region, self.space.region_3d, place)
+        return round(region.x + dots.x), round(region.y + dots.y)
 
     def open_sidebar(self):
         """Shows the sidebar's tab Hull; some object is active."""

@@ -13,7 +13,7 @@ from ..bridge.objects import networks
 from ..features.networks import adding, drawing, smoothing
 from ..properties.network_settings import KINDS
 from ..properties.shared import angle, length
-from .networks import NetworkOperator
+from .networks import NetworkOperator, selected_curves
 from .shared import in_object_mode, make_active, property_column, suit_views
 from .view_drag import DONE, ViewDrag
 
@@ -194,11 +194,7 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
         return self.execute(context)
 
     def run_on(self, network, context):
-        own = [
-            o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects
-        ]
-        if not own:
-            raise ValueError("Select curves of the network first")
+        own = selected_curves(network, context)
         deviation = 1e-3 * units.as_typed(self.deviation_mm)
         told = [smoothing.smooth(obj, context.scene, deviation) for obj in own]
         mean = units.format_mm(max(one.mean for one in told))

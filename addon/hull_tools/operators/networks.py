@@ -48,6 +48,14 @@ class NetworkOperator(BaseOperator):
         return self.run_on(networks.at_hand(context), context)
 
 
+def selected_curves(network, context):
+    """The selected curve objects of a network; ValueError without any."""
+    own = [o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects]
+    if not own:
+        raise ValueError("Select curves of the network first")
+    return own
+
+
 def _size(name, description, default):
     return length(name, description, default, 1e-3, update=None)
 
@@ -201,12 +209,7 @@ class HULL_OT_remove_from_network(bpy.types.Operator, NetworkOperator):
     needs = (*NetworkOperator.needs, in_object_mode)
 
     def run_on(self, network, context):
-        own = [
-            o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects
-        ]
-        if not own:
-            raise ValueError("Select curves of the network first")
-        for obj in own:
+        for obj in selected_curves(network, context):
             if len(obj.users_collection) == 1:
                 context.scene.collection.objects.link(obj)
             network.objects.unlink(obj)
@@ -222,12 +225,7 @@ class HULL_OT_set_curve_role(bpy.types.Operator, NetworkOperator):
     role: EnumProperty(name="Role", description="What the surface does along them", items=ROLES)
 
     def run_on(self, network, context):
-        own = [
-            o for o in context.selected_objects if o.type == "CURVE" and o.name in network.objects
-        ]
-        if not own:
-            raise ValueError("Select curves of the network first")
-        for obj in own:
+        for obj in selected_curves(network, context):
             obj.hull.curve.role = self.role
         network_state.follow(network, context.scene)
 

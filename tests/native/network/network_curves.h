@@ -86,4 +86,30 @@ inline std::vector<NetworkCurve> square() {
   return net_on([](double u, double v) { return Vector3d(10 * u, 10 * v, 0); }, 1, 1, 2);
 }
 
+inline Vector3d torus(double u, double v) {
+  const double a = 1.4 * u, b = 1.2 * v - 0.3;
+  const double reach = 10.0 + 3.0 * std::cos(b);
+  return {reach * std::sin(a), reach * std::cos(a), 3.0 * std::sin(b)};
+}
+
+// Two planes with a knuckle of an angle along y = 5, with lines across.
+inline std::vector<NetworkCurve> chine(double angle) {
+  const auto at = [angle](double x, double t) {
+    const double over = std::max(0.0, t - 5.0);
+    return Vector3d(x, std::min(t, 5.0) + over * std::cos(angle), -over * std::sin(angle));
+  };
+  std::vector<NetworkCurve> curves;
+  for (double t : {0.0, 5.0, 10.0}) {
+    curves.push_back(line_between("L" + std::to_string(int(t)), at(0, t), at(12, t)));
+  }
+  for (double x : {0.0, 4.0, 8.0, 12.0}) {
+    NetworkCurve frame;
+    frame.definition.name = "S" + std::to_string(int(x));
+    frame.definition.points = {at(x, 0), at(x, 5), at(x, 10)};
+    frame.definition.knuckles = {1};
+    curves.push_back(frame);
+  }
+  return curves;
+}
+
 }  // namespace hull::testing

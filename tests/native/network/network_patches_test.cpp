@@ -15,20 +15,16 @@ namespace hull::network {
 namespace {
 
 using conversion::BSplinePatch;
+using hull::testing::chine;
 using hull::testing::curve_along;
 using hull::testing::kTol;
 using hull::testing::line_between;
 using hull::testing::net_on;
 using hull::testing::network_of;
 using hull::testing::told;
+using hull::testing::torus;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-Vector3d ring(double u, double v) {
-  const double a = 1.4 * u, b = 1.2 * v - 0.3;
-  const double reach = 10.0 + 3.0 * std::cos(b);
-  return {reach * std::sin(a), reach * std::cos(a), 3.0 * std::sin(b)};
-}
 
 Vector3d ellipsoid(double u, double v) {
   const double a = 1.3 * u + 0.1, b = 1.2 * v - 0.6;
@@ -108,12 +104,12 @@ double furthest_off(const NetworkPatches& made, const std::function<double(const
 
 TEST(NetworkPatches, OfATorusAndAnEllipsoidAreSmooth) {
   // Tolerances of curves such that spans decide.
-  const std::pair<Vector3d (*)(double, double), int> surfaces[] = {{ring, 4}, {ellipsoid, 8}};
+  const std::pair<Vector3d (*)(double, double), int> surfaces[] = {{torus, 4}, {ellipsoid, 8}};
   for (const auto& [surface, least] : surfaces) {
     const CurveNetwork network = network_of(net_on(surface, 5, 4, 3));
     double before = 0.0;
     for (int spans : {least, 2 * least, 4 * least}) {
-      const NetworkPatches made = patches_of(network, spans, surface == ring ? 1e-7 : 1e-5);
+      const NetworkPatches made = patches_of(network, spans, surface == torus ? 1e-7 : 1e-5);
       const SeamAngles angles = seam_angles(network, made, spans);
       std::cout << spans << " spans: " << angles.at_knots << " deg at constraints, "
                 << angles.anywhere << " deg anywhere\n";
@@ -133,7 +129,7 @@ TEST(NetworkPatches, ComeNearerToASurfaceWithMoreCurves) {
   };
   double before = 0.0;
   for (int count : {2, 4, 8}) {
-    const double worst = furthest_off(patches_of(network_of(net_on(ring, count, count, 3))), off);
+    const double worst = furthest_off(patches_of(network_of(net_on(torus, count, count, 3))), off);
     std::cout << count << " curves each way: torus " << worst << " m of 3\n";
     if (before > 0.0) {
       EXPECT_LT(worst, before / 8.0);
@@ -142,25 +138,9 @@ TEST(NetworkPatches, ComeNearerToASurfaceWithMoreCurves) {
   }
 }
 
-// Two planes with a knuckle along y = 5, with lines across.
 TEST(NetworkPatches, PlanesAtAnAngleKeepIt) {
   const double angle = 30.0 * kDegree;
-  const auto at = [angle](double x, double t) {
-    const double over = std::max(0.0, t - 5.0);
-    return Vector3d(x, std::min(t, 5.0) + over * std::cos(angle), -over * std::sin(angle));
-  };
-  std::vector<NetworkCurve> curves;
-  for (double t : {0.0, 5.0, 10.0}) {
-    curves.push_back(line_between("L" + std::to_string(int(t)), at(0, t), at(12, t)));
-  }
-  for (double x : {0.0, 4.0, 8.0, 12.0}) {
-    NetworkCurve frame;
-    frame.definition.name = "S" + std::to_string(int(x));
-    frame.definition.points = {at(x, 0), at(x, 5), at(x, 10)};
-    frame.definition.knuckles = {1};
-    curves.push_back(frame);
-  }
-  const CurveNetwork network = network_of(curves);
+  const CurveNetwork network = network_of(chine(angle));
   const NetworkPatches made = patches_of(network);
   const SeamAngles angles = seam_angles(network, made, 4, 30.0);
   EXPECT_LT(angles.of_creases, 1e-6);
@@ -388,9 +368,9 @@ TEST(BorderPlate, ReproducesQuadraticHeights) {
 }
 
 TEST(NetworkPatches, TeesAndDanglingEndsAreNoObstacle) {
-  auto curves = net_on(ring, 2, 2, 3);
-  curves.push_back(curve_along("T", [](double t) { return ring(0.75, 0.5 * t); }));
-  curves.push_back(curve_along("D", [](double t) { return ring(0.3 * t, 0.25); }));
+  auto curves = net_on(torus, 2, 2, 3);
+  curves.push_back(curve_along("T", [](double t) { return torus(0.75, 0.5 * t); }));
+  curves.push_back(curve_along("D", [](double t) { return torus(0.3 * t, 0.25); }));
   const CurveNetwork network = network_of(curves);
   std::vector<NetworkProblem::Kind> kinds = hull::testing::kinds_of(network);
   EXPECT_EQ(std::ranges::count(kinds, NetworkProblem::Kind::kTee), 1);
@@ -406,7 +386,7 @@ TEST(NetworkPatches, TeesAndDanglingEndsAreNoObstacle) {
 }
 
 TEST(NetworkPatches, WithACurveMovedAreThoseMadeAnew) {
-  auto curves = net_on(ring, 5, 4, 1);
+  auto curves = net_on(torus, 5, 4, 1);
   CurveNetwork network = network_of(curves);
   NetworkPatches made = network_patches(network, {});
   for (std::size_t i = 1; i < curves[2].definition.points.size(); i += 2) {
