@@ -21,10 +21,9 @@ def test_a_table_is_written_from_its_dialog(window):
             "INVOKE_DEFAULT", analysis="hydrostatic_table", filepath=str(path)
         )
     yield
-    browser = next(area for area in bpy.context.window.screen.areas if area.type == "FILE_BROWSER")
-    region = next(each for each in browser.regions if each.type == "WINDOW")
-    with bpy.context.temp_override(area=browser, region=region):
-        bpy.ops.file.execute()
+    browser = next(area for area in window.window.screen.areas if area.type == "FILE_BROWSER")
+    window.move_to(browser.x + browser.width / 2, browser.y + browser.height / 2)
+    window.press("RET")
     yield
     yield path.exists
     yield lambda: part("features.conversion.conversions").running(hull) is None
