@@ -152,25 +152,13 @@ def exported(window):
         ("hull.export_lines", "second.pdf"),
     ):
         yield from press(window, operator)
-        yield from accept_file(window, folder / name)
+        yield from window.accept_file(folder / name)
         yield (folder / name).exists
         yield lambda: part("features.conversion.conversions").running(hull_at_hand()) is None
     assert (folder / "second.step").read_text().count("B_SPLINE_SURFACE_WITH_KNOTS") > 10
     content = hull_io().read_hull(folder / "second.hull.json")
     points = edited_points(hull_at_hand()).astype(np.float32)
     assert np.array_equal(content.points.astype(np.float32), points)
-
-
-def accept_file(window, path):
-    """Names the file in the dialog that is open, and accepts it."""
-    yield
-    browser = next(area for area in window.window.screen.areas if area.type == "FILE_BROWSER")
-    params = browser.spaces.active.params
-    params.directory, params.filename = str(path.parent).encode(), path.name
-    region = next(each for each in browser.regions if each.type == "WINDOW")
-    with bpy.context.temp_override(window=window.window, area=browser, region=region):
-        bpy.ops.file.execute()
-    yield
 
 
 def gone_back(window):

@@ -20,11 +20,7 @@ def test_a_table_is_written_from_its_dialog(window):
         bpy.ops.hull.export_table(
             "INVOKE_DEFAULT", analysis="hydrostatic_table", filepath=str(path)
         )
-    yield
-    browser = next(area for area in window.window.screen.areas if area.type == "FILE_BROWSER")
-    window.move_to(browser.x + browser.width / 2, browser.y + browser.height / 2)
-    window.press("RET")
-    yield
+    yield from window.accept_file()
     yield path.exists
     yield lambda: part("features.conversion.conversions").running(hull) is None
     assert len(path.read_text().splitlines()) > 100

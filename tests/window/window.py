@@ -108,6 +108,21 @@ class Window:
         self.write(words)
         self.press("RET")
 
+    def accept_file(self, path=None):
+        """Accepts the file dialog that opens, with the path put in where one is given; by a key.
+
+        `bpy.ops.file.execute` in a context of the dialog's area would close that area, and Blender
+        ends where it then reads its freed memory.
+        """
+        yield
+        browser = next(each for each in self.window.screen.areas if each.type == "FILE_BROWSER")
+        if path is not None:
+            params = browser.spaces.active.params
+            params.directory, params.filename = str(path.parent).encode(), path.name
+        self.move_to(browser.x + browser.width / 2, browser.y + browser.height / 2)
+        self.press("RET")
+        yield
+
     def _event(self, key, value, text="", **modifiers):
         self.actions.append(lambda: self._simulate(key, value, text, **modifiers))
 
