@@ -129,3 +129,30 @@ def test_an_instance_of_a_surface_follows(hull, capfd):
     hull.data.update()
     assert_shows_the_box(hull, capfd)
     assert instance.data == surface(hull).data
+
+
+def finish(name):
+    bpy.context.view_layer.update()
+    bpy.ops.ed.undo_push(message=name)
+    bpy.context.view_layer.update()
+
+
+def test_undo_past_a_mesh_that_a_handler_gave_leaves_the_object_one_that_is_there(hull):
+    # What handlers give after an undo is in no record: undone further, Blender crashed.
+    follow = part("handlers.follow").after_update
+    finish("made")
+    finish("before")
+    bpy.app.handlers.depsgraph_update_post.remove(follow)
+    try:
+        hull.data = surface(hull).data
+        finish("shared")
+        finish("next")
+    finally:
+        bpy.app.handlers.depsgraph_update_post.append(follow)
+    for is_shared in (True, False):
+        bpy.ops.ed.undo()
+        found = next(obj for obj in bpy.context.scene.objects if obj.hull.is_hull)
+        mesh = found.hull.surface_object.data
+        assert mesh.as_pointer() in [one.as_pointer() for one in bpy.data.meshes]
+        assert mesh != found.data
+        assert (len(bpy.data.meshes) == 3) == is_shared

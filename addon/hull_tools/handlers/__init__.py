@@ -12,6 +12,8 @@ _HANDLERS = (
     ("frame_change_post", follow.after_frame),
     ("frame_change_post", upkeep_handlers.after_update),
     ("render_pre", follow.before_picture),
+    ("undo_pre", follow.before_undo),
+    ("redo_pre", follow.before_undo),
     ("undo_post", follow.after_undo),
     ("undo_post", upkeep_handlers.after_undo),
     ("redo_post", follow.after_undo),

@@ -4,7 +4,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.objects import curve_lines, hull_objects
+from ..bridge.objects import curve_lines, hull_objects, unrecorded
 from ..features import studio
 from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
@@ -107,6 +107,11 @@ def after_frame(scene, depsgraph):
 
 
 @persistent
+def before_undo(*unused):
+    unrecorded.put_back()
+
+
+@persistent
 def after_undo(*unused):
     """Undo restores shown objects from another moment than what was computed last."""
     hull_state.forget_deleted()
@@ -122,6 +127,7 @@ def after_undo(*unused):
 @persistent
 def before_load(*unused):
     forget_all()
+    unrecorded.forget()
     colour_views.forget()
 
 

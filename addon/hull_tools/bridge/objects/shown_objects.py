@@ -7,7 +7,7 @@ A copy of a hull still points to the first one's object; only a child counts as 
 import bpy
 from mathutils import Matrix
 
-from . import hull_objects
+from . import hull_objects, unrecorded
 
 _IDENTITY = Matrix.Identity(4)
 
@@ -49,7 +49,7 @@ def set_free(shown):
     if is_free(shown):
         return
     before = shown.data
-    shown.data = bpy.data.meshes.new(shown.name)
+    unrecorded.give(shown, bpy.data.meshes.new(shown.name))
     for material in before.materials:
         shown.data.materials.append(material)
 

@@ -96,7 +96,8 @@ def with_places(points, lines, places, near):
     """(points, numbers of the places among them, where each of the old points is): places (k, 3)
     put in among points (n, 3) in the order of the curve, or in place of a point that is within
     `near`. lines: polylines (k, 3) of the n - 1 spans between the points."""
-    slots = [_slot(points, lines, place, near) for place in places]
+    spans = _Spans(lines)
+    slots = [_slot(points, spans, place, near) for place in places]
     merged = [(float(i), point, -1) for i, point in enumerate(points)]
     for number, (slot, place) in enumerate(zip(slots, places)):
         if slot == int(slot):
@@ -109,22 +110,33 @@ def with_places(points, lines, places, near):
     return np.array([one[1] for one in merged]), numbers, np.array(old)
 
 
-def _slot(points, lines, place, near):
+def _slot(points, spans, place, near):
     """The number of the point that is near, or one between two numbers."""
     distances = np.linalg.norm(points - place, axis=1)
     nearest = int(distances.argmin())
-    if distances[nearest] <= near:
-        return float(nearest)
-    best = min(range(len(lines)), key=lambda i: distances_to(place[None], lines[i])[0])
-    return best + _share_along(lines[best], place)
+    return float(nearest) if distances[nearest] <= near else spans.number_at(place)
 
 
-def _share_along(line, place):
-    """Above 0 and below 1: how far along a polyline a place is."""
-    steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
-    feet = [distances_to(place[None], line[i : i + 2])[0] for i in range(len(steps))]
-    i = int(np.argmin(feet))
-    way = line[i + 1] - line[i]
-    inner = float(np.clip((place - line[i]) @ way / max(way @ way, 1e-300), 0.0, 1.0))
-    share = (steps[:i].sum() + inner * steps[i]) / max(steps.sum(), 1e-300)
-    return float(np.clip(share, 1e-6, 1.0 - 1e-6))
+class _Spans:
+    """The spans between points, each a polyline (k, 3), as one array of straight pieces."""
+
+    def __init__(self, lines):
+        self._ways = np.concatenate([np.diff(line, axis=0) for line in lines])
+        self._starts = np.concatenate([line[:-1] for line in lines])
+        self._squares = np.maximum((self._ways**2).sum(axis=1), 1e-300)
+        counts = [len(line) - 1 for line in lines]
+        self._first = np.concatenate([[0], np.cumsum(counts)])
+        self._span_of = np.repeat(np.arange(len(lines)), counts)
+        self._along = np.concatenate([[0.0], np.cumsum(np.sqrt(self._squares))])
+
+    def number_at(self, place):
+        """i + how far along span i, above 0 and below 1, the place (3,) is; i the nearest span."""
+        aside = place - self._starts
+        shares = np.clip((aside * self._ways).sum(axis=1) / self._squares, 0.0, 1.0)
+        off = ((aside - shares[:, None] * self._ways) ** 2).sum(axis=1)
+        piece = int(off.argmin())
+        span = self._span_of[piece]
+        begin, end = self._along[self._first[span]], self._along[self._first[span + 1]]
+        length = shares[piece] * np.sqrt(self._squares[piece])
+        share = (self._along[piece] - begin + length) / max(end - begin, 1e-300)
+        return float(span + np.clip(share, 1e-6, 1.0 - 1e-6))

@@ -11,7 +11,7 @@ import numpy as np
 from ...bridge import limits
 from ...bridge.blender import blender_versions
 from ...bridge.mesh import mesh_arrays
-from ...bridge.objects import networks, shown_objects
+from ...bridge.objects import networks, shown_objects, unrecorded
 from ..surface import materials
 
 _MARK = "hull_network_surface"
@@ -240,7 +240,7 @@ def _tended(network):
         if shown.hide_viewport != is_hidden:
             shown.hide_viewport = shown.hide_render = is_hidden
         if shown.data.users > 1:
-            shown.data = shown.data.copy()
+            unrecorded.give(shown, shown.data.copy())
     return shown
 
 
