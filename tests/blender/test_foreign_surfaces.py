@@ -156,3 +156,41 @@ def test_undo_past_a_mesh_that_a_handler_gave_leaves_the_object_one_that_is_ther
         assert mesh.as_pointer() in [one.as_pointer() for one in bpy.data.meshes]
         assert mesh != found.data
         assert (len(bpy.data.meshes) == 3) == is_shared
+
+
+def test_undo_past_a_surface_that_a_handler_made_leaves_the_hull_one_that_is_there(hull):
+    handlers = bpy.app.handlers.depsgraph_update_post
+    own = list(handlers)
+    finish("made")
+    finish("before")
+    handlers.clear()
+    try:
+        surface(hull).parent = None
+        finish("alone")
+        finish("next")
+    finally:
+        handlers.extend(own)
+    for _ in range(2):
+        bpy.ops.ed.undo()
+        found = next(obj for obj in bpy.context.scene.objects if obj.hull.is_hull)
+        objects = [one.as_pointer() for one in bpy.data.objects]
+        assert found.hull.surface_object.as_pointer() in objects
+        assert all(one.as_pointer() in objects for one in bpy.context.scene.collection.objects)
+        assert surface(found) is not None
+
+
+def test_a_surface_that_a_handler_made_stays_the_same_object_through_later_undos(hull):
+    finish("made")
+    surface(hull).parent = None
+    finish("alone")
+    name = surface(hull).name
+    surface(hull).hide_set(True)
+    for step in ("one", "two", "three"):
+        finish(step)
+    for _ in range(2):
+        bpy.ops.ed.undo()
+        bpy.context.view_layer.update()
+        found = next(obj for obj in bpy.context.scene.objects if obj.hull.is_hull)
+        assert surface(found).name == name and surface(found).hide_get()
+        assert len(bpy.data.objects) == 3
+        finish("on")

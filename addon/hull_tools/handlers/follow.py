@@ -72,6 +72,7 @@ def _updates_of_objects(depsgraph):
 
 @persistent
 def after_update(scene, depsgraph):
+    unrecorded.after_update()
     updates = list(_updates_of_objects(depsgraph))
     changed = {
         update.id.original
@@ -108,12 +109,13 @@ def after_frame(scene, depsgraph):
 
 @persistent
 def before_undo(*unused):
-    unrecorded.put_back()
+    unrecorded.before_undo()
 
 
 @persistent
 def after_undo(*unused):
     """Undo restores shown objects from another moment than what was computed last."""
+    unrecorded.after_undo()
     hull_state.forget_deleted()
     hull_state.forget_shown()
     studio.forget()

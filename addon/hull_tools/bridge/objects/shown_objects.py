@@ -49,7 +49,7 @@ def set_free(shown):
     if is_free(shown):
         return
     before = shown.data
-    unrecorded.give(shown, bpy.data.meshes.new(shown.name))
+    unrecorded.give_mesh(shown, bpy.data.meshes.new(shown.name))
     for material in before.materials:
         shown.data.materials.append(material)
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import bpy
 
 from ..blender import units
-from . import hull_objects, migration, shown_objects
+from . import hull_objects, migration, shown_objects, unrecorded
 
 
 @dataclass(frozen=True)
@@ -95,6 +95,7 @@ def _tend(obj, seen, view_layer):
         return False
     if shown_objects.surface_of(obj) is None:
         shown_objects.ensure(obj)
+        unrecorded.has_new_surface(obj, pointed)
         return True
     if not pointed.users_collection and seen is not None:
         obj.hull.surface_object = None  # the user has deleted it

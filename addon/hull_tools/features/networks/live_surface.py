@@ -240,7 +240,7 @@ def _tended(network):
         if shown.hide_viewport != is_hidden:
             shown.hide_viewport = shown.hide_render = is_hidden
         if shown.data.users > 1:
-            unrecorded.give(shown, shown.data.copy())
+            unrecorded.give_mesh(shown, shown.data.copy())
     return shown
 
 
