@@ -67,6 +67,18 @@ def test_a_copy_that_shares_the_mesh_waits_until_it_has_its_own():
         assert np.array_equal(points_of(one), before)
 
 
+def test_apply_ends_the_preview_of_all_that_share_the_mesh():
+    hull, _, _ = previewed()
+    moved, copy = points_of(hull), linked_copy(hull)
+    changed()
+    assert "previewed too" in shown(copy).problem
+    make_active(hull)
+    assert bpy.ops.hull.apply_fields() == {"FINISHED"}
+    assert np.array_equal(points_of(hull), moved)
+    for one in (hull, copy):
+        assert not one.hull.fields.is_previewed and shown(one) is None
+
+
 def test_cancel_ends_the_preview_of_all_that_share_the_mesh():
     hull, field, before = previewed()
     copy = linked_copy(hull)

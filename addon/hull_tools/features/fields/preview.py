@@ -119,6 +119,8 @@ def end(obj, scene, is_kept):
         mesh_points.write(obj.data, np.arange(len(start)), start)
     start_points.forget(obj.data)
     _switch_off(obj, scene)
+    while (other := _also_previewed(obj)) is not None:  # which waited, and has no start now
+        _switch_off(other, scene)
 
 
 def _solved(obj, own):
