@@ -252,6 +252,10 @@ def test_a_layer_outside_the_shell_does_not_count():
     layer.in_hydrostatics = True
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert state_of(hull).ship.check.face_count == 5
+    layer.in_hydrostatics = False
+    assert state_of(hull).ship.check.face_count == 4
+    layer.material = None
+    assert state_of(hull).ship.check.face_count == 5
 
 
 def test_a_copy_of_a_hull_gets_objects_of_its_own():

@@ -23,7 +23,10 @@ class HullLayer(bpy.types.PropertyGroup):
     """How the faces of one material slot count; slots without an entry count fully."""
 
     material: PointerProperty(
-        name="Layer", description="The material of the layer's faces", type=bpy.types.Material
+        name="Layer",
+        description="The material of the layer's faces",
+        type=bpy.types.Material,
+        update=changed,
     )
     in_hydrostatics: BoolProperty(
         name="Shell",
