@@ -253,8 +253,10 @@ def test_a_layer_outside_the_shell_does_not_count():
     part("features.hull.hull_state").refresh(hull, bpy.context.scene)
     assert state_of(hull).ship.check.face_count == 5
     layer.in_hydrostatics = False
+    bpy.context.view_layer.update()
     assert state_of(hull).ship.check.face_count == 4
-    layer.material = None
+    layer.material = bpy.data.materials.new("another")
+    bpy.context.view_layer.update()
     assert state_of(hull).ship.check.face_count == 5
 
 
