@@ -106,7 +106,8 @@ def test_knuckles_across_the_ship_stay_in_their_planes():
 
 
 def faired(name, surface, wanted):
-    """The FairChange of a shifted sample within 5 per mille of the beam, limits kept."""
+    """The FairChange of a shifted sample within 5 per mille of the beam, with the limits that the
+    add-on has."""
     sample, before = known(name)
     where = {key: sample.where()[key] for key in ("draft", "length_pp")}
 
@@ -118,6 +119,8 @@ def faired(name, surface, wanted):
     parallel = hn.parallel_body(new_body(surface.mesh.points), draft=where["draft"])
     held = [fair_changes.held_form(surface, parallel)]
     held += [(flat, np.tile(normal, (len(flat), 1))) for flat, normal in sample.flats]
+    ends = hn.plane_ends(surface)
+    held += [(np.tile(end, 3), np.repeat(np.eye(3), len(end), axis=0)) for end in ends]
     tied, directions = hn.square_ties(surface)
     return fair_changes.fair_new_marks(
         before,
@@ -129,6 +132,7 @@ def faired(name, surface, wanted):
         held_normals=np.concatenate([normals for _, normals in held]),
         tied=tied,
         tied_directions=directions,
+        kept=hn.square_sums(surface),
     )
 
 

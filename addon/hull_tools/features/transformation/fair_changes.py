@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....hull_fairness import changes, fair_changes, kept_numbers
+from ....hull_fairness import fair_changes, kept_numbers
 from ...bridge import limits
 from ...bridge.blender import units
 from ...bridge.counts import counted
@@ -37,10 +37,10 @@ class FairingChange(ParentTask):
         limits.within(asked.most, "Deviation over B", 0.0, 1.0)
         super().__init__(obj, scene)
         parent = self.parent
-        self._form = form_before.of_hull(obj)
         self._beam = seen_marks.beam_of(obj, parent.control.points, parent.scale)
         if not self._beam > 0.0:
             raise ValueError("Give the beam first: what is seen is measured by it")
+        self._before = form_before.MarksBefore(obj, self._beam)
         self._most = asked.most * self._beam
         self._wanted = seen_marks.wanted_of(obj, parent.scale, self._beam)
         self._limits = self._held(asked.parallel)
@@ -68,7 +68,7 @@ class FairingChange(ParentTask):
         )
 
     def _run(self, progress):
-        known = changes.Known(self._form, self._beam, lambda share: progress(_BEFORE * share))
+        known = self._before.known(lambda share: progress(_BEFORE * share))
         return fair_changes.fair_new_marks(
             known,
             self.parent.surface,
