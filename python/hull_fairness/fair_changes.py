@@ -17,6 +17,9 @@ from .lines import judged
 from .native import hull_native as hn
 
 _ROUNDS = 8
+# Of what is seen, and of changes.REACH: so much counts where less deviation is tried, so that no
+# mark comes back when points are rounded to single precision.
+_EYE = 0.95
 # Times the new marks at the start, and besides: with more a way leads astray.
 _ASTRAY = 3, 10
 _HALVINGS = 4
@@ -120,12 +123,12 @@ class _Search:
                 return found
         return None
 
-    def judged(self, region, deviation):
+    def judged(self, region, deviation, eye=1.0):
         """The FairChange with that deviation, m; None where the surface would fold."""
         faired, _ = self._keeping.solve(lambda values: region.solve(deviation, values=values))
         if faired.folded_place is not None:
             return None
-        new = self._new(self._moved(faired.moves))
+        new = self._new(self._moved(faired.moves), eye)
         return FairChange(faired.moves, faired.rms, faired.largest, new, self.start.start)
 
     def least(self, region, best):
@@ -133,7 +136,7 @@ class _Search:
         low, high = 0.0, best.rms
         for _ in range(_HALVINGS):
             middle = 0.5 * (low + high)
-            found = self.judged(region, middle)
+            found = self.judged(region, middle, _EYE)
             if found is not None and len(found.new) <= len(best.new):
                 best, high = found, middle
             else:
@@ -141,8 +144,8 @@ class _Search:
         self._tell(1.0)
         return best
 
-    def _new(self, surface):
-        lines = judged(surface, self._known.beam)
+    def _new(self, surface, eye=1.0):
+        lines = judged(surface, self._known.beam, eye=eye)
         self._counts += 1
         self._tell(min(1.0, self._counts / _MOST_COUNTS))
-        return self._known.compared(lines, surface, self._wanted).new
+        return self._known.compared(lines, surface, self._wanted, eye).new

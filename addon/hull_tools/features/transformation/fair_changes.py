@@ -40,7 +40,7 @@ class FairingChange(ParentTask):
         self._beam = seen_marks.beam_of(obj, parent.control.points, parent.scale)
         if not self._beam > 0.0:
             raise ValueError("Give the beam first: what is seen is measured by it")
-        self._before = form_before.MarksBefore(obj, self._beam)
+        self._marks_before = form_before.MarksBefore(obj, self._beam)
         self._most = asked.most * self._beam
         self._wanted = seen_marks.wanted_of(obj, parent.scale, self._beam)
         self._limits = self._held(asked.parallel)
@@ -68,7 +68,7 @@ class FairingChange(ParentTask):
         )
 
     def _run(self, progress):
-        known = self._before.known(lambda share: progress(_BEFORE * share))
+        known = self._marks_before.known(lambda share: progress(_BEFORE * share))
         return fair_changes.fair_new_marks(
             known,
             self.parent.surface,
