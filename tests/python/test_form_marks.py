@@ -18,6 +18,13 @@ from hull_fairness.lines import judged
 from transformation_hulls import SAMPLES, Sample, wigley_areas
 
 IS_LONG = bool(os.environ.get("HULL_LONG_TRANSFORMATIONS"))
+# What is left of new marks where some are.
+LEFT = {
+    ("barge", (0.0, 0.01)): 3,
+    ("container_ship", (0.0, 0.01)): 1,
+    ("sailing_yacht", (-0.02, 0.0)): 39,
+    ("sailing_yacht", (0.02, 0.0)): 22,
+}
 CHANGES = ((-0.02, 0.0), (0.02, 0.0), (0.0, -0.01), (0.0, 0.01))  # of Cb, of LCB over Lpp
 
 
@@ -137,13 +144,14 @@ def faired(name, surface, wanted):
 
 
 def test_new_marks_are_faired_out():
-    surface = shifted("roro", "fair", CHANGES[0])
-    found = faired("roro", surface, vessels.vessel("roro").wanted)
-    assert found.start > 0 and found.new == []
-    assert 0.0 < found.rms < 1e-3 * known("roro")[0].ship.beam
-    sample, where = known("roro")[0], known("roro")[0].where()
+    """Two hollows and two flat spots, to about 7 mm."""
+    name, sample = "naval_vessel", known("naval_vessel")[0]
+    surface, where = shifted(name, "fair", CHANGES[0]), sample.where()
+    found = faired(name, surface, vessels.vessel(name).wanted)
+    assert found.start == 4 and found.new == []
+    assert 0.0 < found.rms < 1e-3 * sample.ship.beam
     moved = with_points(surface, surface.mesh.points + found.moves)
-    assert new_marks("roro", moved) == []
+    assert new_marks(name, moved) == []
     before, after = (
         hn.hydrostatics(hn.HullBody(one, mirrored=sample.half), **where) for one in (surface, moved)
     )
@@ -211,7 +219,7 @@ def test_table(name):
             told = surface if isinstance(surface, str) else len(new_marks(name, surface))
             if part == "fair" and not isinstance(surface, str) and told:
                 left = len(faired(name, surface, vessels.vessel(name).wanted).new)
-                assert left <= told
+                assert left <= LEFT.get((name, change), 0)
                 told = f"{told}, faired {left}"
             print(f"{name}, {part}, Cb {change[0]:+}, LCB {change[1]:+}: {told}")
     sample, _ = known(name)
