@@ -87,13 +87,22 @@ class FairingChange(ParentTask):
         return found
 
 
+def _first(found):
+    """The first of the marks that are left, in words."""
+    one = found.new[0]
+    return f"the first: {seen_marks.text_of(one.line, one.found)}"
+
+
 def summary(found):
     """A FairChange as (a sentence, whether new marks are left)."""
     if not found.start:
         return "No mark is new: nothing moves", False
     left = counted(len(found.new), "new mark")
     if not found.rms:
-        return f"{left}, of which none goes within that deviation: nothing moves", True
+        where = _first(found)
+        return f"{left}, of which none goes within that deviation: nothing moves; {where}", True
     shift = f"{units.format_mm(found.rms)} RMS, {units.format_mm(found.largest)} at most"
     text = f"{counted(found.start, 'new mark')} before, {len(found.new)} left"
+    if found.new:
+        text = f"{text}, {_first(found)}"
     return f"{text}; the surface shifts by {shift}; ∇ and LCB stay", bool(found.new)
