@@ -10,7 +10,7 @@ namespace hull::modelling {
 namespace {
 
 // Of the product of both derivatives: less is no area.
-constexpr double kNoArea = 1e-9;
+constexpr double kFlatPlace = 1e-9;
 
 // The row of weights that gives the second derivative along a line of what a piece's points carry.
 Eigen::RowVectorXd second_derivative(const surface::PieceWeights::Jet& jet,
@@ -25,7 +25,7 @@ Eigen::RowVectorXd second_derivative(const surface::PieceWeights::Jet& jet,
     at += rows.col(static_cast<Eigen::Index>(i)) * points[which[i]].transpose();
   }
   const Vector3d s = at.row(0), t = at.row(1);
-  if (!(s.cross(t).norm() > kNoArea * s.norm() * t.norm())) {
+  if (!(s.cross(t).norm() > kFlatPlace * s.norm() * t.norm())) {
     return Eigen::RowVectorXd::Zero(rows.cols());
   }
   Eigen::Matrix2d metric;
