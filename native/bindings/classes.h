@@ -40,6 +40,7 @@ void bind_shape_fields(pybind11::module_& module);
 void bind_targets(pybind11::module_& module);
 void bind_transformation(pybind11::module_& module);
 void bind_fairing(pybind11::module_& module);
+void bind_bend_sums(pybind11::module_& module);
 void bind_bilge_arc(pybind11::module_& module);
 void bind_knuckles(pybind11::module_& module);
 

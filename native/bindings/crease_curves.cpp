@@ -22,7 +22,8 @@ std::vector<double> parameters_on(const surface::CreaseCurve& curve, const Doubl
   return t;
 }
 
-py::tuple evaluate(const surface::CreaseCurve& curve, const DoubleArray& array, int derivatives) {
+py::tuple evaluate_crease(const surface::CreaseCurve& curve, const DoubleArray& array,
+                          int derivatives) {
   const std::vector<double> t = parameters_on(curve, array);
   if (derivatives < 0 || derivatives > 2) {
     throw std::invalid_argument("derivatives is 0, 1 or 2, not " + std::to_string(derivatives) +
@@ -82,7 +83,7 @@ void bind_crease_curves(py::module_& module) {
       .def_property_readonly("dart_error", &surface::CreaseCurve::dart_error,
                              "Bound on the distance from the surface's curve in the last interval "
                              "at a dart, m; 0 without darts.")
-      .def("evaluate", &evaluate, py::arg("t"), py::arg("derivatives") = 0,
+      .def("evaluate", &evaluate_crease, py::arg("t"), py::arg("derivatives") = 0,
            "t: (k,) in [0, edge_count]. Returns a tuple of (k, 3) arrays: the points; with "
            "derivatives 1 or 2 also the first and second derivatives by t, m. At a dart these do "
            "not exist; there they are those of the spline's last interval.")

@@ -160,6 +160,24 @@ void bind_smoothing(py::module_& module) {
       "ValueError for what is none of these.");
 }
 
+std::vector<modelling::WishedSum> wishes_from(const py::iterable& sums, const DoubleArray& values,
+                                              const DoubleArray& weights) {
+  std::vector<modelling::WishedSum> wishes;
+  const std::vector<double> wanted = numbers_from(values, "wished_values");
+  const std::vector<double> costs = numbers_from(weights, "wished_weights");
+  for (modelling::MoveCondition& sum : conditions_from(sums, "wished")) {
+    wishes.push_back({std::move(sum), 0.0, 0.0});
+  }
+  if (wanted.size() != wishes.size() || costs.size() != wishes.size()) {
+    throw std::invalid_argument("Each sum wished for must have a value and a weight.");
+  }
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    wishes[i].value = wanted[i];
+    wishes[i].weight = costs[i];
+  }
+  return wishes;
+}
+
 void bind_region(py::module_& module) {
   py::class_<FairRegion>(
       module, "FairRegion",
@@ -173,7 +191,8 @@ void bind_region(py::module_& module) {
                        const py::iterable& kept, bool keep_creases, bool keep_stations,
                        bool along_normals, const py::iterable& conditions, int most_steps,
                        const DoubleArray& before, double least_bend, const DoubleArray& emphasised,
-                       const DoubleArray& factors, double reach) {
+                       const DoubleArray& factors, double reach, const py::iterable& wished,
+                       const DoubleArray& wished_values, const DoubleArray& wished_weights) {
              modelling::FairOptions options;
              options.points = integers_from(points, "points");
              options.energy = energy_from(energy);
@@ -184,6 +203,7 @@ void bind_region(py::module_& module) {
              options.along_normals = along_normals;
              options.conditions = conditions_from(conditions, "conditions");
              options.most_steps = most_steps;
+             options.wishes = wishes_from(wished, wished_values, wished_weights);
              const std::vector<Vector3d> points_before = points_from(before, "before");
              if (!points_before.empty()) {
                options.before = {points_before, least_bend, points_from(emphasised, "emphasised"),
@@ -201,7 +221,8 @@ void bind_region(py::module_& module) {
            py::arg("most_steps") = modelling::FairOptions().most_steps,
            py::arg("before") = py::tuple(), py::arg("least_bend") = 0.0,
            py::arg("emphasised") = py::tuple(), py::arg("factors") = py::tuple(),
-           py::arg("reach") = 0.0,
+           py::arg("reach") = 0.0, py::arg("wished") = py::tuple(),
+           py::arg("wished_values") = py::tuple(), py::arg("wished_weights") = py::tuple(),
            "points (k,): control points that may move. energy: 'thin_plate' (squared second "
            "derivatives to the metric of the surface as it was), 'lengthwise' (of these what bends "
            "along the ship: sections keep their own bend), 'curvature' (the integral of the "
@@ -216,7 +237,10 @@ void bind_region(py::module_& module) {
            "much each place bends otherwise than there, in proportion to how much it did, where "
            "bends below least_bend, 1/m, count as that one. emphasised (k, 3): places on that "
            "surface within whose reach, m, it counts so many times as factors (k,) tell, the "
-           "largest of several.\n\n"
+           "largest of several. wished: sums, as conditions are, of which each is to come to its "
+           "value of wished_values (w,): weight · (sum - value)², of wished_weights (w,), is added "
+           "to "
+           "the energy, which must be one of the first two or of before.\n\n"
            "The surface is read here and not kept. ValueError for what is none of these, and where "
            "no point may move.")
       .def_property_readonly("area", &FairRegion::area,

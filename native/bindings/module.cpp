@@ -38,6 +38,7 @@ PYBIND11_MODULE(_core, module) {
   bind_targets(module);
   bind_transformation(module);
   bind_fairing(module);
+  bind_bend_sums(module);
   bind_bilge_arc(module);
   bind_knuckles(module);
   refuse_unmade_instances(module);

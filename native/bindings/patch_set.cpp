@@ -91,8 +91,8 @@ py::array_t<double> positions(const conversion::PatchSet& set, const py::object&
   return to_array(points);
 }
 
-py::tuple evaluate(const conversion::PatchSet& set, const py::object& patches,
-                   const DoubleArray& uv) {
+py::tuple evaluate_patches(const conversion::PatchSet& set, const py::object& patches,
+                           const DoubleArray& uv) {
   std::array<std::vector<Vector3d>, 6> values;
   for_each_place(set, patches, uv, [&](const conversion::BSplinePatch& patch, double u, double v) {
     const surface::SurfaceJet jet = patch.evaluate(u, v);
@@ -137,7 +137,7 @@ void bind_patch_set(py::module_& module) {
       .def("knots", &knots, py::arg("index"), "The knots of one patch along u and along v.")
       .def("positions", &positions, py::arg("patches"), py::arg("uv"),
            "Points (k, 3) of the patches (k,) at uv (k, 2).")
-      .def("evaluate", &evaluate, py::arg("patches"), py::arg("uv"),
+      .def("evaluate", &evaluate_patches, py::arg("patches"), py::arg("uv"),
            "The same with derivatives with respect to the patch's (u, v): point, du, dv, duu, duv, "
            "dvv, each (k, 3).")
       .def(

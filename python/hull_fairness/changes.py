@@ -79,26 +79,26 @@ class Known:
                 ]
         return found
 
-    def compared(self, lines, changed, wanted=()):
+    def compared(self, lines, changed, wanted=(), share=1.0):
         """The MarkChange to Lines judged on a changed surface. wanted: what the design calls for,
-        as in lines, by places on the hull before: of that nothing is new. ValueError where the
-        meshes differ in more than their points."""
-        now = placed(lines, changed, self.surface)
-        pairs = _pairs(self.marks, now, self.reach)
+        as in lines, by places on the hull before: of that nothing is new. share: of REACH, how near
+        the same mark is. ValueError where the meshes differ in more than their points."""
+        now, reach = placed(lines, changed, self.surface), share * self.reach
+        pairs = _pairs(self.marks, now, reach)
         was, stays = {a for a, _ in pairs}, {b for _, b in pairs}
-        stays |= {i for i, one in enumerate(now) if self._is_seen(one)}
-        stays |= self._between_lines(now, stays)
+        stays |= {i for i, one in enumerate(now) if self._is_seen(one, reach)}
+        stays |= self._between_lines(now, stays, reach)
         return MarkChange(
             [now[i] for i in _beyond(now, stays, wanted)],
             [one for i, one in enumerate(self.marks) if i not in was],
         )
 
-    def _is_seen(self, one):
+    def _is_seen(self, one, reach):
         if one.found.mark == INFLECTION or one.kind not in self._seen:
             return False
-        return bool(_apart(np.concatenate(self._seen[one.kind]), one.extent) <= self.reach)
+        return bool(_apart(np.concatenate(self._seen[one.kind]), one.extent) <= reach)
 
-    def _between_lines(self, now, stays):
+    def _between_lines(self, now, stays, reach):
         """Indices of marks besides those that stay which are there on the line of the hull before
         through their own place; of a line each of the hull before stands for one."""
         found = set()
@@ -110,7 +110,7 @@ class Known:
                 line = now[index].line
                 own = [i for i, one in enumerate(now) if one.line is line]
                 old = [Placed(line, one, one.point, _along(one)) for one in marks]
-                pairs = _pairs(old, [now[i] for i in own], self.reach)
+                pairs = _pairs(old, [now[i] for i in own], reach)
                 found |= {index} & {own[j] for _, j in pairs}
         return found
 

@@ -1,26 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks that a change of a hull's form made, taken out again.
 
-The form before was fair, or its marks were meant. So the changed surface is shaped so that it bends
-as it did before, in proportion to how much it did (native/modelling/fairing/bend_change.h), while
-what was wanted of the change is kept. Where a mark is new bends are held the more, round after
-round; of the rounds the one with the fewest new marks is taken, and then the smallest deviation
-with as few.
+The form before was fair, or its marks were meant. So the changed surface is shaped anew, round
+after round, while what was wanted of the change is kept, in one way after the other (fair_ways)
+until no mark is new: by levers, that is by what makes these very marks less deep, while creases and
+borders stay; so that it bends as it did before; by levers with creases and borders, too. Of all
+rounds the one with the fewest new marks is taken, and then the smallest deviation with as few.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from .fair_ways import AsBefore, ByLevers, Ground
 from .lines import judged
 from .native import hull_native as hn
 
-# Over the beam, 1/m: bends below are about straight.
-_LEAST_BEND = 0.05
 _ROUNDS = 8
-# How much more it costs from round to round where a mark is new, and at most.
-_MORE, _MOST = 10.0, 1e8
+# Of what is seen, and of changes.REACH: so much counts where less deviation is tried, so that no
+# mark comes back when points are rounded to single precision.
+_EYE = 0.95
+# Times the new marks at the start, and besides: with more a way leads astray.
+_ASTRAY = 3, 10
 _HALVINGS = 4
+_MOST_COUNTS = 1 + 3 * _ROUNDS + _HALVINGS
 # Of the deviation, where the surface would fold with more.
 _PARTS = (1.0, 0.5, 0.25, 0.125)
 # Of the length from either end: what is at the ends. Of the beam: points as far out as any.
@@ -67,68 +70,49 @@ def fair_new_marks(known, surface, most, keeping, wanted=(), progress=None, **li
     control points may do, as of hull_native.FairRegion. progress: called with the share done. Where
     nothing gets better nothing moves. ValueError where no point may move.
     """
-    search = _Search(known, surface, keeping, wanted, limits, progress or (lambda share: None))
-    best = search.start
-    attention = _Attention(known)
-    found = best
-    for _ in range(_ROUNDS):
-        if not best.new:
-            break
-        attention.add(found.new)
-        region = search.region(attention)
-        found = search.unfolded(region, most)
-        if found is None:
-            break
-        if len(found.new) < len(best.new):
-            best, best_region = found, region
-    if best is search.start:
-        return best
-    return search.least(best_region, best)
+    search = _Search(known, surface, keeping, wanted, progress or (lambda share: None))
+    best, best_region = search.start, None
+    if best.new:
+        ground = Ground(known, surface, keeping.conditions(), limits)
+        for way in _ways(ground):
+            best, best_region = search.rounds(way, most, best, best_region)
+            if not best.new:
+                break
+    return best if best_region is None else search.least(best_region, best)
 
 
-class _Attention:
-    """Places on the hull before, and how much more bends count there."""
-
-    def __init__(self, known):
-        self.reach = known.reach
-        self.places, self.factors = np.empty((0, 3)), np.empty(0)
-
-    def add(self, new):
-        """More where marks [changes.Placed] are new."""
-        places = np.concatenate([one.extent for one in new])
-        factors = np.array([min(_MORE * self._at(place), _MOST) for place in places])
-        self.places = np.concatenate([self.places, places])
-        self.factors = np.concatenate([self.factors, factors])
-
-    def _at(self, place):
-        near = np.linalg.norm(self.places - place, axis=1) <= self.reach
-        return self.factors[near].max(initial=1.0)
+def _ways(ground):
+    yield ByLevers(ground, keep_creases=True)
+    yield AsBefore(ground)
+    yield ByLevers(ground, keep_creases=False)
 
 
 class _Search:
-    def __init__(self, known, surface, keeping, wanted, limits, tell):
+    def __init__(self, known, surface, keeping, wanted, tell):
         self._known, self._surface, self._keeping = known, surface, keeping
-        self._wanted, self._limits, self._tell = wanted, limits, tell
+        self._wanted, self._tell = wanted, tell
         self._counts = 0
         none = np.zeros_like(surface.mesh.points)
         new = self._new(surface)
         self.start = FairChange(none, 0.0, 0.0, new, len(new))
 
-    def region(self, attention):
-        """hull_native.FairRegion of all control points with bends held as `attention` tells."""
-        return hn.FairRegion(
-            self._surface,
-            np.arange(len(self._surface.mesh.points)),
-            before=self._known.surface.mesh.points,
-            least_bend=_LEAST_BEND / self._known.beam,
-            emphasised=attention.places,
-            factors=attention.factors,
-            reach=attention.reach,
-            keep_creases=False,
-            along_normals=False,
-            conditions=self._keeping.conditions(),
-            **self._limits,
-        )
+    def rounds(self, way, most, best, best_region):
+        """(the best FairChange, its hull_native.FairRegion) after the rounds of a way."""
+        found = self.start
+        for _ in range(_ROUNDS):
+            region = way.region(found.new, self._moved(found.moves), found.moves)
+            found = self.unfolded(region, most)
+            if found is None or len(found.new) > _ASTRAY[0] * self.start.start + _ASTRAY[1]:
+                break
+            if len(found.new) < len(best.new):
+                best, best_region = found, region
+            if not best.new:
+                break
+        return best, best_region
+
+    def _moved(self, moves):
+        mesh = self._surface.mesh
+        return hn.LimitSurface(mesh.with_points(mesh.points + moves), self._surface.scheme)
 
     def unfolded(self, region, most):
         """The FairChange of the largest deviation, of some, by which the surface does not fold;
@@ -139,14 +123,12 @@ class _Search:
                 return found
         return None
 
-    def judged(self, region, deviation):
+    def judged(self, region, deviation, eye=1.0):
         """The FairChange with that deviation, m; None where the surface would fold."""
         faired, _ = self._keeping.solve(lambda values: region.solve(deviation, values=values))
         if faired.folded_place is not None:
             return None
-        mesh = self._surface.mesh
-        moved = hn.LimitSurface(mesh.with_points(mesh.points + faired.moves), self._surface.scheme)
-        new = self._new(moved)
+        new = self._new(self._moved(faired.moves), eye)
         return FairChange(faired.moves, faired.rms, faired.largest, new, self.start.start)
 
     def least(self, region, best):
@@ -154,7 +136,7 @@ class _Search:
         low, high = 0.0, best.rms
         for _ in range(_HALVINGS):
             middle = 0.5 * (low + high)
-            found = self.judged(region, middle)
+            found = self.judged(region, middle, _EYE)
             if found is not None and len(found.new) <= len(best.new):
                 best, high = found, middle
             else:
@@ -162,8 +144,8 @@ class _Search:
         self._tell(1.0)
         return best
 
-    def _new(self, surface):
-        lines = judged(surface, self._known.beam)
+    def _new(self, surface, eye=1.0):
+        lines = judged(surface, self._known.beam, eye=eye)
         self._counts += 1
-        self._tell(min(1.0, self._counts / (1 + _ROUNDS + _HALVINGS)))
-        return self._known.compared(lines, surface, self._wanted).new
+        self._tell(min(1.0, self._counts / _MOST_COUNTS))
+        return self._known.compared(lines, surface, self._wanted, eye).new

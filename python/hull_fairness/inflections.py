@@ -11,7 +11,7 @@ A mark extends along the curve: a dip as far as it bends hardly more than there,
 bottom; an inflection as far to either side as the curve goes straight on for all that is seen.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
@@ -29,16 +29,29 @@ _HARDLY = 0.01
 INFLECTION, DIP = "inflection", "dip"
 
 
+@dataclass(frozen=True, eq=False)
+class Lever:
+    """By what a mark goes: `depth`, m, is to first order the sum of factors (n,) · curvatures from
+    the sample `first` on; where it is less than `unseen`, m, nothing is seen."""
+
+    first: int
+    factors: np.ndarray
+    depth: float
+    unseen: float
+
+
 @dataclass(frozen=True)
 class Mark:
     """An inflection or a dip, at an index of the samples; its depth in m. first, last: the indices
-    up to which it extends."""
+    up to which it extends. lever: its Lever; a dip goes with either bend beside it, and this is the
+    one that takes less."""
 
     kind: str
     index: int
     depth: float
     first: int
     last: int
+    lever: Lever = field(repr=False, compare=False)
 
 
 def marks(lengths, curvatures, least_depth, shallowest=SHALLOWEST):
@@ -62,12 +75,27 @@ class _Curve:
         """(depth in m, depth over the least that is seen) of bends in 1/m more than wanted, given
         from one index to another."""
         s = self.s[first : last + 1]
-        length = s[-1] - s[0]
-        if not length > 0.0:
+        if not s[-1] > s[0]:
             return 0.0, 0.0
-        rise = _integral(s, _integral(s, bend))
-        depth = float(np.abs(rise[-1] * (s - s[0]) / length - rise).max())
-        return depth, depth / max(self.least_depth, self.shallowest * length)
+        depth = float(np.abs(_below_chord(s, bend)).max())
+        return depth, depth / self.unseen(first, last)
+
+    def unseen(self, first, last):
+        """m: what is less deep between two indices is not seen."""
+        return max(self.least_depth, self.shallowest * (self.s[last] - self.s[first]))
+
+    def lever(self, first, last, bend, change):
+        """The Lever of depth(first, last, bend). change: of factors by the bend, those by the
+        curvatures."""
+        s = self.s[first : last + 1]
+        if not s[-1] > s[0]:
+            return Lever(first, np.zeros(len(s)), 0.0, self.unseen(first, last))
+        below = _below_chord(s, bend)
+        at = int(np.abs(below).argmax())
+        share = (s[at] - s[0]) / (s[-1] - s[0])
+        by_bend = share * _integrated_twice(s, len(s) - 1) - _integrated_twice(s, at)
+        factors = change(np.sign(below[at]) * by_bend)
+        return Lever(first, factors, float(abs(below[at])), self.unseen(first, last))
 
     def is_seen(self, first, last, sign):
         """Whether what bends to one side between two indices is as deep as is seen."""
@@ -76,16 +104,41 @@ class _Curve:
 
     def hollow(self, first, last, sign):
         """depth() of all that bends to one side between two indices."""
+        return self.depth(*self._hollow(first, last, sign))
+
+    def hollow_lever(self, first, last, sign):
+        """The Lever of hollow()."""
+        first, last, bend = self._hollow(first, last, sign)
+        return self.lever(first, last, bend, lambda factors: sign * np.where(bend, factors, 0.0))
+
+    def _hollow(self, first, last, sign):
         bend = np.maximum(sign * self.k[first : last + 1], 0.0)
         bent = np.flatnonzero(bend)
         # One sample more at either end: there it is down to nothing.
         low, high = max(bent[0] - 1, 0), min(bent[-1] + 1, last - first)
-        return self.depth(first + low, first + high, bend[low : high + 1])
+        return first + low, first + high, bend[low : high + 1]
 
 
 def _integral(s, values):
     steps = 0.5 * np.diff(s) * (values[1:] + values[:-1])
     return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _below_chord(s, bend):
+    """How far a curve that bends so lies below its chord, at each of its samples."""
+    rise = _integral(s, _integral(s, bend))
+    return rise[-1] * (s - s[0]) / (s[-1] - s[0]) - rise
+
+
+def _integrated_twice(s, at):
+    """The factors (n,) of values in their integral's integral up to a sample."""
+    halves = 0.5 * np.diff(s)
+    once = np.zeros(len(s))
+    once[:at] += halves[:at]
+    once[1 : at + 1] += halves[:at]
+    later = np.concatenate([np.cumsum(once[:0:-1])[::-1], [0.0]])
+    twice = halves * later[:-1]
+    return np.concatenate([twice, [0.0]]) + np.concatenate([[0.0], twice])
 
 
 def _sides(curve):
@@ -110,8 +163,14 @@ def _sides(curve):
         other = sides[least - 1 if least else 1][2]
         sides[max(least - 1, 0) : least + 2] = [(around[0][0], around[-1][1], other)]
     found = [
-        Mark(INFLECTION, int(a[1]), min(one, other), *_straight_part(curve, *a, b[1]))
-        for (a, b), ((one, _), (other, _)) in zip(pairwise(sides), pairwise(depths))
+        Mark(
+            INFLECTION,
+            int(a[1]),
+            min(one, other),
+            *_straight_part(curve, *a, b[1]),
+            curve.hollow_lever(*(a if one_seen < other_seen else b)),
+        )
+        for (a, b), ((one, one_seen), (other, other_seen)) in zip(pairwise(sides), pairwise(depths))
     ]
     return sides, found
 
@@ -147,9 +206,18 @@ def _dips(curve, first, last, sign):
             break
     marks = []
     for i in dips:
-        depth = max(_Evened(curve, first, bend, at, pair).depth for pair in (i - 1, i))
+        both = [_Evened(curve, first, bend, at, pair) for pair in (i - 1, i)]
         low, high = _level_part(bend, *at[i - 1 : i + 2])
-        marks.append(Mark(DIP, first + (low + high) // 2, depth, first + low, first + high))
+        marks.append(
+            Mark(
+                DIP,
+                first + (low + high) // 2,
+                max(one.depth for one in both),
+                first + low,
+                first + high,
+                min(both, key=lambda one: one.ratio).lever(curve, first, bend, sign),
+            )
+        )
     return marks
 
 
@@ -199,6 +267,19 @@ class _Evened:
             levels[0 if turned * (levels[0] - levels[1]) < 0.0 else 1] = self.level
         a, b = first + self.part.start, first + self.part.stop - 1
         self.depth, self.ratio = curve.depth(a, b, bend[self.part] - self.level)
+
+    def lever(self, curve, first, bend, sign):
+        """The Lever of the depth."""
+        s = curve.s[first:][self.part]
+        ends = np.concatenate([[0.0], 0.5 * np.diff(s), [0.0]])
+        shares = ends[1:] + ends[:-1]
+
+        def change(factors):
+            # It turns the curve as far: the level is the mean.
+            return sign * (factors - factors.sum() * shares / shares.sum())
+
+        a, b = first + self.part.start, first + self.part.stop - 1
+        return curve.lever(a, b, bend[self.part] - self.level, change)
 
 
 def _beyond(bend, level, low, one, other, high):

@@ -12,7 +12,7 @@ with the kinds and marks of MARKS, and the box in m that the mark is in; a lette
 everywhere.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -40,16 +40,33 @@ _STEP = 1.0 / 200.0
 _EXTENT_STEP = 10
 
 
+@dataclass(frozen=True, eq=False)
+class Lever:
+    """By what a mark goes: `depth`, m, is to first order the sum of factors (n,) · curvatures (n,)
+    at points (n, 3) of a line; below `unseen`, m, nothing is seen. frame (2, 3): axes of the plane
+    in which the line is judged; is_cut: whether that plane cuts it out of the surface."""
+
+    points: np.ndarray
+    curvatures: np.ndarray
+    factors: np.ndarray
+    depth: float
+    unseen: float
+    frame: np.ndarray
+    is_cut: bool
+
+
 @dataclass(frozen=True)
 class Found:
     """A mark on a line: its kind and place (3,), how much it is, such as "3.1 mm deep", why it is
-    wanted or None, and points ((3,), ...) along it where it extends farther than its place."""
+    wanted or None, and points ((3,), ...) along it where it extends farther than its place; its
+    Lever, but for those of reflection lines."""
 
     mark: str
     point: tuple
     size: str
     reason: object = None
     extent: tuple = ()
+    lever: object = field(default=None, repr=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -90,13 +107,14 @@ def _all_found(surface, beam, eye, within):
     """(kind, name, [Found without reasons]) of each line that comes into a box, or all."""
     for kind, name, curves in _all_curves(surface, _STEP * beam, within):
         own = [curve for curve in curves if comes_into(curve[1], within)]
-        yield kind, name, [mark for curve in own for mark in _marks(*curve, beam, eye)]
+        is_cut = kind in PLANES
+        yield kind, name, [mark for curve in own for mark in _marks(*curve, is_cut, beam, eye)]
     for name, parts in reflection_lines(surface, beam, within):
         yield "reflection", name, [mark for part in parts for mark in _turns(part, beam, eye)]
 
 
 def _all_curves(surface, step, within):
-    """(kind, name, [(points in plane (n, 2), points (n, 3), curvatures, starts)]) of each line."""
+    """(kind, name, [(frame (2, 3), points (n, 3), curvatures, starts)]) of each line."""
     points = surface.tessellate(4).points
     low, high = points.min(axis=0), points.max(axis=0)
     for kind, (axis, count) in PLANES.items():
@@ -115,14 +133,14 @@ def _cut(surface, column, at, step):
     planes[:, column], planes[:, 3] = 1.0, at
     kept = [i for i in range(3) if i != column]
     for curves in hn.section_fairness(surface, planes, step=step, marks=False):
-        yield [_seen(curve, kept) for curve in curves]
+        yield [(np.eye(3)[kept], *_rest(curve)) for curve in curves]
 
 
 def found_through(surface, beam, kind, places, eye=1.0):
     """Of each of places (n, 3) the [Found] on the line of a kind of PLANES that goes through it."""
     column = "xyz".index(PLANES[kind][0])
     for curves in _cut(surface, column, np.asarray(places)[:, column], _STEP * beam):
-        yield [mark for curve in curves for mark in _marks(*curve, beam, eye)]
+        yield [mark for curve in curves for mark in _marks(*curve, True, beam, eye)]
 
 
 def _features(surface, step, size):
@@ -139,10 +157,11 @@ def _features(surface, step, size):
         name = f"{curve.kind} from {ends}"
         frame = _plane_frame(curve.points, hn.tolerances.IN_PLANE * size)
         if frame is not None:
-            yield "feature", name, [(curve.points @ frame.T, *_rest(curve))]
+            yield "feature", name, [(frame, *_rest(curve))]
             continue
         for view, kept, curves in views:
-            yield "feature", f"{name} {view}", [_seen(curves[index], list(kept))]
+            frame = np.eye(3)[list(kept)]
+            yield "feature", f"{name} {view}", [(frame, *_rest(curves[index]))]
 
 
 def _plane_frame(points, tolerance):
@@ -153,17 +172,14 @@ def _plane_frame(points, tolerance):
     return axes[:2] if spread[2] / np.sqrt(len(points)) <= tolerance else None
 
 
-def _seen(curve, kept):
-    return curve.points[:, kept], *_rest(curve)
-
-
 def _rest(curve):
     return curve.points, curve.curvatures, curve.starts
 
 
-def _marks(flat, points, curvatures, starts, beam, eye):
+def _marks(frame, points, curvatures, starts, is_cut, beam, eye):
     """Found without reasons, of each part between knuckles."""
     least = eye * LEAST_DEPTH * beam
+    flat = points @ frame.T
     for first, last in _parts(flat, starts):
         lengths = np.linalg.norm(np.diff(flat[first:last], axis=0), axis=1)
         lengths = np.concatenate([[0.0], np.cumsum(lengths)])
@@ -172,8 +188,18 @@ def _marks(flat, points, curvatures, starts, beam, eye):
         for mark in marks(lengths, curvatures[first:last], least, eye * SHALLOWEST):
             size = f"{1e3 * mark.depth:.1f} mm deep"
             along = [*range(mark.first, mark.last, _EXTENT_STEP), mark.last]
-            extent = tuple(map(tuple, points[first + np.array(along)]))
-            yield Found(mark.kind, tuple(points[first + mark.index]), size, extent=extent)
+            extent = tuple(map(tuple, points[first:last][along]))
+            lever = _lever(mark.lever, points[first:last], curvatures[first:last], frame, is_cut)
+            place = tuple(points[first + mark.index])
+            yield Found(mark.kind, place, size, extent=extent, lever=lever)
+
+
+def _lever(lever, points, curvatures, frame, is_cut):
+    """The Lever in space of an inflections.Lever of a part of a line."""
+    own = slice(lever.first, lever.first + len(lever.factors))
+    return Lever(
+        points[own], curvatures[own], lever.factors, lever.depth, lever.unseen, frame, is_cut
+    )
 
 
 def _turns(part, beam, eye):

@@ -18,6 +18,13 @@ from hull_fairness.lines import judged
 from transformation_hulls import SAMPLES, Sample, wigley_areas
 
 IS_LONG = bool(os.environ.get("HULL_LONG_TRANSFORMATIONS"))
+# What is left of new marks where some are.
+LEFT = {
+    ("barge", (0.0, 0.01)): 3,
+    ("container_ship", (0.0, 0.01)): 1,
+    ("sailing_yacht", (-0.02, 0.0)): 39,
+    ("sailing_yacht", (0.02, 0.0)): 22,
+}
 CHANGES = ((-0.02, 0.0), (0.02, 0.0), (0.0, -0.01), (0.0, 0.01))  # of Cb, of LCB over Lpp
 
 
@@ -106,7 +113,8 @@ def test_knuckles_across_the_ship_stay_in_their_planes():
 
 
 def faired(name, surface, wanted):
-    """The FairChange of a shifted sample within 5 per mille of the beam, limits kept."""
+    """The FairChange of a shifted sample within 5 per mille of the beam, with the limits that the
+    add-on has."""
     sample, before = known(name)
     where = {key: sample.where()[key] for key in ("draft", "length_pp")}
 
@@ -118,6 +126,8 @@ def faired(name, surface, wanted):
     parallel = hn.parallel_body(new_body(surface.mesh.points), draft=where["draft"])
     held = [fair_changes.held_form(surface, parallel)]
     held += [(flat, np.tile(normal, (len(flat), 1))) for flat, normal in sample.flats]
+    ends = hn.plane_ends(surface)
+    held += [(np.tile(end, 3), np.repeat(np.eye(3), len(end), axis=0)) for end in ends]
     tied, directions = hn.square_ties(surface)
     return fair_changes.fair_new_marks(
         before,
@@ -129,17 +139,19 @@ def faired(name, surface, wanted):
         held_normals=np.concatenate([normals for _, normals in held]),
         tied=tied,
         tied_directions=directions,
+        kept=hn.square_sums(surface),
     )
 
 
 def test_new_marks_are_faired_out():
-    surface = shifted("roro", "fair", CHANGES[0])
-    found = faired("roro", surface, vessels.vessel("roro").wanted)
-    assert found.start > 0 and found.new == []
-    assert 0.0 < found.rms < 1e-3 * known("roro")[0].ship.beam
-    sample, where = known("roro")[0], known("roro")[0].where()
+    """Two hollows and two flat spots, to about 7 mm."""
+    name, sample = "naval_vessel", known("naval_vessel")[0]
+    surface, where = shifted(name, "fair", CHANGES[0]), sample.where()
+    found = faired(name, surface, vessels.vessel(name).wanted)
+    assert found.start == 4 and found.new == []
+    assert 0.0 < found.rms < 1e-3 * sample.ship.beam
     moved = with_points(surface, surface.mesh.points + found.moves)
-    assert new_marks("roro", moved) == []
+    assert new_marks(name, moved) == []
     before, after = (
         hn.hydrostatics(hn.HullBody(one, mirrored=sample.half), **where) for one in (surface, moved)
     )
@@ -207,7 +219,7 @@ def test_table(name):
             told = surface if isinstance(surface, str) else len(new_marks(name, surface))
             if part == "fair" and not isinstance(surface, str) and told:
                 left = len(faired(name, surface, vessels.vessel(name).wanted).new)
-                assert left <= told
+                assert left <= LEFT.get((name, change), 0)
                 told = f"{told}, faired {left}"
             print(f"{name}, {part}, Cb {change[0]:+}, LCB {change[1]:+}: {told}")
     sample, _ = known(name)

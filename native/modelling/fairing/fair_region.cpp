@@ -63,6 +63,7 @@ class FairRegion::Problem {
     } else {
       take_quadratic(surface);
     }
+    take_wishes(options.wishes);
     minimum_.emplace(mass(), Sparse(conditions_ * space_.basis()));
   }
 
@@ -81,6 +82,7 @@ class FairRegion::Problem {
   void take_quadratic(const surface::LimitSurface& surface);
   const BendsBefore& checked(const BendsBefore& before) const;
   void take_change(const BendsBefore& before);
+  void take_wishes(const std::vector<WishedSum>& wishes);
   Sparse mass() const;
   Sparse by_freedom(const Triplets& entries) const;
 
@@ -208,6 +210,28 @@ void FairRegion::Problem::take_change(const BendsBefore& before) {
   h_ = space_.basis().transpose() * (energy.matrix * space_.basis());
   g_ = space_.basis().transpose() * energy.gradient;
   constant_ = energy.constant;
+}
+
+void FairRegion::Problem::take_wishes(const std::vector<WishedSum>& wishes) {
+  if (wishes.empty()) return;
+  if (geometric_) {
+    throw std::invalid_argument("Sums can be wished for with quadratic energies alone.");
+  }
+  std::vector<MoveCondition> sums;
+  Eigen::VectorXd values(wishes.size()), weights(wishes.size());
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    sums.push_back(wishes[i].sum);
+    values[static_cast<Eigen::Index>(i)] = wishes[i].value;
+    weights[static_cast<Eigen::Index>(i)] = wishes[i].weight;
+  }
+  if (!values.allFinite() || !weights.allFinite() || !(weights.minCoeff() >= 0.0)) {
+    throw std::invalid_argument(
+        "What is wished for must be finite, and its weight not below zero.");
+  }
+  const Sparse rows = condition_rows(sums, static_cast<int>(points_.size())) * space_.basis();
+  h_ += Sparse(rows.transpose() * weights.asDiagonal() * rows);
+  g_ -= rows.transpose() * weights.cwiseProduct(values);
+  constant_ += values.dot(weights.cwiseProduct(values));
 }
 
 std::vector<Vector3d> FairRegion::Problem::moved(const Eigen::VectorXd& x) const {

@@ -13,6 +13,12 @@
 
 namespace hull::modelling {
 
+// A sum over moves that is wished for: weight · (sum - value)² is added to the energy.
+struct WishedSum {
+  MoveCondition sum;
+  double value, weight;
+};
+
 struct FairOptions {
   std::vector<int> points;  // control points that are to move
   FairEnergy energy = FairEnergy::kLengthwise;
@@ -28,7 +34,8 @@ struct FairOptions {
   // borders, where they may move, and where the surface has no such normal, move any way.
   bool along_normals = true;
   std::vector<MoveCondition> conditions;
-  int most_steps = 40;  // of the geometric energies
+  std::vector<WishedSum> wishes;  // with quadratic energies alone
+  int most_steps = 40;            // of the geometric energies
 };
 
 // How a surface comes to lie that was faired.

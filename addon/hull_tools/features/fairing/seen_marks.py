@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 from mathutils import Vector
 
-from ....hull_fairness import changes
 from ....hull_fairness import lines as judging
 from ...bridge import native
 from ...bridge.background import jobs
@@ -97,7 +96,7 @@ class Judging(jobs.JobTask):
         if not beam > 0.0:
             raise ValueError("Give the beam first: what is seen is measured by it")
         self._least = judging.LEAST_DEPTH * beam
-        form = form_before.of_hull(obj) if is_compared else None
+        form = form_before.MarksBefore(obj, beam) if is_compared else None
         wanted, surface = wanted_of(obj, scale, beam), source.new_surface()
         self._job = jobs.Job(lambda progress: _judged(surface, beam, wanted, form, progress))
         conversions.watch(self)
@@ -118,10 +117,10 @@ class Judging(jobs.JobTask):
 
 
 def _judged(surface, beam, wanted, form, progress):
-    """What Judging gives; form: the LimitSurface of before or None."""
+    """What Judging gives; form: the form_before.MarksBefore or None."""
     if form is None:
         return judging.judged(surface, beam, progress=progress), None
-    known = changes.Known(form, beam, progress=lambda share: progress(_BEFORE * share))
+    known = form.known(lambda share: progress(_BEFORE * share))
     lines = judging.judged(
         surface, beam, progress=lambda share: progress(_BEFORE + (1.0 - _BEFORE) * share)
     )

@@ -8,6 +8,7 @@ of them back is what the change before that one made.
 
 from dataclasses import dataclass, field
 
+from ....hull_fairness import changes
 from ...bridge.objects import hull_mesh
 from . import hull_state
 
@@ -17,11 +18,12 @@ _MOST = 8
 @dataclass(frozen=True, eq=False)
 class _Form:
     """geometry: the ship's geometry_key; surface: a hull_native.LimitSurface of its own;
-    topology_key: as hull_mesh's HullMesh has it."""
+    topology_key: as hull_mesh's HullMesh has it; known: what was found of it by beam, m."""
 
     geometry: object
     surface: object
     topology_key: object
+    known: dict = field(default_factory=dict)
 
 
 @dataclass
@@ -44,9 +46,29 @@ def is_known(obj):
     return _last(obj) is not None
 
 
+class MarksBefore:
+    """The marks of the form before a hull, told as they are asked for first: that takes seconds.
+    ValueError where there is no form by which the hull as it is can be judged."""
+
+    def __init__(self, obj, beam):
+        self._form, self._beam = _checked(obj), beam
+
+    def known(self, progress):
+        """The hull_fairness.changes.Known; progress: called with the share done. May be called in
+        another thread than Blender's."""
+        found = self._form.known.get(self._beam)
+        if found is None:
+            found = changes.Known(self._form.surface, self._beam, progress)
+            self._form.known[self._beam] = found
+        return found
+
+
 def of_hull(obj):
-    """The surface before; ValueError where there is none by which the hull as it is can be
-    judged."""
+    """The surface before; ValueError as of MarksBefore."""
+    return _checked(obj).surface
+
+
+def _checked(obj):
     form = _last(obj)
     if form is None:
         raise ValueError("Nothing is known of the hull's form before: transform it first")
@@ -55,7 +77,7 @@ def of_hull(obj):
             "The mesh itself was changed since the transformation, not its points alone: count "
             "marks without comparing"
         )
-    return form.surface
+    return form
 
 
 def _last(obj):

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....hull_fairness import changes, fair_changes, kept_numbers
+from ....hull_fairness import fair_changes, kept_numbers
 from ...bridge import limits
 from ...bridge.blender import units
 from ...bridge.counts import counted
@@ -37,10 +37,10 @@ class FairingChange(ParentTask):
         limits.within(asked.most, "Deviation over B", 0.0, 1.0)
         super().__init__(obj, scene)
         parent = self.parent
-        self._form = form_before.of_hull(obj)
         self._beam = seen_marks.beam_of(obj, parent.control.points, parent.scale)
         if not self._beam > 0.0:
             raise ValueError("Give the beam first: what is seen is measured by it")
+        self._marks_before = form_before.MarksBefore(obj, self._beam)
         self._most = asked.most * self._beam
         self._wanted = seen_marks.wanted_of(obj, parent.scale, self._beam)
         self._limits = self._held(asked.parallel)
@@ -68,7 +68,7 @@ class FairingChange(ParentTask):
         )
 
     def _run(self, progress):
-        known = changes.Known(self._form, self._beam, lambda share: progress(_BEFORE * share))
+        known = self._marks_before.known(lambda share: progress(_BEFORE * share))
         return fair_changes.fair_new_marks(
             known,
             self.parent.surface,
@@ -87,13 +87,22 @@ class FairingChange(ParentTask):
         return found
 
 
+def _first(found):
+    """The first of the marks that are left, in words."""
+    one = found.new[0]
+    return f"the first: {seen_marks.text_of(one.line, one.found)}"
+
+
 def summary(found):
     """A FairChange as (a sentence, whether new marks are left)."""
     if not found.start:
         return "No mark is new: nothing moves", False
     left = counted(len(found.new), "new mark")
     if not found.rms:
-        return f"{left}, of which none goes within that deviation: nothing moves", True
+        where = _first(found)
+        return f"{left}, of which none goes within that deviation: nothing moves; {where}", True
     shift = f"{units.format_mm(found.rms)} RMS, {units.format_mm(found.largest)} at most"
     text = f"{counted(found.start, 'new mark')} before, {len(found.new)} left"
+    if found.new:
+        text = f"{text}, {_first(found)}"
     return f"{text}; the surface shifts by {shift}; ∇ and LCB stay", bool(found.new)
