@@ -91,13 +91,14 @@ void check_bodies(const FeatureGraph& graph, const FeatureGraph& other) {
                               "along by itself.");
 }
 
-bool is_half(const FeatureGraph& graph) {
-  return std::any_of(graph.features.begin(), graph.features.end(),
-                     [](const Feature& f) { return f.role == FeatureRole::kCentreLine; });
-}
-
 void check_halves(const FeatureGraph& graph, const FeatureGraph& other) {
-  if (is_half(graph) == is_half(other)) return;
+  if (is_half(graph) == is_half(other)) {
+    if (!is_half(graph) || side_of(graph.box) == side_of(other.box)) return;
+    throw std::invalid_argument(
+        std::string("One of the hulls is a half to port and the other one a half to starboard: "
+                    "mirror the ") +
+        (side_of(graph.box) < 0.0 ? "first." : "second."));
+  }
   throw std::invalid_argument(
       std::string("The ") + (is_half(graph) ? "first" : "second") +
       " hull is a half with its border in the centre plane, and the other one has both sides, as a "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "morphing/features/layout_fitting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
 constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
 constexpr int kStepsEach = 15;
 constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
+// Of the second hull's size: so far from the centre plane at least are points of a half hull that
+// are not in it, 1 mm on 100 m. More than kOnCentrePlane, so that none is taken for one in it.
+constexpr double kOffCentrePlane = 1e-5;
+static_assert(kOffCentrePlane > kOnCentrePlane);
 
 modelling::FitTarget target_of(const surface::LimitSurface& surface) {
   const SurfacePlaces places(surface);
@@ -44,6 +49,22 @@ void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
       }
     }
   }
+}
+
+// What keeps a half hull on its side: its surface is there where its control points are. Points
+// of the first hull that are in the plane, or beyond it, have no bound.
+std::vector<modelling::FitBound> bounds_of_half(const surface::LimitSurface& first,
+                                                const FeatureGraph& other, double size) {
+  const double side = side_of(other.box);
+  std::vector<modelling::FitBound> bounds;
+  const std::vector<Vector3d>& points = first.mesh().points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double own = side * points[i].y();
+    if (own <= kOnCentrePlane * first.mesh().size()) continue;
+    bounds.push_back(
+        {static_cast<int>(i), side * Vector3d::UnitY(), std::min(own, kOffCentrePlane * size)});
+  }
+  return bounds;
 }
 
 }  // namespace
@@ -91,7 +112,10 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
   if (holds_bar_) hold_bar(graph, match, limits);
-  if (is_far) approach(layout, curves, limits, kFarStiffness);
+  const std::vector<modelling::FitBound> bounds =
+      is_half(graph) ? bounds_of_half(first_, other_, second_.mesh().size())
+                     : std::vector<modelling::FitBound>();
+  if (is_far) approach(layout, curves, limits, bounds, kFarStiffness);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
@@ -105,15 +129,17 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     }
   }
   layout.set_points(std::move(points));
-  return approach(layout, curves, limits, kNearStiffness);
+  return approach(layout, curves, limits, bounds, kNearStiffness);
 }
 
 std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
                                                 const std::vector<modelling::FitCurve>& curves,
                                                 const modelling::ReshapeLimits& limits,
+                                                const std::vector<modelling::FitBound>& bounds,
                                                 const std::array<double, 2>& stiffness) const {
   modelling::FitOptions options;
   options.limits = limits;
+  options.bounds = bounds;
   options.fairness = 0.0;
   options.draw_border = true;
   options.most_steps = kStepsEach;

@@ -37,6 +37,7 @@ class LayoutFitting {
   std::optional<Vector3d> approach(surface::LimitSurface& layout,
                                    const std::vector<modelling::FitCurve>& curves,
                                    const modelling::ReshapeLimits& limits,
+                                   const std::vector<modelling::FitBound>& bounds,
                                    const std::array<double, 2>& stiffness) const;
 
   const surface::LimitSurface& first_;
