@@ -74,6 +74,7 @@ class Fitting {
         bounds_(options.bounds, space_),
         size_(surface.mesh().size()),
         start_(surface),
+        metric_(options.metric ? *options.metric : surface),
         state_{surface, surface::SurfaceTree(surface), {}, {}, {}} {
     if (target.shape) shape_tree_.emplace(*target.shape);
     if (const auto within = bounds_.moves_within(surface.mesh().points())) {
@@ -125,7 +126,7 @@ class Fitting {
     }
     if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
     if (options_.stiffness > 0.0) {
-      state.move_energy = thin_plate_energy(start_, pieces_, moves(state));
+      state.move_energy = thin_plate_energy(metric_, pieces_, moves(state));
     }
   }
 
@@ -152,7 +153,7 @@ class Fitting {
                      factor(options_.fairness), equations);
     }
     if (options_.stiffness > 0.0) {
-      add_thin_plate(start_, pieces_, moves(state_), factor(options_.stiffness), equations);
+      add_thin_plate(metric_, pieces_, moves(state_), factor(options_.stiffness), equations);
     }
     return equations;
   }
@@ -194,6 +195,7 @@ class Fitting {
   MoveBounds bounds_;
   double size_;
   const surface::LimitSurface& start_;
+  const surface::LimitSurface& metric_;
   std::optional<surface::SurfaceTree> shape_tree_;
   State state_;
   double damping_ = kFirstDamping;

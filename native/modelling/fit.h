@@ -59,6 +59,9 @@ struct FitOptions {
   // The same for the thin-plate energy of the moves from the start: what keeps rows of control
   // points as they are laid out, where the target does not tell.
   double stiffness = 0.0;
+  // Whose metric bending of the moves is measured by: a surface of the same topology, not folded
+  // where the start may be. nullptr: the start's.
+  const surface::LimitSurface* metric = nullptr;
   double curve_weight = 1.0;  // of the curves' mean squared distance
   std::vector<FitSum> sums = {};
   // Points that begin beyond them are brought in by the shortest moves. A bound has no say along
@@ -107,7 +110,7 @@ struct Fit {
 // within them, not one that is cut off where it meets them.
 //
 // The same arguments give the same points. Throws std::invalid_argument for what is none of a
-// target, a curve, a limit or a bound, and where no target lies within reach.
+// target, a curve, a limit, a bound or a metric, and where no target lies within reach.
 Fit fit(const surface::LimitSurface& surface, const FitTarget& target,
         const std::vector<FitCurve>& curves, const FitOptions& options = {});
 

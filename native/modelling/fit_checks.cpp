@@ -93,6 +93,23 @@ void check_bounds(const std::vector<FitBound>& bounds, int point_count) {
   }
 }
 
+bool has_same_faces(const mesh::Topology& a, const mesh::Topology& b) {
+  if (a.vertex_count() != b.vertex_count() || a.half_edge_count() != b.half_edge_count()) {
+    return false;
+  }
+  for (int h = 0; h < a.half_edge_count(); ++h) {
+    if (a.origin(h) != b.origin(h) || a.next(h) != b.next(h) || a.is_crease(h) != b.is_crease(h)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void check_metric(const surface::LimitSurface* metric, const surface::LimitSurface& surface) {
+  if (!metric || has_same_faces(metric->mesh().topology(), surface.mesh().topology())) return;
+  throw std::invalid_argument("The metric is that of a surface with other faces or creases.");
+}
+
 }  // namespace
 
 void check_fit(const surface::LimitSurface& surface, const FitTarget& target,
@@ -103,6 +120,7 @@ void check_fit(const surface::LimitSurface& surface, const FitTarget& target,
   check_curves(curves, static_cast<int>(surface::crease_curves(surface).size()));
   check_sums(options.sums, point_count);
   check_bounds(options.bounds, point_count);
+  check_metric(options.metric, surface);
 }
 
 }  // namespace hull::modelling::fit_internal

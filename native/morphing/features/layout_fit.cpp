@@ -143,14 +143,14 @@ void check_hulls(const surface::LimitSurface& first, const surface::LimitSurface
   check_halves(graph, other);
 }
 
-// From the hulls as they are, `start` being what is known of them: with bars held, or free.
+// From the hulls as they are, `start` being what is known of them.
 LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
                  const FeatureGraph& other, const LayoutOptions& options, LayoutFit start,
-                 bool holds_bar) {
+                 const LayoutWay& way) {
   LayoutFit& found = start;
   found.second.set_points(
       points_near(found.first, graph, other, found.match, points_in_centre_plane(found.first)));
-  found.fold_ahead = LayoutFitting(found.first, second, other, options, holds_bar)
+  found.fold_ahead = LayoutFitting(found.first, second, other, options, way)
                          .fit(found.second, graph, found.match, true, found.flats);
   measure(second, found);
   const double allowed = options.tolerance * (other.box.high.x() - other.box.low.x());
@@ -161,7 +161,7 @@ LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
     subdivide(found.second);
     // The same surface has the same features, in the same order.
     found.fold_ahead =
-        LayoutFitting(found.first, second, other, options, holds_bar)
+        LayoutFitting(found.first, second, other, options, way)
             .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
     measure(second, found);
   }
@@ -193,10 +193,15 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
-  LayoutFit free = fitted(second, graph, other, options, found, false);
-  if (free.shortfall.empty() || !has_bar_alone(graph, found.match)) return free;
-  LayoutFit held = fitted(second, graph, other, options, std::move(found), true);
-  return is_better(held, free) ? held : free;
+  std::vector<LayoutWay> ways{{}, {.has_first_metric = true}};
+  if (has_bar_alone(graph, found.match)) ways.insert(ways.begin() + 1, {.holds_bar = true});
+  std::optional<LayoutFit> best;
+  for (const LayoutWay& way : ways) {
+    LayoutFit fit = fitted(second, graph, other, options, found, way);
+    if (!best || is_better(fit, *best)) best = std::move(fit);
+    if (best->shortfall.empty()) break;
+  }
+  return *best;
 }
 
 }  // namespace hull::morphing

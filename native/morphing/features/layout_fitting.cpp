@@ -93,12 +93,12 @@ std::vector<int> points_in_centre_plane(const surface::LimitSurface& surface) {
 
 LayoutFitting::LayoutFitting(const surface::LimitSurface& first,
                              const surface::LimitSurface& second, const FeatureGraph& other,
-                             const LayoutOptions& options, bool holds_bar)
+                             const LayoutOptions& options, const LayoutWay& way)
     : first_(first),
       second_(second),
       other_(other),
       progress_(options.progress),
-      holds_bar_(holds_bar),
+      way_(way),
       target_(target_of(second)) {}
 
 std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const FeatureGraph& graph,
@@ -111,11 +111,17 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
   for (int v : points_in_centre_plane(first_)) {
     limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
-  if (holds_bar_) hold_bar(graph, match, limits);
+  if (way_.holds_bar) hold_bar(graph, match, limits);
   const std::vector<modelling::FitBound> bounds =
       is_half(graph) ? bounds_of_half(first_, other_, second_.mesh().size())
                      : std::vector<modelling::FitBound>();
-  if (is_far) approach(layout, curves, limits, bounds, kFarStiffness);
+  std::optional<surface::LimitSurface> boxed;
+  if (way_.has_first_metric) {
+    boxed = first_;
+    boxed->set_points(in_box(first_.mesh().points(), graph.box, other_.box));
+  }
+  const surface::LimitSurface* const metric = boxed ? &*boxed : nullptr;
+  if (is_far) approach(layout, curves, limits, bounds, metric, kFarStiffness);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
@@ -129,17 +135,19 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     }
   }
   layout.set_points(std::move(points));
-  return approach(layout, curves, limits, bounds, kNearStiffness);
+  return approach(layout, curves, limits, bounds, metric, kNearStiffness);
 }
 
 std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
                                                 const std::vector<modelling::FitCurve>& curves,
                                                 const modelling::ReshapeLimits& limits,
                                                 const std::vector<modelling::FitBound>& bounds,
+                                                const surface::LimitSurface* metric,
                                                 const std::array<double, 2>& stiffness) const {
   modelling::FitOptions options;
   options.limits = limits;
   options.bounds = bounds;
+  options.metric = metric;
   options.fairness = 0.0;
   options.draw_border = true;
   options.most_steps = kStepsEach;
