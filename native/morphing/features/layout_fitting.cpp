@@ -51,6 +51,14 @@ void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
   }
 }
 
+// The shortest way into a plane; of points of the centre plane within that, as a transom that is
+// square to it but for its last digits would draw them out.
+void put_into(const analysis::Plane& plane, bool is_central, Vector3d& point) {
+  Vector3d way = plane.normal;
+  if (is_central) way.y() = 0.0;
+  if (!way.isZero(0.0)) point -= plane.height(point) / way.dot(plane.normal) * way;
+}
+
 // What keeps a half hull on its side: its surface is there where its control points are. Points
 // of the first hull that are in the plane, or beyond it, have no bound.
 std::vector<modelling::FitBound> bounds_of_half(const surface::LimitSurface& first,
@@ -128,10 +136,12 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     points[tie.point] += tie.direction.dot(points[tie.leader] - points[tie.point]) * tie.direction;
   }
   flats = common_flats(first_, layout, second_);
+  const std::vector<int> central = points_in_centre_plane(first_);
   for (const CommonFlat& flat : flats) {
     for (int v : flat.points) {
       limits.limits.held.push_back({v, flat.plane.normal});
-      points[v] -= flat.plane.height(points[v]) * flat.plane.normal;
+      const bool is_central = std::binary_search(central.begin(), central.end(), v);
+      put_into(flat.plane, is_central, points[v]);
     }
   }
   layout.set_points(std::move(points));
