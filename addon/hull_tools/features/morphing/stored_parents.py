@@ -101,9 +101,10 @@ def told(alike, names, layout_name):
 def _shortfall_told(fit, layout_name, name):
     """Why a parent is not met, or members are folded, and what to do, with the hulls' names; blank
     where neither is so."""
+    return with_names(fit.shortfall if fit is not None else "", layout_name, name)
+
+
+def with_names(text, layout_name, name):
+    """A sentence of hull_native about a first hull, the layout's, and a second one, with names."""
     names = {"first": layout_name, "second": name}
-    return re.sub(
-        r"\bthe (first|second)( hull)?\b",
-        lambda found: f'"{names[found[1]]}"',
-        fit.shortfall if fit is not None else "",
-    )
+    return re.sub(r"\b[Tt]he (first|second)( hull)?\b", lambda found: f'"{names[found[1]]}"', text)
