@@ -80,12 +80,16 @@ std::string bodies_alone(const FeatureGraph& graph, const FeatureGraph& other) {
   return text;
 }
 
+std::string counted_bodies(const FeatureGraph& graph) {
+  return std::to_string(graph.body_count) + (graph.body_count == 1 ? " body" : " bodies");
+}
+
 void check_bodies(const FeatureGraph& graph, const FeatureGraph& other) {
   if (graph.body_count == other.body_count) return;
   const bool is_first = graph.body_count > other.body_count;
-  throw std::invalid_argument("The first hull has " + std::to_string(graph.body_count) +
-                              " bodies and the second " + std::to_string(other.body_count) +
-                              ": leave out of the " + (is_first ? "first " : "second ") +
+  throw std::invalid_argument("The first hull has " + counted_bodies(graph) + " and the second " +
+                              counted_bodies(other) + ": leave out of the " +
+                              (is_first ? "first " : "second ") +
                               (is_first ? bodies_alone(graph, other) : bodies_alone(other, graph)) +
                               ", a keel, rudder or hull that has no counterpart, and bring it "
                               "along by itself.");
