@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two half hulls of triangles, laid into one polygon and merged: of the size of Kang & Lee 2012,
-// who needed 15 s, and of 62,000 triangles.
+// who needed 15 s, and of 62,000 triangles. And what a moved weight of a family of two parents of
+// 140 points takes, with its lines and numbers.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,8 +9,11 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/hydrostatics/hydrostatics.h"
+#include "analysis/sections/sections.h"
 #include "benchmarks/half_hull.h"
 #include "benchmarks/ratio_report.h"
+#include "morphing/families/hull_family.h"
 #include "morphing/overlay/merged_discs.h"
 #include "surface/limit_surface.h"
 #include "surface/sampling/tessellation.h"
@@ -76,6 +80,56 @@ void BM_Merge(benchmark::State& state, int refine, int divisions, int other_refi
   state.counters["merged"] = static_cast<double>(triangles);
 }
 
+// 21 stations, 11 waterlines and 7 buttocks.
+std::vector<hull::analysis::Plane> planes() {
+  using hull::analysis::Axis, hull::analysis::plane_across;
+  std::vector<hull::analysis::Plane> all;
+  for (int i = 0; i < 21; ++i) all.push_back(plane_across(Axis::kX, 5.0 * i));
+  for (int i = 0; i < 11; ++i) all.push_back(plane_across(Axis::kZ, 0.9 * i));
+  for (int i = 0; i < 7; ++i) all.push_back(plane_across(Axis::kY, 1.2 * i));
+  return all;
+}
+
+// A half hull, and one that is longer, fuller aft and deeper forward.
+hull::morphing::HullFamily two_parents() {
+  hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
+  const hull::surface::LimitSurface first{hull::mesh::ControlMesh(mesh)};
+  for (hull::Vector3d& p : mesh.points) {
+    const double ahead = p.x() / 100.0;
+    p.x() *= 1.1;
+    p.y() *= 1.15 - 0.1 * ahead;
+    p.z() *= 1.0 + 0.1 * ahead * ahead;
+  }
+  return hull::morphing::HullFamily(
+      {first, hull::surface::LimitSurface(hull::mesh::ControlMesh(mesh))});
+}
+
+// What a moved slider asks for: the member, whether it is folded, its surface, numbers and lines,
+// all at the accuracy of live work (1 mm for lines). A hundred weights to and fro.
+void BM_Member(benchmark::State& state) {
+  constexpr double kDraft = 6.0;
+  const hull::morphing::HullFamily family = two_parents();
+  hull::surface::LimitSurface surface = family.parents()[0];
+  hull::analysis::HullBody body(surface, true, hull::analysis::Openings::kClosed,
+                                hull::analysis::kLive);
+  const std::vector<hull::analysis::Plane> lines = planes();
+  int count = 0;
+  bool is_folded = false;
+  for (auto _ : state) {
+    const double t = 0.01 * (++count % 101);
+    const std::vector<hull::Vector3d> points = family.points(std::vector<double>{1.0 - t, t});
+    is_folded = is_folded || family.first_fold(points).has_value();
+    surface.set_points(points);
+    body.update();
+    benchmark::DoNotOptimize(
+        hull::analysis::hydrostatics(body, {kDraft}, {100.0 + 10.0 * t, 18.0, kDraft}));
+    benchmark::DoNotOptimize(hull::analysis::sections(surface, lines, {1e-3, {}}));
+  }
+  if (is_folded) state.SkipWithError("a member between the parents is folded");
+  state.counters["points"] = family.point_count();
+}
+
+BENCHMARK(BM_Member)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Map, large, 2, 4)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Merge, paper, 1, 1, 1, 1)
     ->MeasureProcessCPUTime()
@@ -89,7 +143,8 @@ BENCHMARK_CAPTURE(BM_Merge, large, 2, 4, 1, 8)
 int main(int argc, char** argv) {
   return hull::benchmarks::run_and_compare(
       argc, argv, {},
-      {{"two parents of some 550 points", "BM_Merge/paper/process_time", 100.0},
+      {{"a weight of 140 points moved, with lines and numbers", "BM_Member/process_time", 16.0},
+       {"two parents of some 550 points", "BM_Merge/paper/process_time", 100.0},
        {"one of 62,000 triangles laid into a polygon", "BM_Map/large/process_time", 0.0},
        {"two of 62,000 triangles", "BM_Merge/large/process_time", 10000.0}});
 }

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <string>
 
+#include "modelling/fit_bounds.h"
+#include "modelling/fit_checks.h"
 #include "modelling/fit_curves.h"
 #include "modelling/fit_feet.h"
 #include "modelling/fit_places.h"
 #include "modelling/thin_plate.h"
-#include "surface/creases/crease_curves.h"
 
 namespace hull::modelling {
 namespace {
@@ -25,77 +25,6 @@ constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-13, kMostDamping = 1e6
 // Of the cost: steps that gain less, this many in a row, end the fit.
 constexpr double kNoGain = 1e-7;
 constexpr int kIdleSteps = 3;
-
-void check_points(const std::vector<Vector3d>& points, const char* what) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() <= mesh::kMaxCoordinate) continue;
-    throw std::invalid_argument(std::string(what) + " " + std::to_string(i) +
-                                " is no place within " + std::to_string(1e9) + " m.");
-  }
-}
-
-void check_target(const FitTarget& target) {
-  check_points(target.points, "Target");
-  const auto check_length = [&](std::size_t length, const char* what) {
-    if (length == 0 || length == target.points.size()) return;
-    throw std::invalid_argument(std::string("There must be as many ") + what + " as targets, " +
-                                std::to_string(target.points.size()) + ", not " +
-                                std::to_string(length) + ".");
-  };
-  check_length(target.normals.size(), "normals");
-  check_length(target.weights.size(), "weights");
-  for (double weight : target.weights) {
-    if (!(weight >= 0.0 && std::isfinite(weight))) {
-      throw std::invalid_argument("A target's weight is " + std::to_string(weight) +
-                                  "; it must not be negative.");
-    }
-  }
-}
-
-void check_curves(const std::vector<FitCurve>& curves, int chain_count) {
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const FitCurve& curve = curves[i];
-    const std::string name = "Curve " + std::to_string(i);
-    if (curve.points.size() < 2) throw std::invalid_argument(name + " needs two points or more.");
-    check_points(curve.points, (name + ": point").c_str());
-    if (curve.chain >= FitCurve::kNearest && curve.chain < chain_count) continue;
-    throw std::invalid_argument(name + " is for crease curve " + std::to_string(curve.chain) +
-                                ", but they are 0 to " + std::to_string(chain_count - 1) + ".");
-  }
-}
-
-void check_options(const FitOptions& options) {
-  const auto check = [](double value, const char* what) {
-    if (value >= 0.0 && std::isfinite(value)) return;
-    throw std::invalid_argument(std::string(what) + " must not be negative, nor infinite.");
-  };
-  check(options.fairness, "fairness");
-  check(options.stiffness, "stiffness");
-  check(options.curve_weight, "curve_weight");
-  check(options.least_move, "least_move");
-  if (!(options.reach > 0.0)) throw std::invalid_argument("reach must be positive.");
-  if (options.most_steps < 0 || options.most_steps > kMostFitSteps) {
-    throw std::invalid_argument("most_steps is " + std::to_string(options.most_steps) +
-                                ": it must be from 0 to " + std::to_string(kMostFitSteps) + ".");
-  }
-}
-
-void check_sums(const std::vector<FitSum>& sums, int point_count) {
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const FitSum& sum = sums[i];
-    const std::string name = "Sum " + std::to_string(i);
-    if (sum.points.size() != sum.weights.size()) {
-      throw std::invalid_argument(name + " must have as many weights as points, " +
-                                  std::to_string(sum.points.size()) + ", not " +
-                                  std::to_string(sum.weights.size()) + ".");
-    }
-    for (int point : sum.points) check_point(point, point_count, (name + "'s point").c_str());
-    const auto is_finite = [](double weight) { return std::isfinite(weight); };
-    if (!sum.rest.allFinite() || !std::ranges::all_of(sum.weights, is_finite)) {
-      throw std::invalid_argument(name + " has a weight or a rest that is no number.");
-    }
-  }
-}
 
 // How far a sum is from its rest.
 Vector3d off_rest(const FitSum& sum, const std::vector<Vector3d>& points) {
@@ -112,6 +41,13 @@ void add_sums(const std::vector<FitSum>& sums, const std::vector<Vector3d>& poin
     equations.add_scalar(sum.points, weights * weights.transpose(),
                          -weights * off_rest(sum, points).transpose());
   }
+}
+
+std::vector<Vector3d> moved(const surface::LimitSurface& surface,
+                            const std::vector<Vector3d>& moves) {
+  std::vector<Vector3d> points = surface.mesh().points();
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += moves[i];
+  return points;
 }
 
 // The surface at some step, and all that its cost is made of.
@@ -135,10 +71,16 @@ class Fitting {
         options_(options),
         pieces_(surface),
         space_(options.limits, surface.mesh().topology().vertex_count()),
+        bounds_(options.bounds, space_),
         size_(surface.mesh().size()),
         start_(surface),
+        metric_(options.metric ? *options.metric : surface),
         state_{surface, surface::SurfaceTree(surface), {}, {}, {}} {
     if (target.shape) shape_tree_.emplace(*target.shape);
+    if (const auto within = bounds_.moves_within(surface.mesh().points())) {
+      state_.surface.set_points(moved(state_.surface, *within));
+      state_.tree.refit(state_.surface);
+    }
     measure(state_);
     if (!target.points.empty() && state_.feet.weight <= 0.0) {
       throw std::invalid_argument(
@@ -184,7 +126,7 @@ class Fitting {
     }
     if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
     if (options_.stiffness > 0.0) {
-      state.move_energy = thin_plate_energy(start_, pieces_, moves(state));
+      state.move_energy = thin_plate_energy(metric_, pieces_, moves(state));
     }
   }
 
@@ -211,7 +153,7 @@ class Fitting {
                      factor(options_.fairness), equations);
     }
     if (options_.stiffness > 0.0) {
-      add_thin_plate(start_, pieces_, moves(state_), factor(options_.stiffness), equations);
+      add_thin_plate(metric_, pieces_, moves(state_), factor(options_.stiffness), equations);
     }
     return equations;
   }
@@ -221,17 +163,14 @@ class Fitting {
     const FitEquations system = equations();
     const double before = cost(state_);
     for (; damping_ <= kMostDamping; damping_ *= 10.0) {
-      const auto moves = system.solve(space_, damping_);
+      const auto moves =
+          system.solve(space_, damping_, bounds_, bounds_.gaps(state_.surface.mesh().points()));
       if (!moves) continue;
-      std::vector<Vector3d> points = state_.surface.mesh().points();
       double largest = 0.0;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i] += (*moves)[i];
-        largest = std::max(largest, (*moves)[i].norm());
-      }
+      for (const Vector3d& move : *moves) largest = std::max(largest, move.norm());
       if (!(largest < size_)) continue;
       State next{state_.surface, state_.tree, {}, {}, {}};
-      next.surface.set_points(std::move(points));
+      next.surface.set_points(moved(state_.surface, *moves));
       next.tree.refit(next.surface);
       measure(next);
       if (cost(next) > before) {
@@ -253,8 +192,10 @@ class Fitting {
   const FitOptions& options_;
   surface::PieceWeights pieces_;
   MoveSpace space_;
+  MoveBounds bounds_;
   double size_;
   const surface::LimitSurface& start_;
+  const surface::LimitSurface& metric_;
   std::optional<surface::SurfaceTree> shape_tree_;
   State state_;
   double damping_ = kFirstDamping;
@@ -298,10 +239,7 @@ Fit Fitting::report(int steps, bool settled) const {
 
 Fit fit(const surface::LimitSurface& surface, const FitTarget& target,
         const std::vector<FitCurve>& curves, const FitOptions& options) {
-  check_target(target);
-  check_options(options);
-  check_curves(curves, static_cast<int>(surface::crease_curves(surface).size()));
-  check_sums(options.sums, surface.mesh().topology().vertex_count());
+  fit_internal::check_fit(surface, target, curves, options);
   return Fitting(surface, target, curves, options).run();
 }
 

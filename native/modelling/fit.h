@@ -44,6 +44,13 @@ struct FitSum {
   Vector3d rest;
 };
 
+// A half space that a control point stays in: direction · point >= least, m.
+struct FitBound {
+  int point;
+  Vector3d direction;  // of any length but zero
+  double least;
+};
+
 struct FitOptions {
   ReshapeLimits limits;  // nothing of it is prescribed
   // What fair costs: this squared, times the mesh's size squared, times the thin-plate energy, is
@@ -52,8 +59,14 @@ struct FitOptions {
   // The same for the thin-plate energy of the moves from the start: what keeps rows of control
   // points as they are laid out, where the target does not tell.
   double stiffness = 0.0;
+  // Whose metric bending of the moves is measured by: a surface of the same topology, not folded
+  // where the start may be. nullptr: the start's.
+  const surface::LimitSurface* metric = nullptr;
   double curve_weight = 1.0;  // of the curves' mean squared distance
   std::vector<FitSum> sums = {};
+  // Points that begin beyond them are brought in by the shortest moves. A bound has no say along
+  // what limits don't let its point move.
+  std::vector<FitBound> bounds = {};
   // Farther targets and points of curves are left out, m.
   double reach = std::numeric_limits<double>::infinity();
   // Targets beyond the surface's border are left out; or they draw the border.
@@ -93,8 +106,11 @@ struct Fit {
 // rest are in balance, or where no step lowers the sum; with fairness the sum may have a lower
 // place.
 //
+// Bounds hold for every step, to rounding (MoveBounds): each is the least of the damped equations
+// within them, not one that is cut off where it meets them.
+//
 // The same arguments give the same points. Throws std::invalid_argument for what is none of a
-// target, a curve or a limit, and where no target lies within reach.
+// target, a curve, a limit, a bound or a metric, and where no target lies within reach.
 Fit fit(const surface::LimitSurface& surface, const FitTarget& target,
         const std::vector<FitCurve>& curves, const FitOptions& options = {});
 

@@ -3,6 +3,9 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <utility>
+
+#include "modelling/fit_bounds.h"
 
 namespace hull::modelling {
 
@@ -52,6 +55,12 @@ Eigen::SparseMatrix<double> FitEquations::hessian() const {
 
 std::optional<std::vector<Vector3d>> FitEquations::solve(const MoveSpace& space,
                                                          double damping) const {
+  return solve(space, damping, MoveBounds({}, space), {});
+}
+
+std::optional<std::vector<Vector3d>> FitEquations::solve(const MoveSpace& space, double damping,
+                                                         const MoveBounds& bounds,
+                                                         const Eigen::VectorXd& gaps) const {
   const Eigen::SparseMatrix<double>& basis = space.basis();
   std::vector<Vector3d> moves(count_, Vector3d::Zero());
   if (space.size() == 0) return moves;
@@ -61,7 +70,12 @@ std::optional<std::vector<Vector3d>> FitEquations::solve(const MoveSpace& space,
   matrix += damping * matrix.diagonal().sum() / static_cast<double>(matrix.rows()) * unit;
   const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors(matrix);
   if (factors.info() != Eigen::Success) return std::nullopt;
-  const Eigen::VectorXd x = basis * factors.solve(basis.transpose() * gradient_);
+  const auto solve = [&](const Eigen::MatrixXd& right) -> Eigen::MatrixXd {
+    return factors.solve(right);
+  };
+  Eigen::VectorXd y = factors.solve(basis.transpose() * gradient_);
+  if (!bounds.empty()) y = bounds.least(std::move(y), gaps, solve);
+  const Eigen::VectorXd x = basis * y;
   if (!x.allFinite()) return std::nullopt;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     moves[i] = x.segment<3>(3 * static_cast<Eigen::Index>(i));

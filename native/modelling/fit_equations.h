@@ -11,6 +11,8 @@
 
 namespace hull::modelling {
 
+class MoveBounds;  // fit_bounds.h
+
 // Normal equations of moves of control points: H x = g for the least ½ xᵀHx - gᵀx, sparse, by 3 x 3
 // blocks of pairs of points.
 class FitEquations {
@@ -30,6 +32,10 @@ class FitEquations {
   // Moves of all points within the space, of (H + damping · m · 1) x = g in its basis, m the mean
   // of the diagonal. None where that is not positive definite to rounding.
   std::optional<std::vector<Vector3d>> solve(const MoveSpace& space, double damping) const;
+  // The same within bounds, whose gaps are those of the points as they are.
+  std::optional<std::vector<Vector3d>> solve(const MoveSpace& space, double damping,
+                                             const MoveBounds& bounds,
+                                             const Eigen::VectorXd& gaps) const;
 
  private:
   Eigen::Matrix3d& block(int row, int column) {

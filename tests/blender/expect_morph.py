@@ -24,6 +24,15 @@ def boxes(*factors):
     return made
 
 
+def ships(*names):
+    """Samples, loaded one after the other."""
+    found = []
+    for name in names:
+        assert bpy.ops.hull.load_sample(name=name) == {"FINISHED"}
+        found.append(bpy.context.object)
+    return found
+
+
 def select(*objects):
     """Selects exactly these; the first is the active one."""
     for obj in bpy.context.selected_objects:

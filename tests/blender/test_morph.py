@@ -126,7 +126,10 @@ def test_hulls_with_other_bodies_are_refused_by_name():
     if coaster.hull.half != yacht.hull.half:
         pytest.skip("of other sides")
     select(coaster, yacht)
-    with pytest.raises(RuntimeError, match=f'"{yacht.name}" has no part in the family'):
+    said = f'"{yacht.name}" has no part in the family. "{coaster.name}" has 1 body and '
+    with pytest.raises(
+        RuntimeError, match=f'{said}"{yacht.name}" . bodies: leave out of "{yacht.name}"'
+    ):
         bpy.ops.hull.make_morph()
 
 

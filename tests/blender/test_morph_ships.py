@@ -7,15 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import make_active, mesh_points, part, state_of
-from expect_morph import assert_is_member, boxes, exact_member, morph_of, select, set_weight
-
-
-def ships(*names):
-    found = []
-    for name in names:
-        assert bpy.ops.hull.load_sample(name=name) == {"FINISHED"}
-        found.append(bpy.context.object)
-    return found
+from expect_morph import assert_is_member, boxes, exact_member, morph_of, select, set_weight, ships
 
 
 @pytest.fixture(scope="module")

@@ -34,8 +34,6 @@ MEMBERS = np.linspace(0.0, 1.0, 11)
 BY_A_THIRD = (
     ("FREE!ship demo 4", "bulk_carrier", "coaster"),
     ("FREE!ship demo 4", "container_ship", "naval_vessel"),
-    ("FREE!ship demo 3", "bulk_carrier", "coaster"),
-    ("FREE!ship demo 3", "container_ship", "coaster"),
     ("FREE!ship demo 3", "FREE!ship demo 4", "coaster"),
     ("FREE!ship demo 3", "FREE!ship demo 6", "coaster"),
 )

@@ -260,6 +260,10 @@ def test_tables_are_written_whole(study, hulls, expected, tmp_path):
     if importlib.util.find_spec("pandas") is None:
         with pytest.raises(ValueError, match="no pandas here"):
             write_parquet(table, tmp_path / "study.parquet")
+    elif not any(map(importlib.util.find_spec, ("pyarrow", "fastparquet"))):
+        with pytest.raises(ValueError, match="can't write Parquet: install pyarrow or fastparquet"):
+            write_parquet(table, tmp_path / "study.parquet")
+    assert list(tmp_path.iterdir()) == [tmp_path / "study.csv"]
 
 
 def test_parquet_is_the_same_table(study, hulls, expected, tmp_path):

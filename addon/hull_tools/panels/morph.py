@@ -87,6 +87,8 @@ def _draw_fits(layout, context, morph):
     entry = _chosen(morph)
     if entry is not None:
         label_wrapped(column, context, f"{entry.name}: {entry.fit}")
+        if entry.shortfall:
+            label_wrapped(column, context, entry.shortfall, icon="ERROR")
 
 
 def _chosen(morph):

@@ -68,6 +68,9 @@ class HullMorphParent(bpy.types.PropertyGroup):
     )
     source_key: StringProperty(name="State", description="Of the parent when it was fitted")
     fit: StringProperty(name="Fit", description="How well the parent is met")
+    shortfall: StringProperty(
+        name="Shortfall", description="Why it is met no better, and what to do; blank: it is met"
+    )
     weight: FloatProperty(
         name="Weight",
         description="The parent's part in this hull. All weights sum to 1: the others follow. "

@@ -267,7 +267,14 @@ FeatureGraph feature_graph(const surface::LimitSurface& surface) {
   };
   std::stable_sort(graph.features.begin(), graph.features.end(),
                    [&](const Feature& a, const Feature& b) { return order(a) < order(b); });
+  // From the centre plane, so that what is in it in one hull is so in another.
+  if (is_half(graph)) (side_of(graph.box) > 0.0 ? graph.box.low : graph.box.high).y() = 0.0;
   return graph;
+}
+
+bool is_half(const FeatureGraph& graph) {
+  return std::any_of(graph.features.begin(), graph.features.end(),
+                     [](const Feature& f) { return f.role == FeatureRole::kCentreLine; });
 }
 
 }  // namespace hull::morphing

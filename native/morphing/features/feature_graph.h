@@ -45,7 +45,7 @@ struct Feature {
 struct FeatureGraph {
   std::vector<surface::CreaseCurve> curves;  // crease_curves() of the surface
   std::vector<Feature> features;             // by role, then from aft to forward
-  HullBox box;
+  HullBox box;  // of control points; of a half hull from the centre plane on
   int body_count;
 
   // "the knuckle from (12.0, 3.5, 4.0) to (80.0, 3.0, 4.5)".
@@ -55,5 +55,8 @@ struct FeatureGraph {
 };
 
 FeatureGraph feature_graph(const surface::LimitSurface& surface);
+
+// Whether the hull has a centre line: it is one side of a ship.
+bool is_half(const FeatureGraph& graph);
 
 }  // namespace hull::morphing

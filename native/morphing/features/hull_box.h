@@ -35,4 +35,7 @@ inline HullBox box_of(const std::vector<Vector3d>& points) {
   return box;
 }
 
+// The side of the centre plane on which more of it is: 1 to port, -1 to starboard.
+inline double side_of(const HullBox& box) { return box.low.y() + box.high.y() < 0.0 ? -1.0 : 1.0; }
+
 }  // namespace hull::morphing

@@ -80,24 +80,29 @@ std::string bodies_alone(const FeatureGraph& graph, const FeatureGraph& other) {
   return text;
 }
 
+std::string counted_bodies(const FeatureGraph& graph) {
+  return std::to_string(graph.body_count) + (graph.body_count == 1 ? " body" : " bodies");
+}
+
 void check_bodies(const FeatureGraph& graph, const FeatureGraph& other) {
   if (graph.body_count == other.body_count) return;
   const bool is_first = graph.body_count > other.body_count;
-  throw std::invalid_argument("The first hull has " + std::to_string(graph.body_count) +
-                              " bodies and the second " + std::to_string(other.body_count) +
-                              ": leave out of the " + (is_first ? "first " : "second ") +
+  throw std::invalid_argument("The first hull has " + counted_bodies(graph) + " and the second " +
+                              counted_bodies(other) + ": leave out of the " +
+                              (is_first ? "first " : "second ") +
                               (is_first ? bodies_alone(graph, other) : bodies_alone(other, graph)) +
                               ", a keel, rudder or hull that has no counterpart, and bring it "
                               "along by itself.");
 }
 
-bool is_half(const FeatureGraph& graph) {
-  return std::any_of(graph.features.begin(), graph.features.end(),
-                     [](const Feature& f) { return f.role == FeatureRole::kCentreLine; });
-}
-
 void check_halves(const FeatureGraph& graph, const FeatureGraph& other) {
-  if (is_half(graph) == is_half(other)) return;
+  if (is_half(graph) == is_half(other)) {
+    if (!is_half(graph) || side_of(graph.box) == side_of(other.box)) return;
+    throw std::invalid_argument(
+        std::string("One of the hulls is a half to port and the other one a half to starboard: "
+                    "mirror the ") +
+        (side_of(graph.box) < 0.0 ? "first." : "second."));
+  }
   throw std::invalid_argument(
       std::string("The ") + (is_half(graph) ? "first" : "second") +
       " hull is a half with its border in the centre plane, and the other one has both sides, as a "
@@ -142,14 +147,14 @@ void check_hulls(const surface::LimitSurface& first, const surface::LimitSurface
   check_halves(graph, other);
 }
 
-// From the hulls as they are, `start` being what is known of them: with bars held, or free.
+// From the hulls as they are, `start` being what is known of them.
 LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
                  const FeatureGraph& other, const LayoutOptions& options, LayoutFit start,
-                 bool holds_bar) {
+                 const LayoutWay& way) {
   LayoutFit& found = start;
   found.second.set_points(
       points_near(found.first, graph, other, found.match, points_in_centre_plane(found.first)));
-  found.fold_ahead = LayoutFitting(found.first, second, other, options, holds_bar)
+  found.fold_ahead = LayoutFitting(found.first, second, other, options, way)
                          .fit(found.second, graph, found.match, true, found.flats);
   measure(second, found);
   const double allowed = options.tolerance * (other.box.high.x() - other.box.low.x());
@@ -160,7 +165,7 @@ LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
     subdivide(found.second);
     // The same surface has the same features, in the same order.
     found.fold_ahead =
-        LayoutFitting(found.first, second, other, options, holds_bar)
+        LayoutFitting(found.first, second, other, options, way)
             .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
     measure(second, found);
   }
@@ -192,10 +197,15 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
-  LayoutFit free = fitted(second, graph, other, options, found, false);
-  if (free.shortfall.empty() || !has_bar_alone(graph, found.match)) return free;
-  LayoutFit held = fitted(second, graph, other, options, std::move(found), true);
-  return is_better(held, free) ? held : free;
+  std::vector<LayoutWay> ways{{}, {.has_first_metric = true}};
+  if (has_bar_alone(graph, found.match)) ways.insert(ways.begin() + 1, {.holds_bar = true});
+  std::optional<LayoutFit> best;
+  for (const LayoutWay& way : ways) {
+    LayoutFit fit = fitted(second, graph, other, options, found, way);
+    if (!best || is_better(fit, *best)) best = std::move(fit);
+    if (best->shortfall.empty()) break;
+  }
+  return *best;
 }
 
 }  // namespace hull::morphing

@@ -55,13 +55,14 @@ inline constexpr int kFoldTrials = 9;
 // renumbered; so are hulls of which one is the other's layout subdivided, whatever
 // most_subdivisions is. Others are brought near (points_near()), and fitted step by step with less
 // and less stiffness to places all over the second hull, creases and borders along their
-// counterparts. Half hulls keep their points in the centre plane there, and are square to it where
-// both hulls are; what is flat in both stays flat. A step by which a member between the two would
+// counterparts. Half hulls keep their points in the centre plane there and all others on their side
+// of it, and with them the surface; they are square to it where both hulls are; what is flat in
+// both stays flat. A step by which a member between the two would
 // be folded is not taken, and the fit ends before it: with a larger distance.
 //
 // Throws std::invalid_argument, naming them, where bodies are not paired, as for a hull with a keel
-// beside one without, for a half hull beside one of both sides, for schemes that differ, and as
-// match_features() and fit() do.
+// beside one without, for a half hull beside one of both sides or of the other side, for schemes
+// that differ, and as match_features() and fit() do.
 LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSurface& second,
                      const LayoutOptions& options = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "morphing/features/layout_fitting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
 constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
 constexpr int kStepsEach = 15;
 constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
+// Of the second hull's size: so far from the centre plane at least are points of a half hull that
+// are not in it, 1 mm on 100 m. More than kOnCentrePlane, so that none is taken for one in it.
+constexpr double kOffCentrePlane = 1e-5;
+static_assert(kOffCentrePlane > kOnCentrePlane);
 
 modelling::FitTarget target_of(const surface::LimitSurface& surface) {
   const SurfacePlaces places(surface);
@@ -44,6 +49,30 @@ void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
       }
     }
   }
+}
+
+// The shortest way into a plane; of points of the centre plane within that, as a transom that is
+// square to it but for its last digits would draw them out.
+void put_into(const analysis::Plane& plane, bool is_central, Vector3d& point) {
+  Vector3d way = plane.normal;
+  if (is_central) way.y() = 0.0;
+  if (!way.isZero(0.0)) point -= plane.height(point) / way.dot(plane.normal) * way;
+}
+
+// What keeps a half hull on its side: its surface is there where its control points are. Points
+// of the first hull that are in the plane, or beyond it, have no bound.
+std::vector<modelling::FitBound> bounds_of_half(const surface::LimitSurface& first,
+                                                const FeatureGraph& other, double size) {
+  const double side = side_of(other.box);
+  std::vector<modelling::FitBound> bounds;
+  const std::vector<Vector3d>& points = first.mesh().points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double own = side * points[i].y();
+    if (own <= kOnCentrePlane * first.mesh().size()) continue;
+    bounds.push_back(
+        {static_cast<int>(i), side * Vector3d::UnitY(), std::min(own, kOffCentrePlane * size)});
+  }
+  return bounds;
 }
 
 }  // namespace
@@ -72,12 +101,12 @@ std::vector<int> points_in_centre_plane(const surface::LimitSurface& surface) {
 
 LayoutFitting::LayoutFitting(const surface::LimitSurface& first,
                              const surface::LimitSurface& second, const FeatureGraph& other,
-                             const LayoutOptions& options, bool holds_bar)
+                             const LayoutOptions& options, const LayoutWay& way)
     : first_(first),
       second_(second),
       other_(other),
       progress_(options.progress),
-      holds_bar_(holds_bar),
+      way_(way),
       target_(target_of(second)) {}
 
 std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const FeatureGraph& graph,
@@ -90,30 +119,45 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
   for (int v : points_in_centre_plane(first_)) {
     limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
-  if (holds_bar_) hold_bar(graph, match, limits);
-  if (is_far) approach(layout, curves, limits, kFarStiffness);
+  if (way_.holds_bar) hold_bar(graph, match, limits);
+  const std::vector<modelling::FitBound> bounds =
+      is_half(graph) ? bounds_of_half(first_, other_, second_.mesh().size())
+                     : std::vector<modelling::FitBound>();
+  std::optional<surface::LimitSurface> boxed;
+  if (way_.has_first_metric) {
+    boxed = first_;
+    boxed->set_points(in_box(first_.mesh().points(), graph.box, other_.box));
+  }
+  const surface::LimitSurface* const metric = boxed ? &*boxed : nullptr;
+  if (is_far) approach(layout, curves, limits, bounds, metric, kFarStiffness);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
     points[tie.point] += tie.direction.dot(points[tie.leader] - points[tie.point]) * tie.direction;
   }
   flats = common_flats(first_, layout, second_);
+  const std::vector<int> central = points_in_centre_plane(first_);
   for (const CommonFlat& flat : flats) {
     for (int v : flat.points) {
       limits.limits.held.push_back({v, flat.plane.normal});
-      points[v] -= flat.plane.height(points[v]) * flat.plane.normal;
+      const bool is_central = std::binary_search(central.begin(), central.end(), v);
+      put_into(flat.plane, is_central, points[v]);
     }
   }
   layout.set_points(std::move(points));
-  return approach(layout, curves, limits, kNearStiffness);
+  return approach(layout, curves, limits, bounds, metric, kNearStiffness);
 }
 
 std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
                                                 const std::vector<modelling::FitCurve>& curves,
                                                 const modelling::ReshapeLimits& limits,
+                                                const std::vector<modelling::FitBound>& bounds,
+                                                const surface::LimitSurface* metric,
                                                 const std::array<double, 2>& stiffness) const {
   modelling::FitOptions options;
   options.limits = limits;
+  options.bounds = bounds;
+  options.metric = metric;
   options.fairness = 0.0;
   options.draw_border = true;
   options.most_steps = kStepsEach;

@@ -18,14 +18,23 @@ std::optional<Vector3d> fold_between(const surface::LimitSurface& first,
 // Control points that are in the centre plane, rising.
 std::vector<int> points_in_centre_plane(const surface::LimitSurface& surface);
 
+// Ways to a second hull, of which one leads where another does not.
+struct LayoutWay {
+  // The edge of a bar keel that has no counterpart keeps its distance from the centre plane. The
+  // strip between is so narrow that it may turn over where the second hull has no such edge to lie
+  // along; but held, it may lie less near.
+  bool holds_bar = false;
+  // Bending of the moves is measured by the first hull in the second one's box, in place of the
+  // layout as it is near by: where lines have drawn that together or over, it is a bad measure.
+  bool has_first_metric = false;
+};
+
 // A layout on its way to the second hull.
 class LayoutFitting {
  public:
-  // All but `options` must outlive it. `holds_bar`: the edge of a bar keel that has no counterpart
-  // keeps its distance from the centre plane. The strip between is so narrow that it may turn over
-  // where the second hull has no such edge to lie along; but held, it may lie less near.
+  // All but `options` and `way` must outlive it.
   LayoutFitting(const surface::LimitSurface& first, const surface::LimitSurface& second,
-                const FeatureGraph& other, const LayoutOptions& options, bool holds_bar);
+                const FeatureGraph& other, const LayoutOptions& options, const LayoutWay& way);
 
   // Fits the layout from where its points are now: near enough to tell what is square and flat in
   // both hulls, and then with that. Returns where a step that is not taken would fold a member.
@@ -37,13 +46,15 @@ class LayoutFitting {
   std::optional<Vector3d> approach(surface::LimitSurface& layout,
                                    const std::vector<modelling::FitCurve>& curves,
                                    const modelling::ReshapeLimits& limits,
+                                   const std::vector<modelling::FitBound>& bounds,
+                                   const surface::LimitSurface* metric,
                                    const std::array<double, 2>& stiffness) const;
 
   const surface::LimitSurface& first_;
   const surface::LimitSurface& second_;
   const FeatureGraph& other_;
   surface::Progress progress_;
-  bool holds_bar_;
+  LayoutWay way_;
   modelling::FitTarget target_;
 };
 

@@ -32,7 +32,7 @@ std::string reason(const LayoutFit& fit, double off, double tolerance) {
   if (off <= tolerance) return "Members are folded at " + at_text(*fit.fold, "first hull");
   const bool is_there = fit.largest >= fit.largest_back;
   char text[96];
-  std::snprintf(text, sizeof text, "The layout is left %.1e of the length off, farthest at ", off);
+  std::snprintf(text, sizeof text, "The layout is left %.2e of the length off, farthest at ", off);
   std::string found = text + at_text(is_there ? fit.largest_place : fit.largest_back_place,
                                      is_there ? "second hull" : "layout");
   if (fit.fold) return found + ", and members are folded at " + at_text(*fit.fold, "first");

@@ -22,13 +22,6 @@ double length_at(const FeatureGraph& graph, const Feature& feature, std::size_t 
   return std::clamp(from_begin, feature.lengths[k], feature.lengths[k + 1]);
 }
 
-std::vector<Vector3d> in_box(const std::vector<Vector3d>& points, const HullBox& from,
-                             const HullBox& to) {
-  std::vector<Vector3d> scaled;
-  for (const Vector3d& p : points) scaled.push_back(to.absolute(from.relative(p)));
-  return scaled;
-}
-
 // Shifts of control points of paired features, from where the box has brought them.
 std::map<int, Vector3d> feature_shifts(const FeatureGraph& graph, const FeatureGraph& other,
                                        const FeatureMatch& match) {
@@ -50,6 +43,13 @@ std::map<int, Vector3d> feature_shifts(const FeatureGraph& graph, const FeatureG
 }
 
 }  // namespace
+
+std::vector<Vector3d> in_box(const std::vector<Vector3d>& points, const HullBox& from,
+                             const HullBox& to) {
+  std::vector<Vector3d> scaled;
+  for (const Vector3d& p : points) scaled.push_back(to.absolute(from.relative(p)));
+  return scaled;
+}
 
 std::vector<Vector3d> points_near(const surface::LimitSurface& surface, const FeatureGraph& graph,
                                   const FeatureGraph& other, const FeatureMatch& match,

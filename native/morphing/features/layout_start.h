@@ -9,6 +9,10 @@
 
 namespace hull::morphing {
 
+// Places within a hull's box at the same place in another one's.
+std::vector<Vector3d> in_box(const std::vector<Vector3d>& points, const HullBox& from,
+                             const HullBox& to);
+
 // A hull's control points brought near another hull: into its box, then the points of paired
 // creases and borders to equal proportions of their counterparts' lengths (length_map()), and all
 // others with them, by the least bending of the moves. Those of `held` stay in the centre plane.

@@ -168,13 +168,19 @@ def _made_alike(taken, shape, choice, progress):
             progress=progress,
         )
     except ValueError as error:
-        raise ValueError(_with_names(str(error), [one.name for one in taken])) from None
+        names = [one.name for one in taken]
+        raise ValueError(_with_names(str(error), names, shape.name)) from None
     graphs = [hull_native.feature_graph(surface) for surface in (layout, *surfaces)]
     return stored_parents.Alike(common, layout, graphs[0], graphs[1:], choice.apart)
 
 
-def _with_names(text, names):
-    return re.sub(r"^Hull (\d+) has", lambda found: f'"{names[int(found[1]) - 1]}" has', text)
+def _with_names(text, names, layout_name):
+    found = re.match(r"Hull (\d+) has no part in the family\. ", text)
+    if found is None:
+        return text
+    name = names[int(found[1]) - 1]
+    reason = stored_parents.with_names(text[found.end() :], layout_name, name)
+    return f'"{name}" has no part in the family. {reason}'
 
 
 def _free_name(taken):

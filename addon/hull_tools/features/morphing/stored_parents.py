@@ -2,6 +2,7 @@
 """What a fit gives, stored with a hull: parents in the family's layout, their particulars, which
 features are paired, and how well each parent is met."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,6 +51,7 @@ def store(obj, alike, taken, hulls, shape, form, scale):
             setattr(entry, key, value)
         fit = common.fits[number]
         entry.fit = fit_told(fit)
+        entry.shortfall = _shortfall_told(fit, layout_taken.name, one.name)
         if fit is not None:
             pairs.give_features(entry, alike.graphs[number])
             apart = alike.apart.get(number, [])
@@ -90,7 +92,19 @@ def told(alike, names, layout_name):
         text += f". {name}: {fit_told(fit)}"
         if fit.match.remarks:
             text += f", {counted(len(fit.match.remarks), 'line')} without counterpart"
-        if fit.fold is not None:
+        if fit.shortfall:
             warns = True
-            text += f", members between are folded near x {fit.fold[0]:.2f} m: pair lines by hand"
+            text += f". {_shortfall_told(fit, layout_name, name)}"
     return text, warns
+
+
+def _shortfall_told(fit, layout_name, name):
+    """Why a parent is not met, or members are folded, and what to do, with the hulls' names; blank
+    where neither is so."""
+    return with_names(fit.shortfall if fit is not None else "", layout_name, name)
+
+
+def with_names(text, layout_name, name):
+    """A sentence of hull_native about a first hull, the layout's, and a second one, with names."""
+    names = {"first": layout_name, "second": name}
+    return re.sub(r"\b[Tt]he (first|second)( hull)?\b", lambda found: f'"{names[found[1]]}"', text)
