@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/tolerances.h"
 
@@ -37,7 +38,9 @@ Extent extent_of(const std::vector<Vector3d>& points) {
 
 }  // namespace
 
-BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
+namespace {
+
+BodyRules measuring_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
   const Extent extent = extent_of(surface.mesh().points());
   const double size = power_of_two(surface.mesh().size());
   BodyRules rules;
@@ -67,6 +70,17 @@ BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double
   rules.span_area = area / spans;
   rules.corner = {volume / corners, area / corners, SpanRule::kSmall, SpanRule::kSmall};
   rules.cut = {kZeroHeight * size, volume / spans, area / spans, SpanRule::kSmall, 6};
+  return rules;
+}
+
+}  // namespace
+
+BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance,
+                     WettedSurface wetted) {
+  BodyRules rules = measuring_rules(surface, mirrored, tolerance);
+  if (wetted == WettedSurface::kRough) {
+    rules.span_area = rules.corner.area = rules.cut.area = std::numeric_limits<double>::infinity();
+  }
   return rules;
 }
 

@@ -49,13 +49,13 @@ HullBody::HullBody(const surface::LimitSurface& surface, bool mirrored, Openings
   close();
 }
 
-HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy)
+HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy, WettedSurface wetted)
     : stamp_(copy),
       mirrored_(body.mirrored_),
       openings_(body.openings_),
       tolerance_(body.tolerance_),
       bodies_(body.bodies_),
-      parts_(body.parts_, copy),
+      parts_(body.parts_, copy, wetted),
       boxes_(body.boxes()),
       border_(body.border_),
       closings_(body.closings_),

@@ -37,8 +37,10 @@ class HullBody {
            Openings openings = Openings::kClosed, double tolerance = kFinest);
 
   // The same body of a copy of its surface, that is of one with its layout and points: nothing is
-  // computed again. Throws std::invalid_argument if the body is out of date.
-  HullBody(const HullBody& body, const surface::LimitSurface& copy);
+  // computed again. kRough: from the next update() on its wetted surface is not right to the
+  // tolerance, all else is. Throws std::invalid_argument if the body is out of date.
+  HullBody(const HullBody& body, const surface::LimitSurface& copy,
+           WettedSurface wetted = WettedSurface::kMeasured);
 
   // To be called after surface.set_points(). Only what has moved is computed again.
   void update();

@@ -35,13 +35,15 @@ ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, doub
   for (int i = 0; i < layout.corner_count(); ++i) update_corner(i);
 }
 
-ShellParts::ShellParts(const ShellParts& parts, const surface::LimitSurface& copy)
+ShellParts::ShellParts(const ShellParts& parts, const surface::LimitSurface& copy,
+                       WettedSurface wetted)
     : ShellParts(parts) {
   surface_ = &copy;
+  wetted_ = wetted;
 }
 
 void ShellParts::update() {
-  const BodyRules rules = body_rules(*surface_, mirrored_, tolerance_);
+  const BodyRules rules = body_rules(*surface_, mirrored_, tolerance_, wetted_);
   const bool all = !(rules == rules_);
   rules_ = rules;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {

@@ -21,8 +21,9 @@ class ShellParts {
   // `surface` must outlive the parts.
   ShellParts(const surface::LimitSurface& surface, bool mirrored, double tolerance);
 
-  // The same parts of a surface with the layout and points of theirs, as of a copy.
-  ShellParts(const ShellParts& parts, const surface::LimitSurface& copy);
+  // The same parts of a surface with the layout and points of theirs, as of a copy; `wetted`: how
+  // they are computed from the next update() on.
+  ShellParts(const ShellParts& parts, const surface::LimitSurface& copy, WettedSurface wetted);
 
   // After surface.set_points(): computes again the parts whose control points have moved. The
   // results do not depend on what was there before.
@@ -42,6 +43,7 @@ class ShellParts {
   const surface::LimitSurface* surface_;
   bool mirrored_;
   double tolerance_;
+  WettedSurface wetted_ = WettedSurface::kMeasured;
   BodyRules rules_;
   std::vector<CornerSeries> series_;  // one for each basis
   std::vector<int> series_of_;        // of each corner

@@ -133,7 +133,12 @@ Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
                         const std::vector<Vector3d>& prescribed,
                         const std::vector<double>& values) const {
   const VectorRows wanted = rows_of(shifts);
-  return outcome(least(wanted, prescribed, values), wanted);
+  const Eigen::VectorXd moves = least(wanted, prescribed, values);
+  Reshaped result{left_by(moves, wanted), vectors_of(moves), -1};
+  std::vector<Vector3d> points = points_;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += result.moves[i];
+  result.folded_place = places_.first_fold(points);
+  return result;
 }
 
 std::vector<Vector3d> Reshape::moves(const std::vector<Vector3d>& shifts,
@@ -142,25 +147,21 @@ std::vector<Vector3d> Reshape::moves(const std::vector<Vector3d>& shifts,
   return vectors_of(least(rows_of(shifts), prescribed, values));
 }
 
-Reshaped Reshape::residual(const std::vector<Vector3d>& moves,
+Residual Reshape::residual(const std::vector<Vector3d>& moves,
                            const std::vector<Vector3d>& shifts) const {
   check_count(moves.size(), points_.size(), "moves");
   check_count(shifts.size(), static_cast<std::size_t>(places_.count()), "wanted shifts");
-  return outcome(rows_of(moves).reshaped<Eigen::RowMajor>(), rows_of(shifts));
+  return left_by(rows_of(moves).reshaped<Eigen::RowMajor>(), rows_of(shifts));
 }
 
-Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
+Residual Reshape::left_by(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
   const VectorRows difference = shifts - places_.weights()->at(as_rows(moves));
   const Eigen::VectorXd left = difference.rowwise().norm();
-  Reshaped result;
+  Residual result;
   result.rms = std::sqrt(shares_.dot(left.cwiseAbs2()));
   Eigen::Index place = -1;
   result.largest = left.maxCoeff(&place);
   result.largest_place = static_cast<int>(place);
-  std::vector<Vector3d> points = points_;
-  result.moves = vectors_of(moves);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] += result.moves[i];
-  result.folded_place = places_.first_fold(points);
   return result;
 }
 
