@@ -38,9 +38,7 @@ Extent extent_of(const std::vector<Vector3d>& points) {
 
 }  // namespace
 
-namespace {
-
-BodyRules measuring_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
+BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
   const Extent extent = extent_of(surface.mesh().points());
   const double size = power_of_two(surface.mesh().size());
   BodyRules rules;
@@ -73,14 +71,8 @@ BodyRules measuring_rules(const surface::LimitSurface& surface, bool mirrored, d
   return rules;
 }
 
-}  // namespace
-
-BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance,
-                     WettedSurface wetted) {
-  BodyRules rules = measuring_rules(surface, mirrored, tolerance);
-  if (wetted == WettedSurface::kRough) {
-    rules.span_area = rules.corner.area = rules.cut.area = std::numeric_limits<double>::infinity();
-  }
+BodyRules without_areas(BodyRules rules) {
+  rules.span_area = rules.corner.area = rules.cut.area = std::numeric_limits<double>::infinity();
   return rules;
 }
 

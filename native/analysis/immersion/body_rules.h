@@ -12,10 +12,6 @@ namespace hull::analysis {
 inline constexpr double kFinest = 1e-13;
 inline constexpr double kLive = 1e-8;
 
-// Whether the area of a body's surface is measured to its tolerance, which takes half of the time
-// around irregular corners, or is what the rules for volumes make of it.
-enum class WettedSurface { kMeasured, kRough };
-
 // How the parts of a body are integrated.
 struct BodyRules {
   Vector3d centre;   // what moments are counted from
@@ -28,8 +24,10 @@ struct BodyRules {
 // For a surface in its present shape. Lengths that rules depend on are rounded to powers of two,
 // and the centre to a coarse grid: rules, and what was computed by them, stay as they are while
 // some points are dragged.
-BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance,
-                     WettedSurface wetted = WettedSurface::kMeasured);
+BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance);
+
+// The same where areas do not matter: they may be off by any amount, and are not computed.
+BodyRules without_areas(BodyRules rules);
 
 bool operator==(const BodyRules& a, const BodyRules& b);
 

@@ -88,7 +88,12 @@ void Reshape::factor_conditions() {
 
 Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
   const Eigen::Map<const VectorRows> now = as_rows(moves);
-  VectorRows left = places_.weights()->at(now);
+  VectorRows left;
+  if (now.isZero(0.0)) {
+    left.setZero(shifts.rows(), 3);
+  } else {
+    left = places_.weights()->at(now);
+  }
   // In place: of thousands of irregular points these are megabytes.
   for (Eigen::Index k = 0; k < left.rows(); ++k) {
     left.row(k) = shares_[k] * (shifts.row(k) - left.row(k));

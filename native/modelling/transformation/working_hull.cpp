@@ -20,8 +20,8 @@ analysis::Plane checked_water(const analysis::FloatingPosition& position) {
 
 WorkingHull::WorkingHull(const analysis::HullBody& body, const analysis::FloatingPosition& position)
     : surface_(body.surface()),
-      body_(body, surface_, analysis::WettedSurface::kRough),
       water_(checked_water(position)),
+      body_(body, surface_, water_),
       points_(surface_.mesh().points()),
       moves_(points_.size(), Vector3d::Zero()),
       volume_(immersion().volume) {
