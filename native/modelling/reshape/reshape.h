@@ -72,6 +72,8 @@ class Reshape {
   void factor_conditions();
   // By y: half the gradient of what is to be least, downwards.
   Eigen::VectorXd descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
+  Eigen::VectorXd descent_along(int axis, const Eigen::VectorXd& moves,
+                                const VectorRows& shifts) const;
   // One step of the problem's Newton method, which is exact but for rounding and regularisation.
   Eigen::VectorXd step(const Eigen::VectorXd& descent, const Eigen::VectorXd& missing) const;
   Eigen::VectorXd least(const VectorRows& shifts, const std::vector<Vector3d>& prescribed,
@@ -81,6 +83,7 @@ class Reshape {
   std::vector<Vector3d> points_;
   SurfacePlaces places_;
   MoveSpace space_;
+  int only_axis_;             // the one along which there are moves in the space; -1: others, too
   Eigen::VectorXd shares_;    // of the area, by place
   Sparse stiff_;              // points x points
   ConditionRows conditions_;  // by moves of all points
