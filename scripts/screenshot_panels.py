@@ -134,7 +134,8 @@ def _with_kept_bow(hull):
     hull.hull.transform.kept_fore = 4.0
     values = part("features.hull.hull_state").state_of(hull).hydrostatics.values
     with bpy.context.temp_override(object=hull, active_object=hull):
-        bpy.ops.hull.shift_sections(measure="BLOCK", block=values.project_block - 0.01)
+        block = values.project_block - 0.02
+        bpy.ops.hull.shift_sections(measure="BLOCK", block=block, lcb_as="NONE", part="FAIR")
         bpy.ops.hull.count_marks(compare=True)
         bpy.ops.hull.take_area_curve()
     _fuller_shoulder(hull)
