@@ -49,7 +49,7 @@ class TaskOperator(HullReader):
         return self.reporting(self._finish, context)
 
     def cancel(self, context):
-        """Blender ends the operator, as when another file is loaded, or its dialog is left by Esc."""
+        """Blender ends the operator: another file is loaded, or its dialog was left by Esc."""
         if self._task is None:
             return
         self._task.cancel()
