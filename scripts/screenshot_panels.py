@@ -130,8 +130,13 @@ def _with_variants(hull):
 
 
 def _with_kept_bow(hull):
+    """Finer, so that marks can be compared, and an area curve wanted."""
     hull.hull.transform.kept_fore = 4.0
+    values = part("features.hull.hull_state").state_of(hull).hydrostatics.values
     with bpy.context.temp_override(object=hull, active_object=hull):
+        block = values.project_block - 0.02
+        bpy.ops.hull.shift_sections(measure="BLOCK", block=block, lcb_as="NONE", part="FAIR")
+        bpy.ops.hull.count_marks(compare=True)
         bpy.ops.hull.take_area_curve()
     _fuller_shoulder(hull)
 

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/half_hull.h"
+#include "benchmarks/ratio_report.h"
 #include "modelling/targets/targets.h"
 
 namespace {
@@ -69,3 +70,11 @@ void BM_FiveTargets(benchmark::State& state) {
 BENCHMARK(BM_FiveTargets)->Apply(hulls)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  return hull::benchmarks::run_and_compare(
+      argc, argv, {},
+      {{"five targets, 140 points", "BM_FiveTargets/1/12"},
+       {"five targets, 1,120 points", "BM_FiveTargets/3/108", 1000.0},
+       {"... of them triangulated in places", "BM_FiveTargets/3/12", 1000.0}});
+}

@@ -16,6 +16,8 @@ import numpy as np
 
 # No dimension becomes so many times as large, or so many times as small.
 LARGEST_FACTOR = 1000.0
+# Of numbers in texts of places: more than single precision has, and no noise of products.
+_DIGITS = 9
 
 # How each length of a HullData follows, by its place; see Scale.
 FOLLOWING = {
@@ -169,8 +171,8 @@ class Scale:
 
 
 def _shown(value):
-    """A number as text, with nine digits at most."""
-    return f"{value:.9g}"
+    """A number as text, with so many digits at most."""
+    return f"{value:.{_DIGITS}g}"
 
 
 # By the names that FOLLOWING has: (Scale, what holds the value, the value) → the new value. What is

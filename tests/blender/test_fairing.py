@@ -59,16 +59,27 @@ def test_a_dent_is_faired_out(operator):
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def test_another_deviation_needs_no_other_preparation():
+def test_another_deviation_needs_no_other_preparation(monkeypatch):
+    """Nor are marks of the surface as it was counted again, or those of what has not moved."""
     hull, _, _ = dented()
-    fairing = part("features.fairing.region_fairing")
+    fairing, marks = part("features.fairing.region_fairing"), part("features.fairing.local_marks")
     scene, start = bpy.context.scene, coordinates(hull)
-    for deviation in (1e-3, 2e-3):
+    counted, count = [], marks._count
+
+    def counting(surface, *where):
+        counted.append(surface)
+        return count(surface, *where)
+
+    monkeypatch.setattr(marks, "_count", counting)
+    prepared, reports = [], []
+    for deviation in (1e-3, 2e-3, 0.0):
         part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(start)), start)
-        report = fairing.fair_selected(hull, scene, fairing.Asked(deviation))
-        assert report.rms == pytest.approx(deviation, rel=1e-6)
-        regions = list(fairing._prepared.values())
-    assert regions == list(fairing._prepared.values()) and len(regions) == 1
+        reports.append(fairing.fair_selected(hull, scene, fairing.Asked(deviation)))
+        assert reports[-1].rms == pytest.approx(deviation, rel=1e-6)
+        prepared.append(list(fairing._prepared.values()))
+    assert prepared[0] == prepared[1] == prepared[2] and len(prepared[0]) == 1
+    assert len(counted) == 3  # as it was, and as it came to lie twice
+    assert reports[2].before == reports[2].after == reports[0].before
     bpy.ops.object.mode_set(mode="OBJECT")
 
 

@@ -98,6 +98,30 @@ def test_optimum_is_that_of_a_dense_solution(name):
     assert result.largest == pytest.approx(left.max(), rel=1e-9)
 
 
+def test_moves_along_one_axis_are_those_of_a_dense_solution():
+    """Where no point may move otherwise what is wanted along other axes does not count."""
+    surface = surface_of("coaster")
+    count, size = len(surface.mesh.points), size_of(surface)
+    random = np.random.default_rng(SEED)
+    for axis in range(3):
+        others = np.delete(np.eye(3), axis, axis=0)
+        reshape = hn.Reshape(
+            surface,
+            locked=[3, 4],
+            held_points=np.tile(np.arange(count), 2),
+            held_normals=np.repeat(others, count, axis=0),
+        )
+        shifts = 0.01 * size * random.normal(size=(len(reshape.positions), 3))
+        moves = reshape.solve(shifts).moves
+        assert not np.delete(moves, axis, axis=1).any() and not moves[[3, 4]].any()
+        rows = dense_rows(surface, reshape)
+        root = np.sqrt(reshape.areas / reshape.areas.sum())
+        free = np.setdiff1d(np.arange(count), [3, 4])
+        best = np.zeros(count)
+        best[free] = np.linalg.lstsq(root[:, None] * rows[:, free], root * shifts[:, axis], None)[0]
+        assert np.abs(rows @ (best - moves[:, axis])).max() < 1e-9 * size
+
+
 def test_conditions_and_prescribed_moves_hold():
     surface = surface_of("coaster")
     points = surface.mesh.points

@@ -4,9 +4,10 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
+from ...hull_io.keeping import KEPT
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
-from ..features.dimensions import dimensions
+from ..features.dimensions import dimensions, keeping_task
 from .shared import (
     BaseOperator,
     HullOperator,
@@ -15,6 +16,7 @@ from .shared import (
     in_object_mode,
     native_is_there,
 )
+from .tasks import TaskOperator
 
 # m; what the ends of the hull miss less is rounding of single precision.
 _ENDS_TOLD = 1e-5
@@ -33,12 +35,13 @@ def _of_another_kind(settings, context):
     settings.length = settings.beam = settings.depth = 0.0
 
 
-class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
+class HULL_OT_set_dimensions(bpy.types.Operator, TaskOperator):
     """Scale the hull to main dimensions: drafts, loads, openings, flats, lines and all else that
     belongs to it follow"""
 
     bl_idname = "hull.set_dimensions"
     bl_label = "Scale to Dimensions"
+    bl_options = {"REGISTER", "UNDO"}
 
     needs = (*HullOperator.needs, in_object_mode)
 
@@ -75,6 +78,7 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
     )
 
     def invoke(self, context, event):
+        self._is_in_window = not bpy.app.background
         return self.reporting(self._open, context)
 
     def _open(self, context):
@@ -102,19 +106,30 @@ class HULL_OT_set_dimensions(bpy.types.Operator, HullOperator):
         row.label(text="0: as it is, or in proportion")
 
     def run_on(self, hull, context):
-        scale = units.metres_per_unit(context.scene)
+        asked = self._asked(context.scene)
+        if asked.keep:
+            return super().run_on(hull, context)
+        start = dimensions.Start(hull, context.scene, asked)
+        self.report({"INFO"}, _told(start.write(hull, context.scene, None)))
+
+    def begin(self, hull, scene):
+        return keeping_task.KeepingTask(hull, scene, self._asked(scene))
+
+    def outcome(self, kept, scene):
+        return _told(self._task.write(scene)), False
+
+    def _asked(self, scene):
+        scale = units.metres_per_unit(scene)
         wanted = {
             name: units.as_typed(getattr(self, name)) * scale or None
             for name in ("length", "beam", "draft", "depth")
         }
-        keep = [name for name in ("bilge", "bulb", "knuckles") if getattr(self, f"keep_{name}")]
-        brought = dimensions.set_dimensions(
-            hull, context.scene, **wanted, of_surface=self.measured == "SURFACE", keep=keep
-        )
-        if brought.kept is None:
-            self.report({"INFO"}, _report(brought.factors, "Scaled by"))
-        else:
-            self.report({"INFO"}, _kept_report(brought))
+        keep = tuple(name for name in KEPT if getattr(self, f"keep_{name}"))
+        return dimensions.Asked(**wanted, of_surface=self.measured == "SURFACE", keep=keep)
+
+
+def _told(brought):
+    return _report(brought.factors, "Scaled by") if brought.kept is None else _kept_report(brought)
 
 
 def _report(factors, begin):

@@ -19,6 +19,7 @@ class TaskOperator(HullReader):
 
     bl_options = {"REGISTER"}
     _is_in_window = False
+    _task = None
 
     def invoke(self, context, event):
         self._is_in_window = not bpy.app.background
@@ -48,7 +49,9 @@ class TaskOperator(HullReader):
         return self.reporting(self._finish, context)
 
     def cancel(self, context):
-        """Blender ends the operator, as when another file is loaded."""
+        """Blender ends the operator: another file is loaded, or its dialog was left by Esc."""
+        if self._task is None:
+            return
         self._task.cancel()
         self._leave(context)
 

@@ -7,6 +7,7 @@ from ..bridge import native
 from ..bridge.objects import hull_objects
 from ..features.dimensions import dimensions
 from ..features.hull import hull_state
+from .conversion import draw_task
 from .doubts import draw_doubts, draw_mending
 from .shared import HullPanel, HullTab, label_value, label_wrapped
 
@@ -71,7 +72,8 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("length_pp", "beam", "depth", "draft"):
             column.prop(settings, name)
-        layout.operator("hull.set_dimensions", text="Scale to Dimensions …")
+        if not draw_task(layout, settings.id_data):
+            layout.operator("hull.set_dimensions", text="Scale to Dimensions …")
         layout.prop(settings, "water_density")
         row = layout.row(align=True)
         row.prop(settings, "half")

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/tolerances.h"
 
@@ -67,6 +68,11 @@ BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double
   rules.span_area = area / spans;
   rules.corner = {volume / corners, area / corners, SpanRule::kSmall, SpanRule::kSmall};
   rules.cut = {kZeroHeight * size, volume / spans, area / spans, SpanRule::kSmall, 6};
+  return rules;
+}
+
+BodyRules without_areas(BodyRules rules) {
+  rules.span_area = rules.corner.area = rules.cut.area = std::numeric_limits<double>::infinity();
   return rules;
 }
 

@@ -26,6 +26,9 @@ struct BodyRules {
 // some points are dragged.
 BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance);
 
+// The same where areas do not matter: they may be off by any amount, and are not computed.
+BodyRules without_areas(BodyRules rules);
+
 bool operator==(const BodyRules& a, const BodyRules& b);
 
 }  // namespace hull::analysis

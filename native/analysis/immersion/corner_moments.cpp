@@ -173,7 +173,9 @@ ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasi
                             const Vector3d& origin, const CornerRules& rules) {
   const Vector3d& limit = ring.limit();
   const Vector3d normal = series.area_form(ring.points());
-  const Vector3d direction = basis.corner_normal(points).normalized();
+  const bool has_area = std::isfinite(rules.area);
+  const Vector3d direction =
+      has_area ? basis.corner_normal(points).normalized() : Vector3d(Vector3d::Zero());
   Extrapolation<double> excess(series.excess_ratios);
   Extrapolation<Eigen::Matrix3d> first(series.first_ratios);
   Extrapolation<Eigen::Matrix<double, 6, 3>> second(series.second_ratios);
@@ -185,16 +187,17 @@ ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasi
     if (k > 0) ring.advance();
     for (int s = 0; s < basis.segment_count(); ++s) {
       const surface::BicubicPoints span = ring.segment_points(s);
-      sum += k == 0 ? span_moments({span, limit}, rules.outer, rules.area)
-                    : span_moments({span, limit}, inner);
+      sum += k == 0 || !has_area
+                 ? span_moments({span, limit}, k == 0 ? rules.outer : inner, rules.area)
+                 : span_moments({span, limit}, inner);
     }
     const double sum_excess = sum.area - direction.dot(sum.normal);
-    if (k == 0 && inner == SpanRule::kSmall && kUneven * sum_excess < rules.area) {
+    if (k == 0 && has_area && inner == SpanRule::kSmall && kUneven * sum_excess < rules.area) {
       inner = SpanRule::kSmallest;
     }
     const ShellMoments before = whole;
     whole = sum;
-    whole.area = excess.add(sum_excess) + direction.dot(normal);
+    if (has_area) whole.area = excess.add(sum_excess) + direction.dot(normal);
     whole.first = first.add(sum.first);
     whole.second = second.add(sum.second);
     const double area_before = area_change, first_before = first_change;

@@ -32,7 +32,8 @@ struct CornerSeries {
 };
 
 // How the moments of what lies around a corner are summed: how much they may be off, m³ for the
-// first and m² for the area, and the rules for the outermost ring and for all others.
+// first and m² for the area (infinite: it is not computed), and the rules for the outermost ring
+// and for all others.
 struct CornerRules {
   double first, area;
   SpanRule outer, inner;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -50,12 +51,22 @@ HullBody::HullBody(const surface::LimitSurface& surface, bool mirrored, Openings
 }
 
 HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy)
+    : HullBody(body, copy, std::optional<Plane>()) {}
+
+HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy, const Plane& water)
+    : HullBody(body, copy, std::optional<Plane>(water)) {
+  assert(water.normal.y() == 0.0);
+}
+
+HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy,
+                   const std::optional<Plane>& water)
     : stamp_(copy),
       mirrored_(body.mirrored_),
       openings_(body.openings_),
       tolerance_(body.tolerance_),
+      water_(water),
       bodies_(body.bodies_),
-      parts_(body.parts_, copy),
+      parts_(body.parts_, copy, water),
       boxes_(body.boxes()),
       border_(body.border_),
       closings_(body.closings_),
@@ -79,7 +90,7 @@ void HullBody::close() {
     place(caps_[i], points.data(), points.size(), centre);
     caps_[i].moments = span_moments({points, centre}, parts_.rules().span);
   }
-  inversion_ = inversion();
+  if (!water_) inversion_ = inversion();
 }
 
 std::string HullBody::inversion() const {
@@ -148,10 +159,9 @@ void HullBody::add_wet(const std::vector<ShellPart>& parts, Planes planes, const
   for (std::size_t i = 0; i < parts.size(); ++i) {
     bool is_above = false, is_below = true;
     for (const Plane& plane : planes) {
-      const double height = plane.normal.dot(parts[i].middle) + plane.height(rules.centre);
-      const double half = plane.normal.cwiseAbs().dot(parts[i].half) + rules.cut.zero;
-      is_above = is_above || height >= half;
-      is_below = is_below && height < -half;
+      const WaterSide side = parts[i].side(plane, rules);
+      is_above = is_above || side == WaterSide::kAbove;
+      is_below = is_below && side == WaterSide::kBelow;
     }
     if (is_above) continue;
     if (is_below) {
@@ -179,6 +189,7 @@ HullBody::Wet HullBody::wet_part(Planes planes) const {
 
 ShellMoments HullBody::shell_moments() const {
   current();
+  assert(!water_);
   ShellMoments sum;
   for (const ShellPart& leaf : parts_.leaves()) sum += leaf.moments;
   for (const ShellPart& corner : parts_.corners()) sum += corner.moments;
@@ -224,6 +235,7 @@ void HullBody::refuse_flooding(const Plane& water) const {
 
 void HullBody::check_immersed(const Plane& water) const {
   current();
+  assert(!water_ || (water.normal == water_->normal && water.offset == water_->offset));
   if (!water.normal.allFinite() || !std::isfinite(water.offset)) {
     throw std::invalid_argument("The water's surface must be given by finite numbers.");
   }
@@ -264,6 +276,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   const Vector3d origin = centre + level * water.normal;
   Immersion result = immersion_of(moved(all, centre - origin), {water.normal, 0.0});
   result.water = water;
+  if (water_) result.wetted_surface = std::numeric_limits<double>::quiet_NaN();
   if (result.volume > 0.0) result.centre_of_buoyancy += origin;
   if (result.waterplane_area > 0.0) result.centre_of_flotation += origin;
   result.flux_forms = moved(wet.shell, centre).first.diagonal();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,6 +40,11 @@ class HullBody {
   // The same body of a copy of its surface, that is of one with its layout and points: nothing is
   // computed again. Throws std::invalid_argument if the body is out of date.
   HullBody(const HullBody& body, const surface::LimitSurface& copy);
+
+  // The same for one water alone, not heeled: from the next update() on there is no more than its
+  // immersion, whose wetted surface is not measured, sections and places. What is above the water
+  // is not computed, and faces that come to be turned inwards are not noticed.
+  HullBody(const HullBody& body, const surface::LimitSurface& copy, const Plane& water);
 
   // To be called after surface.set_points(). Only what has moved is computed again.
   void update();
@@ -83,6 +89,8 @@ class HullBody {
     stamp_.require_current("The body");
     return *this;
   }
+  HullBody(const HullBody& body, const surface::LimitSurface& copy,
+           const std::optional<Plane>& water);
   void close();
   std::string inversion() const;
 
@@ -102,6 +110,7 @@ class HullBody {
   bool mirrored_;
   Openings openings_;
   double tolerance_;
+  std::optional<Plane> water_;  // the only one, if there is one
   Bodies bodies_;
   ShellParts parts_;
   CellBoxes boxes_;

@@ -210,6 +210,14 @@ Estimate refined_area(const SpanSquare& square, double tolerance, int depth) {
   return total;
 }
 
+ShellMoments moments_alone(const SpanSquare& square, SpanRule rule) {
+  ShellNodes nodes;
+  take_square(square, rule, nodes);
+  ShellMoments moments;
+  sum_nodes(nodes, moments);
+  return moments;
+}
+
 ShellMoments moments_and_elements(const SpanSquare& square, SpanRule rule, Elements& elements) {
   ShellNodes nodes;
   take_square(square, rule, nodes);
@@ -248,6 +256,7 @@ ShellMoments span_moments(const SpanSquare& square, SpanRule rule) {
 
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance) {
   assert(rule != SpanRule::kSmallest);
+  if (std::isinf(area_tolerance)) return moments_alone(square, rule);
   Elements elements;
   ShellMoments moments = moments_and_elements(square, rule, elements);
   Estimate area{moments.area, area_error(elements, rule, moments.area)};

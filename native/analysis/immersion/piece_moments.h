@@ -32,7 +32,8 @@ struct SpanSquare {
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule);
 
 // The same with the area, which is not polynomial, refined until its estimated error is below
-// area_tolerance. REQUIRES: the rule has at least four nodes.
+// area_tolerance. REQUIRES: the rule has at least four nodes. Infinite: the area is not computed,
+// and zero.
 ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_tolerance);
 
 }  // namespace hull::analysis

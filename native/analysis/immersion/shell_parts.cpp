@@ -15,6 +15,13 @@ void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vec
   part.half = 0.5 * (high - low);
 }
 
+WaterSide ShellPart::side(const Plane& water, const BodyRules& rules) const {
+  const double height = water.normal.dot(middle) + water.height(rules.centre);
+  const double reach = water.normal.cwiseAbs().dot(half) + rules.cut.zero;
+  if (height >= reach) return WaterSide::kAbove;
+  return height < -reach ? WaterSide::kBelow : WaterSide::kAcross;
+}
+
 ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, double tolerance)
     : surface_(&surface),
       mirrored_(mirrored),
@@ -35,13 +42,24 @@ ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, doub
   for (int i = 0; i < layout.corner_count(); ++i) update_corner(i);
 }
 
-ShellParts::ShellParts(const ShellParts& parts, const surface::LimitSurface& copy)
+ShellParts::ShellParts(const ShellParts& parts, const surface::LimitSurface& copy,
+                       const std::optional<Plane>& water)
     : ShellParts(parts) {
   surface_ = &copy;
+  water_ = water;
+}
+
+BodyRules ShellParts::rules_now() const {
+  const BodyRules rules = body_rules(*surface_, mirrored_, tolerance_);
+  return water_ ? without_areas(rules) : rules;
+}
+
+bool ShellParts::is_asked_for(const ShellPart& part) const {
+  return !water_ || part.side(*water_, rules_) == WaterSide::kBelow;
 }
 
 void ShellParts::update() {
-  const BodyRules rules = body_rules(*surface_, mirrored_, tolerance_);
+  const BodyRules rules = rules_now();
   const bool all = !(rules == rules_);
   rules_ = rules;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -59,6 +77,8 @@ void ShellParts::update_leaf(int leaf) {
   const surface::BicubicPoints& points = surface_->leaf(leaf);
   leaf_points_[leaf] = points;
   place(leaves_[leaf], points.data(), points.size(), rules_.centre);
+  leaves_[leaf].moments = {};
+  if (!is_asked_for(leaves_[leaf])) return;
   leaves_[leaf].moments = span_moments({points, rules_.centre}, rules_.span, rules_.span_area);
 }
 
@@ -67,6 +87,8 @@ void ShellParts::update_corner(int corner) {
   const surface::CornerBasis& basis = surface_->layout().basis(corner);
   corner_points_[corner] = points.outer;
   place(corners_[corner], points.outer.data(), points.outer.size(), rules_.centre);
+  corners_[corner].moments = {};
+  if (!is_asked_for(corners_[corner])) return;
   surface::CornerRing ring(basis, points);
   corners_[corner].moments =
       corner_moments(ring, basis, points, series(corner), rules_.centre, rules_.corner);

@@ -23,6 +23,10 @@ _LEAST_BULB = 0.005
 _LEAST_KNUCKLE = 0.1
 # Of the mesh's size: nearer to the deck edge, or to the centre plane, a crease lies in it.
 _NEAR = 1e-3
+# Of the mesh's size: a crease with less of the hull's side above it is the deck edge.
+_LEAST_SIDE = 1e-2
+# Of what a bilge's arc turns: its radius is measured between, where no fairing of its ends counts.
+_MIDDLE_HALF = (0.25, 0.75)
 # Of the length, half beam or depth: control points that leave less to be changed are not kept all.
 _FREE = 0.25
 # Divisions of a cell's side where a bulb is sought.
@@ -106,8 +110,9 @@ def _bends(curve, stretch):
         turned = np.concatenate([[0.0], np.cumsum(steps * 0.5 * (bends[1:] + bends[:-1]))])
         if turned[-1] >= _LEAST_TURN:
             arcs = np.concatenate([[0.0], np.cumsum(steps)])
-            first, last = np.interp(np.array([0.25, 0.75]) * turned[-1], turned, arcs)
-            radius = float(last - first) / (0.5 * turned[-1])
+            first, last = np.interp(np.array(_MIDDLE_HALF) * turned[-1], turned, arcs)
+            share = _MIDDLE_HALF[1] - _MIDDLE_HALF[0]
+            radius = float(last - first) / (share * turned[-1])
             own = slice(stretch.first + begin, stretch.first + end)
             found.append((turned[-1], radius, part, curve.cells[own], curve.uv[own]))
     return found
@@ -173,4 +178,4 @@ def _is_knuckle(surface, points, size):
         for curve in section(surface, "x", middle[0])
         if (curve.points[:, 2] <= middle[2] + _NEAR * size).any()
     ]
-    return bool(above) and max(above) > middle[2] + 10.0 * _NEAR * size
+    return bool(above) and max(above) > middle[2] + _LEAST_SIDE * size

@@ -28,6 +28,8 @@ _STIFFNESS = 1e-3
 _PASSES, _GAIN = 2, 0.9
 # More control points follow the map closely by themselves, and would take a Reshape some seconds.
 _MOST_POINTS = 2000
+# Places that are looked for at a time, between words of progress: some tenths of a second.
+_AT_A_TIME = 10_000
 # Divisions of a cell's side where ends are sought first, and around the furthest place then.
 _FIRST, _CLOSER, _ROUNDS = 8, 4, 16
 
@@ -47,14 +49,17 @@ class MappedSurface:
     ends_missed: float
 
 
-def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(), flats=()):
+def map_surface(
+    surface, stretch, *, locked=(), held_points=(), held_normals=(), flats=(), progress=None
+):
     """The MappedSurface of a LimitSurface under a hull_io.stretching.Stretch.
 
     locked (l,): control points that go where the map takes them and no further. held_points (h,),
     held_normals (h, 3): as of Reshape, of now; their planes go along. flats: [(control points,
     normal (3,), offset)], each kept in its plane. Coordinates of control points in kept ranges
-    move as one.
+    move as one. progress: a callable that takes the share done, 0 to 1; what it raises ends it.
     """
+    telling = _Telling(progress)
     size = float(np.ptp(surface.mesh.points, axis=0).max())
     normals = np.array(held_normals, dtype=np.float64).reshape(-1, 3)
     held = np.asarray(held_points, dtype=np.int64)
@@ -63,10 +68,11 @@ def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(),
         normals[np.isin(held, points) & (normals == normal).all(axis=1)] = turned
     points = _into_planes(stretch.points(surface.mesh.points), flats, planes)
     start = LimitSurface(surface.mesh.with_points(points), surface.scheme)
-    target = _Target(surface, stretch)
+    target = _Target(surface, stretch, telling)
     first = _Tried(start, planes, SurfacePlaces(start), target)
     if len(points) > _MOST_POINTS:
         return first.outcome
+    telling.next_part()
     kept, across, rigid = _kept_coordinates(surface.mesh.points, stretch)
     tied, directions = square_ties(start)
     reshape = Reshape(
@@ -79,7 +85,23 @@ def map_surface(surface, stretch, *, locked=(), held_points=(), held_normals=(),
         kept=square_sums(start),
         stiffness=_STIFFNESS,
     )
-    return _nearest(start, first, reshape, target, _ENDS_MET * size)
+    return _nearest(start, first, reshape, target, _ENDS_MET * size, telling)
+
+
+class _Telling:
+    """Tells how much is done: a part for what is mapped first, and for each pass and what it is
+    prepared by."""
+
+    def __init__(self, progress):
+        self._progress, self._part = progress or (lambda share: None), 0
+
+    def next_part(self):
+        self._part += 1
+        self.within(0.0)
+
+    def within(self, share):
+        """Of the part at hand; what is done sooner than was thought stays within all."""
+        self._progress(min(1.0, (self._part + share) / (2 + _PASSES)))
 
 
 def _kept_coordinates(points, stretch):
@@ -100,8 +122,8 @@ def _kept_coordinates(points, stretch):
 class _Target:
     """Where the map takes a surface, as a shape: how its points slide along it does not count."""
 
-    def __init__(self, surface, stretch):
-        self._surface, self._stretch = surface, stretch
+    def __init__(self, surface, stretch, telling):
+        self._surface, self._stretch, self._telling = surface, stretch, telling
         self._tree = SurfaceTree(surface)
         self._low, self._high = surface_ends(surface)
         self._ends = stretch.points(np.array([self._low, self._high]))
@@ -109,6 +131,14 @@ class _Target:
     def off(self, points):
         """(k, 3) from points to the tangent planes of the wanted shape where it is nearest, as
         nearness is before the map."""
+        found = np.empty_like(points)
+        for begin in range(0, len(points), _AT_A_TIME):
+            self._telling.within(begin / len(points))
+            part = slice(begin, begin + _AT_A_TIME)
+            found[part] = self._off(points[part])
+        return found
+
+    def _off(self, points):
         before = self._stretch.points_before(points)
         near = self._tree.closest_points(before)
         normals = self._surface.normals(near.cells, near.uv) / self._stretch.slopes(near.points)
@@ -132,12 +162,13 @@ class _Target:
         return np.unique(point_weights(surface, cells, uv)[1])
 
 
-def _nearest(start, first, reshape, target, met):
+def _nearest(start, first, reshape, target, met, telling):
     """The MappedSurface nearest to the target, of the first _Tried and of some passes that meet its
     ends."""
     made, tried = LimitSurface(start.mesh, start.scheme), first
     best = first.outcome
     for _ in range(_PASSES):
+        telling.next_part()
         result = reshape.solve(tried.positions + tried.off - reshape.positions)
         if result.folded_place is not None:
             break

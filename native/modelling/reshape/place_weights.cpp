@@ -69,14 +69,16 @@ void for_each_batch(const std::vector<int>& squares, const Take& take) {
   }
 }
 
-// Three columns a square, for x, y and z.
+// Of each square as many columns as there are numbers a point, such as x, y and z.
+template <int kColumns>
 Eigen::Index columns_of(std::span<const int> batch) {
-  return 3 * static_cast<Eigen::Index>(batch.size());
+  return kColumns * static_cast<Eigen::Index>(batch.size());
 }
 
-template <class Row>
-auto triple(Eigen::MatrixXd& columns, Row row, std::size_t square) {
-  return columns.block<1, 3>(static_cast<Eigen::Index>(row), 3 * static_cast<Eigen::Index>(square));
+template <int kColumns, class Row>
+auto numbers_of(Eigen::MatrixXd& columns, Row row, std::size_t square) {
+  return columns.block<1, kColumns>(static_cast<Eigen::Index>(row),
+                                    kColumns * static_cast<Eigen::Index>(square));
 }
 
 }  // namespace
@@ -152,25 +154,27 @@ bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
          is_same(surface.mesh().topology(), mesh_.topology());
 }
 
-template <std::size_t kAsked>
-std::array<VectorRows, kAsked> PlaceWeights::applied(const VectorRows& control,
-                                                     const std::array<int, kAsked>& asked) const {
-  const VectorRows refined = squares().weights() * control;
-  std::array<VectorRows, kAsked> results;
-  for (VectorRows& result : results) result.resize(count(), 3);
+template <std::size_t kAsked, int kColumns>
+std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
+    const NumberRows<kColumns>& control, const std::array<int, kAsked>& asked) const {
+  const NumberRows<kColumns> refined = squares().weights() * control;
+  std::array<NumberRows<kColumns>, kAsked> results;
+  for (NumberRows<kColumns>& result : results) result.resize(count(), kColumns);
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     for_each_batch(squares().kinds()[k].squares, [&](std::span<const int> batch) {
-      Eigen::MatrixXd points(kinds_[k].rows[0].cols(), columns_of(batch));
+      Eigen::MatrixXd points(kinds_[k].rows[0].cols(), columns_of<kColumns>(batch));
       Eigen::MatrixXd places(kinds_[k].rows[0].rows(), points.cols());
       for (std::size_t b = 0; b < batch.size(); ++b) {
         const std::span<const int> own = squares().points(batch[b]);
-        for (std::size_t i = 0; i < own.size(); ++i) triple(points, i, b) = refined.row(own[i]);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+          numbers_of<kColumns>(points, i, b) = refined.row(own[i]);
+        }
       }
       for (std::size_t one = 0; one < kAsked; ++one) {
         places.noalias() = kinds_[k].rows[asked[one]] * points;
         for (std::size_t b = 0; b < batch.size(); ++b) {
           for (Eigen::Index i = 0; i < places.rows(); ++i) {
-            results[one].row(first_[batch[b]] + i) = triple(places, i, b);
+            results[one].row(first_[batch[b]] + i) = numbers_of<kColumns>(places, i, b);
           }
         }
       }
@@ -179,33 +183,42 @@ std::array<VectorRows, kAsked> PlaceWeights::applied(const VectorRows& control,
   return results;
 }
 
+template <int kColumns>
+NumberRows<kColumns> PlaceWeights::taken_back(const NumberRows<kColumns>& by_places) const {
+  NumberRows<kColumns> refined =
+      NumberRows<kColumns>::Zero(squares().weights().rows(), Eigen::Index{kColumns});
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const Eigen::MatrixXd& rows = kinds_[k].rows[0];
+    for_each_batch(squares().kinds()[k].squares, [&](std::span<const int> batch) {
+      Eigen::MatrixXd places(rows.rows(), columns_of<kColumns>(batch));
+      Eigen::MatrixXd points(rows.cols(), places.cols());
+      for (std::size_t b = 0; b < batch.size(); ++b) {
+        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+          numbers_of<kColumns>(places, i, b) = by_places.row(first_[batch[b]] + i);
+        }
+      }
+      points.noalias() = rows.transpose() * places;
+      for (std::size_t b = 0; b < batch.size(); ++b) {
+        const std::span<const int> own = squares().points(batch[b]);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+          refined.row(own[i]) += numbers_of<kColumns>(points, i, b);
+        }
+      }
+    });
+  }
+  return squares().weights().transpose() * refined;
+}
+
 template std::array<VectorRows, 1> PlaceWeights::applied(const VectorRows&,
                                                          const std::array<int, 1>&) const;
 template std::array<VectorRows, 2> PlaceWeights::applied(const VectorRows&,
                                                          const std::array<int, 2>&) const;
 template std::array<VectorRows, 3> PlaceWeights::applied(const VectorRows&,
                                                          const std::array<int, 3>&) const;
-
-VectorRows PlaceWeights::back(const VectorRows& by_places) const {
-  VectorRows refined = VectorRows::Zero(squares().weights().rows(), 3);
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    const Eigen::MatrixXd& rows = kinds_[k].rows[0];
-    for_each_batch(squares().kinds()[k].squares, [&](std::span<const int> batch) {
-      Eigen::MatrixXd places(rows.rows(), columns_of(batch)), points(rows.cols(), places.cols());
-      for (std::size_t b = 0; b < batch.size(); ++b) {
-        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-          triple(places, i, b) = by_places.row(first_[batch[b]] + i);
-        }
-      }
-      points.noalias() = rows.transpose() * places;
-      for (std::size_t b = 0; b < batch.size(); ++b) {
-        const std::span<const int> own = squares().points(batch[b]);
-        for (std::size_t i = 0; i < own.size(); ++i) refined.row(own[i]) += triple(points, i, b);
-      }
-    });
-  }
-  return squares().weights().transpose() * refined;
-}
+template std::array<NumberRows<1>, 1> PlaceWeights::applied(const NumberRows<1>&,
+                                                            const std::array<int, 1>&) const;
+template VectorRows PlaceWeights::taken_back(const VectorRows&) const;
+template NumberRows<1> PlaceWeights::taken_back(const NumberRows<1>&) const;
 
 PlaceWeights::Matrix PlaceWeights::form(const Eigen::VectorXd& diagonal) const {
   return forms_.sum([&](int square, Eigen::MatrixXd& form) {

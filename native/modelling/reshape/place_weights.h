@@ -12,7 +12,10 @@ namespace hull::modelling {
 
 // Lies in memory as vectors do: products with sparse matrices go through these once, not for each
 // coordinate.
-using VectorRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+template <int kColumns>
+using NumberRows = Eigen::Matrix<double, Eigen::Dynamic, kColumns,
+                                 kColumns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+using VectorRows = NumberRows<3>;
 
 // Places all over a surface with what its points and derivatives there are as sums of control
 // points: all of them that depends on topology, tags and scheme alone, so that it serves every
@@ -56,16 +59,25 @@ class PlaceWeights {
 
   // At the places, of what control points carry, a row each: it, and its derivatives along s and
   // along t of the places' pieces, which are zero at knots.
-  VectorRows at(const VectorRows& control) const { return std::get<0>(applied<1>(control, {0})); }
+  VectorRows at(const VectorRows& control) const {
+    return std::get<0>(applied<1, 3>(control, {0}));
+  }
   std::array<VectorRows, 2> along(const VectorRows& control) const {
-    return applied<2>(control, {1, 2});
+    return applied<2, 3>(control, {1, 2});
   }
   // Position and both derivatives.
   std::array<VectorRows, 3> jets(const VectorRows& control) const {
-    return applied<3>(control, {0, 1, 2});
+    return applied<3, 3>(control, {0, 1, 2});
   }
   // By control points, of what is known by the places: at's matrix, transposed, times it.
-  VectorRows back(const VectorRows& by_places) const;
+  VectorRows back(const VectorRows& by_places) const { return taken_back<3>(by_places); }
+  // The same of one number each, as of one axis: in a third of the time.
+  Eigen::VectorXd numbers_at(const Eigen::VectorXd& control) const {
+    return std::get<0>(applied<1, 1>(control, {0}));
+  }
+  Eigen::VectorXd numbers_back(const Eigen::VectorXd& by_places) const {
+    return taken_back<1>(by_places);
+  }
   // atᵀ · diagonal · at, by control points.
   Matrix form(const Eigen::VectorXd& diagonal) const;
 
@@ -82,9 +94,11 @@ class PlaceWeights {
   class Builder;
 
   // By each of the rows of kinds that are asked for.
-  template <std::size_t kAsked>
-  std::array<VectorRows, kAsked> applied(const VectorRows& control,
-                                         const std::array<int, kAsked>& asked) const;
+  template <std::size_t kAsked, int kColumns>
+  std::array<NumberRows<kColumns>, kAsked> applied(const NumberRows<kColumns>& control,
+                                                   const std::array<int, kAsked>& asked) const;
+  template <int kColumns>
+  NumberRows<kColumns> taken_back(const NumberRows<kColumns>& by_places) const;
   const KindRows& kind_of(int square) const { return kinds_[squares().kind(square)]; }
 
   mesh::ControlMesh mesh_;  // whose places they are

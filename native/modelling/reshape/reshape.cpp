@@ -37,12 +37,24 @@ std::vector<Vector3d> vectors_of(const Eigen::VectorXd& coordinates) {
   return vectors;
 }
 
+// The axis of all rows that a basis has; -1 where there are several, or none.
+int only_axis_of(const Eigen::SparseMatrix<double>& basis) {
+  int axis = -1;
+  for (Eigen::Index k = 0; k < basis.nonZeros(); ++k) {
+    const int own = basis.innerIndexPtr()[k] % 3;
+    if (axis >= 0 && own != axis) return -1;
+    axis = own;
+  }
+  return axis;
+}
+
 }  // namespace
 
 Reshape::Reshape(const surface::LimitSurface& surface, const ReshapeOptions& options)
     : points_(surface.mesh().points()),
       places_(surface, options.weights ? options.weights : std::make_shared<PlaceWeights>(surface)),
-      space_(options.limits, static_cast<int>(points_.size())) {
+      space_(options.limits, static_cast<int>(points_.size())),
+      only_axis_(only_axis_of(space_.basis())) {
   if (!(places_.total_area() > 0.0)) {
     throw std::invalid_argument("The surface has no area: no shift of it can be wanted.");
   }
@@ -87,6 +99,8 @@ void Reshape::factor_conditions() {
 }
 
 Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
+  // What is wanted along other axes does not count then.
+  if (only_axis_ >= 0) return descent_along(only_axis_, moves, shifts);
   const Eigen::Map<const VectorRows> now = as_rows(moves);
   VectorRows left = places_.weights()->at(now);
   // In place: of thousands of irregular points these are megabytes.
@@ -96,6 +110,19 @@ Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const VectorRows&
   VectorRows back = places_.weights()->back(left);
   if (stiff_.nonZeros() > 0) back -= stiff_ * now;
   return space_.basis().transpose() * back.reshaped<Eigen::RowMajor>();
+}
+
+Eigen::VectorXd Reshape::descent_along(int axis, const Eigen::VectorXd& moves,
+                                       const VectorRows& shifts) const {
+  const auto own = Eigen::seqN(Eigen::Index{axis}, as_rows(moves).rows(), 3);
+  const Eigen::VectorXd now = moves(own);
+  Eigen::VectorXd left = shifts.col(axis);
+  if (!now.isZero(0.0)) left -= places_.weights()->numbers_at(now);
+  left.array() *= shares_.array();
+  Eigen::VectorXd back = Eigen::VectorXd::Zero(moves.size());
+  back(own) = places_.weights()->numbers_back(left);
+  if (stiff_.nonZeros() > 0) back(own) -= stiff_ * now;
+  return space_.basis().transpose() * back;
 }
 
 Eigen::VectorXd Reshape::step(const Eigen::VectorXd& descent,
@@ -133,7 +160,12 @@ Reshaped Reshape::solve(const std::vector<Vector3d>& shifts,
                         const std::vector<Vector3d>& prescribed,
                         const std::vector<double>& values) const {
   const VectorRows wanted = rows_of(shifts);
-  return outcome(least(wanted, prescribed, values), wanted);
+  const Eigen::VectorXd moves = least(wanted, prescribed, values);
+  Reshaped result{left_by(moves, wanted), vectors_of(moves), -1};
+  std::vector<Vector3d> points = points_;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += result.moves[i];
+  result.folded_place = places_.first_fold(points);
+  return result;
 }
 
 std::vector<Vector3d> Reshape::moves(const std::vector<Vector3d>& shifts,
@@ -142,25 +174,21 @@ std::vector<Vector3d> Reshape::moves(const std::vector<Vector3d>& shifts,
   return vectors_of(least(rows_of(shifts), prescribed, values));
 }
 
-Reshaped Reshape::residual(const std::vector<Vector3d>& moves,
+Residual Reshape::residual(const std::vector<Vector3d>& moves,
                            const std::vector<Vector3d>& shifts) const {
   check_count(moves.size(), points_.size(), "moves");
   check_count(shifts.size(), static_cast<std::size_t>(places_.count()), "wanted shifts");
-  return outcome(rows_of(moves).reshaped<Eigen::RowMajor>(), rows_of(shifts));
+  return left_by(rows_of(moves).reshaped<Eigen::RowMajor>(), rows_of(shifts));
 }
 
-Reshaped Reshape::outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
+Residual Reshape::left_by(const Eigen::VectorXd& moves, const VectorRows& shifts) const {
   const VectorRows difference = shifts - places_.weights()->at(as_rows(moves));
   const Eigen::VectorXd left = difference.rowwise().norm();
-  Reshaped result;
+  Residual result;
   result.rms = std::sqrt(shares_.dot(left.cwiseAbs2()));
   Eigen::Index place = -1;
   result.largest = left.maxCoeff(&place);
   result.largest_place = static_cast<int>(place);
-  std::vector<Vector3d> points = points_;
-  result.moves = vectors_of(moves);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] += result.moves[i];
-  result.folded_place = places_.first_fold(points);
   return result;
 }
 

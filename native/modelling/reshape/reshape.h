@@ -24,11 +24,15 @@ struct ReshapeOptions {
   std::shared_ptr<const PlaceWeights> weights = nullptr;
 };
 
+// What is left of wanted shifts.
+struct Residual {
+  double rms, largest;  // of the wanted shifts less what the surface does, m
+  int largest_place;    // where, of places(); -1 where there is none
+};
+
 // How a surface comes to lie.
-struct Reshaped {
+struct Reshaped : Residual {
   std::vector<Vector3d> moves;  // of all control points, m
-  double rms, largest;          // of the wanted shifts less what the surface does, m
-  int largest_place;            // where, of places(); -1 where there is none
   int folded_place;             // where the surface is folded then; -1: nowhere
 };
 
@@ -57,9 +61,9 @@ class Reshape {
   std::vector<Vector3d> moves(const std::vector<Vector3d>& shifts,
                               const std::vector<Vector3d>& prescribed = {},
                               const std::vector<double>& values = {}) const;
-  // What solve() tells, of moves that are known: sums of its solutions, for one. Throws
-  // std::invalid_argument where counts differ.
-  Reshaped residual(const std::vector<Vector3d>& moves, const std::vector<Vector3d>& shifts) const;
+  // What solve() tells, but for folds, of moves that are known: sums of its solutions, for one.
+  // Throws std::invalid_argument where counts differ.
+  Residual residual(const std::vector<Vector3d>& moves, const std::vector<Vector3d>& shifts) const;
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
@@ -68,15 +72,18 @@ class Reshape {
   void factor_conditions();
   // By y: half the gradient of what is to be least, downwards.
   Eigen::VectorXd descent(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
+  Eigen::VectorXd descent_along(int axis, const Eigen::VectorXd& moves,
+                                const VectorRows& shifts) const;
   // One step of the problem's Newton method, which is exact but for rounding and regularisation.
   Eigen::VectorXd step(const Eigen::VectorXd& descent, const Eigen::VectorXd& missing) const;
   Eigen::VectorXd least(const VectorRows& shifts, const std::vector<Vector3d>& prescribed,
                         const std::vector<double>& values) const;
-  Reshaped outcome(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
+  Residual left_by(const Eigen::VectorXd& moves, const VectorRows& shifts) const;
 
   std::vector<Vector3d> points_;
   SurfacePlaces places_;
   MoveSpace space_;
+  int only_axis_;             // the one along which there are moves in the space; -1: others, too
   Eigen::VectorXd shares_;    // of the area, by place
   Sparse stiff_;              // points x points
   ConditionRows conditions_;  // by moves of all points

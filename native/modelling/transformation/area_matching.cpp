@@ -185,7 +185,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
   }
   result.converged = result.difference <= tolerance;
   hull.move(result.moves);
-  const analysis::Immersion immersion = hull.immersion();
+  const analysis::Immersion& immersion = hull.immersion();
   result.volume = immersion.volume;
   result.lcb = immersion.centre_of_buoyancy.x();
   return result;

@@ -169,18 +169,22 @@ std::vector<Vector3d> LongitudinalReshape::of_groups(
   return prescribed;
 }
 
+LongitudinalReshape::Wanted LongitudinalReshape::wanted(
+    const std::function<double(double x)>& shift) const {
+  return {at_places(shift), of_groups(shift)};
+}
+
 Reshaped LongitudinalReshape::solve(const std::function<double(double x)>& shift) const {
   return reshape_.solve(at_places(shift), of_groups(shift));
 }
 
-std::vector<Vector3d> LongitudinalReshape::moves(
-    const std::function<double(double x)>& shift) const {
-  return reshape_.moves(at_places(shift), of_groups(shift));
+std::vector<Vector3d> LongitudinalReshape::moves(const Wanted& wanted) const {
+  return reshape_.moves(wanted.at_places, wanted.of_groups);
 }
 
-Reshaped LongitudinalReshape::residual(const std::vector<Vector3d>& moves,
-                                       const std::function<double(double x)>& shift) const {
-  return reshape_.residual(moves, at_places(shift));
+Residual LongitudinalReshape::residual(const std::vector<Vector3d>& moves,
+                                       const Wanted& wanted) const {
+  return reshape_.residual(moves, wanted.at_places);
 }
 
 }  // namespace hull::modelling

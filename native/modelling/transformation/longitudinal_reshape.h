@@ -31,13 +31,19 @@ class LongitudinalReshape {
   // Throws std::invalid_argument as Reshape does.
   LongitudinalReshape(const surface::LimitSurface& surface, const TransformLimits& limits);
 
+  // What is wanted all over the hull, m: at each of places(), and of each point of rigid groups.
+  // Sums of these are wanted by sums of shifts.
+  struct Wanted {
+    std::vector<Vector3d> at_places, of_groups;
+  };
+
   // `shift`: wanted of a place at x, m.
+  Wanted wanted(const std::function<double(double x)>& shift) const;
   Reshaped solve(const std::function<double(double x)>& shift) const;
   // The moves of solve() alone: sooner done.
-  std::vector<Vector3d> moves(const std::function<double(double x)>& shift) const;
+  std::vector<Vector3d> moves(const Wanted& wanted) const;
   // Of moves that are known: sums of solutions.
-  Reshaped residual(const std::vector<Vector3d>& moves,
-                    const std::function<double(double x)>& shift) const;
+  Residual residual(const std::vector<Vector3d>& moves, const Wanted& wanted) const;
 
   const SurfacePlaces& places() const { return reshape_.places(); }
 

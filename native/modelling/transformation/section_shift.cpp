@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "modelling/transformation/shift_solver.h"
 
@@ -22,6 +23,10 @@ Eigen::MatrixXd slopes_along(const ShiftFunctions& functions, const SurfacePlace
     to = std::max(to, places.position(k).x());
   }
   return functions.slopes(from, to);
+}
+
+void add(double factor, const std::vector<Vector3d>& vectors, std::vector<Vector3d>& sums) {
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += factor * vectors[i];
 }
 
 // In dimensions of the project.
@@ -44,12 +49,13 @@ SectionShift::SectionShift(const analysis::HullBody& body,
   if (!(project_.draft > 0.0)) project_.draft = position.draft;
   slopes_ = slopes_along(functions_, reshape_.places());
   for (int k = 0; k < functions_.count(); ++k) {
-    unit_moves_.push_back(reshape_.moves([&](double x) { return functions_.value(k, x); }));
+    units_.push_back(shift_by([&](double x) { return functions_.value(k, x); }));
   }
   if (functions_.changes_parallel_body()) {
-    parallel_moves_ = reshape_.moves([&](double x) { return functions_.parallel_change(x); });
+    parallel_ = shift_by([&](double x) { return functions_.parallel_change(x); });
   } else {
-    parallel_moves_.assign(hull_.points().size(), Vector3d::Zero());
+    parallel_.wanted.at_places.assign(reshape_.places().count(), Vector3d::Zero());
+    parallel_.moves.assign(hull_.points().size(), Vector3d::Zero());
   }
   midship_area_ = hull_.section_area(0.5 * project_.length_pp);
 }
@@ -70,11 +76,15 @@ double SectionShift::per_volume(VolumeMeasure measure) const {
   return 1.0;
 }
 
+SectionShift::Shift SectionShift::shift_by(const std::function<double(double x)>& function) const {
+  LongitudinalReshape::Wanted wanted = reshape_.wanted(function);
+  std::vector<Vector3d> moves = reshape_.moves(wanted);
+  return {std::move(wanted), std::move(moves)};
+}
+
 std::vector<Vector3d> SectionShift::moves(const std::vector<double>& coefficients) const {
-  std::vector<Vector3d> sum = parallel_moves_;
-  for (std::size_t k = 0; k < unit_moves_.size(); ++k) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += coefficients[k] * unit_moves_[k][i];
-  }
+  std::vector<Vector3d> sum = parallel_.moves;
+  for (std::size_t k = 0; k < units_.size(); ++k) add(coefficients[k], units_[k].moves, sum);
   return sum;
 }
 
@@ -88,19 +98,17 @@ bool SectionShift::is_sound(const std::vector<double>& coefficients) const {
 SectionsShifted SectionShift::outcome(const std::vector<double>& coefficients) {
   SectionsShifted result;
   result.moves = moves(coefficients);
-  const Reshaped reshaped = reshape_.residual(result.moves, [&](double x) {
-    double sum = functions_.parallel_change(x);
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      sum += coefficients[k] * functions_.value(static_cast<int>(k), x);
-    }
-    return sum;
-  });
+  LongitudinalReshape::Wanted wanted{parallel_.wanted.at_places, {}};
+  for (std::size_t k = 0; k < units_.size(); ++k) {
+    add(coefficients[k], units_[k].wanted.at_places, wanted.at_places);
+  }
+  const Residual left = reshape_.residual(result.moves, wanted);
   result.coefficients = coefficients;
-  result.rms = reshaped.rms;
-  result.largest = reshaped.largest;
-  result.largest_place = reshape_.places().position(reshaped.largest_place);
+  result.rms = left.rms;
+  result.largest = left.largest;
+  result.largest_place = reshape_.places().position(left.largest_place);
   hull_.move(result.moves);
-  const analysis::Immersion immersion = hull_.immersion();
+  const analysis::Immersion& immersion = hull_.immersion();
   result.volume = immersion.volume;
   result.lcb = immersion.centre_of_buoyancy.x();
   result.iterations = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,12 @@ class SectionShift {
   class Solver;
   friend class Solver;
 
+  struct Shift {
+    LongitudinalReshape::Wanted wanted;
+    std::vector<Vector3d> moves;  // of all control points, m
+  };
+
+  Shift shift_by(const std::function<double(double x)>& function) const;
   std::vector<Vector3d> moves(const std::vector<double>& coefficients) const;
   bool is_sound(const std::vector<double>& coefficients) const;
   SectionsShifted outcome(const std::vector<double>& coefficients);
@@ -78,9 +85,9 @@ class SectionShift {
   double midship_area_;
   LongitudinalReshape reshape_;
   ShiftFunctions functions_;
-  Eigen::MatrixXd slopes_;                         // of the functions, all along the hull
-  std::vector<std::vector<Vector3d>> unit_moves_;  // by coefficient
-  std::vector<Vector3d> parallel_moves_;           // what the parallel body's change takes
+  Eigen::MatrixXd slopes_;    // of the functions, all along the hull
+  std::vector<Shift> units_;  // by coefficient
+  Shift parallel_;            // what the parallel body's change takes
 };
 
 }  // namespace hull::modelling

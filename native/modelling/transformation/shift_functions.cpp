@@ -29,7 +29,11 @@ ShiftFunctions::ShiftFunctions(const ShiftSettings& settings, const WorkingHull&
   const double middle = 0.5 * settings.length_pp;
   parallel_ = settings.parallel.value_or(HullRange{middle, middle});
   check();
-  if (settings.part == ShiftedPart::kWhole) areas_.emplace(hull);
+  if (settings.part == ShiftedPart::kWhole) {
+    areas_.emplace(hull);
+    area_at_ap_ = areas_->at(0.0);
+    area_at_fp_ = areas_->at(settings.length_pp);
+  }
   if (settings.part == ShiftedPart::kFair) fair_.emplace(fair_shifts(hull, places));
 }
 
@@ -95,8 +99,7 @@ double ShiftFunctions::by_area(double x) const {
   // In the parallel body all areas are the largest, whatever the spline makes of them.
   const double area = areas_->at(has_parallel && x > aft && x < fore ? fore : x);
   const double ahead = (x - fore) / (settings_.length_pp - fore), abaft = (aft - x) / aft;
-  return area - areas_->at(settings_.length_pp) * smooth_step(ahead) -
-         areas_->at(0.0) * smooth_step(abaft);
+  return area - area_at_fp_ * smooth_step(ahead) - area_at_ap_ * smooth_step(abaft);
 }
 
 double ShiftFunctions::freedom(double x) const {

@@ -75,6 +75,7 @@ class ShiftFunctions {
   ShiftSettings settings_;
   HullRange parallel_;
   std::optional<AreaCurve> areas_;
+  double area_at_ap_ = 0.0, area_at_fp_ = 0.0;  // of these
   std::optional<FairShifts> fair_;
 };
 

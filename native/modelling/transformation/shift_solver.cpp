@@ -50,7 +50,7 @@ std::vector<double> SectionShift::Solver::coefficients(const Vector& y) const {
 
 SectionShift::Solver::Form SectionShift::Solver::form_at(const Vector& y) {
   shift_.hull_.move(shift_.moves(coefficients(y)));
-  const analysis::Immersion found = shift_.hull_.immersion();
+  const analysis::Immersion& found = shift_.hull_.immersion();
   return {found.volume, found.volume * found.centre_of_buoyancy.x()};
 }
 

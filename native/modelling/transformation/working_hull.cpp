@@ -20,8 +20,8 @@ analysis::Plane checked_water(const analysis::FloatingPosition& position) {
 
 WorkingHull::WorkingHull(const analysis::HullBody& body, const analysis::FloatingPosition& position)
     : surface_(body.surface()),
-      body_(body, surface_),
       water_(checked_water(position)),
+      body_(body, surface_, water_),
       points_(surface_.mesh().points()),
       moves_(points_.size(), Vector3d::Zero()),
       volume_(immersion().volume) {
@@ -48,6 +48,12 @@ void WorkingHull::move(const std::vector<Vector3d>& moves) {
   for (std::size_t i = 0; i < points.size(); ++i) points[i] += moves[i];
   surface_.set_points(std::move(points));
   body_.update();
+  immersion_.reset();
+}
+
+const analysis::Immersion& WorkingHull::immersion() const {
+  if (!immersion_) immersion_ = body_.immersion(water_);
+  return *immersion_;
 }
 
 double WorkingHull::section_area(double x) const { return sections({x}).front().area; }

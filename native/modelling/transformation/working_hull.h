@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,16 +33,17 @@ class WorkingHull {
   // Moves of all control points from where they were as given; the same as last time cost nothing.
   void move(const std::vector<Vector3d>& moves);
 
-  // Of the hull as moved last.
-  analysis::Immersion immersion() const { return body_.immersion(water_); }
+  // Of the hull as moved last; asked again it costs nothing. The wetted surface is not measured.
+  const analysis::Immersion& immersion() const;
   double section_area(double x) const;
   std::vector<analysis::SectionArea> sections(const std::vector<double>& positions) const;
 
  private:
   surface::LimitSurface surface_;
-  analysis::HullBody body_;
   analysis::Plane water_;
+  analysis::HullBody body_;
   std::vector<Vector3d> points_, moves_;
+  mutable std::optional<analysis::Immersion> immersion_;
   std::pair<double, double> immersed_range_;
   double volume_;
 };

@@ -287,6 +287,32 @@ TEST(HullBody, FollowsMovedPoints) {
   }
 }
 
+// Of what is immersed a body for one water tells what the whole one does, though it computes
+// nothing of the rest.
+TEST(HullBody, ForOneWater) {
+  std::mt19937 random(416);
+  mesh::MeshArrays arrays = testing::prism(7);
+  testing::randomise(arrays, random, 0.2, 0.0, 0.2);
+  const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  const HullBody body(surface, false);
+  const Plane water{Vector3d::UnitZ(), 0.1};
+  surface::LimitSurface copy(surface);
+  HullBody alone(body, copy, water);
+  std::normal_distribution<double> move(0.0, 0.05);
+  for (int step = 0; step < 20; ++step) {
+    for (Vector3d& p : arrays.points) p.x() += move(random);
+    copy.set_points(arrays.points);
+    alone.update();
+    const Immersion found = alone.immersion(water);
+    const Immersion whole = HullBody(copy, false).immersion(water);
+    ASSERT_GT(whole.volume, 0.1);
+    EXPECT_NEAR(found.volume, whole.volume, 1e-13);
+    EXPECT_LT((found.centre_of_buoyancy - whole.centre_of_buoyancy).norm(), 1e-12);
+    EXPECT_NEAR(found.waterplane_area, whole.waterplane_area, 1e-12);
+    EXPECT_TRUE(std::isnan(found.wetted_surface));
+  }
+}
+
 // Moments of the old points must not meet the new ones that the water cuts.
 TEST(HullBody, OutOfDateRefusesToAnswer) {
   mesh::MeshArrays arrays = testing::prism(7);

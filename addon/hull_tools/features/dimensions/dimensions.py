@@ -55,41 +55,76 @@ class Brought:
     kept: object = None
 
 
-def set_dimensions(
-    obj, scene, *, length=None, beam=None, draft=None, depth=None, of_surface=False, keep=()
-):
-    """Scales a hull to dimensions in m, and with it all that belongs to it; None of one that stays,
-    or follows. Returns a Brought.
+@dataclass(frozen=True)
+class Asked:
+    """Dimensions in m that a hull is to have, None of one that stays, or follows. With a depth
+    heights go by that, and a draft is where the hull floats; else they go by the draft. of_surface:
+    length, beam and depth are extents of the surface, not particulars. keep: which of
+    hull_io.keeping.KEPT keep their shape."""
 
-    With a depth heights go by that, and a draft is where the hull floats; else they go by the
-    draft. of_surface: length, beam and depth are extents of the surface, not particulars. keep:
-    which of hull_io.keeping.KEPT keep their shape. ValueError where that cannot be: nothing
-    changes then.
+    length: object = None
+    beam: object = None
+    draft: object = None
+    depth: object = None
+    of_surface: bool = False
+    keep: tuple = ()
+
+    def dimensions(self):
+        """By the names of scaling.factors."""
+        return {name: getattr(self, name) for name in ("length", "beam", "draft", "depth")}
+
+    def particulars(self):
+        """By the names of Object.hull, those that are given; m."""
+        given = {"draft": self.draft}
+        if not self.of_surface:
+            given.update(length_pp=self.length, beam=self.beam, depth=self.depth)
+        return {name: value for name, value in given.items() if value is not None}
+
+
+class Start:
+    """A hull as it is before it is scaled to what is Asked; nothing changes before write().
+    ValueError where that cannot be.
+
+    find(progress), for any thread: what keeps its shape, which write() takes.
     """
-    now = present(obj, scene)
-    if of_surface:
-        if now.length is None:
-            raise ValueError("The hull has no surface to be measured: look at Mesh Check")
-        now = Dimensions(now.length, now.breadth, now.draft, now.height)
-    if draft is not None:
-        scaling.factors(Dimensions(1.0, 1.0, 1.0, 1.0), draft=draft)
-    wanted = {"length": length, "beam": beam, "draft": draft, "depth": depth}
-    factors = scaling.factors(now, **wanted)
-    kept = keeping.find(obj, scene, now, keep, wanted, of_surface) if keep else None
-    _keep_form(obj, scene)
-    if kept is None:
-        scale_hull(obj, scene, factors)
-    else:
-        keeping.apply(obj, scene, kept)
-        _forget_scale(obj)
-    exact = {"draft": draft}
-    if not of_surface:
-        exact.update(length_pp=length, beam=beam, depth=depth)
-    for name, value in exact.items():
-        if value is not None:
+
+    def __init__(self, obj, scene, asked):
+        self._asked, self._present = asked, present(obj, scene)
+        now = self._present
+        if asked.of_surface:
+            if now.length is None:
+                raise ValueError("The hull has no surface to be measured: look at Mesh Check")
+            now = Dimensions(now.length, now.breadth, now.draft, now.height)
+        if asked.draft is not None:
+            scaling.factors(Dimensions(1.0, 1.0, 1.0, 1.0), draft=asked.draft)
+        wanted = asked.dimensions()
+        self._factors = scaling.factors(now, **wanted)
+        self.find = lambda progress: None
+        if asked.keep:
+            self.find = keeping.search(obj, scene, now, asked.keep, wanted, asked.of_surface)
+
+    def write(self, obj, scene, kept):
+        """Scales the hull, and with it all that belongs to it; returns a Brought. ValueError where
+        it has other dimensions by now."""
+        if present(obj, scene) != self._present:
+            raise ValueError("The hull's dimensions were changed meanwhile: scale it again")
+        _keep_form(obj, scene)
+        if kept is None:
+            scale_hull(obj, scene, self._factors)
+        else:
+            keeping.apply(obj, scene, kept)
+            _forget_scale(obj)
+        for name, value in self._asked.particulars().items():
             setattr(obj.hull, name, value / units.metres_per_unit(scene))
-    hull_state.follow_edit(obj, scene, is_by_hand=False)
-    return Brought(factors, kept)
+        hull_state.follow_edit(obj, scene, is_by_hand=False)
+        return Brought(self._factors, kept)
+
+
+def set_dimensions(obj, scene, **asked):
+    """Scales a hull to what is Asked; returns a Brought. ValueError where that cannot be: nothing
+    changes then."""
+    start = Start(obj, scene, Asked(**asked))
+    return start.write(obj, scene, start.find(None))
 
 
 def _keep_form(obj, scene):

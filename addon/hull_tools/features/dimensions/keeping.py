@@ -27,10 +27,11 @@ class Kept:
     radii: object
 
 
-def find(obj, scene, now, keep, wanted, of_surface):
-    """The Kept of a hull that is brought to what is wanted, as hull_io.stretching.stretch_to takes
-    it, and keeps what is named in keep; None where factors alone do that. now: the Dimensions that
-    it has. Nothing moves yet. ValueError where it cannot be."""
+def search(obj, scene, now, keep, wanted, of_surface):
+    """A function of progress, for any thread, that returns the Kept of a hull that is brought to
+    what is wanted, as hull_io.stretching.stretch_to takes it, and keeps what is named in keep; None
+    where factors alone do that; ValueError where it cannot be. now: the Dimensions that the hull
+    has. Nothing moves yet."""
     hull_native, scale = native.require(), units.metres_per_unit(scene)
     found = hull_mesh.read(obj)
     control = found.control(scale)
@@ -38,27 +39,37 @@ def find(obj, scene, now, keep, wanted, of_surface):
     surface = source.new_surface()
     body = source.new_body(surface)
     named = {name: True for name in keep}
-    ranges = hull_native.kept_ranges(
-        body, draft=now.draft, length_pp=now.length_pp or None, depth=now.depth or None, **named
-    )
-    low, high = hull_native.surface_ends(surface)
-    stretch = stretching.stretch_to(now, ranges, low, high, of_surface=of_surface, **wanted)
-    if stretch is None:
-        return None
-    mapped = hull_native.map_surface(
-        surface, stretch, flats=_flats(obj, control, scale), **_limits(obj, control, surface)
-    )
-    radii = None
-    if "bilge" in named:
-        before = hull_native.bilge_of(body, now.draft)
-        surface.set_points(mapped.points)
-        body.update()
-        try:
-            after = hull_native.bilge_of(body, now.draft, float(stretch.place(0, before.x))).radius
-        except ValueError:
-            after = None  # no arc any longer: that is told, too
-        radii = before.radius, after
-    return Kept(stretch, mapped, radii)
+    own_flats, own_limits = _flats(obj, control, scale), _limits(obj, control, surface)
+
+    def found(progress):
+        ranges = hull_native.kept_ranges(
+            body, draft=now.draft, length_pp=now.length_pp or None, depth=now.depth or None, **named
+        )
+        low, high = hull_native.surface_ends(surface)
+        stretch = stretching.stretch_to(now, ranges, low, high, of_surface=of_surface, **wanted)
+        if stretch is None:
+            return None
+        mapped = hull_native.map_surface(
+            surface, stretch, flats=own_flats, progress=progress, **own_limits
+        )
+        radii = _radii(body, now.draft, stretch, mapped.points) if "bilge" in named else None
+        return Kept(stretch, mapped, radii)
+
+    return found
+
+
+def _radii(body, draft, stretch, points):
+    """The bilge radius of a hull_native.HullBody, and the one with other control points (n, 3),
+    which it has then; m."""
+    hull_native = native.require()
+    before = hull_native.bilge_of(body, draft)
+    body.surface.set_points(points)
+    body.update()
+    try:
+        after = hull_native.bilge_of(body, draft, float(stretch.place(0, before.x))).radius
+    except ValueError:
+        after = None  # no arc any longer: that is told, too
+    return before.radius, after
 
 
 def _flats(obj, control, scale):

@@ -2,6 +2,7 @@
 """Inflections and extrema of curvature of the lines through a part of a surface, counted."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -25,14 +26,40 @@ class Marks:
         return self.inflections > other.inflections or self.extrema > other.extrema
 
 
-def around(points):
+class Around:
+    """Marks of a hull_native.LimitSurface around points (k, 3); size: the hull's, m. Those of now
+    are counted once, however many moves are tried."""
+
+    def __init__(self, surface, points, size):
+        self._surface, self._box, self._size = surface, _box_around(points), size
+
+    @cached_property
+    def now(self):
+        return self.of(self._surface)
+
+    def moved(self, moves):
+        """The Marks with moves (n, 3), m, of the control points."""
+        if not moves.any():
+            return self.now
+        mesh = self._surface.mesh
+        moved = native.require().LimitSurface(
+            mesh.with_points(mesh.points + moves), self._surface.scheme
+        )
+        return self.of(moved)
+
+    def of(self, surface):
+        """The Marks of a changed surface within the same box."""
+        return _count(surface, self._box, self._size)
+
+
+def _box_around(points):
     """(low (3,), high (3,)): the box around points (k, 3), a little wider."""
     low, high = points.min(axis=0), points.max(axis=0)
     margin = _WIDER * float((high - low).max())
     return low - margin, high + margin
 
 
-def count(surface, box, size):
+def _count(surface, box, size):
     """The Marks within a box (low (3,), high (3,)) of a hull_native.LimitSurface; size: its, m."""
     hull_native = native.require()
     low, high = box

@@ -113,8 +113,9 @@ class _Start:
         wanted = seen_marks.wanted_of(obj, self.scale, beam)
         return marks_out.Seen(self.surface, beam, wanted, box)
 
-    def region(self):
-        """hull_native.FairRegion, that of the last time where nothing but the deviation differs."""
+    def prepared(self):
+        """(hull_native.FairRegion, local_marks.Around), those of the last time where nothing but
+        the deviation differs."""
         asked, held = self.asked, self.limits
         key = (
             self.found.topology_key,
@@ -138,13 +139,14 @@ class _Start:
                 conditions=self.keeping.conditions() if self.keeping else (),
                 **held.reshape_arguments(self.surface),
             )
+            around = local_marks.Around(self.surface, self.control.points[self.chosen], self.size)
             _prepared.clear()
-            _prepared[key] = region
+            _prepared[key] = region, around
         return _prepared[key]
 
     def solve(self, progress=None):
         """(hull_native.Faired, Marks before, Marks after, what kept numbers miss)."""
-        asked, region = self.asked, self.region()
+        asked, (region, around) = self.asked, self.prepared()
         # While deviations are tried it is these that are told of.
         told = None if asked.by_marks else progress
 
@@ -171,12 +173,7 @@ class _Start:
             raise ValueError(
                 f"The surface would be turned over at ({place}) m: give a smaller deviation"
             )
-        box = local_marks.around(self.control.points[self.chosen])
-        moved = native.require().LimitSurface(
-            self.surface.mesh.with_points(self.control.points + faired.moves), self.found.scheme
-        )
-        before = local_marks.count(self.surface, box, self.size)
-        after = local_marks.count(moved, box, self.size)
+        before, after = around.now, around.moved(faired.moves)
         if self.asked.refuse_more and after.is_more_than(before):
             raise ValueError(f"Refused, since there would be more marks: {_marks(before, after)}")
         return faired, before, after, missed

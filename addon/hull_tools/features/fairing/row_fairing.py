@@ -89,8 +89,7 @@ def fair_rows(obj, scene, asked):
     is_moved = moves.any(axis=1)
     moved = hull_native.LimitSurface(mesh.with_points(control.points + moves), found.scheme)
     folds.refuse(surface, moved)
-    box = local_marks.around(control.points[points])
-    marks = [local_marks.count(each, box, size) for each in (surface, moved)]
+    around = local_marks.Around(surface, control.points[points], size)
     inflections = [
         sum(len(row_combs.inflections(each, row)) for row in rows)
         for each in (control.points, control.points + moves)
@@ -106,7 +105,8 @@ def fair_rows(obj, scene, asked):
         float(np.linalg.norm(moves, axis=1).max()),
         smoothed.is_bound,
         *inflections,
-        *marks,
+        around.now,
+        around.of(moved) if is_moved.any() else around.now,
     )
     return report
 
