@@ -14,6 +14,8 @@ namespace {
 using conversion::BSplinePatch;
 
 constexpr int kMostReferenceSpans = 32;
+constexpr int kLeastParts = 8, kPartsOfSpan = 2;  // of a curve, a point each
+constexpr int kMeasuredOfPart = 3;
 constexpr int kFootSolutions = 20;    // with feet found anew, at most
 constexpr double kSettled = 1e-13;    // of the size: feet that move no more
 constexpr int kFootGrid = 12;         // places each way from which a first foot is taken
@@ -205,23 +207,48 @@ class CurveFit {
   Eigen::VectorXd right_;
 };
 
-double furthest_point(const BSplinePatch& patch, const std::vector<Place>& feet,
-                      const std::vector<Vector3d>& points) {
-  double error = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    error = std::max(error, (patch.position(feet[i].x(), feet[i].y()) - points[i]).norm());
+// Points of all curves at the middles of equal parts.
+std::vector<Vector3d> points_of(const std::vector<Reference>& curves, int parts) {
+  std::vector<Vector3d> points;
+  for (const Reference& curve : curves) {
+    for (int i = 0; i < parts; ++i) points.push_back(curve((i + 0.5) / parts));
   }
-  return error;
+  return points;
 }
 
-ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                            const std::vector<Vector3d>& points, int spans) {
-  ReferenceFit fit{fitted_quad(sides, start, spans)};
-  BSplinePatch& patch = fit.quad.patch;
+std::vector<Place> first_feet(const BSplinePatch& patch, const std::vector<Vector3d>& points) {
   std::vector<Place> feet;
   for (const Vector3d& point : points) {
     feet.push_back(foot_from(patch, nearest_of_grid(patch, point), point));
   }
+  return feet;
+}
+
+// Of curves, at places between those that the patch was made of.
+std::vector<double> furthest_points(const BSplinePatch& patch, const std::vector<Reference>& curves,
+                                    int parts) {
+  std::vector<double> errors;
+  for (const Reference& curve : curves) {
+    double worst = 0.0;
+    Place foot = nearest_of_grid(patch, curve(0.0));
+    for (int i = 0; i <= kMeasuredOfPart * parts; ++i) {
+      const Vector3d point = curve(static_cast<double>(i) / (kMeasuredOfPart * parts));
+      foot = foot_from(patch, foot, point);
+      worst = std::max(worst, (patch.position(foot.x(), foot.y()) - point).norm());
+    }
+    errors.push_back(worst);
+  }
+  return errors;
+}
+
+ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
+                            const std::vector<Reference>& references, int spans) {
+  ReferenceFit fit{fitted_quad(sides, start, spans), {}};
+  BSplinePatch& patch = fit.quad.patch;
+  const int parts =
+      std::max(kLeastParts, kPartsOfSpan * (std::max(patch.count_u, patch.count_v) - 3));
+  const std::vector<Vector3d> points = points_of(references, parts);
+  std::vector<Place> feet = first_feet(patch, points);
   CurveFit curves(patch, points, sides);
   double energy = kFirstEnergy;
   for (int solution = 0; solution < kFootSolutions; ++solution) {
@@ -239,20 +266,24 @@ ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarg
     }
     if (moved < kSettled) break;
   }
-  fit.error = furthest_point(patch, feet, points);
+  fit.errors = furthest_points(patch, references, parts);
   return fit;
 }
 
 }  // namespace
 
+double ReferenceFit::largest_error() const {
+  return errors.empty() ? 0.0 : *std::ranges::max_element(errors);
+}
+
 ReferenceFit fitted_to_curves(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                              const std::vector<Vector3d>& points,
+                              const std::vector<Reference>& curves,
                               const ReferenceOptions& options) {
   int spans = options.spans;
-  ReferenceFit fit = fit_with_spans(sides, start, points, spans);
-  while (fit.error > options.tolerance && 2 * spans <= kMostReferenceSpans) {
+  ReferenceFit fit = fit_with_spans(sides, start, curves, spans);
+  while (fit.largest_error() > options.tolerance && 2 * spans <= kMostReferenceSpans) {
     spans *= 2;
-    fit = fit_with_spans(sides, start, points, spans);
+    fit = fit_with_spans(sides, start, curves, spans);
   }
   return fit;
 }

@@ -6,21 +6,27 @@
 namespace hull::network {
 
 struct ReferenceOptions {
-  double tolerance;  // m, of the patch from points of curves
+  double tolerance;  // m, of the patch from curves
   int spans;         // the least number each way
 };
 
+// A curve that a patch is to pass through, over 0 … 1.
+using Reference = std::function<Vector3d(double)>;
+
 struct ReferenceFit {
   FittedQuad quad;
-  double error = 0.0;  // m: the furthest of the points from the patch
+  std::vector<double> errors;  // m, of each curve: the furthest of it from the patch
+
+  double largest_error() const;
 };
 
-// The patch within four sides that passes near points of curves inside: of their squared distances
-// and a little of ∫ S_uuu² + S_vvv² the least sum, under the constraints of fitted_quad(). The
-// energy leaves biquadratic surfaces alone. Feet of the points are found anew after each solution;
-// spans are doubled until the tolerance holds, up to 32. `start` is where feet are looked for
-// first.
+// The patch within four sides that passes through curves inside: of the squared distances of their
+// points, several a span of the patch, and a little of ∫ S_uuu² + S_vvv² the least sum, under the
+// constraints of fitted_quad(). The energy leaves biquadratic surfaces alone. Feet of the points
+// are found anew after each solution; spans are doubled until the tolerance holds, between the
+// points, too, up to 32. `start` is where feet are looked for first.
 ReferenceFit fitted_to_curves(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                              const std::vector<Vector3d>& points, const ReferenceOptions& options);
+                              const std::vector<Reference>& curves,
+                              const ReferenceOptions& options);
 
 }  // namespace hull::network

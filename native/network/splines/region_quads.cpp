@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kPlateSamples = 8;  // of a side, but of short ones
 constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
-constexpr int kCurveSamples = 8;  // of an edge of a reference curve
 
 // A region's surface over some plane domain, before it is splines.
 struct StarTarget {
@@ -74,12 +73,10 @@ RegionQuads quad_with_references(const RegionInput& input, const std::vector<Sid
   std::array<QuadSide, 4> around{whole(sides[0]), whole(sides[1]), whole(sides[2]),
                                  whole(sides[3])};
   for (std::size_t k = 0; k < 4; ++k) free_border(input, sides[k], around[k]);
-  std::vector<Vector3d> points;
+  std::vector<Reference> curves;
   for (int edge : references) {
     const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(edge)];
-    for (int i = 0; i < kCurveSamples; ++i) {
-      points.emplace_back(shape.evaluate((i + 0.5) / kCurveSamples, 0).row(0));
-    }
+    curves.emplace_back([&shape](double t) { return Vector3d(shape.evaluate(t, 0).row(0)); });
   }
   // Curves inside tell more than normals at corners: the bilinear Coons patch.
   const auto on = [&](std::size_t k, double t) { return around[k].curve.position(t); };
@@ -89,9 +86,9 @@ RegionQuads quad_with_references(const RegionInput& input, const std::vector<Sid
                     (1.0 - u) * ((1.0 - v) * on(0, 0.0) + v * on(3, 0.0)) -
                     u * ((1.0 - v) * on(1, 0.0) + v * on(2, 0.0)));
   };
-  ReferenceFit fit = fitted_to_curves(around, start, points, {input.tolerance, input.spans});
+  ReferenceFit fit = fitted_to_curves(around, start, curves, {input.tolerance, input.spans});
   RegionQuads quads;
-  quads.curve_error = fit.error;
+  quads.reference_errors = fit.errors;
   keep(quads, std::move(fit.quad));
   return quads;
 }
