@@ -6,7 +6,7 @@
 namespace hull::network {
 namespace {
 
-constexpr int kMeasuredOfSpan = 5;  // none of which is a place of uniform_spline()
+constexpr int kMeasuredOfSpan = 5;  // none of which is a place of fitted_spline()
 constexpr int kSteps = 6;           // of Newton's, from the same parameter
 
 double distance_from(const BSplineCurve& spline, double t, const Vector3d& point) {

@@ -210,16 +210,25 @@ class Star {
   FittedSpline spoke(std::size_t i) const {
     const Vector2d way = on_spoke(i, 1.0) - on_spoke(i, 0.0);
     const Vector3d start = middle_place(i), normal = sides_[i].normal(middles_[i]);
-    const auto jet = [&](double t) {
+    const auto target = [&](double t) {
       const PatchPoint point = target_.at(on_spoke(i, t));
       Points3 rows(2, 3);
-      Vector3d slope = way.x() * point.by_first + way.y() * point.by_second;
-      if (t == 0.0) slope -= slope.dot(normal) * normal;
-      rows.row(0) = t == 0.0 ? start : point.point;
-      rows.row(1) = slope;
+      rows.row(0) = point.point;
+      rows.row(1) = way.x() * point.by_first + way.y() * point.by_second;
       return rows;
     };
-    return uniform_spline(jet, input_.tolerance);
+    // What the target is off there fades out towards the centre.
+    const Points3 found = target(0.0);
+    const Vector3d slope = found.row(1), shift = start - Vector3d(found.row(0));
+    const Vector3d tilt = -slope.dot(normal) * normal;
+    const auto jet = [&](double t) {
+      const double w = 1.0 - t;
+      Points3 rows = target(t);
+      rows.row(0) += (w * w * ((1.0 + 2.0 * t) * shift + t * tilt)).transpose();
+      rows.row(1) += (w * (-6.0 * t * shift + (1.0 - 3.0 * t) * tilt)).transpose();
+      return rows;
+    };
+    return fitted_spline(jet, input_.tolerance);
   }
 
   QuadSide spoke_side(std::size_t i, bool is_inwards) const {
