@@ -16,44 +16,6 @@ constexpr double kSameKnot = 1e-12;
 constexpr double kSameSlope = 1e-9;  // of a spline's size
 constexpr double kRounding = 2e-14;  // of it
 
-// Where spans begin and end, and the curve's points there.
-struct Breaks {
-  std::vector<double> at;
-  std::vector<Vector3d> places;
-
-  std::size_t spans() const { return at.size() - 1; }
-  double width(std::size_t span) const { return at[span + 1] - at[span]; }
-};
-
-// The inner control points have the curve's points at inner knots: one row of three functions each,
-// but beside the ends, solved from both sides inwards (Thomas).
-BSplineCurve complete_spline(const Breaks& breaks, const Vector3d& start_slope,
-                             const Vector3d& end_slope) {
-  BSplineCurve curve{3, std::vector<double>(3, 0.0), {}};
-  curve.knots.insert(curve.knots.end(), breaks.at.begin(), breaks.at.end());
-  curve.knots.insert(curve.knots.end(), 3, 1.0);
-  auto& points = curve.points;
-  points.resize(breaks.spans() + 3);
-  points.front() = breaks.places.front();
-  points.back() = breaks.places.back();
-  points[1] = points.front() + start_slope * (breaks.width(0) / 3.0);
-  points[points.size() - 2] = points.back() - end_slope * (breaks.width(breaks.spans() - 1) / 3.0);
-  const std::size_t first = 2, last = breaks.spans();
-  std::vector<double> above(points.size(), 0.0);
-  for (std::size_t i = first; i <= last; ++i) {
-    const conversion::BasisValues values =
-        conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
-    const auto row = values.rows.row(0);
-    const double pivot = row(1) - row(0) * above[i - 1];
-    Vector3d right = breaks.places[i - 1] - row(0) * points[i - 1];
-    if (i == last) right -= row(2) * points[i + 1];
-    above[i] = i == last ? 0.0 : row(2) / pivot;
-    points[i] = right / pivot;
-  }
-  for (std::size_t i = last; i-- > first;) points[i] -= above[i] * points[i + 1];
-  return curve;
-}
-
 double furthest_in(const BSplineCurve& spline, const CurveJet& curve, double low, double width) {
   double error = 0.0;
   for (int i = 0; i < kTestsOfSpan; ++i) {
@@ -64,8 +26,8 @@ double furthest_in(const BSplineCurve& spline, const CurveJet& curve, double low
 }
 
 // With the spans halved that are to be; false where none may be.
-bool halve(Breaks& breaks, const std::vector<bool>& is_off, const CurveJet& curve) {
-  Breaks halved{{0.0}, {breaks.places.front()}};
+bool halve(SplineBreaks& breaks, const std::vector<bool>& is_off, const CurveJet& curve) {
+  SplineBreaks halved{{0.0}, {breaks.places.front()}};
   for (std::size_t s = 0; s < breaks.spans(); ++s) {
     if (is_off[s] && breaks.width(s) > kLeastSpan) {
       halved.at.push_back(0.5 * (breaks.at[s] + breaks.at[s + 1]));
@@ -105,9 +67,38 @@ std::vector<double> uniform_knots(int spans) {
   return conversion::open_uniform_knots(3, spans + 3);
 }
 
+// The inner control points have the curve's points at inner knots: one row of three functions each,
+// but beside the ends, solved from both sides inwards (Thomas).
+BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_slope,
+                             const Vector3d& end_slope) {
+  BSplineCurve curve{3, std::vector<double>(3, 0.0), {}};
+  curve.knots.insert(curve.knots.end(), breaks.at.begin(), breaks.at.end());
+  curve.knots.insert(curve.knots.end(), 3, 1.0);
+  auto& points = curve.points;
+  points.resize(breaks.spans() + 3);
+  points.front() = breaks.places.front();
+  points.back() = breaks.places.back();
+  points[1] = points.front() + start_slope * (breaks.width(0) / 3.0);
+  points[points.size() - 2] = points.back() - end_slope * (breaks.width(breaks.spans() - 1) / 3.0);
+  const std::size_t first = 2, last = breaks.spans();
+  std::vector<double> above(points.size(), 0.0);
+  for (std::size_t i = first; i <= last; ++i) {
+    const conversion::BasisValues values =
+        conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
+    const auto row = values.rows.row(0);
+    const double pivot = row(1) - row(0) * above[i - 1];
+    Vector3d right = breaks.places[i - 1] - row(0) * points[i - 1];
+    if (i == last) right -= row(2) * points[i + 1];
+    above[i] = i == last ? 0.0 : row(2) / pivot;
+    points[i] = right / pivot;
+  }
+  for (std::size_t i = last; i-- > first;) points[i] -= above[i] * points[i + 1];
+  return curve;
+}
+
 FittedSpline fitted_spline(const CurveJet& curve, double tolerance) {
   const Points3 start = curve(0.0), end = curve(1.0);
-  Breaks breaks{{0.0, 1.0}, {start.row(0), end.row(0)}};
+  SplineBreaks breaks{{0.0, 1.0}, {start.row(0), end.row(0)}};
   while (true) {
     FittedSpline fitted{complete_spline(breaks, start.row(1), end.row(1))};
     std::vector<bool> is_off(breaks.spans());

@@ -16,31 +16,11 @@ using conversion::BSplinePatch;
 constexpr int kMostReferenceSpans = 32;
 constexpr int kLeastParts = 8, kPartsOfSpan = 2;  // of a curve, a point each
 constexpr int kMeasuredOfPart = 3;
-constexpr int kFootSolutions = 20;    // with feet found anew, at most
-constexpr double kSettled = 1e-13;    // of the size: feet that move no more
-constexpr int kFootGrid = 12;         // places each way from which a first foot is taken
-constexpr int kFootSteps = 8;         // of Newton's
-constexpr double kSlideShare = 1e-6;  // of a foot's distance along the patch
-// Of the energy against the mean square of distances: first much, so that the patch's parameters
-// become even, then less and less with each solution, so that it does not keep it off curves.
-constexpr double kFirstEnergy = 1e-3, kLastEnergy = 1e-10, kLessEnergy = 0.3;
+constexpr int kFootSteps = 8;  // of Newton's
+constexpr double kSettled = 1e-13;
+constexpr double kEnergy = 1e-10;  // against the mean square of distances
 
 using Place = Eigen::Vector2d;
-
-Place nearest_of_grid(const BSplinePatch& patch, const Vector3d& point) {
-  Place nearest = Place::Zero();
-  double least = -1.0;
-  for (int i = 0; i <= kFootGrid; ++i) {
-    for (int k = 0; k <= kFootGrid; ++k) {
-      const Place at(static_cast<double>(i) / kFootGrid, static_cast<double>(k) / kFootGrid);
-      const double distance = (patch.position(at.x(), at.y()) - point).squaredNorm();
-      if (least >= 0.0 && distance >= least) continue;
-      least = distance;
-      nearest = at;
-    }
-  }
-  return nearest;
-}
 
 Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
   for (int step = 0; step < kFootSteps; ++step) {
@@ -86,25 +66,28 @@ struct Energies {
   }
 };
 
+// A point of a curve, and where it is to be.
+struct PlacedPoint {
+  Vector3d point;
+  Place place;
+};
+
 // Normal equations of all coordinates, with the constraints bordered to them.
 class CurveFit {
  public:
-  CurveFit(BSplinePatch& patch, const std::vector<Vector3d>& points,
-           const std::array<QuadSide, 4>& sides)
+  CurveFit(BSplinePatch& patch, const std::array<QuadSide, 4>& sides)
       : patch_(patch),
-        points_(points),
         along_u_(patch.knots_u),
         along_v_(patch.knots_v),
         constraints_(normal_constraints(patch, sides)) {}
 
-  // One solution over the feet; false, and nothing done, where there is none.
-  bool solve(const std::vector<Place>& feet, double energy) {
+  // False, and nothing done, where there is no solution.
+  bool solve(const std::vector<PlacedPoint>& points) {
     const Eigen::Index inner = 3 * (patch_.count_u - 2) * (patch_.count_v - 2);
     const Eigen::Index size = inner + std::ssize(constraints_);
-    entries_.clear();
     right_ = Eigen::VectorXd::Zero(size);
-    for (std::size_t i = 0; i < points_.size(); ++i) add_point(feet[i], points_[i]);
-    add_energy(energy);
+    for (const PlacedPoint& one : points) add_point(one, 1.0 / static_cast<double>(points.size()));
+    add_energy(kEnergy);
     for (std::size_t q = 0; q < constraints_.size(); ++q) {
       add_constraint(constraints_[q], inner + static_cast<Eigen::Index>(q));
     }
@@ -124,7 +107,7 @@ class CurveFit {
 
  private:
   // Of two control points, of which the first is a row.
-  void add(int row_point, int column_point, const Eigen::Matrix3d& weight) {
+  void add(int row_point, int column_point, double weight) {
     const int row = inner_number(patch_, row_point), column = inner_number(patch_, column_point);
     if (row < 0) return;
     if (column < 0) {
@@ -132,22 +115,12 @@ class CurveFit {
           weight * patch_.control_points[static_cast<std::size_t>(column_point)];
       return;
     }
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) {
-        if (weight(a, b) != 0.0) entries_.emplace_back(3 * row + a, 3 * column + b, weight(a, b));
-      }
-    }
+    for (int a = 0; a < 3; ++a) entries_.emplace_back(3 * row + a, 3 * column + a, weight);
   }
 
-  // The distance along the normal counts, and the rest a little: feet may slide.
-  void add_point(const Place& foot, const Vector3d& point) {
-    const surface::SurfaceJet jet = patch_.evaluate(foot.x(), foot.y());
-    const Vector3d normal = jet.du.cross(jet.dv).normalized();
-    const Eigen::Matrix3d weight =
-        (kSlideShare * Eigen::Matrix3d::Identity() + normal * normal.transpose()) /
-        static_cast<double>(points_.size());
-    const conversion::BasisValues u = conversion::basis_values(patch_.knots_u, 3, foot.x());
-    const conversion::BasisValues v = conversion::basis_values(patch_.knots_v, 3, foot.y());
+  void add_point(const PlacedPoint& one, double weight) {
+    const conversion::BasisValues u = conversion::basis_values(patch_.knots_u, 3, one.place.x());
+    const conversion::BasisValues v = conversion::basis_values(patch_.knots_v, 3, one.place.y());
     std::array<int, 16> numbers;
     std::array<double, 16> shares;
     for (int a = 0; a < 16; ++a) {
@@ -157,10 +130,10 @@ class CurveFit {
     }
     for (std::size_t a = 0; a < 16; ++a) {
       for (std::size_t b = 0; b < 16; ++b) {
-        add(numbers[a], numbers[b], shares[a] * shares[b] * weight);
+        add(numbers[a], numbers[b], weight * shares[a] * shares[b]);
       }
       const int row = inner_number(patch_, numbers[a]);
-      if (row >= 0) right_.segment<3>(3 * row) += shares[a] * weight * point;
+      if (row >= 0) right_.segment<3>(3 * row) += weight * shares[a] * one.point;
     }
   }
 
@@ -176,8 +149,7 @@ class CurveFit {
           for (int l = low_v; l <= high_v; ++l) {
             const double energy = along_u_.third(i, k) * along_v_.mass(j, l) +
                                   along_u_.mass(i, k) * along_v_.third(j, l);
-            add(i * patch_.count_v + j, k * patch_.count_v + l,
-                share * energy * Eigen::Matrix3d::Identity());
+            add(i * patch_.count_v + j, k * patch_.count_v + l, share * energy);
           }
         }
       }
@@ -200,73 +172,46 @@ class CurveFit {
   }
 
   BSplinePatch& patch_;
-  const std::vector<Vector3d>& points_;
   Energies along_u_, along_v_;
   std::vector<NormalConstraint> constraints_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd right_;
 };
 
-// Points of all curves at the middles of equal parts.
-std::vector<Vector3d> points_of(const std::vector<Reference>& curves, int parts) {
-  std::vector<Vector3d> points;
+// Of all curves, at the middles of equal parts.
+std::vector<PlacedPoint> points_of(const std::vector<Reference>& curves, int parts) {
+  std::vector<PlacedPoint> points;
   for (const Reference& curve : curves) {
-    for (int i = 0; i < parts; ++i) points.push_back(curve((i + 0.5) / parts));
+    for (int i = 0; i < parts; ++i) {
+      const double t = (i + 0.5) / parts;
+      points.push_back({curve.point(t), curve.place(t)});
+    }
   }
   return points;
 }
 
-std::vector<Place> first_feet(const BSplinePatch& patch, const std::vector<Vector3d>& points) {
-  std::vector<Place> feet;
-  for (const Vector3d& point : points) {
-    feet.push_back(foot_from(patch, nearest_of_grid(patch, point), point));
+// Of a curve, at places between those that the patch was made of, too.
+double furthest_point(const BSplinePatch& patch, const Reference& curve, int parts) {
+  double worst = 0.0;
+  for (int i = 0; i <= kMeasuredOfPart * parts; ++i) {
+    const double t = static_cast<double>(i) / (kMeasuredOfPart * parts);
+    const Vector3d point = curve.point(t);
+    const Place foot = foot_from(patch, curve.place(t), point);
+    worst = std::max(worst, (patch.position(foot.x(), foot.y()) - point).norm());
   }
-  return feet;
-}
-
-// Of curves, at places between those that the patch was made of.
-std::vector<double> furthest_points(const BSplinePatch& patch, const std::vector<Reference>& curves,
-                                    int parts) {
-  std::vector<double> errors;
-  for (const Reference& curve : curves) {
-    double worst = 0.0;
-    Place foot = nearest_of_grid(patch, curve(0.0));
-    for (int i = 0; i <= kMeasuredOfPart * parts; ++i) {
-      const Vector3d point = curve(static_cast<double>(i) / (kMeasuredOfPart * parts));
-      foot = foot_from(patch, foot, point);
-      worst = std::max(worst, (patch.position(foot.x(), foot.y()) - point).norm());
-    }
-    errors.push_back(worst);
-  }
-  return errors;
+  return worst;
 }
 
 ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                            const std::vector<Reference>& references, int spans) {
+                            const std::vector<Reference>& curves, int spans) {
   ReferenceFit fit{fitted_quad(sides, start, spans), {}};
   BSplinePatch& patch = fit.quad.patch;
-  const int parts =
-      std::max(kLeastParts, kPartsOfSpan * (std::max(patch.count_u, patch.count_v) - 3));
-  const std::vector<Vector3d> points = points_of(references, parts);
-  std::vector<Place> feet = first_feet(patch, points);
-  CurveFit curves(patch, points, sides);
-  double energy = kFirstEnergy;
-  for (int solution = 0; solution < kFootSolutions; ++solution) {
-    const bool is_solved = curves.solve(feet, energy);
-    energy = std::max(kLastEnergy, kLessEnergy * energy);
-    if (!is_solved) {
-      fit.quad.has_normals = false;
-      break;
-    }
-    double moved = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Place foot = foot_from(patch, feet[i], points[i]);
-      moved = std::max(moved, (foot - feet[i]).norm());
-      feet[i] = foot;
-    }
-    if (moved < kSettled) break;
+  const int most = std::max(patch.count_u, patch.count_v) - 3;
+  const int parts = std::max(kLeastParts, kPartsOfSpan * most);
+  if (!CurveFit(patch, sides).solve(points_of(curves, parts))) fit.quad.has_normals = false;
+  for (const Reference& curve : curves) {
+    fit.errors.push_back(furthest_point(patch, curve, parts));
   }
-  fit.errors = furthest_points(patch, references, parts);
   return fit;
 }
 

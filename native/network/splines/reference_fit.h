@@ -10,8 +10,12 @@ struct ReferenceOptions {
   int spans;         // the least number each way
 };
 
-// A curve that a patch is to pass through, over 0 … 1.
-using Reference = std::function<Vector3d(double)>;
+// A curve that a patch is to pass through, over 0 … 1: its points, and where in the patch's square
+// they are to be.
+struct Reference {
+  std::function<Vector3d(double)> point;
+  std::function<Eigen::Vector2d(double)> place;
+};
 
 struct ReferenceFit {
   FittedQuad quad;
@@ -21,10 +25,10 @@ struct ReferenceFit {
 };
 
 // The patch within four sides that passes through curves inside: of the squared distances of their
-// points, several a span of the patch, and a little of ∫ S_uuu² + S_vvv² the least sum, under the
-// constraints of fitted_quad(). The energy leaves biquadratic surfaces alone. Feet of the points
-// are found anew after each solution; spans are doubled until the tolerance holds, between the
-// points, too, up to 32. `start` is where feet are looked for first.
+// points, several a span of the patch, from their places, and a little of ∫ S_uuu² + S_vvv², the
+// least sum, under the constraints of fitted_quad(). The energy leaves biquadratic surfaces alone.
+// Spans are doubled until the tolerance holds, between the points, too, up to 32. `start` is the
+// patch where that has no solution.
 ReferenceFit fitted_to_curves(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
                               const std::vector<Reference>& curves,
                               const ReferenceOptions& options);

@@ -7,6 +7,7 @@
 
 #include "network/splines/border_plate.h"
 #include "network/splines/reference_fit.h"
+#include "network/splines/reference_places.h"
 
 namespace hull::network {
 namespace {
@@ -69,14 +70,17 @@ void free_border(const RegionInput& input, const SideSpline& side, QuadSide& qua
 }
 
 RegionQuads quad_with_references(const RegionInput& input, const std::vector<SideSpline>& sides,
+                                 const std::vector<RegionSide>& given,
                                  const std::vector<int>& references) {
   std::array<QuadSide, 4> around{whole(sides[0]), whole(sides[1]), whole(sides[2]),
                                  whole(sides[3])};
   for (std::size_t k = 0; k < 4; ++k) free_border(input, sides[k], around[k]);
+  const ReferencePlaces places(*input.frame, given, references);
   std::vector<Reference> curves;
-  for (int edge : references) {
-    const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(edge)];
-    curves.emplace_back([&shape](double t) { return Vector3d(shape.evaluate(t, 0).row(0)); });
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(references[i])];
+    curves.push_back({[&shape](double t) { return Vector3d(shape.evaluate(t, 0).row(0)); },
+                      [&places, i](double t) { return places.at(i, t); }});
   }
   // Curves inside tell more than normals at corners: the bilinear Coons patch.
   const auto on = [&](std::size_t k, double t) { return around[k].curve.position(t); };
@@ -292,7 +296,7 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
   std::vector<SideSpline> splines;
   for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
   if (!region.references.empty()) {
-    return quad_with_references(input, splines, region.references);
+    return quad_with_references(input, splines, sides, region.references);
   }
   if (given.size() == 4 && sides.size() == 4) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
