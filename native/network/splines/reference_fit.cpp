@@ -18,6 +18,7 @@ constexpr int kLeastParts = 8, kPartsOfSpan = 2;  // of a curve, a point each
 constexpr int kMeasuredOfPart = 3;
 constexpr int kFootSteps = 8;  // of Newton's
 constexpr double kSettled = 1e-13;
+constexpr int kReach = 6;          // of functions that have an energy together
 constexpr double kEnergy = 1e-10;  // against the mean square of distances
 
 using Place = Eigen::Vector2d;
@@ -36,34 +37,59 @@ Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
   return at;
 }
 
-// ∫ B_i''' B_k''' and ∫ B_i B_k over a knot vector.
+// ∫ B_i''' B_k''' and ∫ B_i B_k over a knot vector. To the former belongs what second and first
+// derivatives jump by at multiple knots: else pieces of parabolas would cost nothing there.
 struct Energies {
   Eigen::MatrixXd third, mass;
 
-  explicit Energies(const std::vector<double>& knots) {
-    const auto count = static_cast<Eigen::Index>(knots.size()) - 4;
-    third = mass = Eigen::MatrixXd::Zero(count, count);
+  explicit Energies(const std::vector<double>& knots)
+      : count_(static_cast<Eigen::Index>(knots.size()) - 4) {
+    third = mass = Eigen::MatrixXd::Zero(count_, count_);
     for (std::size_t s = 1; s < knots.size(); ++s) {
-      const double low = knots[s - 1], width = knots[s] - low;
-      if (!(width > 0.0)) continue;
-      // Second derivatives are linear in a span, products of functions of the sixth degree.
-      const auto at = [&](double share) {
-        return conversion::basis_values(knots, 3, low + share * width);
-      };
-      const conversion::BasisValues a = at(0.25), b = at(0.75);
-      const Eigen::Vector4d jump = (b.rows.row(2) - a.rows.row(2)).transpose() / (0.5 * width);
-      third.block<4, 4>(a.first, a.first) += width * jump * jump.transpose();
-      constexpr double kNodes[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                   0.93056815579702629};
-      constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                     0.17392742256872693};
-      for (int g = 0; g < 4; ++g) {
-        const conversion::BasisValues values = at(kNodes[g]);
-        const Eigen::Vector4d row = values.rows.row(0).transpose();
-        mass.block<4, 4>(values.first, values.first) += width * kWeights[g] * row * row.transpose();
-      }
+      if (knots[s] > knots[s - 1]) add_span(knots, knots[s - 1], knots[s] - knots[s - 1]);
     }
   }
+
+ private:
+  void add_span(const std::vector<double>& knots, double low, double width) {
+    // Second derivatives are linear in a span, products of functions of the sixth degree.
+    const auto at = [&](double share) {
+      return conversion::basis_values(knots, 3, low + share * width);
+    };
+    const conversion::BasisValues a = at(0.25), b = at(0.75);
+    const Eigen::RowVector4d bend = (b.rows.row(2) - a.rows.row(2)) / (0.5 * width);
+    third.block<4, 4>(a.first, a.first) += width * bend.transpose() * bend;
+    constexpr double kNodes[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                 0.93056815579702629};
+    constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                   0.17392742256872693};
+    for (int g = 0; g < 4; ++g) {
+      const conversion::BasisValues values = at(kNodes[g]);
+      const Eigen::Vector4d row = values.rows.row(0).transpose();
+      mass.block<4, 4>(values.first, values.first) += width * kWeights[g] * row * row.transpose();
+    }
+    const double quarter = 0.25 * width;
+    const auto derivatives = [&](const conversion::BasisValues& from, double step) {
+      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, count_);
+      rows.block<1, 4>(0, from.first) =
+          from.rows.row(1) + step * from.rows.row(2) + 0.5 * step * step * bend;
+      rows.block<1, 4>(1, from.first) = from.rows.row(2) + step * bend;
+      return rows;
+    };
+    if (low > 0.0) {
+      const Eigen::MatrixXd jump = derivatives(a, -quarter) - at_end_;
+      const double mean = 0.5 * (width + width_);
+      third += jump.row(1).transpose() * jump.row(1) / mean;
+      third += jump.row(0).transpose() * jump.row(0) / (mean * mean * mean);
+    }
+    at_end_ = derivatives(b, quarter);
+    width_ = width;
+  }
+
+  Eigen::Index count_;
+  // Of the span before: first and second derivatives at its end.
+  Eigen::MatrixXd at_end_;
+  double width_ = 0.0;
 };
 
 // A point of a curve, and where it is to be.
@@ -139,7 +165,7 @@ class CurveFit {
 
   void add_energy(double share) {
     const auto near = [](int i, int count) {
-      return std::pair{std::max(0, i - 3), std::min(count - 1, i + 3)};
+      return std::pair{std::max(0, i - kReach), std::min(count - 1, i + kReach)};
     };
     for (int i = 1; i + 1 < patch_.count_u; ++i) {
       const auto [low_u, high_u] = near(i, patch_.count_u);
