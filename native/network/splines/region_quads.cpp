@@ -232,7 +232,9 @@ class Star {
       rows.row(1) += (w * (-6.0 * t * shift + (1.0 - 3.0 * t) * tilt)).transpose();
       return rows;
     };
-    return fitted_spline(jet, input_.tolerance);
+    FittedSpline fitted = fitted_spline(jet, input_.tolerance);
+    fitted.curve.points.front() = start;  // but for rounding it is
+    return fitted;
   }
 
   QuadSide spoke_side(std::size_t i, bool is_inwards) const {

@@ -211,6 +211,33 @@ TEST(NetworkPatches, AWigleyQuarterWithReferencesIsExact) {
   }
 }
 
+// All curves inside but one of each family are references: the patches pass through all of them
+// along their length, also where no point of the fit is.
+TEST(NetworkPatches, ReferencesAreMetAlongTheirLength) {
+  for (const auto& surface : {torus, ellipsoid}) {
+    std::vector<NetworkCurve> curves = net_on(surface, 4, 4, 5);
+    for (std::size_t i : {1u, 3u, 6u, 8u}) curves[i].role = NetworkCurve::Role::kReference;
+    const CurveNetwork network = network_of(curves);
+    ASSERT_EQ(told(network), "");
+    const NetworkPatches made = patches_of(network, 4, 1e-5);
+    EXPECT_EQ(made.set.patches.size(), 4u);
+    double worst = 0.0;
+    for (std::size_t c : {1u, 3u, 6u, 8u}) worst = std::max(worst, made.curve_errors[c]);
+    const auto off = [surface = surface](const Vector3d& p) {
+      if (surface == torus) return std::hypot(std::hypot(p.x(), p.y()) - 10.0, p.z()) - 3.0;
+      const Vector3d unit(p.x() / 9.0, p.y() / 4.0, p.z() / 2.5);
+      return (unit.norm() - 1.0) / Vector3d(unit.x() / 9.0, unit.y() / 4.0, unit.z() / 2.5).norm();
+    };
+    const SeamAngles angles = seam_angles(network, made, 4);
+    const double whole = furthest_off(made, off);
+    std::cout << "references off by " << worst << " m, all by " << whole << " m, seams "
+              << angles.anywhere << " deg\n";
+    EXPECT_LT(worst, 1e-5);
+    EXPECT_GT(worst, 0.0);
+    EXPECT_LT(whole, 5e-3);
+  }
+}
+
 // The interpolating cubic over uniform knots with slopes at both ends: the control points of m - 2
 // places and two slopes (by the parameter).
 std::vector<double> complete_row(const std::vector<double>& places, double start, double end) {
