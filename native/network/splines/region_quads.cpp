@@ -13,6 +13,7 @@ namespace hull::network {
 namespace {
 
 constexpr int kPlateSamples = 8;  // of a side, but of short ones
+constexpr int kTurnSamples = 5;   // each way, of a patch whose normals are looked at
 constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
 
 // A region's surface over some plane domain, before it is splines.
@@ -269,6 +270,42 @@ class Star {
   std::vector<FittedSpline> spokes_;
 };
 
+// Whether normals of patches are anywhere turned away from their mean.
+bool is_folded(const RegionQuads& quads) {
+  std::vector<Vector3d> normals;
+  Vector3d mean = Vector3d::Zero();
+  for (const conversion::BSplinePatch& patch : quads.patches) {
+    for (int i = 0; i < kTurnSamples; ++i) {
+      for (int k = 0; k < kTurnSamples; ++k) {
+        const auto jet = patch.evaluate((i + 0.5) / kTurnSamples, (k + 0.5) / kTurnSamples);
+        normals.push_back(jet.du.cross(jet.dv));
+        mean += normals.back();
+      }
+    }
+  }
+  return !std::ranges::all_of(normals, [&](const Vector3d& one) { return one.dot(mean) > 0.0; });
+}
+
+std::vector<SideSpline> splines_of(const RegionInput& input, const std::vector<RegionSide>& sides) {
+  std::vector<SideSpline> splines;
+  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  return splines;
+}
+
+// Around the centre of a plate, if one is unfolded; with the network's normals, if that is.
+std::optional<RegionQuads> plate_quads(const RegionInput& input,
+                                       const std::vector<SideSpline>& splines) {
+  for (bool has_normals : {true, false}) {
+    const auto plate = plate_of(splines, has_normals);
+    if (!plate) continue;
+    Star star(input, splines, plate_target(*plate, splines), has_normals);
+    if (!star.is_regular() || !plate->is_gentle(star.inner_places())) continue;
+    RegionQuads quads = star.quads();
+    if (!is_folded(quads)) return quads;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
@@ -295,8 +332,7 @@ std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
 RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
   const std::vector<RegionSide>& given = region.sides;
   const std::vector<RegionSide> sides = sides_of_one_curve(*input.frame, given);
-  std::vector<SideSpline> splines;
-  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  const std::vector<SideSpline> splines = splines_of(input, sides);
   if (!region.references.empty()) {
     return quad_with_references(input, splines, sides, region.references);
   }
@@ -304,12 +340,14 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
     if (!is_folded(patch)) return single_quad(input, splines, patch);
   }
-  for (bool has_normals : {true, false}) {
-    const auto plate = plate_of(splines, has_normals);
-    if (!plate) continue;
-    Star star(input, splines, plate_target(*plate, splines), has_normals);
-    if (star.is_regular() && plate->is_gentle(star.inner_places())) return star.quads();
+  const std::vector<RegionSide> joined = with_short_sides_joined(*input.frame, sides);
+  if (joined.size() < sides.size()) {
+    if (auto quads = plate_quads(input, splines_of(input, joined))) {
+      quads->has_short_sides = false;
+      return std::move(*quads);
+    }
   }
+  if (auto quads = plate_quads(input, splines)) return std::move(*quads);
   if (sides.size() == 2) {
     throw std::invalid_argument(
         "Its border is no graph over a plane, or turns back: divide it by a curve.");
