@@ -26,6 +26,7 @@ struct RegionQuads {
   bool has_normals = true;  // else it has not, everywhere, the network's tangent planes
 
   bool is_single() const { return patches.size() == 1; }
+  void add(FittedQuad fitted);
 };
 
 // Of its patches. `sides`: sides_of_one_curve(), short ones joined where its patches are of such.
