@@ -131,7 +131,8 @@ def immersion_lines(afloat):
     if afloat.waterplane_area > 0.0:
         across, along = afloat.waterplane_second[1, 1], afloat.waterplane_second[0, 0]
         told += [
-            f"Waterplane {afloat.waterplane_area:.2f} m², centre {afloat.centre_of_flotation[0]:.3f} m",
+            f"Waterplane {afloat.waterplane_area:.2f} m², its centre at "
+            f"{afloat.centre_of_flotation[0]:.3f} m",
             f"KM {z + across / volume:.3f} m, longitudinal {z + along / volume:.2f} m",
         ]
     return told
