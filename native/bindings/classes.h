@@ -31,6 +31,7 @@ void bind_surface_fields(pybind11::module_& module);
 void bind_light_lines(pybind11::module_& module);
 void bind_flatness(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
+void bind_patch_body(pybind11::module_& module);
 void bind_quality_report(pybind11::module_& module);
 void bind_pull(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);

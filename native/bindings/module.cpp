@@ -29,6 +29,7 @@ PYBIND11_MODULE(_core, module) {
   bind_light_lines(module);
   bind_flatness(module);
   bind_patch_set(module);
+  bind_patch_body(module);
   bind_quality_report(module);
   bind_pull(module);
   bind_fit(module);

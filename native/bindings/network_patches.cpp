@@ -22,8 +22,15 @@ void bind_network_patches(py::module_& module) {
           "region.")
       .def_readonly("problems", &NetworkPatches::problems,
                     "NetworkProblems: regions left open, and curves that are missed.")
-      .def_readonly("largest_error", &NetworkPatches::largest_error,
-                    "m: how far patches' borders are from the curves at most.");
+      .def_property_readonly(
+          "curve_errors", [](const NetworkPatches& made) { return to_array(made.curve_errors); },
+          "(c,), m: how far each curve is from the surface at most, but for parts that the network "
+          "leaves out.")
+      .def_property_readonly("largest_curve_error", &NetworkPatches::largest_curve_error,
+                             "m: the largest of curve_errors.")
+      .def_readonly("spoke_error", &NetworkPatches::spoke_error,
+                    "m: how far borders of patches within a region are at most from the surface "
+                    "that the region's patches stand for.");
   module.def(
       "network_patches",
       [](const network::CurveNetwork& curves, int spans, double tolerance,

@@ -214,3 +214,36 @@ def test_exact_shapes():
     arc.hull.curve.shape = "LINE"
     bpy.context.view_layer.update()
     assert state_of(network).problems, "a line has two points"
+
+
+def bowl_network():
+    """A half hull y = 2 - 0.5 (z - 2)² over x = 0 … 10, from its keel at z = 0 to z = 2."""
+    network = new_network()
+    at = np.linspace(0.0, 2.0, 9)
+    for x in (0.0, 5.0, 10.0):
+        add("STATION", [(x, 2.0 - 0.5 * (z - 2.0) ** 2, z) for z in at], position=x)
+    for z in (0.0, 1.0, 2.0):
+        y = 2.0 - 0.5 * (z - 2.0) ** 2
+        add("WATERLINE", [(0.0, y, z), (5.0, y, z), (10.0, y, z)], position=z)
+    bpy.context.view_layer.update()
+    return network
+
+
+def test_the_surface_is_measured_and_written(tmp_path):
+    network = bowl_network()
+    network.hull_network.draft = 1.0
+    assert bpy.ops.hull.measure_network() == {"FINISHED"}
+    measured = state_of(network).measured
+    assert measured.lines[0] == "4 patches" and measured.revision == state_of(network).revision
+    told = next(line for line in measured.lines if line.startswith("Displaced volume"))
+    # 2 · 10 · ∫ 2 - (z - 2)² / 2 over z = 0 … 1, to what single precision leaves of the points.
+    assert abs(float(told.split()[2]) - 20.0 * (2.0 - 7.0 / 6.0)) < 2e-3
+    hn = part("bridge.native").require()
+    for ending, both in ((".step", False), (".igs", True)):
+        path = str(tmp_path / f"bowl{ending}")
+        assert bpy.ops.hull.export_network(filepath=path, is_whole=both) == {"FINISHED"}
+        report = hn.read_cad_report(path)
+        assert report["valid"] and report["shells"] == 1
+        assert report["faces"] == (8 if both else 4)
+    move_point(network.objects["Station 5"], 4, (0.0, 0.1, 0.0))
+    assert state_of(network).revision != measured.revision

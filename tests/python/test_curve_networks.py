@@ -22,10 +22,10 @@ def sample_surface(name):
     return hn.LimitSurface(mesh, data.scheme)
 
 
-def lines_of(surface, stations=19, waterlines=9, curves=1e-5, has_flats=False):
+def lines_of(surface, stations=19, waterlines=9, curves=1e-5, has_flats=False, joined=3e-5):
     """(CurveNetwork, length) of evenly spread sections of a surface, so many inside its ends each;
-    curves: their tolerance, of the length. has_flats: with buttocks of flats and the ends of
-    knuckles that fade out."""
+    curves: their tolerance, of the length; joined: within how much of it they are. has_flats: with
+    buttocks of flats and the ends of knuckles that fade out."""
     points = np.asarray(surface.mesh.points)
     low, high = points.min(axis=0), points.max(axis=0)
     length = high[0] - low[0]
@@ -37,7 +37,7 @@ def lines_of(surface, stations=19, waterlines=9, curves=1e-5, has_flats=False):
         tolerance=curves * length,
         **({"flat_buttocks": buttocks, "fading": True} if has_flats else {}),
     )
-    return hn.CurveNetwork(lines, 3e-5 * length), length
+    return hn.CurveNetwork(lines, joined * length), length
 
 
 def square_net(height=lambda x, y: 0.0 * x):

@@ -125,6 +125,34 @@ class HULL_PT_network_curve(HullTab, bpy.types.Panel):
             layout.label(text=f"Edges: {told}")
 
 
+class HULL_PT_network_surface(HullTab, bpy.types.Panel):
+    """How good the surface of the network is, and files of it"""
+
+    bl_label = "Surface of Network"
+    bl_parent_id = "HULL_PT_networks"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return network_state.state_of(networks.at_hand(context)) is not None
+
+    def draw(self, context):
+        layout = self.layout
+        network = networks.at_hand(context)
+        state = network_state.state_of(network)
+        column = layout.column(align=True)
+        column.prop(network.hull_network, "draft")
+        column.operator("hull.measure_network", icon="DRIVER_DISTANCE")
+        measured = state.measured
+        if measured is not None:
+            if measured.revision != state.revision:
+                label_wrapped(layout, context, "Of the curves as they were", icon="INFO")
+            box = layout.column(align=True)
+            for line in measured.lines:
+                label_wrapped(box, context, line)
+        layout.operator("hull.export_network", icon="EXPORT")
+
+
 class HULL_PT_network_problems(HullTab, bpy.types.Panel):
     """What is wrong with the network, and the way there"""
 
@@ -152,4 +180,9 @@ class HULL_PT_network_problems(HullTab, bpy.types.Panel):
             layout.label(text=f"and {counted(left, 'more problem')}")
 
 
-CLASSES = (HULL_PT_networks, HULL_PT_network_curve, HULL_PT_network_problems)
+CLASSES = (
+    HULL_PT_networks,
+    HULL_PT_network_curve,
+    HULL_PT_network_surface,
+    HULL_PT_network_problems,
+)

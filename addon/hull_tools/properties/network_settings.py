@@ -148,6 +148,13 @@ class HullNetwork(bpy.types.PropertyGroup):
         description="Parts of each side of a patch in the surface object",
         default=6, min=1, max=limits.MOST_SAMPLES, soft_max=12, update=_network_changed,
     )  # fmt: skip
+    draft: length(
+        "Draft",
+        "To which the surface is immersed when it is measured, upright; 0: nothing of that is told",
+        default=0.0,
+        minimum=0.0,
+        update=None,
+    )
     surface_object: PointerProperty(name="Surface", type=bpy.types.Object)
     show_curves: BoolProperty(
         name="Show Curves",

@@ -37,8 +37,8 @@ bool on_border(const mesh::Topology& cells, int cell, const Eigen::Vector2d& uv)
 
 class CurveBuilder {
  public:
-  CurveBuilder(const surface::LimitSurface& surface, const SectionParts& parts)
-      : surface_(surface), parts_(parts), size_(surface.mesh().size()) {}
+  CurveBuilder(const SectionShell& shell, const SectionParts& parts)
+      : shell_(shell), parts_(parts), size_(shell.size) {}
 
   SectionCurve build(const SectionChain& chain);
   // Of the curve built last.
@@ -63,7 +63,7 @@ class CurveBuilder {
   void close(const SectionChain::Link& last, const SectionChain::Link& first);
   void start_at_knuckle();
 
-  const surface::LimitSurface& surface_;
+  const SectionShell& shell_;
   const SectionParts& parts_;
   double size_;
   SectionCurve curve_;
@@ -105,7 +105,7 @@ void CurveBuilder::add(const SectionPoint& p) {
 
 bool CurveBuilder::meet(const SectionChain::Link& last, const SectionChain::Link& next) {
   const SectionPoint start = oriented(next, 0);
-  double turn = kTurn;
+  double turn = shell_.turn;
   if (last.spot >= 0) {
     turn = kTurnAtSpot;
     const SectionSpot& spot = parts_.spots[last.spot];
@@ -122,7 +122,7 @@ bool CurveBuilder::meet(const SectionChain::Link& last, const SectionChain::Link
   const bool crosses = !parts_.arcs[last.arc].along_side || !parts_.arcs[next.arc].along_side;
   const Vector3d& before = curve_.tangents.back();
   const bool turns = before.dot(start.tangent) <= 0.0 || before.cross(start.tangent).norm() > turn;
-  if (turns || (crosses && on_crease(surface_.cells(), curve_.cells.back(), curve_.uv.back()))) {
+  if (turns || (crosses && shell_.is_crease(curve_.cells.back(), curve_.uv.back()))) {
     curve_.knuckles.push_back(static_cast<int>(curve_.points.size()) - 1);
     curve_.knuckle_tangents.push_back(start.tangent);
     curve_.knuckle_curvatures.push_back(start.curvature);
@@ -183,19 +183,26 @@ void CurveBuilder::start_at_knuckle() {
 
 }  // namespace
 
-std::vector<SectionCurve> section_curves(const surface::LimitSurface& surface,
-                                         const SectionParts& parts) {
-  const double size = surface.mesh().size();
-  const auto at_border = [&](const SectionPoint& p) {
-    return on_border(surface.cells(), p.cell, p.uv);
-  };
+std::vector<SectionCurve> section_curves(const SectionShell& shell, const SectionParts& parts) {
+  const auto at_border = [&](const SectionPoint& p) { return shell.is_border(p.cell, p.uv); };
   std::vector<SectionCurve> curves;
-  CurveBuilder builder(surface, parts);
-  for (const SectionChain& chain : join_arcs(parts, {kSameEnd * size, kGap * size}, at_border)) {
+  CurveBuilder builder(shell, parts);
+  const JoinTolerances tolerances{kSameEnd * shell.size, kGap * shell.size};
+  for (const SectionChain& chain : join_arcs(parts, tolerances, at_border)) {
     SectionCurve curve = builder.build(chain);
-    if (builder.length() > kShortestCurve * size) curves.push_back(std::move(curve));
+    if (builder.length() > kShortestCurve * shell.size) curves.push_back(std::move(curve));
   }
   return curves;
+}
+
+std::vector<SectionCurve> section_curves(const surface::LimitSurface& surface,
+                                         const SectionParts& parts) {
+  const mesh::Topology& cells = surface.cells();
+  const SectionShell shell{
+      surface.mesh().size(), kTurn,
+      [&cells](int cell, const Eigen::Vector2d& uv) { return on_crease(cells, cell, uv); },
+      [&cells](int cell, const Eigen::Vector2d& uv) { return on_border(cells, cell, uv); }};
+  return section_curves(shell, parts);
 }
 
 std::vector<SmoothStretch> smooth_stretches(const SectionCurve& curve) {

@@ -62,6 +62,10 @@ Points3 EdgeShape::evaluate(double u, int order) const {
   return rows;
 }
 
+Vector3d EdgeShape::given(double u) const {
+  return piece_.point(u >= 1.0 ? high_ : std::min(low_ + u * (high_ - low_), high_));
+}
+
 Vector3d EdgeShape::found_tangent(bool is_start) const {
   const Points3 jet = evaluate(is_start ? 0.0 : 1.0, 1);
   Vector3d tangent = jet.row(1);

@@ -17,6 +17,8 @@ class EdgeShape {
 
   // The point and derivatives by the parameter up to an order from 0 to 2, a row each.
   Points3 evaluate(double u, int order) const;
+  // The point of the curve itself.
+  Vector3d given(double u) const;
   // Of the edge's beginning (in its direction) or end (against it): unit, from the node into it.
   const Vector3d& tangent_from(bool is_start) const {
     return is_start ? start_tangent_ : end_tangent_;

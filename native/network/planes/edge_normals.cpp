@@ -14,6 +14,7 @@ constexpr double kSameNormal = 1e-9;  // of unit normals of one plane
 struct Side {
   std::vector<NormalField> fields;
   std::vector<bool> starts_told, ends_told;
+  std::vector<bool> is_known;  // of edges: whether fields follow from what is told anywhere
 };
 
 class NormalFields {
@@ -31,10 +32,18 @@ class NormalFields {
       side->fields.resize(count);
       side->starts_told.resize(count);
       side->ends_told.resize(count);
+      side->is_known.resize(count);
     }
     for (std::size_t node = 0; node < joined_.nodes.size(); ++node) set_ends(node);
     for (std::size_t edge = 0; edge < count; ++edge) copy_beyond(edge);
     for (Side* side : {&left_, &right_}) set_slopes(*side);
+    bool is_more_told = false;
+    for (std::size_t node = 0; node < joined_.nodes.size(); ++node) {
+      is_more_told = take_from_passing(node) || is_more_told;
+    }
+    if (is_more_told) {
+      for (Side* side : {&left_, &right_}) set_slopes(*side);
+    }
     for (std::size_t edge = 0; edge < count; ++edge) share_slopes(edge);
     normals_.left = std::move(left_.fields);
     normals_.right = std::move(right_.fields);
@@ -82,6 +91,53 @@ class NormalFields {
     }
   }
 
+  // What an end has in the sector that is counterclockwise of it, or clockwise.
+  struct End {
+    Side& side;
+    std::size_t edge;
+    bool is_start;
+
+    Vector3d& normal() const {
+      NormalField& field = side.fields[edge];
+      return is_start ? field.start : field.end;
+    }
+    void set_told() const { (is_start ? side.starts_told : side.ends_told)[edge] = true; }
+  };
+  End end_of(const EdgeEnd& end, bool is_after) {
+    return {end.is_start == is_after ? left_ : right_, static_cast<std::size_t>(end.edge),
+            end.is_start};
+  }
+
+  // Where a curve only passes, and its plane is not told by the edges that end on it under small
+  // angles, they have the plane that the curve has there by what its other nodes tell.
+  bool take_from_passing(std::size_t node) {
+    const auto& around = order_.around[node];
+    const TangentPlanes& planes = normals_.planes[node];
+    const std::size_t count = around.size();
+    const auto is_open = [&](std::size_t sector) {
+      return !planes.is_told[sector] && !planes.normals[sector].isZero(0.0);
+    };
+    bool is_taken = false;
+    for (std::size_t first = 0; first < count; ++first) {
+      // The end that begins what is not told, with the passing curve.
+      const std::size_t before = (first + count - 1) % count;
+      if (!is_open(first) || (is_open(before) && !planes.is_crease[first])) continue;
+      const End passing = end_of(around[first], true);
+      if (!passing.side.is_known[passing.edge]) continue;
+      for (std::size_t i = 1; i < count; ++i) {
+        const std::size_t at = (first + i) % count;
+        if (!is_open(at) || planes.is_crease[at]) break;
+        for (bool is_after : {false, true}) {
+          const End inner = end_of(around[at], is_after);
+          inner.normal() = passing.normal();
+          inner.set_told();
+        }
+        is_taken = true;
+      }
+    }
+    return is_taken;
+  }
+
   // Beyond the border the surface goes on as it is.
   void copy_beyond(std::size_t edge) {
     const auto copy = [edge](Side& to, const Side& from) {
@@ -104,12 +160,13 @@ class NormalFields {
     std::size_t first, last;
     double width;
     NormalField field;
+    bool is_known;
   };
 
   std::vector<Span> spans_of(const Side& side) const {
     std::vector<Span> spans;
     for (std::size_t e = 0; e < side.fields.size(); ++e) {
-      Span span{e, e, 0.0, side.fields[e]};
+      Span span{e, e, 0.0, side.fields[e], false};
       while (follow(e) && !side.ends_told[e] && !side.starts_told[e + 1]) ++e;
       span.last = e;
       span.width = joined_.edges[e].high - joined_.edges[span.first].low;
@@ -117,6 +174,7 @@ class NormalFields {
       const bool has_start = side.starts_told[span.first], has_end = side.ends_told[e];
       if (has_end && !has_start) span.field.start = carried(span.field.end, span.first, true);
       if (has_start && !has_end) span.field.end = carried(span.field.start, e, false);
+      span.is_known = has_start || has_end;
       spans.push_back(span);
     }
     return spans;
@@ -165,6 +223,7 @@ class NormalFields {
   void divide(const Span& span, Side& side) const {
     const double low = joined_.edges[span.first].low;
     for (std::size_t e = span.first; e <= span.last; ++e) {
+      side.is_known[e] = span.is_known;
       const CurveEdge& edge = joined_.edges[e];
       const NormalJet start = span.field.at((edge.low - low) / span.width);
       const NormalJet end = span.field.at((edge.high - low) / span.width);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "network/splines/curve_errors.h"
 #include "network/splines/joined_quads.h"
 #include "network/splines/patch_problems.h"
 
@@ -49,7 +50,8 @@ class PatchMaker {
         edges_(edge_splines(network.frame(), tolerance)),
         input_{network.shared_frame(), edges_, tolerance, spans},
         before_(before),
-        known_(std::make_shared<NetworkPatches::Known>()) {}
+        known_(std::make_shared<NetworkPatches::Known>()),
+        edge_errors_(edge_errors(network.frame(), edges_)) {}
 
   NetworkPatches run() {
     for (const MergedRegion& region :
@@ -57,6 +59,7 @@ class PatchMaker {
       add(region);
     }
     name_missed();
+    tell_errors();
     JoinedQuads joined = joined_quads(network_.frame(), placed_);
     made_.set = std::move(joined.set);
     made_.edges = std::move(joined.edges);
@@ -97,17 +100,23 @@ class PatchMaker {
 
   void keep(const MergedRegion& region, const RegionQuads& quads) {
     const NetworkFrame& frame = network_.frame();
-    placed_.push_back(
-        {&quads, quad_borders(frame, sides_of_one_curve(frame, region.sides), quads.is_single())});
-    made_.largest_error = std::max({made_.largest_error, quads.spoke_error, quads.curve_error});
+    std::vector<RegionSide> sides = sides_of_one_curve(frame, region.sides);
+    if (!quads.has_short_sides) sides = with_short_sides_joined(frame, std::move(sides));
+    placed_.push_back({&quads, quad_borders(frame, sides, quads.is_single())});
+    made_.spoke_error = std::max(made_.spoke_error, quads.spoke_error);
+    for (std::size_t i = 0; i < region.references.size(); ++i) {
+      edge_errors_[static_cast<std::size_t>(region.references[i])] = quads.reference_errors[i];
+    }
     made_.regions.insert(made_.regions.end(), quads.patches.size(), region.regions.front());
     if (!quads.has_normals) made_.problems.push_back(loose_region(frame, region.sides));
-    if (quads.curve_error > input_.tolerance) {
-      const int edge = region.references.front();
+    const auto worst = std::ranges::max_element(quads.reference_errors);
+    if (worst != quads.reference_errors.end() && *worst > input_.tolerance) {
+      const int edge =
+          region.references[static_cast<std::size_t>(worst - quads.reference_errors.begin())];
       const int curve = frame.joined.edges[static_cast<std::size_t>(edge)].curve;
       made_.problems.push_back(
           missed_curve(network_.curves()[static_cast<std::size_t>(curve)].definition.name, curve,
-                       edges_.place(frame, edge, 0.5), quads.curve_error));
+                       edges_.place(frame, edge, 0.5), *worst));
     }
   }
 
@@ -115,7 +124,6 @@ class PatchMaker {
     std::map<int, std::pair<double, Vector3d>> worst;  // of curves
     for (std::size_t e = 0; e < edges_.fitted.size(); ++e) {
       const double error = edges_.fitted[e].error;
-      made_.largest_error = std::max(made_.largest_error, error);
       if (error <= input_.tolerance) continue;
       auto& curve = worst[network_.frame().joined.edges[e].curve];
       if (error > curve.first) curve = {error, edges_.fitted[e].curve.position(0.5)};
@@ -127,16 +135,30 @@ class PatchMaker {
     }
   }
 
+  void tell_errors() {
+    made_.curve_errors.assign(network_.curves().size(), 0.0);
+    for (std::size_t e = 0; e < edge_errors_.size(); ++e) {
+      double& of_curve =
+          made_.curve_errors[static_cast<std::size_t>(network_.frame().joined.edges[e].curve)];
+      of_curve = std::max(of_curve, edge_errors_[e]);
+    }
+  }
+
   const CurveNetwork& network_;
   EdgeSplines edges_;
   RegionInput input_;
   const NetworkPatches* before_;
   std::shared_ptr<NetworkPatches::Known> known_;
+  std::vector<double> edge_errors_;
   std::vector<PlacedQuads> placed_;
   NetworkPatches made_;
 };
 
 }  // namespace
+
+double NetworkPatches::largest_curve_error() const {
+  return curve_errors.empty() ? 0.0 : *std::ranges::max_element(curve_errors);
+}
 
 NetworkPatches network_patches(const CurveNetwork& network, const PatchOptions& options,
                                const NetworkPatches* before) {

@@ -24,7 +24,12 @@ struct NetworkPatches {
   std::vector<int> regions;              // of patches; of merged ones the first
   std::vector<int> edges;                // of edges of the set the network's; -1: within a region
   std::vector<NetworkProblem> problems;  // regions that are left open, and curves not met
-  double largest_error = 0.0;            // m, of splines from curves and spokes
+  // m, of each curve: how far it is, as it is given, from the surface at most; along borders from
+  // these. Parts that the network leaves out do not count.
+  std::vector<double> curve_errors;
+  double spoke_error = 0.0;  // m, of borders around centres of regions from what they stand for
+
+  double largest_curve_error() const;
 
   // What regions of the same sides and normals are made of again.
   using Known = std::map<std::vector<double>, RegionQuads>;

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "conversion/patches/bspline_patch.h"
-#include "network/splines/uniform_spline.h"
+#include "network/splines/fitted_spline.h"
 
 namespace hull::network {
 

@@ -14,31 +14,14 @@ namespace {
 using conversion::BSplinePatch;
 
 constexpr int kMostReferenceSpans = 32;
-constexpr int kFootSolutions = 20;    // with feet found anew, at most
-constexpr double kSettled = 1e-13;    // of the size: feet that move no more
-constexpr int kFootGrid = 12;         // places each way from which a first foot is taken
-constexpr int kFootSteps = 8;         // of Newton's
-constexpr double kSlideShare = 1e-6;  // of a foot's distance along the patch
-// Of the energy against the mean square of distances: first much, so that the patch's parameters
-// become even, then less and less with each solution, so that it does not keep it off curves.
-constexpr double kFirstEnergy = 1e-3, kLastEnergy = 1e-10, kLessEnergy = 0.3;
+constexpr int kLeastParts = 8, kPartsOfSpan = 2;  // of a curve, a point each
+constexpr int kMeasuredOfPart = 3;
+constexpr int kFootSteps = 8;  // of Newton's
+constexpr double kSettled = 1e-13;
+constexpr int kReach = 6;          // of functions that have an energy together
+constexpr double kEnergy = 1e-10;  // against the mean square of distances
 
 using Place = Eigen::Vector2d;
-
-Place nearest_of_grid(const BSplinePatch& patch, const Vector3d& point) {
-  Place nearest = Place::Zero();
-  double least = -1.0;
-  for (int i = 0; i <= kFootGrid; ++i) {
-    for (int k = 0; k <= kFootGrid; ++k) {
-      const Place at(static_cast<double>(i) / kFootGrid, static_cast<double>(k) / kFootGrid);
-      const double distance = (patch.position(at.x(), at.y()) - point).squaredNorm();
-      if (least >= 0.0 && distance >= least) continue;
-      least = distance;
-      nearest = at;
-    }
-  }
-  return nearest;
-}
 
 Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
   for (int step = 0; step < kFootSteps; ++step) {
@@ -54,55 +37,83 @@ Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
   return at;
 }
 
-// ∫ B_i''' B_k''' and ∫ B_i B_k over a knot vector.
+// ∫ B_i''' B_k''' and ∫ B_i B_k over a knot vector. To the former belongs what second and first
+// derivatives jump by at multiple knots: else pieces of parabolas would cost nothing there.
 struct Energies {
   Eigen::MatrixXd third, mass;
 
-  explicit Energies(const std::vector<double>& knots) {
-    const auto count = static_cast<Eigen::Index>(knots.size()) - 4;
-    third = mass = Eigen::MatrixXd::Zero(count, count);
+  explicit Energies(const std::vector<double>& knots)
+      : count_(static_cast<Eigen::Index>(knots.size()) - 4) {
+    third = mass = Eigen::MatrixXd::Zero(count_, count_);
     for (std::size_t s = 1; s < knots.size(); ++s) {
-      const double low = knots[s - 1], width = knots[s] - low;
-      if (!(width > 0.0)) continue;
-      // Second derivatives are linear in a span, products of functions of the sixth degree.
-      const auto at = [&](double share) {
-        return conversion::basis_values(knots, 3, low + share * width);
-      };
-      const conversion::BasisValues a = at(0.25), b = at(0.75);
-      const Eigen::Vector4d jump = (b.rows.row(2) - a.rows.row(2)).transpose() / (0.5 * width);
-      third.block<4, 4>(a.first, a.first) += width * jump * jump.transpose();
-      constexpr double kNodes[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                   0.93056815579702629};
-      constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                     0.17392742256872693};
-      for (int g = 0; g < 4; ++g) {
-        const conversion::BasisValues values = at(kNodes[g]);
-        const Eigen::Vector4d row = values.rows.row(0).transpose();
-        mass.block<4, 4>(values.first, values.first) += width * kWeights[g] * row * row.transpose();
-      }
+      if (knots[s] > knots[s - 1]) add_span(knots, knots[s - 1], knots[s] - knots[s - 1]);
     }
   }
+
+ private:
+  void add_span(const std::vector<double>& knots, double low, double width) {
+    // Second derivatives are linear in a span, products of functions of the sixth degree.
+    const auto at = [&](double share) {
+      return conversion::basis_values(knots, 3, low + share * width);
+    };
+    const conversion::BasisValues a = at(0.25), b = at(0.75);
+    const Eigen::RowVector4d bend = (b.rows.row(2) - a.rows.row(2)) / (0.5 * width);
+    third.block<4, 4>(a.first, a.first) += width * bend.transpose() * bend;
+    constexpr double kNodes[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                 0.93056815579702629};
+    constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                   0.17392742256872693};
+    for (int g = 0; g < 4; ++g) {
+      const conversion::BasisValues values = at(kNodes[g]);
+      const Eigen::Vector4d row = values.rows.row(0).transpose();
+      mass.block<4, 4>(values.first, values.first) += width * kWeights[g] * row * row.transpose();
+    }
+    const double quarter = 0.25 * width;
+    const auto derivatives = [&](const conversion::BasisValues& from, double step) {
+      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, count_);
+      rows.block<1, 4>(0, from.first) =
+          from.rows.row(1) + step * from.rows.row(2) + 0.5 * step * step * bend;
+      rows.block<1, 4>(1, from.first) = from.rows.row(2) + step * bend;
+      return rows;
+    };
+    if (low > 0.0) {
+      const Eigen::MatrixXd jump = derivatives(a, -quarter) - at_end_;
+      const double mean = 0.5 * (width + width_);
+      third += jump.row(1).transpose() * jump.row(1) / mean;
+      third += jump.row(0).transpose() * jump.row(0) / (mean * mean * mean);
+    }
+    at_end_ = derivatives(b, quarter);
+    width_ = width;
+  }
+
+  Eigen::Index count_;
+  // Of the span before: first and second derivatives at its end.
+  Eigen::MatrixXd at_end_;
+  double width_ = 0.0;
+};
+
+// A point of a curve, and where it is to be.
+struct PlacedPoint {
+  Vector3d point;
+  Place place;
 };
 
 // Normal equations of all coordinates, with the constraints bordered to them.
 class CurveFit {
  public:
-  CurveFit(BSplinePatch& patch, const std::vector<Vector3d>& points,
-           const std::array<QuadSide, 4>& sides)
+  CurveFit(BSplinePatch& patch, const std::array<QuadSide, 4>& sides)
       : patch_(patch),
-        points_(points),
         along_u_(patch.knots_u),
         along_v_(patch.knots_v),
         constraints_(normal_constraints(patch, sides)) {}
 
-  // One solution over the feet; false, and nothing done, where there is none.
-  bool solve(const std::vector<Place>& feet, double energy) {
+  // False, and nothing done, where there is no solution.
+  bool solve(const std::vector<PlacedPoint>& points) {
     const Eigen::Index inner = 3 * (patch_.count_u - 2) * (patch_.count_v - 2);
     const Eigen::Index size = inner + std::ssize(constraints_);
-    entries_.clear();
     right_ = Eigen::VectorXd::Zero(size);
-    for (std::size_t i = 0; i < points_.size(); ++i) add_point(feet[i], points_[i]);
-    add_energy(energy);
+    for (const PlacedPoint& one : points) add_point(one, 1.0 / static_cast<double>(points.size()));
+    add_energy(kEnergy);
     for (std::size_t q = 0; q < constraints_.size(); ++q) {
       add_constraint(constraints_[q], inner + static_cast<Eigen::Index>(q));
     }
@@ -122,7 +133,7 @@ class CurveFit {
 
  private:
   // Of two control points, of which the first is a row.
-  void add(int row_point, int column_point, const Eigen::Matrix3d& weight) {
+  void add(int row_point, int column_point, double weight) {
     const int row = inner_number(patch_, row_point), column = inner_number(patch_, column_point);
     if (row < 0) return;
     if (column < 0) {
@@ -130,22 +141,12 @@ class CurveFit {
           weight * patch_.control_points[static_cast<std::size_t>(column_point)];
       return;
     }
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) {
-        if (weight(a, b) != 0.0) entries_.emplace_back(3 * row + a, 3 * column + b, weight(a, b));
-      }
-    }
+    for (int a = 0; a < 3; ++a) entries_.emplace_back(3 * row + a, 3 * column + a, weight);
   }
 
-  // The distance along the normal counts, and the rest a little: feet may slide.
-  void add_point(const Place& foot, const Vector3d& point) {
-    const surface::SurfaceJet jet = patch_.evaluate(foot.x(), foot.y());
-    const Vector3d normal = jet.du.cross(jet.dv).normalized();
-    const Eigen::Matrix3d weight =
-        (kSlideShare * Eigen::Matrix3d::Identity() + normal * normal.transpose()) /
-        static_cast<double>(points_.size());
-    const conversion::BasisValues u = conversion::basis_values(patch_.knots_u, 3, foot.x());
-    const conversion::BasisValues v = conversion::basis_values(patch_.knots_v, 3, foot.y());
+  void add_point(const PlacedPoint& one, double weight) {
+    const conversion::BasisValues u = conversion::basis_values(patch_.knots_u, 3, one.place.x());
+    const conversion::BasisValues v = conversion::basis_values(patch_.knots_v, 3, one.place.y());
     std::array<int, 16> numbers;
     std::array<double, 16> shares;
     for (int a = 0; a < 16; ++a) {
@@ -155,16 +156,16 @@ class CurveFit {
     }
     for (std::size_t a = 0; a < 16; ++a) {
       for (std::size_t b = 0; b < 16; ++b) {
-        add(numbers[a], numbers[b], shares[a] * shares[b] * weight);
+        add(numbers[a], numbers[b], weight * shares[a] * shares[b]);
       }
       const int row = inner_number(patch_, numbers[a]);
-      if (row >= 0) right_.segment<3>(3 * row) += shares[a] * weight * point;
+      if (row >= 0) right_.segment<3>(3 * row) += weight * shares[a] * one.point;
     }
   }
 
   void add_energy(double share) {
     const auto near = [](int i, int count) {
-      return std::pair{std::max(0, i - 3), std::min(count - 1, i + 3)};
+      return std::pair{std::max(0, i - kReach), std::min(count - 1, i + kReach)};
     };
     for (int i = 1; i + 1 < patch_.count_u; ++i) {
       const auto [low_u, high_u] = near(i, patch_.count_u);
@@ -174,8 +175,7 @@ class CurveFit {
           for (int l = low_v; l <= high_v; ++l) {
             const double energy = along_u_.third(i, k) * along_v_.mass(j, l) +
                                   along_u_.mass(i, k) * along_v_.third(j, l);
-            add(i * patch_.count_v + j, k * patch_.count_v + l,
-                share * energy * Eigen::Matrix3d::Identity());
+            add(i * patch_.count_v + j, k * patch_.count_v + l, share * energy);
           }
         }
       }
@@ -198,61 +198,63 @@ class CurveFit {
   }
 
   BSplinePatch& patch_;
-  const std::vector<Vector3d>& points_;
   Energies along_u_, along_v_;
   std::vector<NormalConstraint> constraints_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd right_;
 };
 
-double furthest_point(const BSplinePatch& patch, const std::vector<Place>& feet,
-                      const std::vector<Vector3d>& points) {
-  double error = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    error = std::max(error, (patch.position(feet[i].x(), feet[i].y()) - points[i]).norm());
+// Of all curves, at the middles of equal parts.
+std::vector<PlacedPoint> points_of(const std::vector<Reference>& curves, int parts) {
+  std::vector<PlacedPoint> points;
+  for (const Reference& curve : curves) {
+    for (int i = 0; i < parts; ++i) {
+      const double t = (i + 0.5) / parts;
+      points.push_back({curve.point(t), curve.place(t)});
+    }
   }
-  return error;
+  return points;
+}
+
+// Of a curve, at places between those that the patch was made of, too.
+double furthest_point(const BSplinePatch& patch, const Reference& curve, int parts) {
+  double worst = 0.0;
+  for (int i = 0; i <= kMeasuredOfPart * parts; ++i) {
+    const double t = static_cast<double>(i) / (kMeasuredOfPart * parts);
+    const Vector3d point = curve.point(t);
+    const Place foot = foot_from(patch, curve.place(t), point);
+    worst = std::max(worst, (patch.position(foot.x(), foot.y()) - point).norm());
+  }
+  return worst;
 }
 
 ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                            const std::vector<Vector3d>& points, int spans) {
-  ReferenceFit fit{fitted_quad(sides, start, spans)};
+                            const std::vector<Reference>& curves, int spans) {
+  ReferenceFit fit{fitted_quad(sides, start, spans), {}};
   BSplinePatch& patch = fit.quad.patch;
-  std::vector<Place> feet;
-  for (const Vector3d& point : points) {
-    feet.push_back(foot_from(patch, nearest_of_grid(patch, point), point));
+  const int most = std::max(patch.count_u, patch.count_v) - 3;
+  const int parts = std::max(kLeastParts, kPartsOfSpan * most);
+  if (!CurveFit(patch, sides).solve(points_of(curves, parts))) fit.quad.has_normals = false;
+  for (const Reference& curve : curves) {
+    fit.errors.push_back(furthest_point(patch, curve, parts));
   }
-  CurveFit curves(patch, points, sides);
-  double energy = kFirstEnergy;
-  for (int solution = 0; solution < kFootSolutions; ++solution) {
-    const bool is_solved = curves.solve(feet, energy);
-    energy = std::max(kLastEnergy, kLessEnergy * energy);
-    if (!is_solved) {
-      fit.quad.has_normals = false;
-      break;
-    }
-    double moved = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Place foot = foot_from(patch, feet[i], points[i]);
-      moved = std::max(moved, (foot - feet[i]).norm());
-      feet[i] = foot;
-    }
-    if (moved < kSettled) break;
-  }
-  fit.error = furthest_point(patch, feet, points);
   return fit;
 }
 
 }  // namespace
 
+double ReferenceFit::largest_error() const {
+  return errors.empty() ? 0.0 : *std::ranges::max_element(errors);
+}
+
 ReferenceFit fitted_to_curves(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
-                              const std::vector<Vector3d>& points,
+                              const std::vector<Reference>& curves,
                               const ReferenceOptions& options) {
   int spans = options.spans;
-  ReferenceFit fit = fit_with_spans(sides, start, points, spans);
-  while (fit.error > options.tolerance && 2 * spans <= kMostReferenceSpans) {
+  ReferenceFit fit = fit_with_spans(sides, start, curves, spans);
+  while (fit.largest_error() > options.tolerance && 2 * spans <= kMostReferenceSpans) {
     spans *= 2;
-    fit = fit_with_spans(sides, start, points, spans);
+    fit = fit_with_spans(sides, start, curves, spans);
   }
   return fit;
 }

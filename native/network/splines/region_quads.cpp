@@ -6,38 +6,19 @@
 #include <stdexcept>
 
 #include "network/splines/border_plate.h"
+#include "network/splines/quad_star.h"
 #include "network/splines/reference_fit.h"
+#include "network/splines/reference_places.h"
 
 namespace hull::network {
 namespace {
 
 constexpr int kPlateSamples = 8;  // of a side, but of short ones
-constexpr int kFoldSamples = 4;   // each way, of a patch around a centre
-constexpr int kCurveSamples = 8;  // of an edge of a reference curve
-
-// A region's surface over some plane domain, before it is splines.
-struct StarTarget {
-  std::function<PatchPoint(const Vector2d&)> at;
-  std::function<Vector2d(std::size_t, double)> border;  // of a side, by its parameter
-  Vector2d centre;
-};
-
-QuadSide part_of(const SideSpline& side, double begin, double end, const Vector3d& from,
-                 const Vector3d& to) {
-  QuadSide part{side.curve().part(begin, end),
-                [&side, begin, end](double t) { return side.normal(begin + t * (end - begin)); }};
-  part.curve.points.front() = from;
-  part.curve.points.back() = to;
-  return part;
-}
+constexpr int kTurnSamples = 5;   // each way, of a patch whose normals are looked at
+constexpr int kFoldSamples = 4;   // each way, of a patch of four sides
 
 QuadSide whole(const SideSpline& side) {
   return {side.curve(), [&side](double t) { return side.normal(t); }};
-}
-
-void keep(RegionQuads& quads, FittedQuad fitted) {
-  quads.patches.push_back(std::move(fitted.patch));
-  quads.has_normals = quads.has_normals && fitted.has_normals;
 }
 
 // Whether normals within are nowhere turned away from those at all corners.
@@ -57,8 +38,8 @@ RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>&
                         const TransfinitePatch& patch) {
   RegionQuads quads;
   const QuadTarget target = [&](double u, double v) { return patch.at({u, v}).point; };
-  keep(quads, fitted_quad({whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])},
-                          target, input.spans));
+  quads.add(fitted_quad({whole(sides[0]), whole(sides[1]), whole(sides[2]), whole(sides[3])},
+                        target, input.spans));
   return quads;
 }
 
@@ -70,16 +51,17 @@ void free_border(const RegionInput& input, const SideSpline& side, QuadSide& qua
 }
 
 RegionQuads quad_with_references(const RegionInput& input, const std::vector<SideSpline>& sides,
+                                 const std::vector<RegionSide>& given,
                                  const std::vector<int>& references) {
   std::array<QuadSide, 4> around{whole(sides[0]), whole(sides[1]), whole(sides[2]),
                                  whole(sides[3])};
   for (std::size_t k = 0; k < 4; ++k) free_border(input, sides[k], around[k]);
-  std::vector<Vector3d> points;
-  for (int edge : references) {
-    const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(edge)];
-    for (int i = 0; i < kCurveSamples; ++i) {
-      points.emplace_back(shape.evaluate((i + 0.5) / kCurveSamples, 0).row(0));
-    }
+  const ReferencePlaces places(*input.frame, given, references);
+  std::vector<Reference> curves;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    const EdgeShape& shape = input.frame->shapes[static_cast<std::size_t>(references[i])];
+    curves.push_back({[&shape](double t) { return Vector3d(shape.evaluate(t, 0).row(0)); },
+                      [&places, i](double t) { return places.at(i, t); }});
   }
   // Curves inside tell more than normals at corners: the bilinear Coons patch.
   const auto on = [&](std::size_t k, double t) { return around[k].curve.position(t); };
@@ -89,10 +71,10 @@ RegionQuads quad_with_references(const RegionInput& input, const std::vector<Sid
                     (1.0 - u) * ((1.0 - v) * on(0, 0.0) + v * on(3, 0.0)) -
                     u * ((1.0 - v) * on(1, 0.0) + v * on(2, 0.0)));
   };
-  ReferenceFit fit = fitted_to_curves(around, start, points, {input.tolerance, input.spans});
+  ReferenceFit fit = fitted_to_curves(around, start, curves, {input.tolerance, input.spans});
   RegionQuads quads;
-  quads.curve_error = fit.error;
-  keep(quads, std::move(fit.quad));
+  quads.reference_errors = fit.errors;
+  quads.add(std::move(fit.quad));
   return quads;
 }
 
@@ -135,129 +117,48 @@ StarTarget blend_target(const TransfinitePatch& patch) {
           centre};
 }
 
-// Quads around the centre of a region: each at the corner where a side begins, between halves of
-// that side and of the one before.
-class Star {
- public:
-  Star(const RegionInput& input, const std::vector<SideSpline>& sides, StarTarget target,
-       bool has_normals)
-      : input_(input), sides_(sides), target_(std::move(target)), has_normals_(has_normals) {
-    for (const SideSpline& side : sides_) middles_.push_back(side.parts().middle());
-  }
-
-  // Whether the quads cover their domain without folds.
-  bool is_regular() const {
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      for (int a = 0; a < kFoldSamples; ++a) {
-        for (int b = 0; b < kFoldSamples; ++b) {
-          constexpr double kStep = 1.0 / kFoldSamples;
-          const double u = a * kStep, v = b * kStep;
-          const Vector2d at = place(i, u, v), by_u = place(i, u + kStep, v) - at,
-                         by_v = place(i, u, v + kStep) - at;
-          if (!(by_u.x() * by_v.y() - by_u.y() * by_v.x() > 0.0)) return false;
-        }
+// Whether normals of patches are anywhere turned away from their mean.
+bool is_folded(const RegionQuads& quads) {
+  std::vector<Vector3d> normals;
+  Vector3d mean = Vector3d::Zero();
+  for (const conversion::BSplinePatch& patch : quads.patches) {
+    for (int i = 0; i < kTurnSamples; ++i) {
+      for (int k = 0; k < kTurnSamples; ++k) {
+        const auto jet = patch.evaluate((i + 0.5) / kTurnSamples, (k + 0.5) / kTurnSamples);
+        normals.push_back(jet.du.cross(jet.dv));
+        mean += normals.back();
       }
     }
-    return true;
   }
+  return !std::ranges::all_of(normals, [&](const Vector3d& one) { return one.dot(mean) > 0.0; });
+}
 
-  std::vector<Vector2d> inner_places() const {
-    std::vector<Vector2d> places{target_.centre};
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      for (double u : {0.25, 0.75}) {
-        for (double v : {0.25, 0.75}) places.push_back(place(i, u, v));
-      }
-    }
-    return places;
+std::vector<SideSpline> splines_of(const RegionInput& input, const std::vector<RegionSide>& sides) {
+  std::vector<SideSpline> splines;
+  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  return splines;
+}
+
+// Around the centre of a plate, if one is unfolded; with the network's normals, if that is.
+std::optional<RegionQuads> plate_quads(const RegionInput& input,
+                                       const std::vector<SideSpline>& splines) {
+  for (bool has_normals : {true, false}) {
+    const auto plate = plate_of(splines, has_normals);
+    if (!plate) continue;
+    QuadStar star(input, splines, plate_target(*plate, splines), has_normals);
+    if (!star.is_regular() || !plate->is_gentle(star.inner_places())) continue;
+    RegionQuads quads = star.quads();
+    if (!is_folded(quads)) return quads;
   }
-
-  RegionQuads quads() {
-    RegionQuads made;
-    made.has_normals = has_normals_;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      spokes_.push_back(spoke(i));
-      made.spoke_error = std::max(made.spoke_error, spokes_.back().error);
-    }
-    for (std::size_t i = 0; i < sides_.size(); ++i) add_quad(made, i);
-    return made;
-  }
-
- private:
-  std::size_t before(std::size_t i) const { return (i + sides_.size() - 1) % sides_.size(); }
-
-  // Of the quad at the beginning of side i, u along that: Coons' in the plane.
-  Vector2d place(std::size_t i, double u, double v) const {
-    const std::size_t last = before(i);
-    const auto on_last = [&](double t) {
-      return target_.border(last, 1.0 - t * (1.0 - middles_[last]));
-    };
-    const Vector2d corner = target_.border(i, 0.0), middle = target_.border(i, middles_[i]),
-                   other = on_last(1.0), &centre = target_.centre;
-    const Vector2d low = target_.border(i, u * middles_[i]), high = (1.0 - u) * other + u * centre,
-                   left = on_last(v), right = (1.0 - v) * middle + v * centre;
-    return (1.0 - v) * low + v * high + (1.0 - u) * left + u * right -
-           (1.0 - u) * ((1.0 - v) * corner + v * other) - u * ((1.0 - v) * middle + v * centre);
-  }
-
-  Vector2d on_spoke(std::size_t i, double t) const {
-    return (1.0 - t) * target_.border(i, middles_[i]) + t * target_.centre;
-  }
-
-  // Where the middle of a side is.
-  Vector3d middle_place(std::size_t i) const {
-    const EdgePiece piece = sides_[i].parts().pieces(0.0, middles_[i]).back();
-    return input_.edges.place(*input_.frame, piece.edge, piece.to);
-  }
-
-  // It begins in its side's tangent plane.
-  FittedSpline spoke(std::size_t i) const {
-    const Vector2d way = on_spoke(i, 1.0) - on_spoke(i, 0.0);
-    const Vector3d start = middle_place(i), normal = sides_[i].normal(middles_[i]);
-    const auto jet = [&](double t) {
-      const PatchPoint point = target_.at(on_spoke(i, t));
-      Points3 rows(2, 3);
-      Vector3d slope = way.x() * point.by_first + way.y() * point.by_second;
-      if (t == 0.0) slope -= slope.dot(normal) * normal;
-      rows.row(0) = t == 0.0 ? start : point.point;
-      rows.row(1) = slope;
-      return rows;
-    };
-    return uniform_spline(jet, input_.tolerance);
-  }
-
-  QuadSide spoke_side(std::size_t i, bool is_inwards) const {
-    const BSplineCurve& curve = spokes_[i].curve;
-    return {is_inwards ? curve : curve.reversed(), [this, i, &curve, is_inwards](double given) {
-              const double t = is_inwards ? given : 1.0 - given;
-              const Vector3d normal = target_.at(on_spoke(i, t)).normal();
-              const Vector3d along = Vector3d(spline_jet(curve, t).row(1)).normalized();
-              return Vector3d((normal - normal.dot(along) * along).normalized());
-            }};
-  }
-
-  void add_quad(RegionQuads& made, std::size_t i) const {
-    const std::size_t last = before(i);
-    const Vector3d corner = sides_[i].curve().points.front(), middle = middle_place(i),
-                   other = middle_place(last);
-    const QuadTarget target = [this, i](double u, double v) {
-      return target_.at(place(i, u, v)).point;
-    };
-    std::array<QuadSide, 4> around{part_of(sides_[i], 0.0, middles_[i], corner, middle),
-                                   spoke_side(i, true), spoke_side(last, false),
-                                   part_of(sides_[last], middles_[last], 1.0, other, corner)};
-    if (!has_normals_) around[0].normal = around[3].normal = nullptr;
-    keep(made, fitted_quad(around, target, input_.spans));
-  }
-
-  const RegionInput& input_;
-  const std::vector<SideSpline>& sides_;
-  StarTarget target_;
-  bool has_normals_;
-  std::vector<double> middles_;
-  std::vector<FittedSpline> spokes_;
-};
+  return std::nullopt;
+}
 
 }  // namespace
+
+void RegionQuads::add(FittedQuad fitted) {
+  patches.push_back(std::move(fitted.patch));
+  has_normals = has_normals && fitted.has_normals;
+}
 
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
                                                     const std::vector<RegionSide>& sides,
@@ -283,27 +184,28 @@ std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
 RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
   const std::vector<RegionSide>& given = region.sides;
   const std::vector<RegionSide> sides = sides_of_one_curve(*input.frame, given);
-  std::vector<SideSpline> splines;
-  for (const RegionSide& side : sides) splines.emplace_back(input.frame, input.edges, side);
+  const std::vector<SideSpline> splines = splines_of(input, sides);
   if (!region.references.empty()) {
-    return quad_with_references(input, splines, region.references);
+    return quad_with_references(input, splines, sides, region.references);
   }
   if (given.size() == 4 && sides.size() == 4) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
     if (!is_folded(patch)) return single_quad(input, splines, patch);
   }
-  for (bool has_normals : {true, false}) {
-    const auto plate = plate_of(splines, has_normals);
-    if (!plate) continue;
-    Star star(input, splines, plate_target(*plate, splines), has_normals);
-    if (star.is_regular() && plate->is_gentle(star.inner_places())) return star.quads();
+  const std::vector<RegionSide> joined = with_short_sides_joined(*input.frame, sides);
+  if (joined.size() < sides.size()) {
+    if (auto quads = plate_quads(input, splines_of(input, joined))) {
+      quads->has_short_sides = false;
+      return std::move(*quads);
+    }
   }
+  if (auto quads = plate_quads(input, splines)) return std::move(*quads);
   if (sides.size() == 2) {
     throw std::invalid_argument(
         "Its border is no graph over a plane, or turns back: divide it by a curve.");
   }
   const TransfinitePatch patch(ribboned_sides(input.frame, sides));
-  return Star(input, splines, blend_target(patch), true).quads();
+  return QuadStar(input, splines, blend_target(patch), true).quads();
 }
 
 }  // namespace hull::network

@@ -8,7 +8,7 @@ EdgeSplines edge_splines(const NetworkFrame& frame, double tolerance) {
   for (std::size_t e = 0; e < frame.shapes.size(); ++e) {
     const EdgeShape& shape = frame.shapes[e];
     splines.fitted.push_back(
-        uniform_spline([&](double u) { return shape.evaluate(u, 1); }, tolerance));
+        fitted_spline([&](double u) { return shape.evaluate(u, 1); }, tolerance));
     auto& points = splines.fitted.back().curve.points;
     points.front() = frame.joined.nodes[static_cast<std::size_t>(frame.joined.edges[e].from)];
     points.back() = frame.joined.nodes[static_cast<std::size_t>(frame.joined.edges[e].to)];

@@ -54,28 +54,37 @@ struct SeamAngles {
   double of_creases = 0.0;                // degrees, the furthest from an angle
 };
 
-// Of whole sides, at shares of 1 / 64, of which those of 1 / spans are the inner knots.
+// Of edges, at shares of 1 / 64, of which, of whole sides, those of 1 / spans are the inner knots.
 SeamAngles seam_angles(const CurveNetwork& network, const NetworkPatches& made, int spans,
                        double crease_degrees = 0.0) {
-  std::vector<std::vector<std::pair<int, int>>> users(made.edges.size());
-  for (int p = 0; p < std::ssize(made.set.patches); ++p) {
+  struct User {
+    std::size_t patch;
+    int side;
+    double begin, end;
+  };
+  std::vector<std::vector<User>> users(made.edges.size());
+  for (std::size_t p = 0; p < made.set.patches.size(); ++p) {
     for (int k = 0; k < 4; ++k) {
-      const auto& side = made.set.sides[static_cast<std::size_t>(p)][static_cast<std::size_t>(k)];
-      if (side.size() == 1) users[static_cast<std::size_t>(side.front().edge)].push_back({p, k});
+      for (const auto& part : made.set.sides[p][static_cast<std::size_t>(k)]) {
+        users[static_cast<std::size_t>(part.edge)].push_back({p, k, part.begin, part.end});
+      }
     }
   }
   SeamAngles found;
   for (std::size_t e = 0; e < users.size(); ++e) {
     if (users[e].size() != 2) continue;
     const int edge = made.edges[e];
+    const auto is_whole = [](const User& user) { return user.begin == 0.0 && user.end == 1.0; };
+    const bool has_knots = is_whole(users[e][0]) && is_whole(users[e][1]);
     const bool is_crease =
         edge >= 0 && network.frame().normals.is_crease[static_cast<std::size_t>(edge)];
     for (int i = 1; i < 64; ++i) {
       std::array<Vector3d, 2> normals;
       for (std::size_t s = 0; s < 2; ++s) {
-        const auto [p, k] = users[e][s];
-        const double t = s == 0 ? i / 64.0 : 1.0 - i / 64.0;
-        normals[s] = normal_of(made.set.patches[static_cast<std::size_t>(p)], on_side(k, t));
+        const User& user = users[e][s];
+        const double share = s == 0 ? i / 64.0 : 1.0 - i / 64.0;
+        normals[s] = normal_of(made.set.patches[user.patch],
+                               on_side(user.side, user.begin + share * (user.end - user.begin)));
       }
       const double angle =
           std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1])) / kDegree;
@@ -84,7 +93,7 @@ SeamAngles seam_angles(const CurveNetwork& network, const NetworkPatches& made, 
         continue;
       }
       found.anywhere = std::max(found.anywhere, angle);
-      if (i % (64 / spans) == 0) found.at_knots = std::max(found.at_knots, angle);
+      if (has_knots && i % (64 / spans) == 0) found.at_knots = std::max(found.at_knots, angle);
     }
   }
   return found;
@@ -208,6 +217,35 @@ TEST(NetworkPatches, AWigleyQuarterWithReferencesIsExact) {
     const double worst = furthest_off(made, off_wigley);
     std::cout << inner.size() << " curves each way inside: " << worst / kBreadth << " B\n";
     EXPECT_LT(worst, 1e-9 * kBreadth);
+  }
+}
+
+// All curves inside but one of each family are references: the patches pass through all of them
+// along their length, also where no point of the fit is.
+TEST(NetworkPatches, ReferencesAreMetAlongTheirLength) {
+  for (const auto& surface : {torus, ellipsoid}) {
+    std::vector<NetworkCurve> curves = net_on(surface, 4, 4, 5);
+    for (std::size_t i : {1u, 3u, 6u, 8u}) curves[i].role = NetworkCurve::Role::kReference;
+    const CurveNetwork network = network_of(curves);
+    ASSERT_EQ(told(network), "");
+    const NetworkPatches made = patches_of(network, 4, 1e-4);
+    EXPECT_EQ(made.set.patches.size(), 4u);
+    double worst = 0.0;
+    for (std::size_t c : {1u, 3u, 6u, 8u}) worst = std::max(worst, made.curve_errors[c]);
+    const auto off = [surface = surface](const Vector3d& p) {
+      if (surface == torus) return std::hypot(std::hypot(p.x(), p.y()) - 10.0, p.z()) - 3.0;
+      const Vector3d unit(p.x() / 9.0, p.y() / 4.0, p.z() / 2.5);
+      return (unit.norm() - 1.0) / Vector3d(unit.x() / 9.0, unit.y() / 4.0, unit.z() / 2.5).norm();
+    };
+    const SeamAngles angles = seam_angles(network, made, 4);
+    const double whole = furthest_off(made, off);
+    std::cout << "references off by " << worst << " m, all by " << whole << " m, seams "
+              << angles.anywhere << " deg\n";
+    EXPECT_LT(worst, 1e-4);
+    EXPECT_GT(worst, 0.0);
+    // Of the least half-axis, of 3 and 2.5 m.
+    EXPECT_LT(whole, 5e-3 * 2.5);
+    EXPECT_LT(angles.anywhere, 0.5);
   }
 }
 

@@ -11,6 +11,7 @@ Where things are:
   following      which networks follow what Blender tells of
   live_surface   the object that shows the surface
   problems       what is wrong, and the way there
+  surface_tasks  how good the surface is, what it is afloat; STEP and IGES files of it
   choosing_points, crossings, making, adding, drawing, sections, smoothing, from_hull: tools
 What makes something else of a network (a control mesh, files) is one more file: it takes
 network_state.up_to_date(network), which has the hull_native.CurveNetwork.

@@ -55,6 +55,7 @@ class NetworkState:
     scale: float = 0.0
     surface: LiveSurface = field(default_factory=LiveSurface)
     revision: int = 0
+    measured: object = None  # surface_tasks.Measured of the surface that was measured last
 
     @property
     def is_joined(self):

@@ -18,10 +18,24 @@ struct FittedSpline {
   double error = 0.0;  // m: the furthest from the curve's points at equal parameters, of samples
 };
 
-// A curve as a cubic spline over uniform knots that has its points there and its slopes at both
-// ends (the complete spline). Spans are doubled until it is within `tolerance`, m, of the curve, up
-// to 64; polynomials up to the third degree are met with one.
-FittedSpline uniform_spline(const CurveJet& curve, double tolerance);
+// Where spans begin and end, from 0 to 1, and a curve's points there.
+struct SplineBreaks {
+  std::vector<double> at;
+  std::vector<Vector3d> places;
+
+  std::size_t spans() const { return at.size() - 1; }
+  double width(std::size_t span) const { return at[span + 1] - at[span]; }
+};
+
+// The cubic spline through points with slopes at both ends (the complete spline).
+BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_slope,
+                             const Vector3d& end_slope);
+
+// A curve as a cubic spline that has its points at its knots and its slopes at both ends (the
+// complete spline). Spans that are not within `tolerance`, m, of the curve are halved, down to
+// 2^-12 of the whole, while there are no more than 128; polynomials up to the third degree are met
+// with one.
+FittedSpline fitted_spline(const CurveJet& curve, double tolerance);
 
 // The point and the slope at t, which is within [0, 1].
 Points3 spline_jet(const BSplineCurve& curve, double t);

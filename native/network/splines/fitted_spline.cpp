@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/splines/uniform_spline.h"
+#include "network/splines/fitted_spline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,47 +9,36 @@
 namespace hull::network {
 namespace {
 
-constexpr int kMostSpans = 64;
+constexpr std::size_t kMostSpans = 128;
+constexpr double kLeastSpan = 0x1p-12;
 constexpr int kTestsOfSpan = 4;
 constexpr double kSameKnot = 1e-12;
 constexpr double kSameSlope = 1e-9;  // of a spline's size
 constexpr double kRounding = 2e-14;  // of it
 
-// The inner control points have the curve's points at inner knots: one row of 1/6, 2/3, 1/6 each,
-// but beside the ends, solved from both sides inwards (Thomas).
-BSplineCurve complete_spline(const std::vector<Vector3d>& places, const Vector3d& start_slope,
-                             const Vector3d& end_slope) {
-  const int spans = static_cast<int>(places.size()) - 1;
-  BSplineCurve curve{3, uniform_knots(spans), {}};
-  auto& points = curve.points;
-  points.resize(static_cast<std::size_t>(spans) + 3);
-  points.front() = places.front();
-  points.back() = places.back();
-  points[1] = places.front() + start_slope / (3.0 * spans);
-  points[points.size() - 2] = places.back() - end_slope / (3.0 * spans);
-  const std::size_t first = 2, last = static_cast<std::size_t>(spans);
-  std::vector<double> above(points.size(), 0.0);
-  for (std::size_t i = first; i <= last; ++i) {
-    const conversion::BasisValues values =
-        conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
-    const auto row = values.rows.row(0);
-    const double pivot = row(1) - row(0) * above[i - 1];
-    Vector3d right = places[i - 1] - row(0) * points[i - 1];
-    if (i == last) right -= row(2) * points[i + 1];
-    above[i] = i == last ? 0.0 : row(2) / pivot;
-    points[i] = right / pivot;
-  }
-  for (std::size_t i = last; i-- > first;) points[i] -= above[i] * points[i + 1];
-  return curve;
-}
-
-double furthest(const BSplineCurve& spline, const CurveJet& curve, int spans) {
+double furthest_in(const BSplineCurve& spline, const CurveJet& curve, double low, double width) {
   double error = 0.0;
-  for (int i = 0; i < spans * kTestsOfSpan; ++i) {
-    const double t = (i + 0.5) / (spans * kTestsOfSpan);
+  for (int i = 0; i < kTestsOfSpan; ++i) {
+    const double t = low + width * (i + 0.5) / kTestsOfSpan;
     error = std::max(error, (spline.position(t) - Vector3d(curve(t).row(0))).norm());
   }
   return error;
+}
+
+// With the spans halved that are to be; false where none may be.
+bool halve(SplineBreaks& breaks, const std::vector<bool>& is_off, const CurveJet& curve) {
+  SplineBreaks halved{{0.0}, {breaks.places.front()}};
+  for (std::size_t s = 0; s < breaks.spans(); ++s) {
+    if (is_off[s] && breaks.width(s) > kLeastSpan) {
+      halved.at.push_back(0.5 * (breaks.at[s] + breaks.at[s + 1]));
+      halved.places.emplace_back(curve(halved.at.back()).row(0));
+    }
+    halved.at.push_back(breaks.at[s + 1]);
+    halved.places.push_back(breaks.places[s + 1]);
+  }
+  if (halved.spans() == breaks.spans() || halved.spans() > kMostSpans) return false;
+  breaks = std::move(halved);
+  return true;
 }
 
 // Without one of a double knot, where the curve is as smooth as with a simple one but for rounding
@@ -78,20 +67,48 @@ std::vector<double> uniform_knots(int spans) {
   return conversion::open_uniform_knots(3, spans + 3);
 }
 
-FittedSpline uniform_spline(const CurveJet& curve, double tolerance) {
-  const Points3 start = curve(0.0), end = curve(1.0);
-  FittedSpline fitted;
-  for (int spans = 1; spans <= kMostSpans; spans *= 2) {
-    std::vector<Vector3d> places{start.row(0)};
-    for (int i = 1; i < spans; ++i) {
-      places.emplace_back(curve(static_cast<double>(i) / spans).row(0));
-    }
-    places.emplace_back(end.row(0));
-    fitted.curve = complete_spline(places, start.row(1), end.row(1));
-    fitted.error = furthest(fitted.curve, curve, spans);
-    if (fitted.error <= tolerance) break;
+// The inner control points have the curve's points at inner knots: one row of three functions each,
+// but beside the ends, solved from both sides inwards (Thomas).
+BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_slope,
+                             const Vector3d& end_slope) {
+  BSplineCurve curve{3, std::vector<double>(3, 0.0), {}};
+  curve.knots.insert(curve.knots.end(), breaks.at.begin(), breaks.at.end());
+  curve.knots.insert(curve.knots.end(), 3, 1.0);
+  auto& points = curve.points;
+  points.resize(breaks.spans() + 3);
+  points.front() = breaks.places.front();
+  points.back() = breaks.places.back();
+  points[1] = points.front() + start_slope * (breaks.width(0) / 3.0);
+  points[points.size() - 2] = points.back() - end_slope * (breaks.width(breaks.spans() - 1) / 3.0);
+  const std::size_t first = 2, last = breaks.spans();
+  std::vector<double> above(points.size(), 0.0);
+  for (std::size_t i = first; i <= last; ++i) {
+    const conversion::BasisValues values =
+        conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
+    const auto row = values.rows.row(0);
+    const double pivot = row(1) - row(0) * above[i - 1];
+    Vector3d right = breaks.places[i - 1] - row(0) * points[i - 1];
+    if (i == last) right -= row(2) * points[i + 1];
+    above[i] = i == last ? 0.0 : row(2) / pivot;
+    points[i] = right / pivot;
   }
-  return fitted;
+  for (std::size_t i = last; i-- > first;) points[i] -= above[i] * points[i + 1];
+  return curve;
+}
+
+FittedSpline fitted_spline(const CurveJet& curve, double tolerance) {
+  const Points3 start = curve(0.0), end = curve(1.0);
+  SplineBreaks breaks{{0.0, 1.0}, {start.row(0), end.row(0)}};
+  while (true) {
+    FittedSpline fitted{complete_spline(breaks, start.row(1), end.row(1))};
+    std::vector<bool> is_off(breaks.spans());
+    for (std::size_t s = 0; s < breaks.spans(); ++s) {
+      const double error = furthest_in(fitted.curve, curve, breaks.at[s], breaks.width(s));
+      is_off[s] = error > tolerance;
+      fitted.error = std::max(fitted.error, error);
+    }
+    if (fitted.error <= tolerance || !halve(breaks, is_off, curve)) return fitted;
+  }
 }
 
 Points3 spline_jet(const BSplineCurve& curve, double t) {
