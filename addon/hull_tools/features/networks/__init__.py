@@ -12,6 +12,7 @@ Where things are:
   live_surface   the object that shows the surface
   problems       what is wrong, and the way there
   choosing_points, crossings, making, adding, drawing, sections, smoothing, from_hull: tools
-What makes something else of a network (a control mesh, files) is one more file: it takes
-network_state.up_to_date(network), which has the hull_native.CurveNetwork.
+  to_hull        a hull laid over a network
+What makes something else of a network is one more file: it takes network_state.up_to_date(network),
+which has the hull_native.CurveNetwork.
 """
