@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Networks of curves as hulls: control meshes laid over samples' lines, and the samples' own."""
 
+import os
 from functools import lru_cache
 
 import hull_native as hn
@@ -61,10 +62,16 @@ def test_flats_are_flat_and_rows_are_of_one_x():
     assert hull.surface.mesh.warnings == []
 
 
-def test_a_layout_of_ones_own_meets_the_curves():
+# Another ship takes ten seconds.
+IS_LONG = bool(os.environ.get("HULL_LONG_NETWORKS"))
+OWN_LAYOUTS = ["coaster", "container_ship", "bulk_carrier"] if IS_LONG else ["coaster"]
+
+
+@pytest.mark.parametrize("name", OWN_LAYOUTS)
+def test_a_layout_of_ones_own_meets_the_curves(name):
     # The sample's own layout, put elsewhere by up to 1 % of the length and 5 % of the breadth,
     # comes back: the curves are of a surface that it has.
-    surface = sample_surface("coaster")
+    surface = sample_surface(name)
     network, length = lines_of(surface, curves=1e-8)
     own = np.asarray(surface.mesh.points)
     share = (own - own.min(axis=0)) / np.ptp(own, axis=0)
@@ -73,11 +80,12 @@ def test_a_layout_of_ones_own_meets_the_curves():
     points[:, 1] *= 1.03 + 0.02 * np.sin(5.0 * share[:, 0])
     layout = hn.LimitSurface(surface.mesh.with_points(points), surface.scheme)
     hull = hn.hull_from_network(network, layout=layout)
-    assert hull.rms <= 1e-6 * length
+    # The curves are within 1e-8 of the sample.
+    assert hull.rms <= 2e-8 * length and hull.largest <= 1e-6 * length
     assert len(hull.surface.mesh.points) == len(own)
     # By another way: the surface between the curves is the sample's, too.
     there = hn.SurfaceTree(hull.surface).closest_points(surface.tessellate(3).points)
-    assert np.sqrt(np.mean(np.asarray(there.distances) ** 2)) < 5e-6 * length
+    assert np.sqrt(np.mean(np.asarray(there.distances) ** 2)) < 1e-6 * length
 
 
 def test_progress_rises_and_ends_what_it_interrupts():
