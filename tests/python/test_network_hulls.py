@@ -7,6 +7,7 @@ from functools import lru_cache
 import hull_native as hn
 import numpy as np
 import pytest
+from hull_fairness.lines import judged
 from test_curve_networks import lines_of, sample_surface, square_net
 
 
@@ -18,24 +19,28 @@ def laid(name, budget):
 
 
 # Budgets are at most 1.3 times the samples' own 113, 117 and 149 points. The tolerance is that of
-# hull_from_network(), which the RoRo's bilge misses at one station, by 0.12 m; the root mean square
-# is a third of it.
-@pytest.mark.parametrize(
-    "name, budget, is_within",
-    [("coaster", 146, True), ("roro", 152, False), ("naval_vessel", 150, True)],
-)
-def test_lines_of_samples_become_hulls(name, budget, is_within):
+# hull_from_network(), and the root mean square a third of it.
+@pytest.mark.parametrize("name, budget", [("coaster", 146), ("roro", 152), ("naval_vessel", 150)])
+def test_lines_of_samples_become_hulls(name, budget):
     surface, network, length, hull = laid(name, budget)
     points = np.asarray(hull.surface.mesh.points)
     assert len(points) <= budget
     assert hull.rms <= 1e-4 * length
-    assert hull.is_within == (hull.largest <= 3e-4 * length)
-    assert hull.is_within or not is_within
+    assert hull.is_within and hull.largest <= 3e-4 * length
     assert hull.in_rows >= 0.8
     # By another way: places all over the surface that the lines are of.
     there = surface.tessellate(3).points
     apart = np.asarray(hn.SurfaceTree(hull.surface).closest_points(there).distances)
     assert np.sqrt(np.mean(apart**2)) < 2e-4 * length
+
+
+def test_a_hull_of_lines_has_few_points_and_is_nearly_fair():
+    # The sample has 113 points and no mark. Without fairness of rows and columns it took 139
+    # points, and there were 174 marks; with it there are 63.
+    surface, _, _, hull = laid("coaster", 146)
+    assert len(hull.surface.mesh.points) < len(surface.mesh.points)
+    beam = 2.0 * np.asarray(surface.mesh.points)[:, 1].max()
+    assert sum(len(line.unwanted) for line in judged(hull.surface, beam)) <= 100
 
 
 def test_distances_are_those_of_the_curves():

@@ -50,7 +50,7 @@ def draw(window, kind, position, places, knuckle_after=None):
 def begin(window):
     bpy.ops.hull.new_network()
     bpy.ops.ed.undo_push(message="network")
-    sidebar.show_panels(window, "networks", "network_curve", "network_hull", "network_problems")
+    sidebar.show_panels(window, "networks", "network_curve", "network_problems")
     yield
 
 
@@ -152,6 +152,8 @@ def moved_and_taken_back(window):
 def made_a_hull(window):
     before = len(bpy.data.objects)
     bpy.ops.ed.undo_push(message="edited")
+    sidebar.show_panels(window, "networks", "network_hull")
+    yield
     yield from sidebar.to(window, "hull.network_to_hull")
     window.click()
     yield lambda: network().hull_network.hull is not None
