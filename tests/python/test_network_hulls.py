@@ -36,8 +36,8 @@ def test_lines_of_samples_become_hulls(name, budget):
 
 
 def test_a_hull_of_lines_has_few_points_and_is_nearly_fair():
-    # The sample has 113 points, and no mark but those that its design calls for. Without fairness of
-    # rows and columns it took 139 points, and there were 174 marks; with it there are 63.
+    # The sample has 113 points, and no mark but those that its design calls for. Without fairness
+    # of rows and columns it took 139 points, and there were 174 marks; with it there are 63.
     surface, _, _, hull = laid("coaster", 146)
     assert len(hull.surface.mesh.points) < len(surface.mesh.points)
     vessel = vessels.vessel("coaster")
