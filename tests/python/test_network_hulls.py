@@ -95,6 +95,28 @@ def test_a_layout_of_ones_own_meets_the_curves(name):
     assert np.sqrt(np.mean(np.asarray(there.distances) ** 2)) < 1e-6 * length
 
 
+def test_five_curves_are_enough():
+    keel = [
+        (3, 0, 0.04),
+        (6, 0, 0),
+        (10, 0, 0),
+        (14, 0, 0),
+        (16, 0, 0.03),
+        (18, 0, 0.4),
+        (20, 0, 3),
+    ]
+    curves, tops = [hn.NetworkCurve("profile", keel, plane=(0, 1, 0, 0))], []
+    for x, foot, wide in ((3, 0.04, 1.8), (10, 0.0, 2.4), (16, 0.03, 1.6)):
+        points = [(x, 0, foot), (x, 0.7 * wide, 0.3), (x, wide, 1.2), (x, 1.1 * wide, 3)]
+        curves.append(hn.NetworkCurve(f"station {x}", points, plane=(1, 0, 0, x)))
+        tops.append(points[-1])
+    curves.append(hn.NetworkCurve("deck edge", [*tops, (20, 0, 3)]))
+    network = hn.CurveNetwork(curves, 5e-3)
+    assert network.region_count == 3
+    hull = hn.hull_from_network(network, budget=110)
+    assert hull.rms < 5e-4 * 17.0 and hull.largest < 3e-3 * 17.0 and hull.in_rows > 0.6
+
+
 def test_progress_rises_and_ends_what_it_interrupts():
     network, _ = lines_of(sample_surface("coaster"), 9, 4)
     told = []
