@@ -12,8 +12,8 @@ import numpy as np
 
 from .polylines import bend_shares, end_to_end, foot_on, lengths_along, points_at, where_x_is
 
-# Points on an edge, parts of a patch's sides, of these more where patches are few, parts of a blended
-# section.
+# Points on an edge, parts of a patch's sides, of these more where patches are few, parts of a
+# blended section.
 _EDGE_PARTS, _PATCH_PARTS, _ALL_PARTS, _BLEND_PARTS = 8, 4, 40, 160
 # Of the length: stations are across, ends are joined, a section ends at the border, pieces go on.
 _ACROSS, _SAME, _AT_BORDER, _GAP = 1e-6, 1e-7, 3e-3, 3e-3
