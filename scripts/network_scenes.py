@@ -133,10 +133,22 @@ def _from_hull(window):
     yield
 
 
+def _to_hull(window):
+    yield from _from_hull(window)
+    (network,) = part("bridge.objects.networks").all_networks()
+    network.hull_network.show_surface = False
+    bpy.ops.hull.network_to_hull()
+    for obj in network.objects:
+        obj.hide_set(obj.type != "CURVE")
+    bpy.context.view_layer.update()
+    yield
+
+
 STEPS = {
     "networks/drawn": _drawn,
     "networks/surface": _with_surface,
     "networks/hull": _from_hull,
+    "networks/to_hull": _to_hull,
 }
 
 

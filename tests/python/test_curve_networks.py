@@ -247,6 +247,19 @@ def test_lines_of_the_coaster_give_her_back(counts, most):
     assert np.mean(agree > 0.9) > 0.97
 
 
+@pytest.mark.parametrize(
+    "name, curves",
+    [("coaster", 1e-5), ("coaster", 1e-7), ("container_ship", 1e-5), ("bulk_carrier", 1e-5)],
+)
+def test_lines_are_within_their_tolerance_of_the_hull(name, curves):
+    surface = sample_surface(name)
+    network, length = lines_of(surface, curves=curves)
+    edges = [network.edge_points(edge, 17) for edge in range(len(network.edges))]
+    closest = hn.SurfaceTree(surface).closest_points(np.concatenate(edges))
+    # Where curves miss one another a node is half-way.
+    assert np.asarray(closest.distances).max() < 1.5 * curves * length
+
+
 def test_a_tolerance_of_lines_is_above_zero():
     with pytest.raises(ValueError, match="tolerance has to be above zero"):
         hn.network_curves(sample_surface("barge"), tolerance=0.0)

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Networks of curves as hulls: control meshes laid over samples' lines, and the samples' own."""
 
+import os
 from functools import lru_cache
 
 import hull_native as hn
 import numpy as np
 import pytest
+import vessels
+from hull_fairness.lines import judged
 from test_curve_networks import lines_of, sample_surface, square_net
 
 
@@ -17,24 +20,29 @@ def laid(name, budget):
 
 
 # Budgets are at most 1.3 times the samples' own 113, 117 and 149 points. The tolerance is that of
-# hull_from_network(), which the RoRo's bilge misses at one station, by 0.12 m; the root mean square
-# is a third of it.
-@pytest.mark.parametrize(
-    "name, budget, is_within",
-    [("coaster", 146, True), ("roro", 152, False), ("naval_vessel", 150, True)],
-)
-def test_lines_of_samples_become_hulls(name, budget, is_within):
+# hull_from_network(), and the root mean square a third of it.
+@pytest.mark.parametrize("name, budget", [("coaster", 146), ("roro", 152), ("naval_vessel", 150)])
+def test_lines_of_samples_become_hulls(name, budget):
     surface, network, length, hull = laid(name, budget)
     points = np.asarray(hull.surface.mesh.points)
     assert len(points) <= budget
     assert hull.rms <= 1e-4 * length
-    assert hull.is_within == (hull.largest <= 3e-4 * length)
-    assert hull.is_within or not is_within
+    assert hull.is_within and hull.largest <= 3e-4 * length
     assert hull.in_rows >= 0.8
     # By another way: places all over the surface that the lines are of.
     there = surface.tessellate(3).points
     apart = np.asarray(hn.SurfaceTree(hull.surface).closest_points(there).distances)
     assert np.sqrt(np.mean(apart**2)) < 2e-4 * length
+
+
+def test_a_hull_of_lines_has_few_points_and_is_nearly_fair():
+    # The sample has 113 points, and no mark but those that its design calls for. Without fairness
+    # of rows and columns it took 139 points, and there were 174 marks; with it there are 63.
+    surface, _, _, hull = laid("coaster", 146)
+    assert len(hull.surface.mesh.points) < len(surface.mesh.points)
+    vessel = vessels.vessel("coaster")
+    lines = judged(hull.surface, vessel.data.particulars.beam, vessel.wanted)
+    assert sum(len(line.unwanted) for line in lines) <= 100
 
 
 def test_distances_are_those_of_the_curves():
@@ -61,10 +69,16 @@ def test_flats_are_flat_and_rows_are_of_one_x():
     assert hull.surface.mesh.warnings == []
 
 
-def test_a_layout_of_ones_own_meets_the_curves():
+# Another ship takes ten seconds.
+IS_LONG = bool(os.environ.get("HULL_LONG_NETWORKS"))
+OWN_LAYOUTS = ["coaster", "container_ship", "bulk_carrier"] if IS_LONG else ["coaster"]
+
+
+@pytest.mark.parametrize("name", OWN_LAYOUTS)
+def test_a_layout_of_ones_own_meets_the_curves(name):
     # The sample's own layout, put elsewhere by up to 1 % of the length and 5 % of the breadth,
     # comes back: the curves are of a surface that it has.
-    surface = sample_surface("coaster")
+    surface = sample_surface(name)
     network, length = lines_of(surface, curves=1e-8)
     own = np.asarray(surface.mesh.points)
     share = (own - own.min(axis=0)) / np.ptp(own, axis=0)
@@ -73,11 +87,34 @@ def test_a_layout_of_ones_own_meets_the_curves():
     points[:, 1] *= 1.03 + 0.02 * np.sin(5.0 * share[:, 0])
     layout = hn.LimitSurface(surface.mesh.with_points(points), surface.scheme)
     hull = hn.hull_from_network(network, layout=layout)
-    assert hull.rms <= 1e-6 * length
+    # The curves are within 1e-8 of the sample.
+    assert hull.rms <= 2e-8 * length and hull.largest <= 1e-6 * length
     assert len(hull.surface.mesh.points) == len(own)
     # By another way: the surface between the curves is the sample's, too.
     there = hn.SurfaceTree(hull.surface).closest_points(surface.tessellate(3).points)
-    assert np.sqrt(np.mean(np.asarray(there.distances) ** 2)) < 5e-6 * length
+    assert np.sqrt(np.mean(np.asarray(there.distances) ** 2)) < 1e-6 * length
+
+
+def test_five_curves_are_enough():
+    keel = [
+        (3, 0, 0.04),
+        (6, 0, 0),
+        (10, 0, 0),
+        (14, 0, 0),
+        (16, 0, 0.03),
+        (18, 0, 0.4),
+        (20, 0, 3),
+    ]
+    curves, tops = [hn.NetworkCurve("profile", keel, plane=(0, 1, 0, 0))], []
+    for x, foot, wide in ((3, 0.04, 1.8), (10, 0.0, 2.4), (16, 0.03, 1.6)):
+        points = [(x, 0, foot), (x, 0.7 * wide, 0.3), (x, wide, 1.2), (x, 1.1 * wide, 3)]
+        curves.append(hn.NetworkCurve(f"station {x}", points, plane=(1, 0, 0, x)))
+        tops.append(points[-1])
+    curves.append(hn.NetworkCurve("deck edge", [*tops, (20, 0, 3)]))
+    network = hn.CurveNetwork(curves, 5e-3)
+    assert network.region_count == 3
+    hull = hn.hull_from_network(network, budget=110)
+    assert hull.rms < 5e-4 * 17.0 and hull.largest < 3e-3 * 17.0 and hull.in_rows > 0.8
 
 
 def test_progress_rises_and_ends_what_it_interrupts():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A network by mouse: a profile, three stations and a deck edge drawn, tied, smoothed, with the
-surface shown; a point is moved and taken back."""
+surface shown; a point is moved and taken back; a hull is laid over all, and taken back."""
 
 import math
 
@@ -91,6 +91,7 @@ def test_a_network_is_drawn_and_edited(window):
         assert len(shown.data.polygons) > 100
         yield from smoothed(window)
         yield from moved_and_taken_back(window)
+        yield from made_a_hull(window)
     finally:
         sidebar.show_all_panels()
 
@@ -148,6 +149,27 @@ def moved_and_taken_back(window):
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
+def made_a_hull(window):
+    before = len(bpy.data.objects)
+    bpy.ops.ed.undo_push(message="edited")
+    sidebar.show_panels(window, "networks", "network_hull")
+    yield
+    yield from sidebar.to(window, "hull.network_to_hull")
+    window.click()
+    yield lambda: network().hull_network.hull is not None
+    yield
+    hull = network().hull_network.hull
+    assert bpy.context.view_layer.objects.active == hull and hull.hull.half
+    report, is_current = part("features.networks.to_hull").last_report(network())
+    assert is_current and report.points <= network().hull_network.hull_points
+    # Three stations of a boat of 17 m.
+    assert report.rms < 5e-3 and report.largest < 0.05 and len(state().curves) == 5
+    window.move_to_middle()
+    window.undo()
+    yield
+    assert len(bpy.data.objects) == before and network().hull_network.hull is None
+
+
 def surface_points():
     mesh = network().hull_network.surface_object.data
     points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
@@ -191,6 +213,27 @@ def test_escape_takes_nothing_from_a_hull(window):
         yield
         assert not part("bridge.objects.networks").all_networks()
         assert len(bpy.data.objects) == count
+    finally:
+        sidebar.show_all_panels()
+
+
+def test_escape_makes_no_hull(window):
+    with window.in_view():
+        bpy.ops.hull.load_sample(name="coaster")
+        bpy.ops.hull.network_from_hull()
+    sidebar.show_panels(window, "networks", "network_hull")
+    window.open_sidebar()
+    yield
+    try:
+        count = len(bpy.data.objects)
+        yield from sidebar.to(window, "hull.network_to_hull")
+        window.click()
+        yield
+        assert part("bridge.background.jobs")._unfinished
+        window.press("ESC")
+        yield lambda: not part("bridge.background.jobs")._unfinished
+        yield
+        assert len(bpy.data.objects) == count and network().hull_network.hull is None
     finally:
         sidebar.show_all_panels()
 

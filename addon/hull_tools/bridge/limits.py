@@ -57,6 +57,7 @@ MOST_PARENTS = 16
 MOST_SERIES_STEPS = 200
 # Of one network; each takes a millisecond whenever one of them moves.
 MOST_NETWORK_CURVES = 400
+NETWORK_HULL_POINTS = (20, 1000)  # of a hull that is laid over one
 # Of a sectional area curve that is wanted: handles, and stations that are brought to it.
 MOST_AREA_HANDLES, MOST_AREA_STATIONS = 60, 60
 AREA_TOLERANCES = (0.001, 20.0)  # percent of the largest section

@@ -3,13 +3,14 @@
 
 import bpy
 
+from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects, networks
-from ..features.networks import network_state
-from .shared import HullTab, label_value, label_wrapped, text_field
+from ..features.networks import network_state, to_hull
+from .shared import HullTab, field_or, label_value, label_wrapped, text_field
 
-# Of problems, how many are listed.
-_MOST_LISTED = 12
+# Of problems, and of curves that are off a hull, how many are listed.
+_MOST_LISTED, _MOST_CURVES = 12, 5
 
 
 class HULL_PT_networks(HullTab, bpy.types.Panel):
@@ -109,10 +110,17 @@ class HULL_PT_network_curve(HullTab, bpy.types.Panel):
                 column.prop(settings, f"{end}_direction", text="")
             elif kind.startswith("SLAVE"):
                 text_field(column, settings, f"{end}_master")
+        self._draw_distance(layout, obj)
         layout.prop(settings, "show_comb")
         if settings.show_comb:
             layout.prop(networks.network_of(obj).hull_network, "comb_factor")
         layout.operator("hull.remove_from_network", icon="UNLINKED")
+
+    def _draw_distance(self, layout, obj):
+        distance = to_hull.of_curve(networks.network_of(obj), obj.name)
+        if distance is not None:
+            rms, largest = units.format_mm(distance.rms), units.format_mm(distance.largest)
+            layout.label(text=f"Off the hull: RMS {rms}, at most {largest}")
 
     def _draw_found_role(self, layout, obj):
         state = network_state.state_of(networks.network_of(obj))
@@ -153,6 +161,46 @@ class HULL_PT_network_surface(HullTab, bpy.types.Panel):
         layout.operator("hull.export_network", icon="EXPORT")
 
 
+class HULL_PT_network_hull(HullTab, bpy.types.Panel):
+    """A hull laid over the network, and how far the curves are from it"""
+
+    bl_label = "Hull of Network"
+    bl_parent_id = "HULL_PT_networks"
+
+    @classmethod
+    def poll(cls, context):
+        return networks.at_hand(context) is not None
+
+    def draw(self, context):
+        layout = self.layout
+        network = networks.at_hand(context)
+        settings = network.hull_network
+        column = layout.column(align=True)
+        column.prop(settings, "hull_points")
+        field_or(column, settings, "hull_tolerance", "3e-4 of the length")
+        text_field(layout, settings, "layout_hull")
+        layout.operator("hull.network_to_hull", icon="MESH_DATA")
+        report, is_current = to_hull.last_report(network)
+        if report is None:
+            return
+        if not is_current:
+            label_wrapped(layout, context, "Out of date: of before the last change", icon="ERROR")
+        column = layout.column(align=True)
+        column.active = is_current
+        column.scale_y = 0.8
+        for name, value in to_hull.rows(report):
+            label_value(column, name, value)
+        if is_current:
+            self._draw_curves(layout, report)
+
+    def _draw_curves(self, layout, report):
+        column = layout.column(align=True)
+        for index, curve in enumerate(report.curves[:_MOST_CURVES]):
+            row = column.row(align=True)
+            label_value(row, curve.name, units.format_mm(curve.largest))
+            row.operator("hull.show_network_miss", text="", icon="HIDE_OFF").index = index
+
+
 class HULL_PT_network_problems(HullTab, bpy.types.Panel):
     """What is wrong with the network, and the way there"""
 
@@ -184,5 +232,6 @@ CLASSES = (
     HULL_PT_networks,
     HULL_PT_network_curve,
     HULL_PT_network_surface,
+    HULL_PT_network_hull,
     HULL_PT_network_problems,
 )

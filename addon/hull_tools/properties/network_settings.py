@@ -15,6 +15,7 @@ from bpy.props import (
 )
 
 from ..bridge import limits
+from ..bridge.objects import hull_objects
 from .shared import changed, length, switch
 
 KINDS = (
@@ -169,6 +170,28 @@ class HullNetwork(bpy.types.PropertyGroup):
         description="In mm: how far smoothing may move the points of a curve, in the mean",
         default=10.0, min=0.0, soft_max=1000.0, precision=2,
     )  # fmt: skip
+    hull_points: IntProperty(
+        name="Points at Most",
+        description="Control points of a hull that is laid over the network",
+        default=150, min=limits.NETWORK_HULL_POINTS[0], max=limits.NETWORK_HULL_POINTS[1],
+        soft_max=300,
+    )  # fmt: skip
+    hull_tolerance: length(
+        "Hull Tolerance",
+        "Rows and columns of points are added where curves are farther from the hull; 0: 3e-4 of "
+        "the length",
+        update=None,
+    )
+    layout_hull: PointerProperty(
+        name="Layout",
+        description="A hull near the network whose control mesh is taken as it is, and fitted: "
+        "without one a new mesh is laid",
+        type=bpy.types.Object,
+        poll=lambda settings, obj: hull_objects.is_hull(obj),
+    )
+    hull: PointerProperty(
+        name="Hull", description="That was laid over the network last", type=bpy.types.Object
+    )
     length: length("Length", "What a curve without others to meet reaches along the ship, from the "
                    "after perpendicular", 20.0, 1e-3, None)  # fmt: skip
     half_breadth: length("Half Breadth", "What it reaches to the side", 2.5, 1e-3, None)

@@ -12,8 +12,9 @@ import numpy as np
 
 from .polylines import bend_shares, end_to_end, foot_on, lengths_along, points_at, where_x_is
 
-# Points on an edge, parts of a patch's sides, parts of a blended section.
-_EDGE_PARTS, _PATCH_PARTS, _BLEND_PARTS = 8, 4, 160
+# Points on an edge, parts of a patch's sides, of these more where patches are few, parts of a
+# blended section.
+_EDGE_PARTS, _PATCH_PARTS, _ALL_PARTS, _BLEND_PARTS = 8, 4, 40, 160
 # Of the length: stations are across, ends are joined, a section ends at the border, pieces go on.
 _ACROSS, _SAME, _AT_BORDER, _GAP = 1e-6, 1e-7, 3e-3, 3e-3
 
@@ -112,9 +113,10 @@ class GirthLines:
     def _triangles(self):
         network, count = self.outline.network, 0
         points, triangles = [], []
+        parts = max(_PATCH_PARTS, int(_ALL_PARTS / np.sqrt(self.outline.in_shell.sum())))
         for region in np.flatnonzero(self.outline.in_shell):
             patch = network.patch(int(region))
-            places, corners = patch.grid(_PATCH_PARTS)
+            places, corners = patch.grid(parts)
             points.append(patch.evaluate(places)[0])
             triangles.append(np.asarray(corners) + count)
             count += len(places)

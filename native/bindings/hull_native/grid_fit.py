@@ -115,9 +115,9 @@ class GridFit:
                 found.append((np.array(points), normal, sign * flat.place))
         return found
 
-    def run(self, evenness, most_steps, progress=None):
+    def run(self, evenness, fairness, most_steps, progress=None):
         """evenness: what a second difference of the moves along a row or column counts for, of
-        what a distance does."""
+        what a distance does; fairness: what a third difference of the places does."""
         held, tied = self._limits
         flat = [(n, np.eye(3)[axis]) for n, axes in self.in_flats.items() for axis in axes]
         held = held + flat + [(n, _Y) for n in sorted(self.at_centre)]
@@ -131,7 +131,7 @@ class GridFit:
             held_normals=np.array([normal for _, normal in held]).reshape(-1, 3),
             tied=np.array([pair for pair, _ in tied]).reshape(-1, 2),
             tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
-            sums=self._even_moves(evenness),
+            sums=self._even_moves(evenness) + self._fair_lines(fairness),
             fairness=0.0,
             draw_border=True,
             most_steps=most_steps,
@@ -197,19 +197,36 @@ class GridFit:
         return [(number, normal) for number in numbers]
 
     def _even_moves(self, evenness):
-        numbers = self.mesh.numbers
-        triples = [
-            np.stack(three, axis=-1).reshape(-1, 3)
-            for three in (
-                (numbers[:-2], numbers[1:-1], numbers[2:]),
-                (numbers[:, :-2], numbers[:, 1:-1], numbers[:, 2:]),
-            )
-        ]
-        triples = np.concatenate(triples)
-        triples = triples[(triples.min(axis=1) >= 0) & (np.diff(triples, axis=1) != 0).all(axis=1)]
+        triples = self._runs(3)
         weights = evenness / np.sqrt(len(triples)) * np.array([1.0, -2.0, 1.0])
         rests = np.einsum("k,nkd->nd", weights, self.points[triples])
         return [(triple, weights, rest) for triple, rest in zip(triples, rests)]
+
+    def _fair_lines(self, fairness):
+        """Rows and columns are to be as parabolas are, but across knuckles."""
+        creases = self.mesh.creases
+        sharp = {point for edge in creases for point in edge}
+
+        def is_smooth(run):
+            edges = [(min(a, b), max(a, b)) in creases for a, b in zip(run, run[1:])]
+            return all(
+                point not in sharp or (edges[k] and edges[k + 1])
+                for k, point in enumerate(run[1:-1])
+            )
+
+        runs = [run for run in self._runs(4).tolist() if is_smooth(run)]
+        weights = fairness / np.sqrt(max(len(runs), 1)) * np.array([-1.0, 3.0, -3.0, 1.0])
+        return [(run, weights, np.zeros(3)) for run in runs]
+
+    def _runs(self, length):
+        """(n, length) points that follow one another in a row or column."""
+        numbers = self.mesh.numbers
+        runs = []
+        for lines in (numbers, numbers.T):
+            parts = [lines[k : len(lines) - length + 1 + k] for k in range(length)]
+            runs.append(np.stack(parts, axis=-1).reshape(-1, length))
+        runs = np.concatenate(runs)
+        return runs[(runs.min(axis=1) >= 0) & (np.diff(runs, axis=1) != 0).all(axis=1)]
 
     def _curves(self, surface):
         curves = []

@@ -126,6 +126,9 @@ def keel_range(outline):
         high = float(outline.forward[:, 0].min())
     else:
         high = min(high, float(contour[lengths >= outline.stem, 0].min()))
+        # Where points of the contour are far apart, it begins well before the next one; less than
+        # this, rows keep from it anyway.
+        high = min(high, float(outline.on_contour(outline.stem)[0]) + 5e-3 * outline.length)
     if outline.arch is not None:
         low = float(contour[(lengths >= outline.arch) & (lengths <= outline.post), 0].max())
     elif outline.aft is not None:

@@ -26,10 +26,11 @@ _COLUMNS, _COLUMNS_OF_POST = 6, 7
 _ROWS = (9, 10)
 # Of the tolerance: additions go on to this, as the flats cost some of it.
 _AIM = 0.8
-# Evenness of the moves and steps: first, after an addition, at last.
-_FIRST = ((1e-1, 12), (1e-2, 12))
-_AFTER_ADDITION = (1e-2, 8)
-_LAST = ((3e-3, 15), (1e-3, 20), (1e-3, 20), (1e-3, 20))
+# Evenness of the moves, fairness of rows and columns, and steps: first, after an addition, at last.
+# Rows and columns that are fair from the beginning come nearer to the curves with fewer points.
+_FIRST = ((1e-1, 3e-3, 12), (1e-2, 3e-3, 12))
+_AFTER_ADDITION = (3e-3, 3e-3, 8)
+_LAST = ((1e-3, 3e-3, 15), (1e-4, 1e-3, 20), (1e-4, 1e-3, 20), (1e-4, 5e-4, 20))
 # Of the size of points: rows of one x are within it.
 _ONE_X = 2e-3
 
@@ -111,14 +112,14 @@ def _grown(grid, targets, flats, additions, told):
             f"The simplest layout has {len(fit.points)} control points, more than the budget of "
             f"{additions.budget}: give a larger one."
         )
-    for evenness, steps in _FIRST:
-        fit.run(evenness, steps, told.at(len(fit.points)))
+    for evenness, fairness, steps in _FIRST:
+        fit.run(evenness, fairness, steps, told.at(len(fit.points)))
     while additions.add_to(fit):
         fit = GridFit(grid, targets, flats)
         fit.run(*_AFTER_ADDITION, told.at(len(fit.points)))
-    for evenness, steps in _LAST:
+    for evenness, fairness, steps in _LAST:
         fit.flatten()
-        fit.run(evenness, steps, told.at(additions.budget))
+        fit.run(evenness, fairness, steps, told.at(additions.budget))
         fit.heed(additions.tolerance)
     return fit
 

@@ -36,8 +36,8 @@ class CurveDistance:
     place: tuple
 
 
-def network_targets(network):
-    """The NetworkTargets of all regions that have a patch."""
+def network_targets(network, on_edge=_ON_EDGE):
+    """The NetworkTargets of all regions that have a patch; on_edge: places on an edge."""
     points, normals, is_on = [], [], []
     for region in range(network.region_count):
         sides = network.sides(region)
@@ -48,7 +48,7 @@ def network_targets(network):
         of_region = [(patch.grid(_IN_PATCH)[0], False)]
         # A patch of two sides has three in its domain.
         if len(domain) == len(sides):
-            of_region.append((_border_places(domain, sides), True))
+            of_region.append((_border_places(domain, sides, on_edge), True))
         for places, on_curve in of_region:
             found = patch.evaluate(places)
             points.append(found[0])
@@ -61,10 +61,10 @@ def network_targets(network):
     return NetworkTargets(points, normals, weights, is_on)
 
 
-def _border_places(domain, sides):
+def _border_places(domain, sides, on_edge):
     places = []
     for number, side in enumerate(sides):
-        share = (np.arange(_ON_EDGE * len(side)) + 0.5) / (_ON_EDGE * len(side))
+        share = (np.arange(on_edge * len(side)) + 0.5) / (on_edge * len(side))
         start, end = domain[number], domain[(number + 1) % len(domain)]
         places.append((1.0 - share)[:, None] * start + share[:, None] * end)
     return np.concatenate(places)

@@ -5,6 +5,7 @@ import numpy as np
 
 from ._core import SurfaceTree, crease_curves, plane_across, section_splines
 from ._network import NetworkCurve
+from .sampling import parameters_within
 
 # Of creases and borders, between control points.
 _PARTS_OF_EDGE = 4
@@ -46,7 +47,7 @@ def network_curves(
     if not tolerance > 0.0:
         raise ValueError("tolerance has to be above zero.")
     creases = crease_curves(surface)
-    curves = [_crease(surface, number, curve) for number, curve in enumerate(creases)]
+    curves = [_crease(surface, number, curve, tolerance) for number, curve in enumerate(creases)]
     stations = [float(x) for x in stations]
     if fading:
         stations += _fading_ends(curves, stations, tolerance)
@@ -91,7 +92,9 @@ def _flat_parts(surface, tree, position, stations, tolerance):
     plane = plane_across("y", position)
     (branches,) = section_splines(surface, [plane], tolerance)
     for number, branch in enumerate(branches):
-        points, knuckles = _points_and_knuckles(branch.splines, surface.mesh.size, stations)
+        points, knuckles = _points_and_knuckles(
+            branch.splines, surface.mesh.size, tolerance, stations
+        )
         if len(points) < 2:
             continue
         for low, high in _flat_ranges(surface, tree, points, stations, knuckles):
@@ -122,9 +125,14 @@ def _flat_ranges(surface, tree, points, stations, knuckles):
     return ranges
 
 
-def _crease(surface, number, curve):
+def _crease(surface, number, curve, tolerance):
     count = _PARTS_OF_EDGE * curve.edge_count
-    points = np.asarray(curve.evaluate(np.linspace(0.0, curve.edge_count, count + 1), 0)[0])
+
+    def places(at):
+        return np.asarray(curve.evaluate(at, 0)[0])
+
+    even = np.linspace(0.0, curve.edge_count, count + 1)
+    points = places(parameters_within(places, even, tolerance))
     kind = "profile" if curve.kind == "border" else "knuckle"
     return NetworkCurve(f"{curve.kind} {number}", _apart(points, surface.mesh.size), kind=kind)
 
@@ -133,14 +141,14 @@ def _sections(surface, kind, position, tolerance):
     plane = plane_across(_AXES[kind], position)
     (branches,) = section_splines(surface, [plane], tolerance)
     for number, branch in enumerate(branches):
-        points, knuckles = _points_and_knuckles(branch.splines, surface.mesh.size)
+        points, knuckles = _points_and_knuckles(branch.splines, surface.mesh.size, tolerance)
         if len(points) < 2:
             continue
         name = f"{kind} {position:g}" + (f" ({number + 1})" if len(branches) > 1 else "")
         yield NetworkCurve(name, points, kind=kind, knuckles=knuckles, plane=plane)
 
 
-def _points_and_knuckles(splines, size, stations=()):
+def _points_and_knuckles(splines, size, tolerance, stations=()):
     """Points of all splines, one after the other, those at x = stations among them, and the numbers
     of those where two splines meet."""
     points, knuckles = np.empty((0, 3)), []
@@ -151,6 +159,7 @@ def _points_and_knuckles(splines, size, stations=()):
         at = np.append(inner, knots[-1])
         if len(stations):
             at = np.sort(np.append(at, _station_parameters(spline, at, stations)))
+        at = parameters_within(spline.evaluate, at, tolerance)
         part = _apart(np.asarray(spline.evaluate(at)), size)
         if len(part) < 2:
             continue

@@ -6,11 +6,14 @@ import numpy as np
 from ._core import LimitSurface, crease_curves, fit_surface
 from .network_targets import network_targets
 from .polylines import foot_on, lengths_along, points_at
+from .sampling import on_spline
 
 # Stiffness of the moves, step by step, and whether patches count. Where the layout can meet the
 # curves, patches, which are between them as the network's are, would hold it off.
 _STAGES = ((1e-3, True), (1e-4, True), (1e-5, False), (1e-6, False), (1e-7, False))
 _STEPS = 30
+# Places on an edge of the network: edges are long, where few curves cross.
+_ON_EDGE = 16
 # Parts of a chain's control edges, and of a spline's spans.
 _PARTS = 6
 _CENTRE = 1e-6
@@ -27,7 +30,7 @@ def fit_template(network, layout, progress=None):
     mesh = layout.mesh
     points = np.array(mesh.points)
     curves = _lines_of_chains(network, layout)
-    targets = network_targets(network)
+    targets = network_targets(network, _ON_EDGE)
     central = np.flatnonzero(np.abs(points[:, 1]) < _CENTRE * np.ptp(points[:, 0]))
     surface = layout
     for stage, (stiffness, with_patches) in enumerate(_STAGES):
@@ -103,21 +106,6 @@ def network_curve_points(network, curve):
         spans = np.unique(knots)
         shares = np.arange(_PARTS) / _PARTS
         at = np.append((spans[:-1, None] + shares * np.diff(spans)[:, None]).ravel(), spans[-1])
-        part = _on_spline(degree, np.asarray(knots), points, weights, at)
+        part = on_spline(degree, np.asarray(knots), points, weights, at)
         parts.append(part if not parts else part[1:])
     return np.concatenate(parts)
-
-
-def _on_spline(degree, knots, points, weights, at):
-    """Places of a rational B-spline curve (Piegl and Tiller 1987), by de Boor's algorithm."""
-    weights = np.asarray(weights)
-    control = np.column_stack([np.asarray(points) * weights[:, None], weights])
-    spans = np.clip(np.searchsorted(knots, at, "right") - 1, degree, len(control) - 1)
-    near = control[spans[:, None] + np.arange(-degree, 1)]
-    for level in range(1, degree + 1):
-        for k in range(degree, level - 1, -1):
-            low = knots[spans - degree + k]
-            high = knots[spans + 1 + k - level]
-            share = ((at - low) / (high - low))[:, None]
-            near[:, k] = (1.0 - share) * near[:, k - 1] + share * near[:, k]
-    return near[:, degree, :3] / near[:, degree, 3:]

@@ -13,6 +13,7 @@ Where things are:
   problems       what is wrong, and the way there
   surface_tasks  how good the surface is, what it is afloat; STEP and IGES files of it
   choosing_points, crossings, making, adding, drawing, sections, smoothing, from_hull: tools
-What makes something else of a network (a control mesh, files) is one more file: it takes
-network_state.up_to_date(network), which has the hull_native.CurveNetwork.
+  to_hull        a hull laid over a network
+What makes something else of a network is one more file: it takes network_state.up_to_date(network),
+which has the hull_native.CurveNetwork.
 """
