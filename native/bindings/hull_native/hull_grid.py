@@ -62,10 +62,11 @@ class HullGrid:
         return next((i for i, row in enumerate(self.rows) if row.kind == "arch"), None)
 
 
-def laid_grid(outline, columns, rows, counter_rows=2, post_columns=4):
+def laid_grid(outline, columns, rows, counter_rows=2, post_columns=4, girths=None):
     """The HullGrid of so many columns between contour and deck edge and rows of one x; with an arch
-    so many of them abaft it, and so many columns that begin below it."""
-    girths = GirthLines(outline)
+    so many of them abaft it, and so many columns that begin below it. girths: the outline's
+    GirthLines where they are not of its network."""
+    girths = girths or GirthLines(outline)
     across, along = _sorted_knuckles(outline.knuckles)
     low = post_columns if outline.arch is not None else 0
     laid = _rows(outline, girths, columns, rows, counter_rows, low)

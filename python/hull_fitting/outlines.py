@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The HullOutline of a shell of triangles: contour, deck edge and ends, found from its borders."""
+
+import numpy as np
+from hull_native.hull_outline import HullOutline, find_ends
+
+from .borders import border_edges, joined_lines
+
+# Of the length: seams are no wider, and a line goes on over gaps that are no wider.
+_SEAM, _GAP = 3e-4, 1.5e-2
+# Of the length: the border is on the plane of an end; contour and deck edge end there together; an
+# end without faces has no more.
+_ON_PLANE, _TOGETHER, _OPEN_REACH = 3e-4, 2e-2, 0.05
+# An edge of the border across the ship has no more than this along it; a transom has this of the
+# depth.
+_ACROSS, _TRANSOM_DEPTH = 0.5, 0.05
+
+
+def shell_outline(shell):
+    """The HullOutline (without network and knuckles) of a HullShell; ValueError that tells what it
+    has not."""
+    mesh = shell.mesh
+    length = mesh.length
+    central, rims = border_edges(mesh.points, mesh.triangles, _SEAM * length)
+    contour = _longest(mesh, central, "centre plane")
+    rim = _longest(mesh, rims, "deck")
+    if contour[0, 0] > contour[-1, 0]:
+        contour = contour[::-1]
+    if np.linalg.norm(rim[0] - contour[0]) > np.linalg.norm(rim[-1] - contour[0]):
+        rim = rim[::-1]
+    for name, number in (("aft", 0), ("forward", -1)):
+        gap = np.linalg.norm(rim[number] - contour[number])
+        if gap > _TOGETHER * length:
+            place = ", ".join(f"{c:.2f}" for c in contour[number])
+            raise ValueError(
+                f"At the {name} end the border of the shell comes no nearer than {gap:.2f} m to the "
+                f"profile's end at ({place}) m: give the shell whole, up to one deck edge."
+            )
+    rim[0], rim[-1] = contour[0], contour[-1]
+    aft, deck = _split(rim, shell.ends.get("aft"), length, np.ptp(mesh.points[:, 2]))
+    fore, deck = _split(deck[::-1], shell.ends.get("forward"), length, np.ptp(mesh.points[:, 2]))
+    used = mesh.points[np.unique(mesh.triangles)]
+    outline = HullOutline(
+        None, length, used.min(axis=0), used.max(axis=0), None, contour, deck[::-1], aft, fore
+    )
+    for name, line in (("aft", aft), ("forward", fore)):
+        if name in shell.ends and line is not None:
+            outline.ends[name] = _end_lines(line, shell.ends[name])
+    find_ends(outline)
+    return outline
+
+
+def _longest(mesh, edges, what):
+    lines = joined_lines(mesh.points, edges, _GAP * mesh.length) if len(edges) else []
+    lines = [line for line in lines if np.ptp(line[:, 0]) > 0.5 * mesh.length]
+    if not lines:
+        raise ValueError(
+            f"No border of the shell runs along the {what} from end to end: give a hull that ends "
+            f"there, or is closed there by a flat deck."
+        )
+    return max(lines, key=lambda line: float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()))
+
+
+def _split(rim, plane, length, depth):
+    """(line of a flat end from below upwards or None, the rest) of a border from the end on."""
+    if plane is not None:
+        place, normal = plane
+        is_on = np.abs((rim - place) @ normal) < _ON_PLANE * length
+    else:
+        way = np.diff(rim, axis=0)
+        across = np.abs(way[:, 0]) < _ACROSS * np.linalg.norm(way, axis=1)
+        is_on = np.append(True, across) & (np.abs(rim[:, 0] - rim[0, 0]) < _OPEN_REACH * length)
+    count = len(rim) if is_on.all() else int(np.argmin(is_on))
+    if count < 2 or rim[count - 1, 2] - rim[0, 2] < _TRANSOM_DEPTH * depth:
+        return None, rim
+    return rim[:count], rim[count - 1 :]
+
+
+def _end_lines(line, plane):
+    """Of a flat end with faces: its line in the centre plane, upwards, and its upper border,
+    inwards."""
+    place, normal = plane
+    top = line[-1] * [1.0, 0.0, 1.0]
+    top[0] = place[0] - (top[2] - place[2]) * normal[2] / normal[0]
+    return np.array([line[0], top]), np.array([line[-1], top])
