@@ -66,10 +66,12 @@ def extreme_flats(outline, places):
 
 
 class GridFit:
-    """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them."""
+    """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
+    rows_stay: whether rows of one x keep that. fairness: as fit_surface() has it."""
 
-    def __init__(self, grid, targets, flats):
+    def __init__(self, grid, targets, flats, rows_stay=False, fairness=0.0):
         self.grid, self.targets, self.flats = grid, targets, flats
+        self._rows_stay, self._fairness = rows_stay, fairness
         self.mesh = grid_mesh(grid)
         self.points = np.array(self.mesh.points)
         self.in_flats = {}  # point -> [axes]
@@ -132,7 +134,7 @@ class GridFit:
             tied=np.array([pair for pair, _ in tied]).reshape(-1, 2),
             tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
             sums=self._even_moves(evenness),
-            fairness=0.0,
+            fairness=self._fairness,
             draw_border=True,
             most_steps=most_steps,
             progress=progress,
@@ -159,7 +161,7 @@ class GridFit:
             row = rows[i]
             if row.x is None or number in at_end or number in mesh.feet or number in below_arch:
                 continue
-            if row.is_knuckle or i in self._beside_ends:
+            if row.is_knuckle or self._rows_stay or i in self._beside_ends:
                 held.append((number, _X))
                 self.points[number, 0] = row.x
             elif i in leaders:
