@@ -70,3 +70,16 @@ def joined_lines(points, edges, reach):
         lines = [line for n, line in enumerate(lines) if n not in (owner[i], owner[k])]
         lines.append(joined)
     return lines
+
+
+def without_spurs(line, reach):
+    """A line (n, 3) without what ends within reach, m, of where it began: there and back along a
+    gap between two patches."""
+    kept, i = [], 0
+    while i < len(line):
+        kept.append(i)
+        near = np.flatnonzero(np.linalg.norm(line[i + 1 :] - line[i], axis=1) < reach)
+        i += 1 + (int(near[-1]) if len(near) else 0)
+    if kept[-1] != len(line) - 1:
+        kept.append(len(line) - 1)
+    return line[kept]

@@ -14,6 +14,7 @@ from hull_native.network_targets import NetworkTargets
 
 from .immersion import immersed
 from .outlines import shell_outline
+from .row_places import row_places
 
 # Of the length: the tolerance where none is given; points at most where no budget is given.
 TOLERANCE, BUDGET = 3e-4, 150
@@ -37,7 +38,7 @@ class _Way:
 
 
 # Which layout does best depends on the hull: the best of these is taken.
-_WAYS = (_Way(9, False, 1e-6), _Way(9, True, 1e-6), _Way(10, False, 0.0))
+_WAYS = (_Way(10, False, 3e-6), _Way(11, True, 1e-6), _Way(9, True, 0.0))
 # What an error of area or volume counts for, of the length; parts of a face's side.
 _OFF, _PARTS = 0.02, 6
 
@@ -88,7 +89,8 @@ class _Trial:
     def fitted(self, way, progress):
         """The GridFit of a _Way."""
         columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
-        grid = laid_grid(self.outline, columns, way.rows, girths=self.girths)
+        at = row_places(self.outline, self.girths, way.rows)
+        grid = laid_grid(self.outline, columns, way.rows, girths=self.girths, at=at)
         fit = self._fit(grid, way)
         if len(fit.points) > self.budget:
             raise ValueError(

@@ -4,7 +4,7 @@
 import numpy as np
 from hull_native.hull_outline import HullOutline, find_ends
 
-from .borders import border_edges, joined_lines
+from .borders import border_edges, joined_lines, without_spurs
 
 # Of the length: seams are no wider, and a line goes on over gaps that are no wider.
 _SEAM, _GAP = 3e-4, 1.5e-2
@@ -58,6 +58,7 @@ def _longest(mesh, edges, what):
             f"No border of the shell runs along the {what} from end to end: give a hull that ends "
             f"there, or is closed there by a flat deck."
         )
+    lines = [without_spurs(line, _SEAM * mesh.length) for line in lines]
     return max(lines, key=lambda line: float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()))
 
 

@@ -241,10 +241,11 @@ def _rows_beside_ends(rows):
 
 def _stretch(line, places):
     """Places along a line from the foot of the first place to that of the last, closer where these
-    are."""
+    are, and nowhere far from one another."""
     lengths = lengths_along(line)
     feet = [foot_on(line, lengths, place)[0] for place in places]
     rising = feet[-1] > feet[0]
     feet = np.maximum.accumulate(feet) if rising else np.minimum.accumulate(feet)
     parts = [np.linspace(a, b, _BETWEEN, endpoint=False) for a, b in zip(feet, feet[1:]) if a != b]
-    return points_at(line, lengths, np.concatenate([*parts, feet[-1:]]))
+    even = np.linspace(feet[0], feet[-1], _BETWEEN * len(places))
+    return points_at(line, lengths, np.sort(np.concatenate([*parts, even]))[:: 1 if rising else -1])
