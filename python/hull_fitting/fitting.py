@@ -35,10 +35,19 @@ class _Way:
     rows: int
     rows_stay: bool
     fairness: float
+    with_knuckles: bool = True
 
 
 # Which layout does best depends on the hull: the best of these is taken.
-_WAYS = (_Way(10, False, 3e-6), _Way(11, True, 1e-6), _Way(9, True, 0.0))
+_WAYS = (
+    _Way(10, False, 3e-6),
+    _Way(11, True, 1e-6),
+    _Way(9, True, 0.0),
+    _Way(10, False, 3e-6, False),
+    _Way(11, True, 1e-6, False),
+)
+# Of the tolerance: what misses no more than this is good enough.
+_GOOD = 0.3
 # What an error of area or volume counts for, of the length; parts of a face's side.
 _OFF, _PARTS = 0.02, 6
 
@@ -63,14 +72,23 @@ def fit_shell(shell, *, tolerance=None, budget=None, progress=None):
         raise ValueError("The tolerance has to be above zero.")
     budget = BUDGET if budget is None else int(budget)
     trial = _Trial(shell, outline, tolerance, budget)
-    found = []
-    for number, way in enumerate(_WAYS):
-        fit = trial.fitted(way, progress)
+    ways = [way for way in _WAYS if way.with_knuckles]
+    if outline.knuckles:
+        ways += [way for way in _WAYS if not way.with_knuckles]
+    found, refused = [], None
+    for number, way in enumerate(ways):
+        try:
+            fit = trial.fitted(way, progress)
+        except ValueError as error:
+            refused = error
+            continue
         found.append((trial.misses(fit), number, fit))
-        if found[-1][0] < 0.3 * tolerance:
+        if found[-1][0] < _GOOD * tolerance:
             break
-    fit = min(found)[2]
-    return FittedHull(fit.surface, outline, fit.flat_points(), fit)
+    if not found:
+        raise refused
+    fit = min(found, key=lambda one: one[:2])[2]
+    return FittedHull(fit.surface, fit.grid.outline, fit.flat_points(), fit)
 
 
 class _Trial:
@@ -89,8 +107,10 @@ class _Trial:
     def fitted(self, way, progress):
         """The GridFit of a _Way."""
         columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
+        outline = self.outline if way.with_knuckles else replace(self.outline, knuckles=[])
+        columns = max(columns, len(outline.knuckles) + 3)
         at = row_places(self.outline, self.girths, way.rows)
-        grid = laid_grid(self.outline, columns, way.rows, girths=self.girths, at=at)
+        grid = laid_grid(outline, columns, way.rows, girths=self.girths, at=at)
         fit = self._fit(grid, way)
         if len(fit.points) > self.budget:
             raise ValueError(

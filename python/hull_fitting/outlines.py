@@ -5,6 +5,7 @@ import numpy as np
 from hull_native.hull_outline import HullOutline, find_ends
 
 from .borders import border_edges, joined_lines, without_spurs
+from .knuckle_lines import knuckle_lines
 
 # Of the length: seams are no wider, and a line goes on over gaps that are no wider.
 _SEAM, _GAP = 3e-4, 1.5e-2
@@ -17,7 +18,7 @@ _ACROSS, _TRANSOM_DEPTH = 0.5, 0.05
 
 
 def shell_outline(shell):
-    """The HullOutline (without network and knuckles) of a HullShell; ValueError that tells what it
+    """The HullOutline (without network) of a HullShell; ValueError that tells what it
     has not."""
     mesh = shell.mesh
     length = mesh.length
@@ -46,6 +47,7 @@ def shell_outline(shell):
     for name, line in (("aft", aft), ("forward", fore)):
         if name in shell.ends and line is not None:
             outline.ends[name] = _end_lines(line, shell.ends[name])
+    outline.knuckles = knuckle_lines(mesh)
     find_ends(outline)
     return outline
 
