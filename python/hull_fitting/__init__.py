@@ -6,5 +6,6 @@ Start at `hull_from_geometry`. Lengths are in metres.
 """
 
 from .making import MadeHull, hull_from_geometry
+from .overlays import StationOverlay, station_overlays
 
-__all__ = ["MadeHull", "hull_from_geometry"]
+__all__ = ["MadeHull", "StationOverlay", "hull_from_geometry", "station_overlays"]

@@ -4,28 +4,27 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from hull_io.triangles import spread_points
 from hull_native import SurfaceTree
 from hull_native.girth_lines import GirthLines
 from hull_native.grid_fit import GridFit, extreme_flats
 from hull_native.grid_refinement import RowsAndColumns
 from hull_native.hull_grid import keel_range, laid_grid
-from hull_native.network_targets import NetworkTargets
 
 from .immersion import immersed
 from .outlines import shell_outline
 from .row_places import row_places
+from .targets import shell_targets
 
 # Of the length: the tolerance where none is given; points at most where no budget is given.
 TOLERANCE, BUDGET = 3e-4, 150
-# Places of the fit, and stations in which flats are looked for.
-_PLACES, _STATIONS, _PER_STATION = 6000, 60, 120
+# Stations in which flats are looked for, and places in each.
+_STATIONS, _PER_STATION = 60, 120
 _COLUMNS, _COLUMNS_OF_POST, _ROWS = 6, 7, 9
 _AIM = 0.8
 # Evenness of the moves and steps: first, after an addition, at last.
 _FIRST = ((1e-1, 12), (1e-2, 12))
 _AFTER_ADDITION = (1e-2, 6)
-_LAST = ((3e-3, 12), (1e-3, 15), (1e-3, 15))
+_LAST = ((3e-3, 12), (1e-3, 12), (3e-4, 15), (3e-4, 15))
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,7 @@ _WAYS = (
     _Way(11, True, 1e-6, False),
 )
 # Of the tolerance: what misses no more than this is good enough.
-_GOOD = 0.3
+_GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.
 _OFF, _PARTS = 0.02, 6
 
@@ -98,9 +97,7 @@ class _Trial:
         mesh = shell.mesh
         self.outline, self.tolerance, self.budget = outline, tolerance, budget
         self.girths = GirthLines(outline, (mesh.points, mesh.triangles))
-        places, normals = spread_points(mesh.points, mesh.triangles, _PLACES)
-        nowhere = np.zeros(len(places), dtype=bool)
-        self.targets = NetworkTargets(places, normals, np.ones(len(places)), nowhere)
+        self.targets = shell_targets(mesh)
         self.flats = extreme_flats(outline, _station_places(outline, self.girths))
         self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
 
@@ -126,6 +123,7 @@ class _Trial:
         for evenness, steps in _LAST:
             fit.flatten()
             fit.run(evenness, steps, progress)
+            fit.heed(self.tolerance)
         return fit
 
     def _fit(self, grid, way):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes a hull of a file of geometry.
 
-python3 -m hull_fitting FILE FOLDER [--points N] [--tolerance MM] [--draft T] [--unit U] …
+PYTHONPATH=build/release/python python3 scripts/hull_from.py FILE FOLDER [--points N]
+    [--tolerance MM] [--draft T] [--unit U] [--forward AXIS] [--up AXIS] [--half | --whole]
 
-writes NAME.hull.json and report.json into FOLDER.
+writes NAME.hull.json, report.json and sections.pdf and .png into FOLDER/NAME/.
 """
 
 import argparse
@@ -12,12 +13,12 @@ import sys
 from pathlib import Path
 
 import hull_io
+from figures import overlays
+from hull_fitting import hull_from_geometry, station_overlays
 from hull_io.errors import HullFileError
 from hull_io.geometry import read_geometry
 from hull_io.geometry.guessing import AXES
 from hull_io.geometry.values import METRES_PER_UNIT
-
-from .making import hull_from_geometry
 
 
 def _arguments():
@@ -55,6 +56,19 @@ def _tell(report):
         print(f"to be looked at: {report['guesses'][doubt]}")
 
 
+def _write(made, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    stations = station_overlays(made.shell, made.fitted)
+    told = [
+        {"x": one.x, "rms": one.rms, "largest": one.largest, "place": list(one.place)}
+        for one in stations
+    ]
+    hull_io.write_hull_file(made.data, folder / f"{made.data.name}.hull.json")
+    overlays.draw(made.data.name, stations, made.report["draft"], folder / "sections")
+    text = json.dumps({**made.report, "stations": told}, indent=1)
+    (folder / "report.json").write_text(text + "\n")
+
+
 def main():
     given = _arguments()
     known = {
@@ -64,19 +78,15 @@ def main():
     }
     tolerance = None if given.tolerance is None else 1e-3 * given.tolerance
     try:
+        geometry = read_geometry(given.file)
         made = hull_from_geometry(
-            read_geometry(given.file),
-            budget=given.points,
-            tolerance=tolerance,
-            draft=given.draft,
-            **known,
+            geometry, budget=given.points, tolerance=tolerance, draft=given.draft, **known
         )
-        given.folder.mkdir(parents=True, exist_ok=True)
-        hull_io.write_hull_file(made.data, given.folder / f"{made.data.name}.hull.json")
-        text = json.dumps(made.report, indent=1)
-        (given.folder / "report.json").write_text(text + "\n")
+        folder = given.folder / made.data.name
+        _write(made, folder)
     except (HullFileError, ValueError, OSError) as error:
         sys.exit(f"hull from: {error}")
+    print(f"{folder}/{made.data.name}.hull.json, report.json, sections.pdf, sections.png")
     _tell(made.report)
 
 
