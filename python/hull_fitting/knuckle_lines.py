@@ -63,9 +63,7 @@ def _parts(line):
 def _is_knuckle(line, length, breadth):
     reach = abs(float(line[-1, 0] - line[0, 0]))
     whole = lengths_along(line)[-1]
-    return (
-        reach > max(_LEAST_REACH * length, _ALONG * whole) and line[:, 1].mean() > _BAR * breadth
-    )
+    return reach > max(_LEAST_REACH * length, _ALONG * whole) and line[:, 1].mean() > _BAR * breadth
 
 
 def _is_doubled(line, lines, reach):

@@ -26,7 +26,9 @@ class MadeHull:
     fitted: object
 
 
-def hull_from_geometry(geometry, *, budget=None, tolerance=None, draft=None, progress=None, **known):
+def hull_from_geometry(
+    geometry, *, budget=None, tolerance=None, draft=None, progress=None, **known
+):
     """The MadeHull of a Geometry. budget: control points at most; tolerance and draft: m; known:
     what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
     guess = guess_hull(geometry, **known)

@@ -5,8 +5,8 @@ import hull_native as hn
 import numpy as np
 from hull_io.triangles import spread_points
 
-from .immersion import immersed
 from .hull_files import station_points
+from .immersion import immersed
 
 # Places at which distances are measured.
 _MEASURED = 20_000

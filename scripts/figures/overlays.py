@@ -41,7 +41,12 @@ def draw(name, overlays, draft, stem):
         )
         paper.text(context, (SIDE, height - 8.0), words, LABEL, paper.BLACK, 0.0)
         paper.text(
-            context, (SIDE, height - 4.0), "wide: the source; thin: the hull", LABEL, paper.GREY, 0.0
+            context,
+            (SIDE, height - 4.0),
+            "wide: the source; thin: the hull",
+            LABEL,
+            paper.GREY,
+            0.0,
         )
 
     paper.draw(stem, width, height, paint)
