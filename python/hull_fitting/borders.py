@@ -13,8 +13,8 @@ _AT_ONCE = 2_000_000
 
 
 def border_edges(points, triangles, tolerance):
-    """(k, 2) ends of edges that one triangle has: those in the centre plane; and the others, but for
-    those beside which, within tolerance (m), another one runs."""
+    """(k, 2) ends of edges of one triangle alone: in the centre plane; and of the others all but those
+    beside which, within tolerance (m), another one runs."""
     table = edge_table(triangles)
     edges = table.ends[table.is_border]
     is_central = (points[edges][:, :, 1] == 0.0).all(axis=1)

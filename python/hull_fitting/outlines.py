@@ -34,8 +34,8 @@ def shell_outline(shell):
         if gap > _TOGETHER * length:
             place = ", ".join(f"{c:.2f}" for c in contour[number])
             raise ValueError(
-                f"At the {name} end the border of the shell comes no nearer than {gap:.2f} m to the "
-                f"profile's end at ({place}) m: give the shell whole, up to one deck edge."
+                f"At the {name} end the border of the shell comes no nearer than {gap:.2f} m to "
+                f"the profile's end at ({place}) m: give the shell whole, up to one deck edge."
             )
     rim[0], rim[-1] = contour[0], contour[-1]
     aft, deck = _split(rim, shell.ends.get("aft"), length, np.ptp(mesh.points[:, 2]))

@@ -13,8 +13,8 @@ _MEASURED = 20_000
 
 
 def fit_report(shell, fitted, draft, tolerance):
-    """A dict of numbers in m, m² and m³: points, distances of the source's surface from the hull (in
-    all and below the draft), ∇ and wetted surface of both, what was found."""
+    """A dict of numbers in m, m² and m³: points, distances of the source's surface from the hull
+    (in all and below the draft), ∇ and wetted surface of both, what was found."""
     mesh, outline = shell.mesh, fitted.outline
     places, _ = spread_points(mesh.points, mesh.triangles, _MEASURED)
     distances = np.asarray(hn.SurfaceTree(fitted.surface).closest_points(places).distances)
