@@ -13,7 +13,7 @@ _AT_ONCE = 2_000_000
 
 
 def border_edges(points, triangles, tolerance):
-    """(k, 2) ends of edges of one triangle alone: in the centre plane; and of the others all but those
+    """(k, 2) ends of edges of one triangle alone: in the centre plane; and of others all but those
     beside which, within tolerance (m), another one runs."""
     table = edge_table(triangles)
     edges = table.ends[table.is_border]

@@ -8,9 +8,9 @@ from .half_meshes import clipped
 
 
 def immersed(points, triangles, outline, draft):
-    """(∇ m³, wetted surface m²) of the whole hull below z = draft. triangles (m, 3): the port
-    half's shell, counter-clockwise from outside; the ends of the outline that are flat are closed, and
-    counted in the surface where they have faces."""
+    """(∇ m³, wetted surface m²) of the whole hull below z = draft. triangles (m, 3): the shell of
+    the port half, counter-clockwise from outside; the ends of the outline that are flat are closed,
+    and counted in the surface where they have faces."""
     volume = area = 0.0
     origin = np.array([outline.low[0], 0.0, draft])
     parts = [(points, triangles, True)]
