@@ -8,6 +8,7 @@ from hull_io.geometry import guess_hull, oriented
 from .fitting import TOLERANCE, fit_shell
 from .half_meshes import half_mesh
 from .hull_files import hull_data, particulars_of
+from .lofting import lofted
 from .reports import fit_report
 from .shells import hull_shell
 
@@ -33,6 +34,8 @@ def hull_from_geometry(
     what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
     guess = guess_hull(geometry, **known)
     placed = oriented(geometry, guess)
+    if placed.curves and not placed.meshes:
+        placed = lofted(placed)
     shell = hull_shell(half_mesh(placed))
     used = shell.mesh.points[shell.mesh.triangles].reshape(-1, 3)
     low, high = float(used[:, 2].min()), float(used[:, 2].max())
