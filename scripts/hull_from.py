@@ -52,6 +52,8 @@ def _tell(report):
     for name, of, unit in (("displacement", volume, "m³"), ("wetted surface", area, "m²")):
         more = 100.0 * (of["hull"] / of["source"] - 1.0)
         print(f"{name} {of['source']:.6g} {unit}, of the hull {of['hull']:.6g} ({more:+.3f} %)")
+    for left_out in report["left_out"]:
+        print(left_out)
     for doubt in report["doubts"]:
         print(f"to be looked at: {report['guesses'][doubt]}")
 

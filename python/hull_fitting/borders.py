@@ -4,7 +4,7 @@ without common points, are none."""
 
 import numpy as np
 
-from .triangle_edges import edge_lines, edge_table
+from .triangle_edges import components, edge_lines, edge_table
 
 # Lines go the same way where the cosine between them is above this.
 _ALIKE = 0.8
@@ -22,12 +22,27 @@ def border_edges(points, triangles, tolerance):
     return edges[is_central], others[~_is_beside_another(points, others, tolerance)]
 
 
+def bodies(points, triangles, tolerance):
+    """(m,) numbers from 0 of what triangles hang together by common edges, or by edges that run
+    beside one another within tolerance, m."""
+    table = edge_table(triangles)
+    edges, owners = table.ends[table.is_border], table.owners[table.is_border, 0]
+    beside = _beside(points, edges, tolerance)
+    seams = np.stack([owners, owners[beside]], axis=1)[beside >= 0]
+    return components(len(triangles), np.concatenate([table.owners[table.counts > 1], seams]))
+
+
 def _is_beside_another(points, edges, tolerance):
+    return _beside(points, edges, tolerance) >= 0
+
+
+def _beside(points, edges, tolerance):
+    """(k,) of edges the number of one that runs beside, -1 where none does."""
     start, way = points[edges[:, 0]], points[edges[:, 1]] - points[edges[:, 0]]
     length = np.linalg.norm(way, axis=1)
     unit = way / np.maximum(length, 1e-300)[:, None]
     middle = start + 0.5 * way
-    found = np.zeros(len(edges), dtype=bool)
+    found = np.full(len(edges), -1)
     step = max(1, _AT_ONCE // max(len(edges), 1))
     for low in range(0, len(edges), step):
         part = slice(low, low + step)
@@ -38,7 +53,7 @@ def _is_beside_another(points, edges, tolerance):
         beside = (off < tolerance) & (along > 0.0) & (along < length)
         beside &= np.abs(cosines) > _ALIKE
         beside &= ~_goes_on(edges[part], edges, cosines)
-        found[part] = beside.any(axis=1)
+        found[part] = np.where(beside.any(axis=1), beside.argmax(axis=1), -1)
     return found
 
 
@@ -53,7 +68,12 @@ def _goes_on(some, edges, cosines):
 
 def joined_lines(points, edges, reach):
     """Lines (n, 3) along edges, joined where their ends are within reach, m, the nearest first."""
-    lines = [points[line] for line in edge_lines(edges)]
+    return joined([points[line] for line in edge_lines(edges)], reach)
+
+
+def joined(lines, reach):
+    """The same of lines that there are."""
+    lines = list(lines)
     while len(lines) > 1:
         ends = np.array([[line[0], line[-1]] for line in lines])
         flat = ends.reshape(-1, 3)

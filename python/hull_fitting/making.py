@@ -54,7 +54,7 @@ def hull_from_geometry(
         "doubts": list(guess.doubts),
         "draft_is_told": is_told,
         **fit_report(shell, fitted, draft, tolerance),
-        "left_out": list(geometry.left_out),
+        "left_out": [*geometry.left_out, *shell.left_out],
     }
     data = hull_data(
         fitted,

@@ -4,7 +4,7 @@
 import numpy as np
 from hull_native.hull_outline import HullOutline, find_ends
 
-from .borders import border_edges, joined_lines, without_spurs
+from .borders import border_edges, joined, joined_lines, without_spurs
 from .knuckle_lines import knuckle_lines
 
 # Of the length: seams are no wider, and a line goes on over gaps that are no wider.
@@ -15,6 +15,8 @@ _ON_PLANE, _TOGETHER, _OPEN_REACH = 3e-4, 2e-2, 0.05
 # An edge of the border across the ship has no more than this along it; a transom has this of the
 # depth.
 _ACROSS, _TRANSOM_DEPTH = 0.5, 0.05
+# Of the breadth: an opening at the centre plane is no wider.
+_NARROW = 0.15
 
 
 def shell_outline(shell):
@@ -23,8 +25,11 @@ def shell_outline(shell):
     mesh = shell.mesh
     length = mesh.length
     central, rims = border_edges(mesh.points, mesh.triangles, _SEAM * length)
-    contour = _longest(mesh, central, "centre plane")
-    rim = _longest(mesh, rims, "deck")
+    reach = _GAP * length
+    rims = joined_lines(mesh.points, rims, reach)
+    contour = joined_lines(mesh.points, central, reach) + _bridges(rims, mesh)
+    contour = _longest(joined(contour, reach), mesh, "centre plane")
+    rim = _longest(rims, mesh, "deck")
     if contour[0, 0] > contour[-1, 0]:
         contour = contour[::-1]
     if np.linalg.norm(rim[0] - contour[0]) > np.linalg.norm(rim[-1] - contour[0]):
@@ -52,8 +57,17 @@ def shell_outline(shell):
     return outline
 
 
-def _longest(mesh, edges, what):
-    lines = joined_lines(mesh.points, edges, _GAP * mesh.length) if len(edges) else []
+def _bridges(rims, mesh):
+    """Lines in the centre plane over openings there, such as of a stern post that is blunt."""
+    breadth = mesh.points[:, 1].max()
+    return [
+        rim[[0, -1]]
+        for rim in rims
+        if rim[0, 1] == 0.0 and rim[-1, 1] == 0.0 and rim[:, 1].max() < _NARROW * breadth
+    ]
+
+
+def _longest(lines, mesh, what):
     lines = [line for line in lines if np.ptp(line[:, 0]) > 0.5 * mesh.length]
     if not lines:
         raise ValueError(

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from hull_io.triangles import normals_of, spread_points
 
+from .borders import bodies
 from .half_meshes import HalfMesh
 from .triangle_edges import components, edge_table
 
@@ -19,6 +20,9 @@ _FLAT_SHARE, _UPWARDS, _BELOW_TOP = 0.9, 0.75, 0.15
 _PLANE, _AT_END, _ALONG, _ATHWART, _LEAST_END = 5e-3, 0.15, 0.6, 0.15, 1e-4
 # Of the length: a piece that is no further from another lies on it.
 _DOUBLE = 1e-4
+# Of the length: gaps between patches of one body; a body that is an appendage is shorter. Of the
+# shell's area: it is smaller; what is told has more.
+_SEAM, _SHORT, _SMALL, _TOLD = 3e-4, 0.4, 0.2, 1e-3
 _BINS, _SPREAD = 200, 20_000
 
 
@@ -26,15 +30,17 @@ _BINS, _SPREAD = 200, 20_000
 class HullShell:
     """mesh: the HalfMesh of the shell. ends: "aft" and "forward" to (place (3,), normal (3,)) of
     the planes of a transom and a flat bow that have faces. deck_area: m², of what was left out as
-    deck."""
+    deck. left_out: sentences on what else was."""
 
     mesh: HalfMesh
     ends: dict
     deck_area: float
+    left_out: tuple = ()
 
 
 def hull_shell(mesh):
     """The HullShell of a HalfMesh."""
+    mesh, left_out = _without_appendages(mesh)
     normals, areas = normals_of(mesh.points, mesh.triangles)
     mesh, normals, areas = _without_doubles(mesh, normals, areas)
     patch = _patches(mesh, normals)
@@ -52,7 +58,28 @@ def hull_shell(mesh):
             name, area, plane = end
             if name not in ends or ends[name][0] < area:
                 ends[name] = (area, plane)
-    return HullShell(mesh.kept(kept), {name: plane for name, (_, plane) in ends.items()}, deck_area)
+    planes = {name: plane for name, (_, plane) in ends.items()}
+    return HullShell(mesh.kept(kept), planes, deck_area, tuple(left_out))
+
+
+def _without_appendages(mesh):
+    """The HalfMesh without bodies that are short and apart from the largest, and sentences."""
+    body = bodies(mesh.points, mesh.triangles, _SEAM * mesh.length)
+    _, areas = normals_of(mesh.points, mesh.triangles)
+    wholes = np.bincount(body, areas)
+    kept, told = np.ones(len(body), dtype=bool), []
+    for number in np.flatnonzero(np.arange(len(wholes)) != wholes.argmax()):
+        which = body == number
+        low, high = _box(mesh, which)
+        if high[0] - low[0] > _SHORT * mesh.length or wholes[number] > _SMALL * wholes.max():
+            continue
+        kept[which] = False
+        if wholes[number] > _TOLD * wholes.max():
+            told.append(
+                f"A part from x = {low[0]:.2f} to {high[0]:.2f} m and z = {low[2]:.2f} to "
+                f"{high[2]:.2f} m is apart from the shell, and was left out."
+            )
+    return mesh.kept(kept), told
 
 
 def _patches(mesh, normals):
