@@ -41,7 +41,6 @@ class _Way:
 _WAYS = (
     _Way(10, False, 3e-6),
     _Way(11, True, 1e-6),
-    _Way(9, True, 0.0),
     _Way(10, False, 3e-6, False),
     _Way(11, True, 1e-6, False),
 )

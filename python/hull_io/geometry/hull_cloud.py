@@ -43,11 +43,13 @@ def _thinned(points):
 
 
 def _on_long_sides(points, triangles):
-    """Places on sides of few large triangles, as along the keel."""
+    """Places on sides of triangles that are few and large, as along the keel; none of many."""
     sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
     starts, ends = points[sides].transpose(1, 0, 2)
     is_long = np.linalg.norm(ends - starts, axis=1) > _LONG_SIDE * np.ptp(points, axis=0).max()
-    return _between(starts[is_long], ends[is_long]) if is_long.any() else np.empty((0, 3))
+    if not 0 < is_long.sum() < _MOST // 4:
+        return np.empty((0, 3))
+    return _between(starts[is_long], ends[is_long])
 
 
 def _along(curves):
