@@ -16,6 +16,7 @@ INNER = OUTER / "hull_tools"
 PACKAGES = {
     "hull_io": {"numpy"},
     "hull_fairness": {"numpy", "hull_native"},
+    "hull_fitting": {"numpy", "hull_native", "hull_io"},
     # Dask and pandas where they are there, and where they are asked for.
     "hull_studies": {"numpy", "hull_native", "hull_io", "distributed", "pandas"},
 }

@@ -20,8 +20,11 @@ _ACROSS, _SAME, _AT_BORDER, _GAP = 1e-6, 1e-7, 3e-3, 3e-3
 
 
 class GirthLines:
-    def __init__(self, outline):
-        self.outline = outline
+    """surface: (points (n, 3) m, triangles (k, 3)) that the sections are cut from where there is no
+    network."""
+
+    def __init__(self, outline, surface=None):
+        self.outline, self._surface = outline, surface
         self._contour_lengths = outline.lengths
         self._keel = [
             (x, line) for x, line in self._stations() if self._on_keel(self._contour_at(line[0]))
@@ -71,6 +74,8 @@ class GirthLines:
     def _stations(self):
         """(x, line) of the network's own curves across the ship from contour to deck, from aft."""
         network, length = self.outline.network, self.outline.length
+        if network is None:
+            return []
         at_x = defaultdict(list)
         inner = _inner_edges(network, self.outline.in_shell)
         for edge in inner:
@@ -111,6 +116,8 @@ class GirthLines:
 
     @cached_property
     def _triangles(self):
+        if self._surface is not None:
+            return self._surface
         network, count = self.outline.network, 0
         points, triangles = [], []
         parts = max(_PATCH_PARTS, int(_ALL_PARTS / np.sqrt(self.outline.in_shell.sum())))

@@ -66,10 +66,12 @@ def extreme_flats(outline, places):
 
 
 class GridFit:
-    """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them."""
+    """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
+    rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness."""
 
-    def __init__(self, grid, targets, flats):
+    def __init__(self, grid, targets, flats, rows_stay=False, bending=0.0):
         self.grid, self.targets, self.flats = grid, targets, flats
+        self._rows_stay, self._bending = rows_stay, bending
         self.mesh = grid_mesh(grid)
         self.points = np.array(self.mesh.points)
         self.in_flats = {}  # point -> [axes]
@@ -132,7 +134,7 @@ class GridFit:
             tied=np.array([pair for pair, _ in tied]).reshape(-1, 2),
             tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
             sums=self._even_moves(evenness) + self._fair_lines(fairness),
-            fairness=0.0,
+            fairness=self._bending,
             draw_border=True,
             most_steps=most_steps,
             progress=progress,
@@ -159,7 +161,7 @@ class GridFit:
             row = rows[i]
             if row.x is None or number in at_end or number in mesh.feet or number in below_arch:
                 continue
-            if row.is_knuckle or i in self._beside_ends:
+            if row.is_knuckle or self._rows_stay or i in self._beside_ends:
                 held.append((number, _X))
                 self.points[number, 0] = row.x
             elif i in leaders:
@@ -256,10 +258,11 @@ def _rows_beside_ends(rows):
 
 def _stretch(line, places):
     """Places along a line from the foot of the first place to that of the last, closer where these
-    are."""
+    are, and nowhere far from one another."""
     lengths = lengths_along(line)
     feet = [foot_on(line, lengths, place)[0] for place in places]
     rising = feet[-1] > feet[0]
     feet = np.maximum.accumulate(feet) if rising else np.minimum.accumulate(feet)
     parts = [np.linspace(a, b, _BETWEEN, endpoint=False) for a, b in zip(feet, feet[1:]) if a != b]
-    return points_at(line, lengths, np.concatenate([*parts, feet[-1:]]))
+    even = np.linspace(feet[0], feet[-1], _BETWEEN * len(places))
+    return points_at(line, lengths, np.sort(np.concatenate([*parts, even]))[:: 1 if rising else -1])

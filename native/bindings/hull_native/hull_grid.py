@@ -62,13 +62,14 @@ class HullGrid:
         return next((i for i, row in enumerate(self.rows) if row.kind == "arch"), None)
 
 
-def laid_grid(outline, columns, rows, counter_rows=2, post_columns=4):
+def laid_grid(outline, columns, rows, counter_rows=2, post_columns=4, girths=None, at=None):
     """The HullGrid of so many columns between contour and deck edge and rows of one x; with an arch
-    so many of them abaft it, and so many columns that begin below it."""
-    girths = GirthLines(outline)
+    so many of them abaft it, and so many columns that begin below it. girths: the outline's
+    GirthLines where they are not of its network. at: x of the rows, instead of their number."""
+    girths = girths or GirthLines(outline)
     across, along = _sorted_knuckles(outline.knuckles)
     low = post_columns if outline.arch is not None else 0
-    laid = _rows(outline, girths, columns, rows, counter_rows, low)
+    laid = _rows(outline, girths, columns, rows, counter_rows, low, at)
     for line in across:
         _put_row(laid, line)
     along = _crossed_knuckles(laid, along, outline.length)
@@ -93,7 +94,7 @@ def _sorted_knuckles(knuckles):
     return across, along
 
 
-def _rows(outline, girths, columns, count, counter_rows, low):
+def _rows(outline, girths, columns, count, counter_rows, low, at):
     rows, lengths = [], outline.lengths
     if outline.aft is not None:
         rows.append(GridRow("transom", outline.aft, low))
@@ -108,7 +109,7 @@ def _rows(outline, girths, columns, count, counter_rows, low):
         ends = outline.on_contour([outline.post, outline.arch])
         post = np.vstack([ends[:1], outline.contour[below][::-1], ends[1:]])
         rows.append(GridRow("arch", girths.at(arch, on_counter=True), 0, arch, post=post))
-    for x in _row_places(outline, girths, columns, count):
+    for x in _row_places(outline, girths, columns, count) if at is None else at:
         rows.append(GridRow("station", girths.at(x), 0, float(x)))
     if outline.stem is None:
         rows.append(GridRow("bow", outline.forward))

@@ -40,11 +40,11 @@ _POST, _POST_HEIGHT = 50.0, 0.12
 class HullOutline:
     """The shell of a network and what bounds it; all lines (n, 3) in m."""
 
-    network: object
+    network: object  # None of other geometry
     length: float
     low: np.ndarray
     high: np.ndarray
-    in_shell: np.ndarray  # of regions
+    in_shell: object  # of the network's regions (n,)
     contour: np.ndarray
     deck: np.ndarray
     aft: object  # line or None
@@ -146,9 +146,15 @@ def hull_outline(network):
         if end in kinds:
             outline.ends[end] = _end_lines(sheets, kinds, end, length)
     outline.knuckles = _knuckles(sheets, in_shell, length)
+    find_ends(outline)
+    return outline
+
+
+def find_ends(outline):
+    """Tells an outline that has its lines where stem, stern post and arch are. ValueError where the
+    contour rises to none."""
     _find_stem(outline)
     _find_post(outline)
-    return outline
 
 
 def _kind(sheets, sheet, low, high):

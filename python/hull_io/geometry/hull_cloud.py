@@ -12,7 +12,9 @@ _MOST, _SLABS, _BINS = 12_000, 40, 12
 # Of the extent: what lies in a plane, and what is symmetric.
 _TOUCHING, _SYMMETRIC = 0.01, 0.02
 # Of the size: a coordinate that is meant to be 0, and a plane that is exact.
-_EXACT = 1e-6
+_MEANT, _EXACT = 2e-5, 1e-6
+# Of the size: sides of triangles that are longer have places between their ends.
+_LONG_SIDE = 0.01
 
 
 def cloud_points(geometry):
@@ -25,7 +27,7 @@ def cloud_points(geometry):
             [mesh.triangles + first for mesh, first in zip(geometry.meshes, firsts)]
         )
         spread, _ = spread_points(points, triangles, _MOST)
-        return np.concatenate([spread, _thinned(points)])
+        return np.concatenate([spread, _thinned(points), _on_long_sides(points, triangles)])
     if geometry.curves:
         return np.concatenate([_along(geometry.curves), geometry.points])
     return _thinned(geometry.points)
@@ -40,10 +42,26 @@ def _thinned(points):
     return np.concatenate([points[::step], points[outermost]])
 
 
+def _on_long_sides(points, triangles):
+    """Places on sides of triangles that are few and large, as along the keel; none of many."""
+    sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    starts, ends = points[sides].transpose(1, 0, 2)
+    is_long = np.linalg.norm(ends - starts, axis=1) > _LONG_SIDE * np.ptp(points, axis=0).max()
+    if not 0 < is_long.sum() < _MOST // 4:
+        return np.empty((0, 3))
+    return _between(starts[is_long], ends[is_long])
+
+
 def _along(curves):
     """Corners of curves, and places between them."""
     starts = np.concatenate([curve.points[:-1] for curve in curves])
     ends = np.concatenate([curve.points[1:] for curve in curves])
+    lasts = np.array([curve.points[-1] for curve in curves])
+    return np.concatenate([_between(starts, ends), lasts])
+
+
+def _between(starts, ends):
+    """Places from each start (k, 3) on towards its end, as many in all as a cloud has."""
     lengths = np.linalg.norm(ends - starts, axis=1)
     spacing = max(lengths.sum() / _MOST, np.finfo(float).tiny)
     counts = np.clip(np.ceil(lengths / spacing), 1, _MOST).astype(int)
@@ -51,8 +69,7 @@ def _along(curves):
     share = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[
         piece
     ]
-    between = starts[piece] + share[:, None] * (ends - starts)[piece]
-    return np.concatenate([between, np.array([curve.points[-1] for curve in curves])])
+    return starts[piece] + share[:, None] * (ends - starts)[piece]
 
 
 @dataclass(frozen=True)
@@ -90,14 +107,14 @@ class HullCloud:
             doubt = max(0.0, spread - _SYMMETRIC) / _SYMMETRIC * 0.2 + 0.12 * is_twin
             found.append(cls(points, long_axis, side, plane, is_twin, doubt, reason))
         if is_half is not False:
+            size = np.ptp(points, axis=0).max()
             for plane in (low, high):
+                is_zero = abs(plane) <= _MEANT * size
+                plane = 0.0 if is_zero else plane
                 share, exact = _touching(points, long_axis, side, plane)
-                is_zero = abs(plane) <= _EXACT * np.ptp(points, axis=0).max()
                 doubt = 0.01 + (1.0 - share) + 0.15 * (1.0 - exact) + 0.12 * (not is_zero)
                 reason = f"It is one half: it ends in the plane {letter} = {plane:.6g} all along."
-                found.append(
-                    cls(points, long_axis, side, 0.0 if is_zero else plane, True, doubt, reason)
-                )
+                found.append(cls(points, long_axis, side, plane, True, doubt, reason))
         return found
 
     def low(self, axis):

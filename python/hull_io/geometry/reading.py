@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opening a file of any format that geometry is read of."""
 
+import zlib
 from pathlib import Path
 
 from ..bytes_on_disk import read_bytes
@@ -19,11 +20,12 @@ from .values import Geometry, GeometryMesh, polyline
 
 # Of the size, how far triangles of CAD faces may be from them.
 CHORD_SHARE = 2e-5
+_GZIP = b"\x1f\x8b\x08"
 
 
 def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
     """The Geometry of a file: STEP, IGES, DXF, STL, OBJ, FREE!ship's stored sections, a table of
-    offsets or a list of points.
+    offsets or a list of points; packed by gzip all but STEP and IGES.
 
     What a file is its content tells; the ending counts for OBJ and where the content tells
     nothing. progress: called with the share of the work that is done, for STEP and IGES; what it
@@ -31,6 +33,10 @@ def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
     """
     path = Path(path)
     data = read_bytes(path, MAX_GEOMETRY_BYTES)
+    if data.startswith(_GZIP):
+        data, path = _unpacked(data, path.name), path.with_suffix("")
+        if is_cad(data):
+            raise HullFileError(f"{path.name}: unpack it first; CAD files are not read packed.")
     ending = path.suffix.lower()
     if is_cad(data) or ending in (".step", ".stp", ".iges", ".igs"):
         return read_cad(path, chord_share, progress)
@@ -43,6 +49,20 @@ def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
     if ending == ".dxf" or data.startswith(b"AutoCAD Binary DXF"):
         return read_dxf(data, path.name)
     return _text(path, data)
+
+
+def _unpacked(data, name):
+    unpacker = zlib.decompressobj(wbits=16 + zlib.MAX_WBITS)
+    try:
+        unpacked = unpacker.decompress(data, MAX_GEOMETRY_BYTES + 1)
+    except zlib.error as error:
+        raise HullFileError(f"{name}: it is damaged; use another copy.") from error
+    if len(unpacked) > MAX_GEOMETRY_BYTES or not unpacker.eof:
+        raise HullFileError(
+            f"{name}: unpacked it is cut short or larger than is read; use another copy, or write "
+            "fewer triangles."
+        )
+    return unpacked
 
 
 def _stl(data, name):

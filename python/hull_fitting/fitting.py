@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A control mesh laid over a hull that exists as triangles, and fitted to it."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from hull_native import SurfaceTree
+from hull_native.girth_lines import GirthLines
+from hull_native.grid_fit import GridFit, extreme_flats
+from hull_native.grid_refinement import RowsAndColumns
+from hull_native.hull_grid import keel_range, laid_grid
+
+from .immersion import immersed
+from .outlines import shell_outline
+from .row_places import row_places
+from .targets import shell_targets
+
+# Of the length: the tolerance where none is given; points at most where no budget is given.
+TOLERANCE, BUDGET = 3e-4, 150
+# Stations in which flats are looked for, and places in each.
+_STATIONS, _PER_STATION = 60, 120
+_COLUMNS, _COLUMNS_OF_POST, _ROWS = 6, 7, 9
+_AIM = 0.8
+# Evenness of the moves and steps: first, after an addition, at last.
+_FIRST = ((1e-1, 12), (1e-2, 12))
+_AFTER_ADDITION = (1e-2, 0.0, 6)
+_LAST = ((3e-3, 12), (1e-3, 12), (3e-4, 15), (3e-4, 15))
+
+
+@dataclass(frozen=True)
+class _Way:
+    """rows: of one x to begin with; rows_stay, fairness: as GridFit has them."""
+
+    rows: int
+    rows_stay: bool
+    fairness: float
+    with_knuckles: bool = True
+
+
+# Which layout does best depends on the hull: the best of these is taken.
+_WAYS = (
+    _Way(10, False, 3e-6),
+    _Way(11, True, 1e-6),
+    _Way(10, False, 3e-6, False),
+    _Way(11, True, 1e-6, False),
+)
+# Of the tolerance: what misses no more than this is good enough.
+_GOOD = 0.4
+# What an error of area or volume counts for, of the length; parts of a face's side.
+_OFF, _PARTS = 0.02, 6
+
+
+@dataclass(frozen=True)
+class FittedHull:
+    """surface: the LimitSurface; outline: what it was laid along; flats: tuples (points, normal,
+    offset); rows: lists of control points that have one x."""
+
+    surface: object
+    outline: object
+    flats: list
+    fit: object
+
+
+def fit_shell(shell, *, tolerance=None, budget=None, progress=None):
+    """The FittedHull of a HullShell. tolerance, m; budget: control points at most. ValueError where
+    the shell has no outline that a hull can be laid along."""
+    outline = shell_outline(shell)
+    tolerance = TOLERANCE * outline.length if tolerance is None else float(tolerance)
+    if not tolerance > 0.0:
+        raise ValueError("The tolerance has to be above zero.")
+    budget = BUDGET if budget is None else int(budget)
+    trial = _Trial(shell, outline, tolerance, budget)
+    ways = [way for way in _WAYS if way.with_knuckles]
+    if outline.knuckles:
+        ways += [way for way in _WAYS if not way.with_knuckles]
+    found, refused = [], None
+    for number, way in enumerate(ways):
+        try:
+            fit = trial.fitted(way, progress)
+        except ValueError as error:
+            refused = error
+            continue
+        found.append((trial.misses(fit), number, fit))
+        if found[-1][0] < _GOOD * tolerance:
+            break
+    if not found:
+        raise refused
+    fit = min(found, key=lambda one: one[:2])[2]
+    return FittedHull(fit.surface, fit.grid.outline, fit.flat_points(), fit)
+
+
+class _Trial:
+    """Fits of one shell in several ways."""
+
+    def __init__(self, shell, outline, tolerance, budget):
+        mesh = shell.mesh
+        self.outline, self.tolerance, self.budget = outline, tolerance, budget
+        self.girths = GirthLines(outline, (mesh.points, mesh.triangles))
+        self.targets = shell_targets(mesh)
+        self.flats = extreme_flats(outline, _station_places(outline, self.girths))
+        self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
+
+    def fitted(self, way, progress):
+        """The GridFit of a _Way."""
+        columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
+        outline = self.outline if way.with_knuckles else replace(self.outline, knuckles=[])
+        columns = max(columns, len(outline.knuckles) + 3)
+        at = row_places(self.outline, self.girths, way.rows)
+        grid = laid_grid(outline, columns, way.rows, girths=self.girths, at=at)
+        fit = self._fit(grid, way)
+        if len(fit.points) > self.budget:
+            raise ValueError(
+                f"The simplest layout has {len(fit.points)} control points, more than the budget "
+                f"of {self.budget}: give a larger one."
+            )
+        for evenness, steps in _FIRST:
+            fit.run(evenness, 0.0, steps, progress)
+        additions = RowsAndColumns(self.targets.points, _AIM * self.tolerance, self.budget)
+        while additions.add_to(fit):
+            fit = self._fit(grid, way)
+            fit.run(*_AFTER_ADDITION, progress)
+        for evenness, steps in _LAST:
+            fit.flatten()
+            fit.run(evenness, 0.0, steps, progress)
+            fit.heed(self.tolerance)
+        return fit
+
+    def _fit(self, grid, way):
+        return GridFit(grid, self.targets, self.flats, way.rows_stay, way.fairness)
+
+    def misses(self, fit):
+        """m: the root mean square of distances, and what area and volume are off: a surface that
+        lies in folds is near everywhere, but too large."""
+        distances = distances_from(fit.surface, self.targets.points)
+        volume, area = _volume_and_area(fit.surface, self.outline)
+        off = [abs(found / meant - 1.0) for found, meant in zip((volume, area), self.whole)]
+        return float(np.sqrt(np.mean(distances**2))) + _OFF * self.outline.length * max(off)
+
+
+def _volume_and_area(surface, outline):
+    """(∇, m³, area, m²) of both sides of a hull up to its deck."""
+    facets = surface.tessellate(_PARTS)
+    quads = facets.quads
+    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    whole = replace(outline, aft=None, forward=None)
+    return immersed(np.asarray(facets.points), triangles, whole, outline.high[2])
+
+
+def _station_places(outline, girths):
+    low, high = keel_range(outline)
+    lines = []
+    for x in np.linspace(low, high, _STATIONS + 2)[1:-1]:
+        line = girths.at(float(x))
+        lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+        at = np.linspace(0.0, lengths[-1], _PER_STATION)
+        lines.append(np.stack([np.interp(at, lengths, c) for c in line.T], axis=1))
+        lines[-1][:, 0] = x
+    return np.concatenate(lines)
+
+
+def distances_from(surface, points):
+    """m, of points (n, 3) from a LimitSurface."""
+    return np.asarray(SurfaceTree(surface).closest_points(points).distances)

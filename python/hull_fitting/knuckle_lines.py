@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Knuckles of a shell of triangles: lines over which it turns by far more than beside them."""
+
+import numpy as np
+from hull_io.triangles import normals_of
+from hull_native.polylines import end_to_end, foot_on, lengths_along
+
+from .triangle_edges import edge_lines, edge_table
+
+# Turn over an edge of a knuckle, degrees at least, and so many times that over edges beside it.
+_LEAST_TURN, _TIMES = 10.0, 2.5
+# Of the length: lines go on over gaps that are no wider, and those that reach less far along the
+# ship are none; cosine of the turn with which they do.
+_GAP, _LEAST_REACH, _GOES_ON = 1e-2, 0.12, 0.9
+# Lines end where they turn by more than this cosine. Of a knuckle so much runs along the ship; of
+# the breadth: nearer to the centre plane in the mean it is the rim of a bar.
+_TURNS, _ALONG, _BAR = 0.6, 0.6, 0.04
+# Of the length: lines that are no further apart are the rims of a gap between patches.
+_DOUBLE = 2e-3
+# Knuckles at most, the longest.
+_MOST = 5
+
+
+def knuckle_lines(mesh):
+    """Lines (n, 3), m, along the knuckles of a HalfMesh, the longest first."""
+    table = edge_table(mesh.triangles)
+    inner = np.flatnonzero(table.counts == 2)
+    ends, owners = table.ends[inner], table.owners[inner]
+    normals, _ = normals_of(mesh.points, mesh.triangles)
+    cosines = (normals[owners[:, 0]] * normals[owners[:, 1]]).sum(axis=1)
+    turns = np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
+    sides = [[] for _ in range(len(mesh.triangles))]
+    for number, (a, b) in enumerate(owners.tolist()):
+        sides[a].append((number, b))
+        sides[b].append((number, a))
+    sharp = [
+        number
+        for number in np.flatnonzero(turns >= _LEAST_TURN).tolist()
+        if turns[number] >= _TIMES * _turn_beside(number, ends, owners, turns, sides)
+    ]
+    if not sharp:
+        return []
+    lines = [part for line in edge_lines(ends[sharp]) for part in _parts(mesh.points[line])]
+    # Few pieces are joined: of many short ones none is a knuckle.
+    lines.sort(key=lambda line: -lengths_along(line)[-1])
+    lines = end_to_end(lines[:60], _GAP * mesh.length, _GOES_ON)
+    breadth = mesh.points[:, 1].max()
+    lines = [line for line in lines if _is_knuckle(line, mesh.length, breadth)]
+    lines = [line for line in lines if not _is_doubled(line, lines, _DOUBLE * mesh.length)]
+    lines.sort(key=lambda line: -lengths_along(line)[-1])
+    return lines[:_MOST]
+
+
+def _parts(line):
+    """Of a line, from one sharp turn to the next."""
+    ways = np.diff(line, axis=0)
+    ways /= np.maximum(np.linalg.norm(ways, axis=1), 1e-300)[:, None]
+    cuts = 1 + np.flatnonzero((ways[1:] * ways[:-1]).sum(axis=1) < _TURNS)
+    ends = [0, *cuts.tolist(), len(line) - 1]
+    return [line[low : high + 1] for low, high in zip(ends, ends[1:]) if high > low]
+
+
+def _is_knuckle(line, length, breadth):
+    reach = abs(float(line[-1, 0] - line[0, 0]))
+    whole = lengths_along(line)[-1]
+    return reach > max(_LEAST_REACH * length, _ALONG * whole) and line[:, 1].mean() > _BAR * breadth
+
+
+def _is_doubled(line, lines, reach):
+    for other in lines:
+        if other is not line:
+            lengths = lengths_along(other)
+            if all(foot_on(other, lengths, place)[1] < reach for place in line):
+                return True
+    return False
+
+
+def _turn_beside(number, ends, owners, turns, sides):
+    """The largest turn over edges within two triangles that have no end of this one."""
+    own = set(ends[number].tolist())
+    found = 0.0
+    for first in owners[number].tolist():
+        for _, second in sides[first]:
+            for other, third in sides[second]:
+                if not own & set(ends[other].tolist()):
+                    found = max(found, turns[other])
+                for beyond, _ in sides[third]:
+                    if not own & set(ends[beyond].tolist()):
+                        found = max(found, turns[beyond])
+    return found

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A hull of geometry that was read: everything from a file to a HullData with its report."""
+
+from dataclasses import dataclass
+
+from hull_io.geometry import guess_hull, oriented
+
+from .fitting import TOLERANCE, fit_shell
+from .half_meshes import half_mesh
+from .hull_files import hull_data, particulars_of
+from .lofting import lofted
+from .reports import fit_report
+from .shells import hull_shell
+
+# Of the depth: the draft where nobody tells one.
+_DRAFT = 0.6
+
+
+@dataclass(frozen=True)
+class MadeHull:
+    """data: the HullData; report: a dict as fit_report() has it, with the guesses; shell, fitted:
+    the HullShell and its FittedHull."""
+
+    data: object
+    report: dict
+    shell: object
+    fitted: object
+
+
+def hull_from_geometry(
+    geometry, *, budget=None, tolerance=None, draft=None, progress=None, **known
+):
+    """The MadeHull of a Geometry. budget: control points at most; tolerance and draft: m; known:
+    what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
+    guess = guess_hull(geometry, **known)
+    placed = oriented(geometry, guess)
+    if placed.curves and not placed.meshes:
+        placed = lofted(placed)
+    shell = hull_shell(half_mesh(placed))
+    used = shell.mesh.points[shell.mesh.triangles].reshape(-1, 3)
+    low, high = float(used[:, 2].min()), float(used[:, 2].max())
+    is_told = draft is not None
+    draft = low + _DRAFT * (high - low) if draft is None else float(draft)
+    if not low < draft < high:
+        raise ValueError(
+            f"The draft of {draft:g} m is not within the hull, which is from {low:.3f} to "
+            f"{high:.3f} m above the base line: give another one."
+        )
+    fitted = fit_shell(shell, tolerance=tolerance, budget=budget, progress=progress)
+    tolerance = TOLERANCE * fitted.outline.length if tolerance is None else float(tolerance)
+    report = {
+        "source": geometry.name,
+        "guesses": guess.reasons,
+        "doubts": list(guess.doubts),
+        "draft_is_told": is_told,
+        **fit_report(shell, fitted, draft, tolerance),
+        "left_out": [*geometry.left_out, *shell.left_out],
+    }
+    data = hull_data(
+        fitted,
+        geometry.name.split(".")[0],
+        f"fitted to {geometry.name}",
+        particulars_of(guess.length_pp, fitted.fit.points, draft),
+    )
+    return MadeHull(data, report, shell, fitted)
