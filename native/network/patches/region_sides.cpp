@@ -8,6 +8,7 @@
 namespace hull::network {
 namespace {
 
+constexpr double kShortSide = 0.02;  // of the longest
 constexpr double kPassing = 15.0 * std::numbers::pi / 180.0;
 
 const CurveEdge& curve_edge(const NetworkFrame& frame, const RegionEdge& side) {
@@ -156,6 +157,41 @@ std::vector<RegionSide> sides_of_one_curve(const NetworkFrame& frame,
     }
   }
   return cut;
+}
+
+namespace {
+
+double side_length(const NetworkFrame& frame, const RegionSide& side) {
+  double length = 0.0;
+  for (const RegionEdge& edge : side) {
+    length += frame.shapes[static_cast<std::size_t>(edge.edge)].length();
+  }
+  return length;
+}
+
+// The cosine of the angle by which the way turns from one side to the next.
+double onwards(const NetworkFrame& frame, const RegionSide& side, const RegionSide& next) {
+  return way_out(frame, side.back()).dot(way_in(frame, next.front()));
+}
+
+}  // namespace
+
+std::vector<RegionSide> with_short_sides_joined(const NetworkFrame& frame,
+                                                std::vector<RegionSide> sides) {
+  while (sides.size() > 4) {
+    std::vector<double> lengths;
+    for (const RegionSide& side : sides) lengths.push_back(side_length(frame, side));
+    const auto [least, most] = std::ranges::minmax_element(lengths);
+    if (*least > kShortSide * *most) break;
+    // The short side first, so that its neighbours are the next and the last.
+    std::ranges::rotate(sides, sides.begin() + (least - lengths.begin()));
+    const bool is_to_next =
+        onwards(frame, sides[0], sides[1]) > onwards(frame, sides.back(), sides[0]);
+    if (!is_to_next) std::ranges::rotate(sides, sides.end() - 1);
+    sides[0].insert(sides[0].end(), sides[1].begin(), sides[1].end());
+    sides.erase(sides.begin() + 1);
+  }
+  return sides;
 }
 
 std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side) {

@@ -31,6 +31,12 @@ std::vector<RegionSide> region_sides(const NetworkFrame& frame,
 std::vector<RegionSide> sides_of_one_curve(const NetworkFrame& frame,
                                            const std::vector<RegionSide>& sides);
 
+// With sides that are shorter than a fiftieth of the longest joined to the neighbour that they turn
+// least from, while there are more than four: a patch at each corner would be no more than a
+// sliver.
+std::vector<RegionSide> with_short_sides_joined(const NetworkFrame& frame,
+                                                std::vector<RegionSide> sides);
+
 // Where a side's edges begin and end on it, from 0 to 1: of one piece of a curve by parameters, so
 // that the side is as smooth as the curve is; else by lengths.
 std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side);

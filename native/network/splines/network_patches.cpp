@@ -100,8 +100,9 @@ class PatchMaker {
 
   void keep(const MergedRegion& region, const RegionQuads& quads) {
     const NetworkFrame& frame = network_.frame();
-    placed_.push_back(
-        {&quads, quad_borders(frame, sides_of_one_curve(frame, region.sides), quads.is_single())});
+    std::vector<RegionSide> sides = sides_of_one_curve(frame, region.sides);
+    if (!quads.has_short_sides) sides = with_short_sides_joined(frame, std::move(sides));
+    placed_.push_back({&quads, quad_borders(frame, sides, quads.is_single())});
     made_.spoke_error = std::max(made_.spoke_error, quads.spoke_error);
     for (std::size_t i = 0; i < region.references.size(); ++i) {
       edge_errors_[static_cast<std::size_t>(region.references[i])] = quads.reference_errors[i];

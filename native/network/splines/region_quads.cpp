@@ -192,6 +192,13 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
     if (!is_folded(patch)) return single_quad(input, splines, patch);
   }
+  const std::vector<RegionSide> joined = with_short_sides_joined(*input.frame, sides);
+  if (joined.size() < sides.size()) {
+    if (auto quads = plate_quads(input, splines_of(input, joined))) {
+      quads->has_short_sides = false;
+      return std::move(*quads);
+    }
+  }
   if (auto quads = plate_quads(input, splines)) return std::move(*quads);
   if (sides.size() == 2) {
     throw std::invalid_argument(

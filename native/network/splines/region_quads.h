@@ -22,13 +22,14 @@ struct RegionQuads {
   std::vector<conversion::BSplinePatch> patches;
   double spoke_error = 0.0;              // m, of splines along spokes
   std::vector<double> reference_errors;  // m, of the patch from each of the region's references
+  bool has_short_sides = true;           // else they are of with_short_sides_joined()
   bool has_normals = true;  // else it has not, everywhere, the network's tangent planes
 
   bool is_single() const { return patches.size() == 1; }
   void add(FittedQuad fitted);
 };
 
-// Of its patches. `sides`: sides_of_one_curve().
+// Of its patches. `sides`: sides_of_one_curve(), short ones joined where its patches are of such.
 std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
                                                     const std::vector<RegionSide>& sides,
                                                     bool is_single);

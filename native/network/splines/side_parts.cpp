@@ -7,7 +7,10 @@
 namespace hull::network {
 namespace {
 
-constexpr double kAtNode = 1e-9;      // of an edge: what is nearer to its end is there
+constexpr double kAtNode = 1e-9;  // of an edge: what is nearer to its end is there
+// Of an edge: where it may be cut between its ends, so that regions on both sides of it that cut it
+// in one place do so bit for bit, and how near to it rounding leaves such a place.
+constexpr double kCuts = 1024.0, kAtCut = 1e-13;
 constexpr double kFromMiddle = 0.25;  // of a side: nodes nearer to its middle halve it
 
 }  // namespace
@@ -25,11 +28,16 @@ double SideParts::edge_parameter(std::size_t part, double t) const {
   double share = std::clamp((t - ends_[part]) / (ends_[part + 1] - ends_[part]), 0.0, 1.0);
   if (share < kAtNode) share = 0.0;
   if (share > 1.0 - kAtNode) share = 1.0;
+  const double cut = std::round(share * kCuts) / kCuts;
+  if (std::abs(share - cut) < kAtCut) share = cut;
   return side_[part].is_along ? share : 1.0 - share;
 }
 
 double SideParts::middle() const {
-  double nearest = 0.5, distance = kFromMiddle;
+  const auto above = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, 0.5);
+  const double low = *(above - 1), width = *above - low;
+  double nearest = low + width * std::round((0.5 - low) / width * kCuts) / kCuts;
+  double distance = kFromMiddle;
   for (std::size_t i = 1; i + 1 < ends_.size(); ++i) {
     if (std::abs(ends_[i] - 0.5) > distance) continue;
     nearest = ends_[i];

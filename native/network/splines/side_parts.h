@@ -25,7 +25,8 @@ class SideParts {
     double parameter;
   };
   Place at(double t) const;
-  // Where to cut the side in two: in the middle, or at a node in the middle half.
+  // Where to cut the side in two: in the middle, to 1/1024 of the edge there, or at a node in the
+  // middle half.
   double middle() const;
   // Of the part of the side between two parameters.
   std::vector<EdgePiece> pieces(double begin, double end) const;
