@@ -21,11 +21,16 @@ class _Mesh:
         return self._obj.data == self._given and bool(self._before.name)
 
     def put_back(self):
+        """The function that gives it again."""
+        names = self._obj.name, self._before.name, self._given.name
         self._obj.data = self._before
+        return lambda: _give_again(*names)
 
-    def put_again(self):
-        if self._given.name and self._obj.data == self._before:
-            self._obj.data = self._given
+
+def _give_again(name, before, given):
+    obj, mesh = _local(bpy.data.objects, name), _local(bpy.data.meshes, given)
+    if obj is not None and mesh is not None and obj.type == "MESH" and obj.data.name == before:
+        obj.data = mesh
 
 
 class _Surface:
@@ -38,24 +43,37 @@ class _Surface:
         return self._hull.hull.surface_object == self._given and bool(self._before.name)
 
     def put_back(self):
+        """The function that gives it again."""
+        names = self._hull.name, self._before.name, self._given.name
+        is_hidden = names[2] in bpy.context.view_layer.objects and self._given.hide_get()
         self._hull.hull.surface_object = self._before
-        self._is_hidden = self._given.name in _view_objects() and self._given.hide_get()
         for collection in self._given.users_collection:
             collection.objects.unlink(self._given)
+        return lambda: _show_again(*names, is_hidden)
 
-    def put_again(self):
-        if self._given.name and self._hull.hull.surface_object == self._before:
-            self._hull.hull.surface_object = self._given
-            for collection in self._hull.users_collection:
-                if self._given.name not in collection.objects:
-                    collection.objects.link(self._given)
-            if self._is_hidden:
-                _to_hide.append(self._given)
+
+def _show_again(name, before, given, is_hidden):
+    hull, shown = _local(bpy.data.objects, name), _local(bpy.data.objects, given)
+    if hull is None or shown is None or shown.parent != hull:
+        return
+    pointed = hull.hull.surface_object
+    if pointed is None or pointed.name != before:
+        return
+    hull.hull.surface_object = shown
+    for collection in hull.users_collection:
+        if given not in collection.objects:
+            collection.objects.link(shown)
+    if is_hidden:
+        _to_hide.append(given)
+
+
+def _local(all_of_a_kind, name):
+    return all_of_a_kind.get((name, None))
 
 
 _made = []  # the last one last
-_put_back = []
-_to_hide = []
+_to_give = []  # functions; what they are about is known by name, as undo makes all of it anew
+_to_hide = []  # names of objects
 
 
 def give_mesh(obj, mesh):
@@ -71,46 +89,41 @@ def has_new_surface(hull, before):
 
 def before_undo():
     """Before an undo or redo."""
-    for one in reversed(_made):
-        if _in_file(one.is_there):
-            one.put_back()
-            _put_back.append(one)
+    _to_give.clear()
+    _to_give.extend(one.put_back() for one in reversed(_made) if _is_there(one))
     _made.clear()
 
 
 def after_undo():
     """First of all that is done after an undo or redo."""
-    for one in reversed(_put_back):
-        _in_file(one.put_again)
-    _put_back.clear()
+    for give in reversed(_to_give):
+        give()
+    _to_give.clear()
 
 
 def after_update():
     """What was hidden is hidden again: after an undo a view layer has nothing of what it got."""
-    for obj in _to_hide:
-        _in_file(lambda obj=obj: obj.name in _view_objects() and obj.hide_set(True))
+    for name in _to_hide:
+        obj = bpy.context.view_layer.objects.get(name)
+        if obj is not None:
+            obj.hide_set(True)
     _to_hide.clear()
 
 
 def forget():
     """Before another file is read."""
-    _made.clear()
-    _put_back.clear()
-    _to_hide.clear()
-
-
-def _view_objects():
-    return bpy.context.view_layer.objects
+    for kept in (_made, _to_give, _to_hide):
+        kept.clear()
 
 
 def _remember(one):
-    _made[:] = [other for other in _made if _in_file(other.is_there)]
+    _made[:] = [other for other in _made if _is_there(other)]
     _made.append(one)
 
 
-def _in_file(do):
-    """What do() returns; False where something it is about is not in the file any longer."""
+def _is_there(one):
+    """Whether it is as it was made, and all that it is about is in the file."""
     try:
-        return do()
+        return one.is_there()
     except ReferenceError:
         return False

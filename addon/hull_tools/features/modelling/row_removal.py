@@ -149,11 +149,13 @@ def _dissolve(bm, row):
     _release_beside(bm, row)
     bmesh.ops.dissolve_edges(bm, edges=row, use_verts=False, use_face_split=False)
     leaving = [vertex for vertex in points if vertex.is_valid and len(vertex.link_edges) == 2]
-    staying = ends.difference(leaving)
+    count = len(leaving)
     bmesh.ops.dissolve_verts(bm, verts=leaving)
+    # With faces that meet twice more goes than was asked for.
+    staying = [vertex for vertex in ends if vertex.is_valid]
     bm.verts.index_update()
     row_refitting.select(bm, staying)
-    return len(leaving), np.array([vertex.index for vertex in staying]), longest
+    return count, np.array([vertex.index for vertex in staying]), longest
 
 
 def _release_beside(bm, row):
