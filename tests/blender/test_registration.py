@@ -49,7 +49,7 @@ def test_enabling_twice_leaves_nothing_behind(addon):
     disabled = traces()
     assert not disabled["types"] and not disabled["operators"]
     assert "hull" not in disabled["object properties"]
-    assert sum(disabled["handlers"].values()) == sum(enabled["handlers"].values()) - 13
+    assert sum(disabled["handlers"].values()) == sum(enabled["handlers"].values()) - 15
     for _ in range(2):
         assert addon_utils.enable(addon) is not None
         assert traces()["types"] == enabled["types"]

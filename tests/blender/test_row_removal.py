@@ -227,3 +227,15 @@ def test_removal_is_one_step_of_undo():
     hull = bpy.context.view_layer.objects.active
     bpy.ops.object.mode_set(mode="OBJECT")
     assert np.array_equal(points, mesh_points(hull))
+
+
+def test_faces_that_meet_twice_go_as_a_whole():
+    bm = bmesh.new()
+    places = ((-1, -1), (0, -1), (-1, 1), (0, 1), (1, 1))
+    points = [bm.verts.new((x, y, 0.0)) for x, y in places]
+    for face in ((0, 1, 3, 2), (1, 0, 4, 3)):
+        bm.faces.new([points[i] for i in face])
+    row = [bm.edges.get((points[a], points[b])) for a, b in ((1, 3), (0, 4))]
+    count, beside, _ = part("features.modelling.row_removal")._dissolve(bm, row)
+    assert count == 3 and len(beside) == len(bm.verts) == 2
+    bm.free()

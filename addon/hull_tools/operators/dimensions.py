@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...hull_io.keeping import KEPT
+from ...hull_io import keeping
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.dimensions import dimensions, keeping_task
@@ -124,7 +124,7 @@ class HULL_OT_set_dimensions(bpy.types.Operator, TaskOperator):
             name: units.as_typed(getattr(self, name)) * scale or None
             for name in ("length", "beam", "draft", "depth")
         }
-        keep = tuple(name for name in KEPT if getattr(self, f"keep_{name}"))
+        keep = tuple(name for name in keeping.KEPT if getattr(self, f"keep_{name}"))
         return dimensions.Asked(**wanted, of_surface=self.measured == "SURFACE", keep=keep)
 
 
