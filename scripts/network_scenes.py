@@ -144,6 +144,8 @@ def _to_hull(window):
     yield
 
 
+# Of the tab.
+PANELS = ("networks", "network_curve", "network_surface", "network_hull", "network_problems")
 STEPS = {
     "networks/drawn": _drawn,
     "networks/surface": _with_surface,

@@ -212,9 +212,7 @@ PANELS = {
         hull_panels("morph", "morph_local", "morph_targets", "morph_series"), _with_morph
     ),
     "panels/fields": PanelShot(hull_panels("fields"), _with_fields),
-    "panels/networks": PanelShot(
-        hull_panels("networks", "network_curve", "network_problems"), network_scenes.prepare_panel
-    ),
+    "panels/networks": PanelShot(hull_panels(*network_scenes.PANELS), network_scenes.prepare_panel),
     "panels/variants": PanelShot(
         hull_panels("variants", "comparison", "differences", "distances"),
         _with_variants,

@@ -391,7 +391,7 @@ def _scaled(window):
 _NUMBERS = hull_panels(
     "hydrostatics", "hydrostatics_displacement", "hydrostatics_centres", "hydrostatics_stability"
 )
-_NETWORK = hull_panels("networks", "network_curve", "network_problems")
+_NETWORK = hull_panels(*network_scenes.PANELS)
 VIEWS = {
     "dimensions": View(_scaled, hull_panels("hull")),
     "fields": View(_fields, hull_panels("fields")),
