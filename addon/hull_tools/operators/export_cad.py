@@ -17,8 +17,6 @@ from .tasks import PatchOperator
 class ExportCad(PatchOperator, ExportHull):
     """Subclasses give the file_format."""
 
-    _task = None
-
     def invoke(self, context, event):
         hull = hull_objects.hull_of(context.object)
         self._begun_before = conversions.running(hull)

@@ -39,16 +39,9 @@ class ExportByTask(TaskOperator, ExportHull):
     """An export whose work may take seconds. Subclasses: begin(hull, scene) → task; done: what is
     to be said then."""
 
-    _task = None
-
     def invoke(self, context, event):
         self._is_in_window = not bpy.app.background
         return ExportHull.invoke(self, context, event)
-
-    def cancel(self, context):
-        # The dialog may be closed before there is a task.
-        if self._task is not None:
-            TaskOperator.cancel(self, context)
 
     def outcome(self, result, scene):
         return self.done(), False

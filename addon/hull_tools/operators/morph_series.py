@@ -96,7 +96,6 @@ class HULL_OT_export_series(bpy.types.Operator, SeriesOperator, TaskOperator):
     first_weights: _weights("First")
     last_weights: _weights("Last")
     steps: _steps()
-    _task = None
 
     def invoke(self, context, event):
         self._is_in_window = not bpy.app.background
@@ -104,11 +103,6 @@ class HULL_OT_export_series(bpy.types.Operator, SeriesOperator, TaskOperator):
             self.directory = bpy.path.abspath("//")
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
-
-    def cancel(self, context):
-        # The dialog may be closed before there is a task.
-        if self._task is not None:
-            TaskOperator.cancel(self, context)
 
     def begin(self, hull, scene):
         chosen = self.file_format

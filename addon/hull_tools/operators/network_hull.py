@@ -6,12 +6,11 @@ from bpy.props import IntProperty
 
 from ..bridge.objects import networks
 from ..features.networks import to_hull
-from .networks import has_network
+from .networks import NetworkTask, has_network
 from .shared import BaseOperator, in_object_mode, make_active, native_is_there, suit_views
-from .tasks import TaskOperator
 
 
-class HULL_OT_network_to_hull(bpy.types.Operator, TaskOperator):
+class HULL_OT_network_to_hull(bpy.types.Operator, NetworkTask):
     """Lay a control mesh over the network's curves, with points in rows of one x, and fit it to
     them: a new hull, beside which the curves stay as they are"""
 
@@ -20,9 +19,6 @@ class HULL_OT_network_to_hull(bpy.types.Operator, TaskOperator):
     bl_options = {"REGISTER", "UNDO"}
 
     needs = (native_is_there, in_object_mode, has_network)
-
-    def run(self, context):
-        return self.run_on(networks.at_hand(context), context)
 
     def begin(self, network, scene):
         return to_hull.Laying(network, scene)

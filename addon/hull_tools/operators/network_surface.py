@@ -10,19 +10,7 @@ from bpy_extras.io_utils import ExportHelper
 from ..bridge.counts import counted
 from ..bridge.objects import networks
 from ..features.networks import network_state, surface_tasks
-from .networks import has_network
-from .shared import native_is_there
-from .tasks import TaskOperator
-
-
-class NetworkTask(TaskOperator):
-    """A task of the network at hand, which stays as it is: begin(network, scene)."""
-
-    needs = (native_is_there, has_network)
-
-    def run(self, context):
-        self._network = networks.at_hand(context)
-        return self.run_on(self._network, context)
+from .networks import NetworkTask
 
 
 class HULL_OT_measure_network(bpy.types.Operator, NetworkTask):
@@ -60,7 +48,6 @@ class HULL_OT_export_network(bpy.types.Operator, NetworkTask, ExportHelper):
     is_whole: BoolProperty(
         name="Both Sides", description="Of half a hull the mirror image, too", default=False
     )
-    _task = None
 
     def invoke(self, context, event):
         self._is_in_window = not bpy.app.background
@@ -75,11 +62,6 @@ class HULL_OT_export_network(bpy.types.Operator, NetworkTask, ExportHelper):
         if ending.lower() in (".step", ".igs"):
             self.filepath = base + self.format
         return self.filepath != before
-
-    def cancel(self, context):
-        # The dialog may be closed before there is a task.
-        if self._task is not None:
-            NetworkTask.cancel(self, context)
 
     def draw(self, context):
         self.layout.prop(self, "format", expand=True)

@@ -29,6 +29,16 @@ def has_network(cls, context):
     return True
 
 
+class NetworkTask(TaskOperator):
+    """A task of the network at hand, which stays as it is: begin(network, scene)."""
+
+    needs = (native_is_there, has_network)
+
+    def run(self, context):
+        self._network = networks.at_hand(context)
+        return self.run_on(self._network, context)
+
+
 def can_change_network(cls, context):
     network = networks.at_hand(context)
     reason = networks.locked(network)
