@@ -2,12 +2,14 @@
 #include "morphing/features/layout_fitting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "mesh/tolerances.h"
 #include "modelling/reshape/surface_places.h"
 #include "morphing/families/hull_family.h"
+#include "morphing/features/layout_distances.h"
 #include "morphing/features/layout_start.h"
 
 namespace hull::morphing {
@@ -19,6 +21,9 @@ using modelling::SurfacePlaces;
 // far away, and go where the surface is at last.
 constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
 constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
+// Where that is not near enough: a layout that need not be subdivided has fewer marks. Where it is,
+// less stiffness leaves more of them.
+constexpr std::array<double, 1> kLastStiffness{3e-6};
 constexpr int kStepsEach = 15;
 constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
 // Of the second hull's size: so far from the centre plane at least are points of a half hull that
@@ -106,6 +111,7 @@ LayoutFitting::LayoutFitting(const surface::LimitSurface& first,
       second_(second),
       other_(other),
       progress_(options.progress),
+      tolerance_(options.tolerance * (other.box.high.x() - other.box.low.x())),
       way_(way),
       target_(target_of(second)) {}
 
@@ -145,7 +151,14 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     }
   }
   layout.set_points(std::move(points));
-  return approach(layout, curves, limits, bounds, metric, kNearStiffness);
+  const auto fold = approach(layout, curves, limits, bounds, metric, kNearStiffness);
+  if (fold || is_met(layout)) return fold;
+  return approach(layout, curves, limits, bounds, metric, kLastStiffness);
+}
+
+bool LayoutFitting::is_met(const surface::LimitSurface& layout) const {
+  return layout_distances(second_, layout).rms <= tolerance_ &&
+         layout_distances(layout, second_).rms <= tolerance_;
 }
 
 std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
@@ -153,7 +166,7 @@ std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
                                                 const modelling::ReshapeLimits& limits,
                                                 const std::vector<modelling::FitBound>& bounds,
                                                 const surface::LimitSurface* metric,
-                                                const std::array<double, 2>& stiffness) const {
+                                                std::span<const double> stiffness) const {
   modelling::FitOptions options;
   options.limits = limits;
   options.bounds = bounds;
