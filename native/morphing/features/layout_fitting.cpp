@@ -19,12 +19,11 @@ using modelling::SurfacePlaces;
 
 // Stiffness of the moves, step by step: rows of points stay laid out as they are while they are
 // far away, and go where the surface is at last.
-constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
-constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
-// Where that is not near enough: a layout that need not be subdivided has fewer marks. Where it is,
-// less stiffness leaves more of them.
-constexpr std::array<double, 1> kLastStiffness{3e-6};
-constexpr int kStepsEach = 15;
+constexpr std::array<FitStage, 2> kFarStages{{{3e-3, 15}, {1e-4, 15}}};
+// Short stages end where members are folded that are not when the stage has settled.
+constexpr std::array<FitStage, 2> kNearStages{{{3e-5, 25}, {1e-5, 25}}};
+// Where that is not near enough: a layout that need not be subdivided has fewer marks.
+constexpr std::array<FitStage, 1> kLastStage{{{3e-6, 25}}};
 constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
 // Of the second hull's size: so far from the centre plane at least are points of a half hull that
 // are not in it, 1 mm on 100 m. More than kOnCentrePlane, so that none is taken for one in it.
@@ -135,7 +134,7 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     boxed->set_points(in_box(first_.mesh().points(), graph.box, other_.box));
   }
   const surface::LimitSurface* const metric = boxed ? &*boxed : nullptr;
-  if (is_far) approach(layout, curves, limits, bounds, metric, kFarStiffness);
+  if (is_far) approach(layout, curves, limits, bounds, metric, kFarStages);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
@@ -151,9 +150,9 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     }
   }
   layout.set_points(std::move(points));
-  const auto fold = approach(layout, curves, limits, bounds, metric, kNearStiffness);
+  const auto fold = approach(layout, curves, limits, bounds, metric, kNearStages);
   if (fold || is_met(layout)) return fold;
-  return approach(layout, curves, limits, bounds, metric, kLastStiffness);
+  return approach(layout, curves, limits, bounds, metric, kLastStage);
 }
 
 bool LayoutFitting::is_met(const surface::LimitSurface& layout) const {
@@ -166,18 +165,18 @@ std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
                                                 const modelling::ReshapeLimits& limits,
                                                 const std::vector<modelling::FitBound>& bounds,
                                                 const surface::LimitSurface* metric,
-                                                std::span<const double> stiffness) const {
+                                                std::span<const FitStage> stages) const {
   modelling::FitOptions options;
   options.limits = limits;
   options.bounds = bounds;
   options.metric = metric;
   options.fairness = 0.0;
   options.draw_border = true;
-  options.most_steps = kStepsEach;
   options.progress = progress_;
   bool was_folded = fold_between(first_, layout).has_value();
-  for (double each : stiffness) {
-    options.stiffness = each;
+  for (const FitStage& stage : stages) {
+    options.stiffness = stage.stiffness;
+    options.most_steps = stage.most_steps;
     surface::LimitSurface next = layout;
     next.set_points(modelling::fit(layout, target_, curves, options).points);
     const std::optional<Vector3d> fold = fold_between(first_, next);

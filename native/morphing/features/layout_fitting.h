@@ -30,6 +30,12 @@ struct LayoutWay {
   bool has_first_metric = false;
 };
 
+// A fit with one stiffness of the moves from where it begins.
+struct FitStage {
+  double stiffness;  // as FitOptions has it
+  int most_steps;
+};
+
 // A layout on its way to the second hull.
 class LayoutFitting {
  public:
@@ -51,7 +57,7 @@ class LayoutFitting {
                                    const modelling::ReshapeLimits& limits,
                                    const std::vector<modelling::FitBound>& bounds,
                                    const surface::LimitSurface* metric,
-                                   std::span<const double> stiffness) const;
+                                   std::span<const FitStage> stages) const;
 
   const surface::LimitSurface& first_;
   const surface::LimitSurface& second_;
