@@ -25,8 +25,8 @@ struct LayoutWay {
   // along; but held, it may lie less near.
   bool holds_bar = false;
   // Bending of the moves is measured by the first hull in the second one's box, in place of the
-  // layout as it is near by: where lines have drawn that together or over, it is a bad measure. So
-  // layouts mostly come nearer, and have fewer marks.
+  // layout as it is near by: where lines have drawn that together or over, it is a bad measure.
+  // Container ship and bulk carrier come nearer one another with it, and with fewer marks.
   bool has_first_metric = false;
 };
 
