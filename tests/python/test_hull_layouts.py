@@ -96,7 +96,7 @@ def test_the_other_way_round(ships, the_other_way):
 
 
 def test_the_bottom_is_flat_between_keel_and_rim_in_all_members(ships, fitted, family):
-    """In the second hull its rim runs beside the layout's: none of it is left just off the plane."""
+    """In the second hull its rim runs beside the layout's: none of it is left off the plane."""
     bottoms = [np.abs(ship.surface.mesh.points[:, 2]) == 0.0 for ship in ships]
     curves = hn.crease_curves(fitted.first)
     on_rim = max((curve.vertices for curve in curves if bottoms[0][curve.vertices].all()), key=len)
