@@ -36,6 +36,7 @@ in_root "$plain" sh -c 'command -v blender >/dev/null && command -v pytest-3 >/d
 }'
 mkdir -p "$plain/house/checkout/build/package"
 cp "$root"/house/checkout/build/package/*-extension.zip "$plain/house/checkout/build/package"
+# shellcheck disable=SC2016 # expanded in the chroot
 # The long random run is this system's; here a part of it.
 in_root "$plain" env HULL_FOREIGN_STEPS="${HULL_FOREIGN_STEPS:-500}" \
-    sh /house/checkout/scripts/try_addon.sh build/package/*-extension.zip
+    sh -c 'cd /house/checkout && scripts/try_addon.sh build/package/*-extension.zip'
