@@ -10,17 +10,8 @@ cd "$(dirname "$0")/.."
 root=build/trixie/root
 plain=build/trixie/plain
 
-# house_of ROOT: the sources of this checkout there, committed or not, with the reference data; the chroot's own build
-# folder stays.
-house_of() {
-    mkdir -p "$1/house/checkout"
-    find "$1/house/checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
-    tar -c --exclude=./build --exclude=./out --exclude=./.git . | tar -x -C "$1/house/checkout"
-    copy_shared "$1/house"
-}
-
 make_root trixie "$root"
-house_of "$root"
+copy_checkout "$root"
 # Of this system's Python too, where its wheel is made.
 mkdir -p "$root/house/checkout/build/wheels"
 cp build/wheels/*.whl "$root/house/checkout/build/wheels" 2>/dev/null || true
@@ -29,7 +20,7 @@ in_root "$root" /house/checkout/hull wheel
 in_root "$root" sh -c 'cd /house/checkout && blender --command extension validate build/package/*-extension.zip'
 
 make_root trixie "$plain"
-house_of "$plain"
+copy_checkout "$plain"
 in_root "$plain" sh -c 'command -v blender >/dev/null && command -v pytest-3 >/dev/null || {
     apt-get update -q
     DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends blender python3-pytest
