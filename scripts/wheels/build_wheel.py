@@ -8,6 +8,7 @@ that is asked for. The same build gives the same bytes.
 
 import base64
 import hashlib
+import os
 import shutil
 import subprocess
 import sys
@@ -63,9 +64,20 @@ def carried_package(folder):
     package = folder / "hull_native"
     shutil.copytree(NATIVE, package, ignore=shutil.ignore_patterns("__pycache__"))
     libraries = carried.carry(package)
+    write_stubs(folder)
     major, minor = carried.least_glibc([*libraries, *package.glob("*.so")])
     machine = sysconfig.get_platform().removeprefix("linux-")
     return f"{python_tag()}-{python_tag()}-manylinux_{major}_{minor}_{machine}"
+
+
+def write_stubs(folder):
+    """Type stubs beside the package in a folder, made of its docstrings."""
+    script = ROOT / "scripts" / "reference" / "stubs.py"
+    subprocess.run(
+        [sys.executable, script, folder / "hull_native"],
+        env={**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1"},
+        check=True,
+    )
 
 
 def licences():
