@@ -17,8 +17,8 @@ _HEAD = """\
 # The Python module
 
 `import hull_native` is all: what needs large libraries is loaded when it is asked for. This page is
-made of the module's docstrings (`./hull reference`); wheels carry the same as type stubs. Lengths are
-in metres, angles in radians, x forward, y to port, z up: [conventions.md](conventions.md).
+made of the docstrings of the module (`./hull reference`); wheels carry them as type stubs. Lengths
+are in metres, angles in radians, x forward, y to port, z up: [conventions.md](conventions.md).
 """
 _GROUPS = {
     "_core": "Surface, lines, hydrostatics, stability, modelling",
