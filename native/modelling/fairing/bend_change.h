@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "mesh/vectors.h"
+#include "modelling/fairing/quadratic_energy.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling {
@@ -21,13 +20,6 @@ struct BendsBefore {
   std::vector<Vector3d> emphasised;
   std::vector<double> factors;
   double reach = 0.0;
-};
-
-// Of moves Δ of control points: constant + 2 gradient · Δ + Δᵀ matrix Δ, by (x, y, z) of each.
-struct QuadraticEnergy {
-  Eigen::SparseMatrix<double> matrix;
-  Eigen::VectorXd gradient;
-  double constant = 0.0;
 };
 
 // How much a surface bends otherwise than before, in proportion to how much it did:

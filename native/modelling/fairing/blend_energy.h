@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "modelling/thin_plate.h"
+#include "surface/pieces/piece_weights.h"
+
+namespace hull::modelling {
+
+// How far a surface is from one that is blended from its rows along and across, as a form for each
+// piece: ∫ |∂⁶S/∂u³∂v³|² du dv, m², u and v along the sides of a cell, 1 on each.
+//
+// Whatever bends along one row, however much, costs nothing while it changes across evenly, and the
+// other way round: none have the surfaces Σ uᵏ f_k(v) + vᵏ g_k(u), k = 0, 1, 2, with any f and g.
+// These obey the draftsman's equation of that order (Birkhoff and Gordon 1968). What is in one row
+// or few alone, such as a dent or a wave along a bilge, has much. It is the highest derivative that
+// bicubic pieces have, a constant of each, and it is the same whichever side of a cell is u.
+//
+// Cells that are no single piece, those at irregular knots, are left out: their derivatives grow
+// without bound towards the knot. All control points have a part in cells beside them that are.
+void visit_blend_forms(const surface::PieceWeights& pieces, const std::vector<int>& some,
+                       const VisitForm& visit);
+
+}  // namespace hull::modelling
