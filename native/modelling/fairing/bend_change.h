@@ -34,7 +34,8 @@ struct BendsBefore {
 //
 // Summed over some pieces. Places where either surface has no area, or looks ahead or aback, are
 // left out. The matrix: of control points only for which `counts` is not 0.
-// REQUIRES: `before` has as many points as the surface, least > 0, a factor for each place.
+// Throws std::invalid_argument where `before` has not as many points as the surface, or not a
+// factor for each place, or where the least bend or a factor is not above zero.
 QuadraticEnergy bend_change(const std::vector<Vector3d>& points, const BendsBefore& before,
                             const surface::PieceWeights& weights, const std::vector<int>& pieces,
                             const std::vector<char>& counts);

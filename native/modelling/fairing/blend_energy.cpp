@@ -7,8 +7,8 @@ namespace hull::modelling {
 
 void visit_blend_forms(const surface::PieceWeights& pieces, const std::vector<int>& some,
                        const VisitForm& visit) {
-  const surface::Basis third = surface::cubic_basis_d3();
-  const Eigen::Matrix<double, 1, 16> sixth = surface::bicubic_basis(third, third).transpose();
+  const Eigen::Matrix<double, 1, 16> sixth =
+      surface::bicubic_basis(kThirdDerivative, kThirdDerivative).transpose();
   for (int index : some) {
     const surface::PieceWeights::Piece& piece = pieces.piece(index);
     if (piece.size < 1.0) continue;

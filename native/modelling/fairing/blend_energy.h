@@ -4,9 +4,13 @@
 #include <vector>
 
 #include "modelling/thin_plate.h"
+#include "surface/pieces/bicubic.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling {
+
+// Of the uniform cubic B-spline basis, all along a span.
+inline constexpr surface::Basis kThirdDerivative{-1.0, 3.0, -3.0, 1.0};
 
 // How far a surface is from one that is blended from its rows along and across, as a form for each
 // piece: ∫ |∂⁶S/∂u³∂v³|² du dv, m², u and v along the sides of a cell, 1 on each.

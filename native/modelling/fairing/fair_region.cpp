@@ -44,7 +44,7 @@ class FairRegion::Problem {
     find_moving();
     find_region();
     if (options.before) {
-      take(bend_change(points_, checked(*options.before), weights_, pieces_, may_move_));
+      take(bend_change(points_, *options.before, weights_, pieces_, may_move_));
     } else if (energy_ == FairEnergy::kCurvature || energy_ == FairEnergy::kVariation) {
       geometric_.emplace(weights_, pieces_, energy_);
     } else {
@@ -66,7 +66,6 @@ class FairRegion::Problem {
 
   void find_moving();
   void find_region();
-  const BendsBefore& checked(const BendsBefore& before) const;
   void take(const QuadraticEnergy& energy);
   void take_wishes(const std::vector<WishedSum>& wishes);
   Sparse mass() const;
@@ -144,22 +143,6 @@ Sparse FairRegion::Problem::mass() const {
   }
   const Sparse full = along_each_axis(entries, static_cast<Eigen::Index>(points_.size()));
   return space_.basis().transpose() * (full * space_.basis());
-}
-
-const BendsBefore& FairRegion::Problem::checked(const BendsBefore& before) const {
-  if (before.points.size() != points_.size()) {
-    throw std::invalid_argument("The surface before must have " + std::to_string(points_.size()) +
-                                " control points, not " + std::to_string(before.points.size()) +
-                                ".");
-  }
-  if (before.emphasised.size() != before.factors.size()) {
-    throw std::invalid_argument("There must be a factor for each place that is emphasised.");
-  }
-  const auto is_sound = [](double x) { return x > 0.0 && std::isfinite(x); };
-  if (!is_sound(before.least) || !std::ranges::all_of(before.factors, is_sound)) {
-    throw std::invalid_argument("The least bend and factors must be above zero, and not infinite.");
-  }
-  return before;
 }
 
 void FairRegion::Problem::take(const QuadraticEnergy& energy) {

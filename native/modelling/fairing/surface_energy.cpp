@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
+#include "modelling/fairing/blend_energy.h"
 #include "modelling/fairing/quadratic_energy.h"
 #include "modelling/gauss_rule.h"
 #include "modelling/thin_plate.h"
@@ -110,7 +111,7 @@ surface::Basis basis(double t, int order) {
     case 2:
       return surface::cubic_basis_d2(t);
     default:
-      return surface::cubic_basis_d3();
+      return kThirdDerivative;
   }
 }
 

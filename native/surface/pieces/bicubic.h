@@ -41,8 +41,6 @@ inline Basis cubic_basis_d2(double t) {
   return {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t};
 }
 
-inline Basis cubic_basis_d3() { return {-1.0, 3.0, -3.0, 1.0}; }
-
 // Control points of one uniform bicubic B-spline span, index 4 (b + 1) + (a + 1): a along u.
 using BicubicPoints = std::array<Vector3d, 16>;
 
