@@ -12,7 +12,6 @@ from ..features.fairing import region_fairing, row_choice, row_fairing
 from .shared import EditModeOperator
 from .tasks import TaskOperator
 
-
 _QUADRATIC = (
     ("LENGTHWISE", "Bend along the ship", "Sections keep their own bend, as bilges"),
     ("BLEND", "Beside the blend", "What one row has that the others have not: waves along bilges"),
