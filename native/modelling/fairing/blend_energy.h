@@ -22,7 +22,7 @@ inline constexpr surface::Basis kThirdDerivative{-1.0, 3.0, -3.0, 1.0};
 // bicubic pieces have, a constant of each, and it is the same whichever side of a cell is u.
 //
 // Cells that are no single piece, those at irregular knots, are left out: their derivatives grow
-// without bound towards the knot. All control points have a part in cells beside them that are.
+// without bound towards the knot. A control point that has no other cell has no part in it.
 void visit_blend_forms(const surface::PieceWeights& pieces, const std::vector<int>& some,
                        const VisitForm& visit);
 

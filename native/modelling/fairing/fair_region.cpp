@@ -146,11 +146,6 @@ Sparse FairRegion::Problem::mass() const {
 }
 
 void FairRegion::Problem::take(const QuadraticEnergy& energy) {
-  if (!(energy.matrix.diagonal().sum() > 0.0)) {
-    throw std::invalid_argument(
-        "That energy tells nothing of the chosen points: irregular points are all around. Choose "
-        "another one, or subdivide.");
-  }
   h_ = space_.basis().transpose() * (energy.matrix * space_.basis());
   g_ = space_.basis().transpose() * energy.gradient;
   constant_ = energy.constant;

@@ -2,6 +2,7 @@
 #include "modelling/fairing/quadratic_energy.h"
 
 #include <cassert>
+#include <stdexcept>
 
 #include "modelling/fairing/blend_energy.h"
 
@@ -53,6 +54,11 @@ QuadraticEnergy quadratic_energy(const surface::LimitSurface& surface,
                          }
                        }
                      });
+  if (energy == FairEnergy::kBlend && entries.empty()) {
+    throw std::invalid_argument(
+        "That energy tells nothing of the chosen points: irregular points are all around. Choose "
+        "another one, or subdivide.");
+  }
   sum.matrix = along_each_axis(entries, size);
   return sum;
 }

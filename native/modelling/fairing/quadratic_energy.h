@@ -29,6 +29,7 @@ void visit_energy_forms(const surface::LimitSurface& surface, const surface::Pie
                         const std::vector<int>& some, FairEnergy energy, const VisitForm& visit);
 
 // The same as one energy of moves; the matrix: of control points only for which `counts` is not 0.
+// Throws std::invalid_argument where kBlend has no cell that tells of these.
 QuadraticEnergy quadratic_energy(const surface::LimitSurface& surface,
                                  const surface::PieceWeights& weights, const std::vector<int>& some,
                                  FairEnergy energy, const std::vector<char>& counts);
