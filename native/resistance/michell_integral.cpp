@@ -140,7 +140,7 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
     std::vector<double> own;
     for (std::size_t i : open) own.push_back(wave_numbers[i]);
     const SourceGrid grid = sources(scales_for(own, shortest));
-    WaveSums sums(grid, length());
+    WaveSums sums(grid);
     std::vector<std::size_t> unsettled;
     for (std::size_t i : open) {
       const double nu = wave_numbers[i];
@@ -165,7 +165,7 @@ analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& de
   const WaveScales scales = scales_for({nu}, reached.shortest * (1.0 + 1e-9));
   SourceGrid grid = sources(scales);
   const WaveIntegral integral =
-      WaveSums(grid, length()).integral(nu, tolerance_, reached.shortest * (1.0 + 1e-9));
+      WaveSums(grid).integral(nu, tolerance_, reached.shortest * (1.0 + 1e-9));
   take_derivatives(integral, grid);
   const double factor = side_factor() * 4.0 * density_ * gravity_ * nu / std::numbers::pi;
   const surface::LimitSurface& surface = body_->surface();
@@ -205,7 +205,7 @@ std::vector<std::complex<double>> MichellIntegral::amplitudes(
   }
   const double most = *std::max_element(along.begin(), along.end());
   const SourceGrid grid = sources(scales_for({nu}, most / nu));
-  std::vector<std::complex<double>> amplitudes = WaveSums(grid, length()).amplitudes(nu, along);
+  std::vector<std::complex<double>> amplitudes = WaveSums(grid).amplitudes(nu, along);
   for (std::size_t i = 0; i < along.size(); ++i) {
     amplitudes[i] *= 2.0 * nu / std::numbers::pi * std::pow(along[i] / nu, 3);
   }

@@ -13,7 +13,8 @@
 
 namespace hull::resistance {
 
-inline constexpr double kGravity = 9.80665;  // m/s², standard
+inline constexpr double kGravity = 9.80665;    // m/s², standard
+inline constexpr double kWaveTolerance = 1e-3;  // of the resistance, what short waves may add
 
 // Wave resistance at a speed.
 struct WaveResistance {
@@ -45,7 +46,7 @@ class MichellIntegral {
   // HullBody::immersion() refuses, and for a hull that is out of the water.
   MichellIntegral(const analysis::HullBody& body, const analysis::FloatingPosition& position,
                   double water_density = analysis::kSeaWaterDensity, double gravity = kGravity,
-                  double tolerance = 1e-4);
+                  double tolerance = kWaveTolerance);
 
   // Speeds in m/s, each with its result; they share what does not depend on the speed. Throws
   // std::invalid_argument for speeds that are not finite, or whose Froude number on the immersed
@@ -63,7 +64,7 @@ class MichellIntegral {
   std::vector<std::complex<double>> amplitudes(double speed,
                                                const std::vector<double>& directions) const;
 
-  double length() const { return forward_ - aft_; }  // m, of the immersed control points
+  double length() const { return forward_ - aft_; }  // m, of the control mesh
 
  private:
   // ν, checked.
@@ -76,7 +77,7 @@ class MichellIntegral {
   const analysis::HullBody* body_;
   WayFrame frame_;
   double density_, gravity_, tolerance_;
-  double aft_, forward_, deepest_;  // m, of what is immersed
+  double aft_, forward_, deepest_;  // m, of the mesh, along and below the water
 };
 
 }  // namespace hull::resistance

@@ -13,20 +13,19 @@ using Down = ChebyshevNodes<SourceGrid::kDown>;
 
 // How far the phase turns over a rectangle, and how many e-foldings the uppermost layer has:
 // interpolation at n nodes is off by at most 2 (phase / 4)^n / n! (Lagrange's remainder).
-constexpr double kPhase = 10.0, kFirstDecay = 2.0;
+constexpr double kPhase = 24.0, kFirstDecay = 2.0;
 
 }  // namespace
 
 SourceGrid::SourceGrid(double aft, double forward, double deepest, const WaveScales& scales)
-    : aft_(aft), scales_(scales) {
-  const double length = forward - aft;
+    : aft_(aft), length_(forward - aft), scales_(scales) {
   double top = 0.0;
   while (top < deepest) {
     Layer layer;
     layer.top = top;
     layer.height = top > 0.0 ? top : kFirstDecay / scales.decay;
-    layer.panels = std::max(1, static_cast<int>(std::ceil(length * scales.along_at(top) / kPhase)));
-    layer.width = length / layer.panels;
+    layer.panels = std::max(1, static_cast<int>(std::ceil(length_ * scales.along_at(top) / kPhase)));
+    layer.width = length_ / layer.panels;
     layer.depths = layer.top + layer.height * Down::get().nodes().transpose().array();
     layer.strengths.setZero(kAlong, kDown * layer.panels);
     layers_.push_back(std::move(layer));

@@ -16,13 +16,15 @@ namespace hull::resistance {
 // long.
 class SourceGrid {
  public:
-  static constexpr int kAlong = 20, kDown = 12;  // Chebyshev nodes of a rectangle
+  static constexpr int kAlong = 32, kDown = 12;  // Chebyshev nodes of a rectangle
 
   // For sources from x = aft to x = forward and depths from 0 to deepest, m. REQUIRES: aft <
   // forward, deepest > 0.
   SourceGrid(double aft, double forward, double deepest, const WaveScales& scales);
 
   const WaveScales& scales() const { return scales_; }
+  double aft() const { return aft_; }
+  double length() const { return length_; }
   int layer_count() const { return static_cast<int>(layers_.size()); }
   // Depths of a layer's nodes, and of its upper side.
   const Eigen::Array<double, 1, kDown>& depths(int layer) const { return layers_[layer].depths; }
@@ -69,7 +71,7 @@ class SourceGrid {
   };
   Phases phases(const Layer& layer, std::span<const double> wave_numbers) const;
 
-  double aft_;
+  double aft_, length_;
   WaveScales scales_;
   std::vector<Layer> layers_;
 };

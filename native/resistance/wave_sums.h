@@ -27,8 +27,8 @@ struct WaveIntegral {
 // alone: they are taken once, on intervals of k that all speeds share.
 class WaveSums {
  public:
-  // `length`: of the sources along x, m; `grid` must outlive the sums.
-  WaveSums(const SourceGrid& grid, double length);
+  // `grid` must outlive the sums.
+  explicit WaveSums(const SourceGrid& grid);
 
   // I(λ) for k = ν λ, K = ν λ², waves of any number.
   std::vector<std::complex<double>> amplitudes(double nu, std::span<const double> along) const;
@@ -37,18 +37,21 @@ class WaveSums {
   // but not before three intervals of k.
   WaveIntegral integral(double nu, double tolerance, double shortest);
 
-  // The least k that an integral may have to reach whatever λ is.
+  // The least k that an integral may have to reach whatever λ is. `length`: of the sources, m.
   static double least_reach(double length);
 
  private:
+  using Complex = std::complex<double>;
   using Table = std::vector<Eigen::MatrixXcd>;  // by layer, none beyond the reach of its waves
   Table table_of(std::span<const double> along) const;
-  std::complex<double> amplitude(const Table& table, std::size_t wave, double decay) const;
-  void add_first(double nu, double end, WaveIntegral& integral) const;
+  const Table& interval_table(int interval);
+  template <class Row>
+  Complex amplitude(const Table& table, double decay, const Row& row) const;
+  void add_first(double nu, double end, WaveIntegral& integral);
   double add_interval(double nu, int interval, WaveIntegral& integral);
 
   const SourceGrid& grid_;
-  double length_, width_;         // of an interval of k
+  double length_, width_;        // rounded, of the sources; of an interval of k
   std::map<int, Table> tables_;  // of intervals
 };
 
