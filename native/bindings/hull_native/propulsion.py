@@ -67,12 +67,10 @@ def propulsion_factors(ship, propeller, c, edition):
 def _take_wake_coefficients(ship, propeller, c):
     aft, diameter = ship.draft_aft, propeller.diameter
     broad = ship.beam / aft
-    if broad < 5.0:
-        c["c8"] = ship.beam * ship.wetted_surface / (ship.length * diameter * aft)
-    else:
-        c["c8"] = (
-            ship.wetted_surface * (7.0 * broad - 25.0) / (ship.length * diameter * (broad - 3.0))
-        )
+    # Of hull and appendages: the paper's example has its c9 with both.
+    wetted = ship.wetted_surface + ship.appendage_area
+    c["c8"] = wetted / (ship.length * diameter)
+    c["c8"] *= broad if broad < 5.0 else (7.0 * broad - 25.0) / (broad - 3.0)
     c["c9"] = c["c8"] if c["c8"] < 28.0 else 32.0 - 16.0 / (c["c8"] - 24.0)
     deep = aft / diameter
     c["c11"] = deep if deep < 2.0 else 0.0833333 * deep**3 + 1.33333

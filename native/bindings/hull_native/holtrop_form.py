@@ -187,8 +187,9 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
     aft, forward = water.waterline_aft, water.waterline_forward
     mean = 0.5 * (draft_of(aft) + draft_of(forward))
     inside = 1e-6 * length
-    ends = _core.section_areas(body, [aft + inside, forward - inside], draft=draft, trim=trim,
-                               draft_at=draft_at)
+    ends = _core.section_areas(
+        body, [aft + inside, forward - inside], draft=draft, trim=trim, draft_at=draft_at
+    )
     transom, stem = ends.areas
     measured = {
         "length": length,

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
-from .holtrop_ship import HoltropShip
+from .holtrop_form import HoltropShip
 from .propulsion import Propeller, propulsion_factors
 
 # m²/s, of sea water at 15 °C as in both papers' examples.
@@ -251,7 +251,8 @@ def _at_speed(ship, speed, edition, water, propeller):
         "wave": _wave_resistance(c, ship, froude, edition, water),
         "bulb": _bulb_resistance(c, ship, speed, water),
         "transom": _transom_resistance(c, ship, speed, pressure, water),
-        "correlation": pressure * ship.wetted_surface * c["CA"],
+        # On hull and appendages together, as in both papers' examples.
+        "correlation": pressure * (ship.wetted_surface + ship.appendage_area) * c["CA"],
     }
     power = sum(parts.values()) * speed
     factors, delivered = {}, 0.0
