@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Savitsky's method against the worked example of his paper (1964, Table 1)."""
 
+import dataclasses
 import math
 
 import hull_native as hn
@@ -92,7 +93,7 @@ def test_bad_boats():
         ({"vcg": math.nan}, "vcg must be a finite number"),
     ):
         with pytest.raises(ValueError, match=said):
-            hn.PlaningBoat(**{"mass_t": 1, "beam": 1, "deadrise_deg": 9, "lcg": 1, "vcg": 1, **change})
+            dataclasses.replace(BOAT, **change)
     far_forward = hn.PlaningBoat(27.0, 4.27, 10.0, 60.0, 0.6)
     with pytest.raises(ValueError, match="no trim from"):
         hn.savitsky(far_forward, [20.0])

@@ -47,3 +47,12 @@ def test_holtrop_table_and_text(hull):
                 assert float(line[name]) == pytest.approx(value, rel=1e-5)
     with pytest.raises(ValueError, match="no speeds"):
         hn.resistance_csv([])
+
+
+def test_plot(hull):
+    draft = hull.ship.draft
+    rows = hn.holtrop_table(hull.body, SPEEDS, draft=draft)
+    plot = hn.resistance_plot(rows, others=[("slower", rows[:1])])
+    assert isinstance(plot, hn.Plot)
+    with pytest.raises(ValueError, match="needs a row"):
+        hn.resistance_plot([])

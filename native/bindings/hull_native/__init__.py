@@ -80,6 +80,7 @@ _LATER = {
     "planing_at_trims": ".planing",
     "planing_boat": ".planing",
     "savitsky": ".planing",
+    "resistance_plot": ".resistance_plots",
     "holtrop_table": ".resistance_table",
     "michell_table": ".resistance_table",
     "resistance_csv": ".resistance_table",

@@ -278,7 +278,7 @@ def planing_boat(body, *, draft, deadrise_deg, vcg, trim=0.0, draft_at=0.0, **gi
         body, draft=draft, trim=trim, draft_at=draft_at, water_density=density
     )
     if not (water.displaced_volume > 0.0 and water.waterline_length > 0.0):
-        raise ValueError(f"The hull is out of the water at a draft of {draft:.4g} m: set the draft.")
+        raise ValueError(f"The hull is out of the water at a draft of {draft:.4g} m: set it.")
     measured = {
         "mass_t": water.displacement_t,
         "beam": water.waterline_beam,

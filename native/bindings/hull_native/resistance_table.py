@@ -59,7 +59,7 @@ def michell_table(
 
 
 def holtrop_table(body, speeds, *, draft, trim=0.0, draft_at=0.0, given=None, **how):
-    """A list of dicts, one for each speed in m/s, by Holtrop and Mennen's method for the exact hull.
+    """A list of dicts, one for each speed in m/s, by Holtrop and Mennen's method for a HullBody.
 
     given: dict of what replaces measured fields of HoltropShip; other keywords as holtrop(). Keys
     with units as michell_table(): parts, total_kN, effective_power_kW, with a propeller

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Resistance and power over speeds."""
+
+import bpy
+
+from ..bridge.blender.units import format_value
+from ..bridge.objects import hull_objects
+from ..features.analyses import live_analyses
+from ..features.resistance import resistance_curves
+from .shared import HullPanel, export_buttons, label_wrapped, latest_result, text_field
+
+_ROWS = 12  # of the table; the file has all
+
+
+class HULL_PT_resistance(HullPanel, bpy.types.Panel):
+    """Resistance and power of the upright hull"""
+
+    bl_label = "Resistance"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        own = hull_objects.hull_of(context.object).hull.resistance
+        text_field(layout, own, "method")
+        column = layout.column(align=True)
+        for name in ("speed_from", "speed_to", "speed_step"):
+            column.prop(own, name)
+        if own.method == "MICHELL":
+            layout.prop(own, "form_factor")
+        else:
+            self._draw_ship(layout, own)
+        result, place = latest_result(
+            layout, context, "resistance_curves", "Resistance and power", _ROWS + 1
+        )
+        if result is not None:
+            self._draw_table(place, context, result)
+        layout.prop(hull_objects.hull_of(context.object).hull.plots, "resistance_curves")
+        export_buttons(layout, "resistance_curves")
+
+    def _draw_ship(self, layout, own):
+        text_field(layout, own, "stern")
+        column = layout.column(align=True)
+        column.prop(own, "appendage_area")
+        column.prop(own, "appendage_factor")
+        column = layout.column(align=True)
+        column.prop(own, "propeller_diameter")
+        if own.propeller_diameter:
+            column.prop(own, "twin_screw")
+
+    def _draw_table(self, layout, context, result):
+        column = layout.column(align=True)
+        column.scale_y = 0.8
+        self._draw_line(column, ("Speed", "RT", "PE"))
+        for index in resistance_curves.shown(len(result.rows), _ROWS):
+            row = result.rows[index]
+            self._draw_line(
+                column,
+                (
+                    f"{row['speed_kn']:.4g} kn",
+                    format_value(context.scene, row["total_kN"], "kN"),
+                    format_value(context.scene, row["effective_power_kW"], "kW"),
+                ),
+            )
+
+    def _draw_line(self, layout, texts):
+        row = layout.row()
+        for text in texts:
+            cell = row.row()
+            cell.alignment = "RIGHT"
+            cell.label(text=text)
+
+
+class HULL_PT_resistance_remarks(HullPanel, bpy.types.Panel):
+    """The last part: what it says comes and goes, and nothing is to move with it"""
+
+    bl_label = "Remarks"
+    bl_parent_id = "HULL_PT_resistance"
+
+    def draw(self, context):
+        hull = hull_objects.hull_of(context.object)
+        outcome = live_analyses.latest(hull, context.scene, "resistance_curves")[0]
+        result = outcome.result if outcome else None
+        remarks = tuple(result.remarks()) if result else ()
+        for remark in remarks:
+            label_wrapped(self.layout, context, remark, icon="INFO")
+        if result and not remarks:
+            self.layout.label(text="None")
+
+
+CLASSES = (HULL_PT_resistance, HULL_PT_resistance_remarks)
