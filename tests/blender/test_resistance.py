@@ -13,7 +13,7 @@ def yacht():
     """The sample, and its settings of resistance."""
     hull = sample("sailing_yacht")
     own = hull.hull.resistance
-    own.speed_from, own.speed_to, own.speed_step = 4.0, 8.0, 2.0
+    own.speed_from, own.speed_to, own.speed_step = 7.0, 9.0, 1.0
     return hull, own
 
 
@@ -34,7 +34,7 @@ def test_rows_are_those_of_hull_native(method):
     where = result.given.where
     position = {"draft": where.draft, "trim": where.trim, "draft_at": where.draft_at}
     position["water_density"] = where.water_density
-    speeds = [4.0 * KNOT, 6.0 * KNOT, 8.0 * KNOT]
+    speeds = [7.0 * KNOT, 8.0 * KNOT, 9.0 * KNOT]
     if method == "MICHELL":
         wanted = native.michell_table(state.ship.body, speeds, form_factor=1.25, **position)
     else:
