@@ -7,6 +7,7 @@ import math
 import hull_native as hn
 import numpy as np
 import pytest
+from scipy.integrate import simpson
 from scipy.special import roots_legendre
 from transformation_hulls import Sample, grid_mesh
 
@@ -143,6 +144,32 @@ def test_spectrum_has_the_energy():
     result = integral.resistance([speed])[0]
     found = math.pi / 2 * hn.SEA_WATER_DENSITY * speed**2 * energy
     assert found == pytest.approx(result.resistance, abs=result.error)
+
+
+def test_wave_pattern():
+    """By another quadrature; level lines behind the stern are transverse waves of 2π/ν."""
+    speed = speed_at(0.4)
+    nu = hn.GRAVITY / speed**2
+    integral = hn.MichellIntegral(hn.HullBody(wigley(21, 9), mirrored=True), draft=0.0)
+    points = np.array([[-25.0, 0.0], [-30.0, 5.0], [-30.0, -5.0]])
+    steepest = math.radians(70.0)
+    found = hn.wave_heights(integral, speed, points, gravity=hn.GRAVITY, steepest=steepest)
+    angles = np.linspace(-steepest, steepest, 20001)
+    amplitudes = integral.amplitudes(speed, angles)
+    for (x, y), height in zip(points, found):
+        phase = nu * (x * np.cos(angles) + y * np.sin(angles)) / np.cos(angles) ** 2
+        waves = (amplitudes * np.exp(-1j * phase)).real
+        assert height == pytest.approx(simpson(waves, x=angles), rel=1e-6)
+    assert found[1] == pytest.approx(found[2], rel=1e-12)
+    x = np.linspace(-60.0, -40.0, 401)
+    track = np.stack([x, np.zeros_like(x)], axis=1)
+    heights = hn.wave_heights(integral, speed, track, gravity=hn.GRAVITY, steepest=0.3)
+    zeros = x[1:][heights[1:] * heights[:-1] < 0.0]
+    assert np.diff(zeros).mean() == pytest.approx(math.pi / nu, rel=0.03)
+    with pytest.raises(ValueError, match="shape"):
+        hn.wave_heights(integral, speed, [1.0, 2.0], gravity=hn.GRAVITY)
+    with pytest.raises(ValueError, match="too far away"):
+        hn.wave_heights(integral, speed, [[-1e6, 0.0]], gravity=hn.GRAVITY)
 
 
 def test_ends_make_the_phase():

@@ -81,6 +81,7 @@ _LATER = {
     "planing_boat": ".planing",
     "savitsky": ".planing",
     "resistance_plot": ".resistance_plots",
+    "wave_heights": ".wave_pattern",
     "holtrop_table": ".resistance_table",
     "michell_table": ".resistance_table",
     "resistance_csv": ".resistance_table",
