@@ -52,8 +52,8 @@ void bind_michell_integral(py::module_& module) {
            }),
            py::arg("body"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
            py::arg("draft_at") = 0.0, py::arg("water_density") = analysis::kSeaWaterDensity,
-           py::arg("gravity") = resistance::kGravity, py::arg("tolerance") = resistance::kWaveTolerance,
-           py::keep_alive<1, 2>(),
+           py::arg("gravity") = resistance::kGravity,
+           py::arg("tolerance") = resistance::kWaveTolerance, py::keep_alive<1, 2>(),
            "draft in m at x = draft_at, trim in rad by the stern, water_density in t/m³, gravity "
            "in m/s². tolerance: part of the resistance that short waves may leave out. ValueError "
            "for a hull that is out of the water, and as hydrostatics().")

@@ -29,6 +29,23 @@ void require_positive(double value, const char* name) {
   }
 }
 
+// Whether an edge of the control mesh that reaches below the water touches or crosses the centre
+// plane.
+bool is_on_centre_plane(const mesh::ControlMesh& mesh, const analysis::Plane& water) {
+  const mesh::Topology& topology = mesh.topology();
+  const double near = kAtCentreLine * mesh.size();
+  for (int face = 0; face < topology.face_count(); ++face) {
+    const int first = topology.first_half_edge(face);
+    for (int h = first; h < first + topology.face_size(face); ++h) {
+      const Vector3d& a = mesh.points()[topology.origin(h)];
+      const Vector3d& b = mesh.points()[topology.origin(topology.next(h))];
+      if (std::min(water.height(a), water.height(b)) >= 0.0) continue;
+      if (a.y() * b.y() <= 0.0 || std::min(std::abs(a.y()), std::abs(b.y())) <= near) return true;
+    }
+  }
+  return false;
+}
+
 class Spreading : public ShellVisitor {
  public:
   Spreading(const WayFrame& frame, double factor, SourceGrid& grid)
@@ -95,6 +112,11 @@ MichellIntegral::MichellIntegral(const analysis::HullBody& body,
                                 std::to_string(position.draft) +
                                 " m: without immersion it has no wave resistance; set the draft.");
   }
+  if (!is_on_centre_plane(body.surface().mesh(), frame_.water)) {
+    throw std::invalid_argument(
+        "All of the hull lies beside the centre plane: Michell's integral is for hulls on it. Move "
+        "one hull of a catamaran there; what both do to each other's waves is then left out.");
+  }
   const std::vector<Vector3d>& points = body.surface().mesh().points();
   aft_ = forward_ = frame_.x(points[0]);
   deepest_ = 0.0;
@@ -146,8 +168,7 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
       const double nu = wave_numbers[i];
       const WaveIntegral integral = sums.integral(nu, tolerance_, shortest);
       const double factor = 4.0 * density_ * gravity_ * nu / std::numbers::pi;
-      results[i] = {speeds[i], factor * integral.value, factor * integral.error,
-                    integral.shortest};
+      results[i] = {speeds[i], factor * integral.value, factor * integral.error, integral.shortest};
       if (!integral.settled && 2.0 * shortest <= kMostShortest &&
           2.0 * shortest * nu * length() <= kMostTurns) {
         unsettled.push_back(i);
@@ -186,8 +207,8 @@ analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& de
   for (int corner = 0; corner < layout.corner_count(); ++corner) {
     const surface::CornerPoints& points = surface.corner(corner);
     if (!deeper(points.outer)) continue;
-    sum.add_corner(corner, analysis::corner_derivatives(layout.basis(corner), points, 3, deeper,
-                                                        add_span));
+    sum.add_corner(corner,
+                   analysis::corner_derivatives(layout.basis(corner), points, 3, deeper, add_span));
   }
   return sum.by_control_points();
 }

@@ -13,7 +13,7 @@
 
 namespace hull::resistance {
 
-inline constexpr double kGravity = 9.80665;    // m/s², standard
+inline constexpr double kGravity = 9.80665;     // m/s², standard
 inline constexpr double kWaveTolerance = 1e-3;  // of the resistance, what short waves may add
 
 // Wave resistance at a speed.
@@ -43,7 +43,8 @@ class MichellIntegral {
  public:
   // `body` must outlive it and stay as it is. Throws std::invalid_argument for numbers that are not
   // finite, a heel, a density, gravity or tolerance that is not positive, for what
-  // HullBody::immersion() refuses, and for a hull that is out of the water.
+  // HullBody::immersion() refuses, and for a hull that is out of the water or, as a catamaran's,
+  // wholly beside the centre plane.
   MichellIntegral(const analysis::HullBody& body, const analysis::FloatingPosition& position,
                   double water_density = analysis::kSeaWaterDensity, double gravity = kGravity,
                   double tolerance = kWaveTolerance);

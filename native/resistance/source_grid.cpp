@@ -24,7 +24,8 @@ SourceGrid::SourceGrid(double aft, double forward, double deepest, const WaveSca
     Layer layer;
     layer.top = top;
     layer.height = top > 0.0 ? top : kFirstDecay / scales.decay;
-    layer.panels = std::max(1, static_cast<int>(std::ceil(length_ * scales.along_at(top) / kPhase)));
+    layer.panels =
+        std::max(1, static_cast<int>(std::ceil(length_ * scales.along_at(top) / kPhase)));
     layer.width = length_ / layer.panels;
     layer.depths = layer.top + layer.height * Down::get().nodes().transpose().array();
     layer.strengths.setZero(kAlong, kDown * layer.panels);

@@ -144,8 +144,8 @@ double WaveSums::add_interval(double nu, int interval, WaveIntegral& integral) {
     const double lambda = nodes[i] / nu, decay = nodes[i] * lambda;
     const double weight =
         rule.weights[i] * width_ / nu * lambda * lambda / std::sqrt(lambda * lambda - 1.0);
-    const Complex own = amplitude(
-        table, decay, [&](const Eigen::MatrixXcd& sums) { return sums.row(i); });
+    const Complex own =
+        amplitude(table, decay, [&](const Eigen::MatrixXcd& sums) { return sums.row(i); });
     integral.waves.push_back({nodes[i], decay, weight, own});
     sum += weight * std::norm(own);
   }

@@ -200,6 +200,12 @@ def test_bad_water(how, said):
         hn.MichellIntegral(hn.HullBody(wigley(11, 7), mirrored=True), **how)
 
 
+def test_catamarans_are_refused():
+    hull = Sample("catamaran")
+    with pytest.raises(ValueError, match="beside the centre plane"):
+        hn.MichellIntegral(hull.body, draft=hull.ship.draft)
+
+
 @pytest.mark.parametrize("speed", [0.0, -3.0, math.nan, math.inf, 0.1, 500.0])
 def test_bad_speeds(speed):
     integral = hn.MichellIntegral(hn.HullBody(wigley(11, 7), mirrored=True), draft=0.0)

@@ -38,7 +38,7 @@ def wave_heights(integral, speed, points, *, gravity, steepest=math.radians(80.0
             f"{math.degrees(steepest):.0f}°, or nearer points."
         )
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    half = end / parts
+    half = 0.5 * end / parts
     u = (half * (2.0 * np.arange(parts)[:, None] + 1.0 + nodes)).ravel()
     amplitudes = np.asarray(integral.amplitudes(speed, np.arctan(u)))
     # dθ = du / (1 + u²); waves to both sides have one amplitude.
