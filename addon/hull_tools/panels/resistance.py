@@ -30,7 +30,7 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
         else:
             self._draw_ship(layout, own)
         result, place = latest_result(
-            layout, context, "resistance_curves", "Resistance and power", _ROWS + 1
+            layout, context, "resistance_curves", "Over speed", _ROWS + 1
         )
         if result is not None:
             self._draw_table(place, context, result)

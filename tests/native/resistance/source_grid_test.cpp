@@ -51,14 +51,14 @@ TEST(SourceGridTest, SumsWavesAsTheSourcesThemselvesDo) {
 }
 
 TEST(SourceGridTest, IntegralOfOneSourceIsThatOfItsDepth) {
-  // |I| = exp(-ν λ² d): ∫₁^∞ exp(-2 ν d λ²) λ² / √(λ² - 1) dλ = e^-a (K₀(a) + K₁(a)) / 2, a = ν d.
+  // |I| = exp(-ν λ² d): ∫₁^∞ exp(-2 ν d λ²) λ² / √(λ² - 1) dλ = e^-a (K₀(a) + K₁(a)) / 4, a = ν d.
   const double nu = 1.0, depth = 0.7;
   SourceGrid grid(-5.0, 5.0, 1.0, {nu, 64.0, 64.0 * 64.0});
   grid.add(1.3, depth, 1.0);
   const WaveIntegral integral = WaveSums(grid).integral(nu, 1e-9, 64.0);
   const double a = nu * depth;
   const double closed =
-      0.5 * std::exp(-a) * (std::cyl_bessel_k(0.0, a) + std::cyl_bessel_k(1.0, a));
+      0.25 * std::exp(-a) * (std::cyl_bessel_k(0.0, a) + std::cyl_bessel_k(1.0, a));
   EXPECT_TRUE(integral.settled);
   EXPECT_NEAR(integral.value, closed, 1e-8 * closed);
 }
