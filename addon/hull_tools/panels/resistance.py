@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.blender.units import format_value
+from ..bridge.blender.units import in_unit
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.resistance import resistance_curves
@@ -48,26 +48,23 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
             column.prop(own, "twin_screw")
 
     def _draw_table(self, layout, context, result):
-        column = layout.column(align=True)
-        column.scale_y = 0.8
-        self._draw_line(column, ("Speed", "RT", "PE"))
-        for index in resistance_curves.shown(len(result.rows), _ROWS):
-            row = result.rows[index]
-            self._draw_line(
-                column,
-                (
-                    f"{row['speed_kn']:.4g} kn",
-                    format_value(context.scene, row["total_kN"], "kN"),
-                    format_value(context.scene, row["effective_power_kW"], "kW"),
-                ),
-            )
+        row = layout.row(align=True)
+        row.scale_y = 0.8
+        chosen = [result.rows[i] for i in resistance_curves.shown(len(result.rows), _ROWS)]
+        self._draw_column(row, "kn", [line["speed_kn"] for line in chosen])
+        for name, column, unit in (
+            ("RT", "total_kN", "kN"),
+            ("PE", "effective_power_kW", "kW"),
+        ):
+            cells = [in_unit(context.scene, line[column], unit) for line in chosen]
+            self._draw_column(row, f"{name} {cells[0][1]}", [number for number, _ in cells])
 
-    def _draw_line(self, layout, texts):
-        row = layout.row()
-        for text in texts:
-            cell = row.row()
-            cell.alignment = "RIGHT"
-            cell.label(text=text)
+    def _draw_column(self, layout, heading, numbers):
+        column = layout.column(align=True)
+        column.alignment = "RIGHT"
+        column.label(text=heading)
+        for number in numbers:
+            column.label(text=f"{number:.4g}" if number < 1e4 else f"{number:.0f}")
 
 
 class HULL_PT_resistance_remarks(HullPanel, bpy.types.Panel):

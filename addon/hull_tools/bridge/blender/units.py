@@ -77,10 +77,16 @@ def format_value(scene, value, unit):
         return f"{value:.2f} %"
     if not unit:
         return f"{value:.4f}"
+    number, symbol = in_unit(scene, value, unit)
+    return f"{_digits(number)} {symbol}"
+
+
+def in_unit(scene, value, unit):
+    """(number, symbol) of a value in a unit of tables, in the scene's system."""
     if scene.unit_settings.system == "IMPERIAL":
         size, symbol = _IMPERIAL[unit]
-        return f"{_digits(value / size)} {symbol}"
-    return f"{_digits(value)} {_METRIC_SYMBOLS[unit]}"
+        return value / size, symbol
+    return value, _METRIC_SYMBOLS[unit]
 
 
 def metric_symbol(unit):
