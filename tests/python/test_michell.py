@@ -55,7 +55,9 @@ def wigley_resistance(speed, density=hn.SEA_WATER_DENSITY):
     k, decay, a = nu * wave, nu * wave**2, LENGTH / 2
     along = -8 * BEAM / LENGTH**2 * (np.sin(k * a) / k**2 - a * np.cos(k * a) / k)
     bottom = np.exp(-decay * DRAFT)
-    square = 2 / decay**3 - bottom * (DRAFT**2 / decay + 2 * DRAFT / decay**2 + 2 / decay**3)
+    square = 2 / decay**3 - bottom * (
+        DRAFT**2 / decay + 2 * DRAFT / decay**2 + 2 / decay**3
+    )
     down = (1 - bottom) / decay - square / DRAFT**2
     total = np.sum(half * WEIGHTS * (along * down * wave) ** 2)
     return 4 * density * hn.GRAVITY**2 / (math.pi * speed**2) * total
@@ -103,9 +105,7 @@ def test_whole_hull_is_its_half_twice():
     whole = hn.LimitSurface(grid_mesh(np.concatenate([starboard[:, :-1], points], axis=1)))
     # Smooth across the keel, where the half is straight: the same half, then, with a crease.
     edges = np.stack([np.arange(20) * 17 + 8, np.arange(1, 21) * 17 + 8], axis=1)
-    mesh = hn.ControlMesh(
-        whole.mesh.points, whole.mesh.face_sizes, whole.mesh.face_vertices, edges
-    )
+    mesh = hn.ControlMesh(whole.mesh.points, whole.mesh.face_sizes, whole.mesh.face_vertices, edges)
     speed = [speed_at(0.3)]
     half = resistances(wigley(21, 9), speed)
     np.testing.assert_allclose(

@@ -29,9 +29,7 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
             layout.prop(own, "form_factor")
         else:
             self._draw_ship(layout, own)
-        result, place = latest_result(
-            layout, context, "resistance_curves", "Over speed", _ROWS + 1
-        )
+        result, place = latest_result(layout, context, "resistance_curves", "Over speed", _ROWS + 1)
         if result is not None:
             self._draw_table(place, context, result)
         layout.prop(hull_objects.hull_of(context.object).hull.plots, "resistance_curves")

@@ -37,9 +37,7 @@ class PlaningBoat:
             if not math.isfinite(getattr(self, name)):
                 raise ValueError(f"A planing boat's {name} must be a finite number.")
         if not 0.0 <= self.deadrise_deg < 45.0:
-            raise ValueError(
-                f"The deadrise must be from 0 to below 45°, not {self.deadrise_deg}°."
-            )
+            raise ValueError(f"The deadrise must be from 0 to below 45°, not {self.deadrise_deg}°.")
 
 
 @dataclass(frozen=True)
@@ -173,7 +171,9 @@ class _Run:
         wanted = self.flat_lift / trim**1.1
 
         def excess(ratio):
-            return 0.0120 * math.sqrt(ratio) + 0.0055 * ratio**2.5 / self.coefficient**2 - wanted
+            return (
+                0.0120 * math.sqrt(ratio) + 0.0055 * ratio**2.5 / self.coefficient**2 - wanted
+            )
 
         high = 1.0
         while excess(high) < 0.0:
@@ -191,8 +191,12 @@ class _Run:
         reynolds = speed * ratio * boat.beam / self.viscosity
         coefficient = self.friction(reynolds)
         wetted = ratio * boat.beam**2 / math.cos(math.radians(boat.deadrise_deg))
-        return ratio, speed, reynolds, coefficient, (
-            0.5 * self.density * speed**2 * wetted * coefficient
+        return (
+            ratio,
+            speed,
+            reynolds,
+            coefficient,
+            (0.5 * self.density * speed**2 * wetted * coefficient),
         )
 
     def _pressure_arm(self, ratio):

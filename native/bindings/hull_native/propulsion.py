@@ -41,9 +41,7 @@ def propulsion_factors(ship, propeller, c, edition):
     forward = ship.prismatic - 0.0225 * ship.lcb_percent
     if propeller.screws == 2:
         wake = (
-            0.3095 * ship.block
-            + 10.0 * c["CV"] * ship.block
-            - 0.23 * propeller.diameter / breadth
+            0.3095 * ship.block + 10.0 * c["CV"] * ship.block - 0.23 * propeller.diameter / breadth
         )
         deduction = 0.325 * ship.block - 0.1885 * propeller.diameter / breadth
         rotative = 0.9737 + 0.111 * forward - 0.06325 * propeller.pitch_ratio

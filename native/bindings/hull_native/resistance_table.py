@@ -7,8 +7,8 @@ import math
 
 from . import _core
 from ._resistance import GRAVITY, MichellIntegral, ittc_1957
-from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
 from .holtrop_form import holtrop_ship
+from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
 
 KNOT = 1852.0 / 3600.0  # m/s
 
