@@ -5,8 +5,8 @@ The form before was fair, or its marks were meant. So the changed surface is sha
 after round, while what was wanted of the change is kept, in one way after the other (fair_ways)
 until no mark is new: by levers, that is by what makes these very marks less deep, while creases and
 borders stay; so that it bends as it did before; by levers with creases and borders, too; and so
-that points move along the ship as well, for a mesh that has too few rows to follow otherwise. Of all rounds the one with the fewest new marks is taken, and then the smallest deviation
-with as few.
+that points move along the ship as well, for a mesh that has too few rows to follow otherwise. Of
+all rounds the one with the fewest new marks is taken, and then the smallest deviation with as few.
 """
 
 from dataclasses import dataclass
