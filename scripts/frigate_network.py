@@ -201,7 +201,7 @@ def draw(path, surface, found):
             (known, _KNOWN, 2.6),
             (held_out(step.made.patches), _OWN, 1.0),
         ):
-            _draw_body_plan(context, lines, top + _HEIGHT - _HEAD, colour, width)
+            _draw_body_plan(context, lines, top + _HEIGHT - 1.6 * _HEAD, colour, width)
     page.write_to_png(str(path))
 
 
