@@ -130,11 +130,36 @@ def test_progress_rises_and_ends_what_it_interrupts():
         hn.hull_from_network(network, progress=stop)
 
 
+# What takes the regions is told, rather than the first problem that there is.
+@pytest.mark.parametrize(
+    "name, told",
+    [
+        ("catamaran", r"from y = 2\.600 m on, as a demihull"),
+        ("sailing_yacht", r"passes beneath others near .* one body, its appendages apart"),
+        ("planing_boat", r"passes beneath others near .* Near by, curves .* larger tolerance"),
+    ],
+)
+def test_why_lines_of_samples_have_no_regions(name, told):
+    network, _ = lines_of(sample_surface(name))
+    with pytest.raises(ValueError, match=f"The network has no regions.*{told}"):
+        hn.hull_from_network(network)
+
+
+def test_with_a_larger_tolerance_a_planing_boats_lines_become_a_hull():
+    # Its spray rails run beside waterlines: these miss one another by 3.6 mm.
+    network, length = lines_of(sample_surface("planing_boat"), joined=3e-4)
+    hull = hn.hull_from_network(network, budget=250)
+    assert hull.rms <= 1e-4 * length and hull.largest <= 1e-3 * length
+
+
 def test_what_is_no_hull_is_refused():
     with pytest.raises(ValueError, match="rises to no stem"):
         hn.hull_from_network(hn.CurveNetwork(square_net(lambda x, y: 0.02 * x * y + 5.0), 1e-3))
     lines = [hn.NetworkCurve("A", [(0, 0, 0), (1, 1, 1)])]
     with pytest.raises(ValueError, match="The network has no regions"):
+        hn.hull_from_network(hn.CurveNetwork(lines, 1e-3))
+    lines = [hn.NetworkCurve("A", [(0, 5, 0), (1, 6, 1)])]
+    with pytest.raises(ValueError, match=r"from y = 5.000 m on, as a demihull .* outer half"):
         hn.hull_from_network(hn.CurveNetwork(lines, 1e-3))
     network, _ = lines_of(sample_surface("coaster"), 9, 4)
     with pytest.raises(ValueError, match="tolerance has to be above zero"):

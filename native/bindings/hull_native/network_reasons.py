@@ -13,13 +13,19 @@ _NEAR, _BESIDE = 0.02, 1e-3
 def no_regions(network):
     """Why a CurveNetwork has no regions."""
     text = "The network has no regions, so that no hull can be laid onto it. "
+    if not network.curves:
+        return text + "Give curves that cross one another."
+    points = np.concatenate([np.asarray(curve.points) for curve in network.curves])
+    low, high = points.min(axis=0), points.max(axis=0)
+    if reason := beside_centre_plane(low, high):
+        return text + reason
     faults = [problem for problem in network.problems if not problem.is_note]
     if not faults:
         return text + "Give curves that cross one another."
     faults.sort(key=lambda one: _WORST.index(one.kind) if one.kind in _WORST else len(_WORST))
-    reason = faults[0]
-    text += reason.what
-    if reason.kind == "wrong_order" and (gap := _gap_near(faults, reason, _length(network))):
+    worst = faults[0]
+    text += worst.what
+    if worst.kind == "wrong_order" and (gap := _gap_near(faults, worst, high[0] - low[0])):
         text += f" Near by, {gap.what[0].lower()}{gap.what[1:]}"
     if any(fault.kind == "apart" for fault in faults):
         text += (
@@ -41,16 +47,11 @@ def beside_centre_plane(low, high):
     )
 
 
-def _gap_near(faults, reason, length):
-    """The gap nearest to a reason's place; None where none is near."""
+def _gap_near(faults, worst, length):
+    """The gap nearest to a fault's place; None where none is near."""
     gaps = [fault for fault in faults if fault.kind == "gap" and len(fault.places)]
-    if not (gaps and len(reason.places)):
+    if not (gaps and len(worst.places)):
         return None
-    place = np.asarray(reason.places)[0]
+    place = np.asarray(worst.places)[0]
     away = [np.linalg.norm(np.asarray(gap.places) - place, axis=1).min() for gap in gaps]
     return gaps[int(np.argmin(away))] if min(away) < _NEAR * length else None
-
-
-def _length(network):
-    x = np.concatenate([np.asarray(curve.points)[:, 0] for curve in network.curves])
-    return float(np.ptp(x))
