@@ -17,6 +17,8 @@ from .polylines import bend_shares, foot_on, lengths_along, points_at, where_x_i
 
 # How much of the rows' places are by the turning of columns; trial rows.
 _BY_TURNING, _TRIALS = 0.55, 60
+# Of an even spacing: from where whole sections begin to the first row before a post.
+_FIRST = 0.35
 # A knuckle line is across where less of it is along the ship.
 _ACROSS = 0.3
 # Of the length: a knuckle's end is on the line of an end.
@@ -155,8 +157,9 @@ def _row_places(outline, girths, columns, count):
     turns = np.convolve(np.pad(turns, 4, "edge"), np.full(7, 1.0 / 7.0), "valid")
     density = (1.0 - _BY_TURNING) / _TRIALS + _BY_TURNING * turns / turns.sum()
     reached = np.concatenate([[0.0], np.cumsum(0.5 * (density[1:] + density[:-1]))])
-    # A transom is a row itself.
-    inner = np.linspace(0.0, 1.0, count + 1)[1:]
+    # A transom is a row itself; before a post the first row is closer.
+    first = 1.0 if outline.aft is not None and outline.arch is None else _FIRST
+    inner = np.linspace(first / count, 1.0, count)
     return np.interp(inner, reached / reached[-1], at)
 
 
