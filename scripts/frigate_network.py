@@ -26,7 +26,7 @@ PART_HEIGHT = 0.3
 # Of the length: the curves', and what they are joined within.
 CURVE_TOLERANCE, JOIN_TOLERANCE = 1e-5, 3e-5
 # Of the length, from aft: sections that are no curves of the network.
-HELD_OUT = np.arange(0.02, 0.99, 0.04)
+HELD_OUT = np.arange(0.03, 0.98, 0.04)
 # Places on a spline between which it is a line.
 _FINE = 4001
 # The picture: dots, and drawn waterlines' places of the body plan, dots a metre.
