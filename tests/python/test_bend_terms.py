@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What bends count for in a fit: by the second fundamental form, and what moves along the surface."""
+"""What bends count for in a fit: the second fundamental form, and nothing that moves along it."""
 
 import hull_native as hn
 import numpy as np
