@@ -4,14 +4,13 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from hull_native import SurfaceTree
-from hull_native.girth_lines import GirthLines
-from hull_native.grid_fit import GridFit, extreme_flats
-from hull_native.grid_refinement import RowsAndColumns
-from hull_native.hull_grid import keel_range, laid_grid
 
+from .beside import GirthLines, GridFit, RowsAndColumns, extreme_flats
+from .beside import hull_native as hn
+from .beside import keel_range, laid_grid
 from .immersion import immersed
 from .outlines import shell_outline
+from .progress import part_of
 from .row_places import row_places
 from .targets import shell_targets
 
@@ -24,6 +23,8 @@ _AIM = 0.8
 # Evenness of the moves and steps: first, after an addition, at last.
 _FIRST = ((1e-1, 12), (1e-2, 12))
 _AFTER_ADDITION = (1e-2, 0.0, 6)
+# Of the work: the first runs, and those with the additions.
+_BEGUN, _ADDED = 0.1, 0.6
 _LAST = ((3e-3, 12), (1e-3, 12), (3e-4, 15), (3e-4, 15))
 
 
@@ -66,7 +67,7 @@ def fit_shell(shell, *, tolerance=None, budget=None, progress=None):
     the shell has no outline that a hull can be laid along."""
     outline = shell_outline(shell)
     tolerance = TOLERANCE * outline.length if tolerance is None else float(tolerance)
-    if not tolerance > 0.0:
+    if not 0.0 < tolerance < np.inf:
         raise ValueError("The tolerance has to be above zero.")
     budget = BUDGET if budget is None else int(budget)
     trial = _Trial(shell, outline, tolerance, budget)
@@ -75,8 +76,9 @@ def fit_shell(shell, *, tolerance=None, budget=None, progress=None):
         ways += [way for way in _WAYS if not way.with_knuckles]
     found, refused = [], None
     for number, way in enumerate(ways):
+        told = part_of(progress, number / len(ways), (number + 1) / len(ways))
         try:
-            fit = trial.fitted(way, progress)
+            fit = trial.fitted(way, told)
         except ValueError as error:
             refused = error
             continue
@@ -113,15 +115,20 @@ class _Trial:
                 f"The simplest layout has {len(fit.points)} control points, more than the budget "
                 f"of {self.budget}: give a larger one."
             )
-        for evenness, steps in _FIRST:
-            fit.run(evenness, 0.0, steps, progress)
+        for number, (evenness, steps) in enumerate(_FIRST):
+            told = part_of(progress, *(_BEGUN * (number + k) / len(_FIRST) for k in (0, 1)))
+            fit.run(evenness, 0.0, steps, told)
+        first, most = len(fit.points), max(self.budget, len(fit.points) + 1)
         additions = RowsAndColumns(self.targets.points, _AIM * self.tolerance, self.budget)
         while additions.add_to(fit):
             fit = self._fit(grid, way)
-            fit.run(*_AFTER_ADDITION, progress)
-        for evenness, steps in _LAST:
+            done = _BEGUN + (_ADDED - _BEGUN) * (len(fit.points) - first) / (most - first)
+            fit.run(*_AFTER_ADDITION, part_of(progress, done, done))
+        for number, (evenness, steps) in enumerate(_LAST):
             fit.flatten()
-            fit.run(evenness, 0.0, steps, progress)
+            share = (1.0 - _ADDED) / len(_LAST)
+            done = _ADDED + share * number
+            fit.run(evenness, 0.0, steps, part_of(progress, done, done + share))
             fit.heed(self.tolerance)
         return fit
 
@@ -160,4 +167,4 @@ def _station_places(outline, girths):
 
 def distances_from(surface, points):
     """m, of points (n, 3) from a LimitSurface."""
-    return np.asarray(SurfaceTree(surface).closest_points(points).distances)
+    return np.asarray(hn.SurfaceTree(surface).closest_points(points).distances)

@@ -2,9 +2,8 @@
 """Knuckles of a shell of triangles: lines over which it turns by far more than beside them."""
 
 import numpy as np
-from hull_io.triangles import normals_of
-from hull_native.polylines import end_to_end, foot_on, lengths_along
 
+from .beside import end_to_end, foot_on, lengths_along, normals_of
 from .triangle_edges import edge_lines, edge_table
 
 # Turn over an edge of a knuckle, degrees at least, and so many times that over edges beside it.

@@ -4,9 +4,16 @@
 from dataclasses import replace
 
 import numpy as np
-from hull_io.geometry import GeometryMesh
-from hull_native import smooth_curve
-from hull_native.polylines import bend_shares, end_to_end, foot_on, lengths_along, points_at
+
+from .beside import (
+    GeometryMesh,
+    bend_shares,
+    end_to_end,
+    foot_on,
+    lengths_along,
+    points_at,
+    smooth_curve,
+)
 
 # Stations at least; of the length: how far points of one may be from its plane, and ends of its
 # pieces from one another; how far the profile reaches beyond the last one where that is no end.

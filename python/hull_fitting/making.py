@@ -2,9 +2,9 @@
 """A hull of geometry that was read: everything from a file to a HullData with its report."""
 
 from dataclasses import dataclass
+from pathlib import PurePath
 
-from hull_io.geometry import guess_hull, oriented
-
+from .beside import guess_hull, oriented
 from .fitting import TOLERANCE, fit_shell
 from .half_meshes import half_mesh
 from .hull_files import hull_data, particulars_of
@@ -28,10 +28,12 @@ class MadeHull:
 
 
 def hull_from_geometry(
-    geometry, *, budget=None, tolerance=None, draft=None, progress=None, **known
+    geometry, *, budget=None, tolerance=None, draft=None, name=None, progress=None, **known
 ):
-    """The MadeHull of a Geometry. budget: control points at most; tolerance and draft: m; known:
-    what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
+    """The MadeHull of a Geometry. budget: control points at most; tolerance and draft: m; name: of
+    the hull, instead of the geometry's; progress: called with the share that is done, what it
+    raises ends the work; known: what guess_hull() takes. ValueError in one sentence for what no
+    hull can be laid onto."""
     guess = guess_hull(geometry, **known)
     placed = oriented(geometry, guess)
     if placed.curves and not placed.meshes:
@@ -58,8 +60,13 @@ def hull_from_geometry(
     }
     data = hull_data(
         fitted,
-        geometry.name.split(".")[0],
+        name or _name_of(geometry.name),
         f"fitted to {geometry.name}",
         particulars_of(guess.length_pp, fitted.fit.points, draft),
     )
     return MadeHull(data, report, shell, fitted)
+
+
+def _name_of(file):
+    """A file's name without its ending."""
+    return PurePath(file).stem.strip(".") or "hull"

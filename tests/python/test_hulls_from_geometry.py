@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hulls of triangles: what is found of them, and control meshes laid over them and fitted."""
 
+import importlib.util
 import json
 import os
-import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
 import hull_io
 import hull_native as hn
@@ -175,16 +176,49 @@ def test_what_is_no_hull_is_refused():
         hull_from_geometry(geometry_of(points, triangles), tolerance=0.0)
 
 
-def test_the_command_tells_in_a_sentence_what_it_can_not_read(tmp_path):
-    path = tmp_path / "nothing.stl"
-    path.write_bytes(b"solid nothing\nendsolid")
-    done = subprocess.run(
-        [sys.executable, str(ROOT / "scripts" / "hull_from.py"), str(path), str(tmp_path)],
-        capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    )  # fmt: skip
-    assert done.returncode == 1 and done.stderr.startswith("hull from: nothing.stl: ")
-    assert len(done.stderr.splitlines()) == 1
-    assert [entry.name for entry in tmp_path.iterdir()] == ["nothing.stl"]
+@pytest.fixture(scope="module")
+def command():
+    """What ./hull from does when it is called from a folder with arguments: main of its script."""
+    scripts = ROOT / "scripts"
+    sys.path.insert(0, str(scripts))
+    spec = importlib.util.spec_from_file_location("hull_from", scripts / "hull_from.py")
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    sys.path.remove(str(scripts))
+
+    def call(folder, *arguments):
+        places = ["--called-from", str(folder), "--into", str(folder / "out")]
+        with mock.patch.object(sys, "argv", ["hull_from.py", *places, *arguments]):
+            script.main()
+
+    return call
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["nothing.stl"], "nothing.stl: "),
+        (["missing.stl"], "there is no file 'missing.stl'"),
+        (["folder"], "'folder' is a folder"),
+        ([], "FILE"),
+        (["nothing.stl", "--unit", "yd"], "--unit"),
+        (["--tolerance", "nan", "nothing.stl"], "above zero, not 'nan'"),
+        (["nothing.stl", "--tolerance", "inf"], "above zero, not 'inf'"),
+        (["nothing.stl", "--draft", "-1"], "above zero, not '-1'"),
+        (["nothing.stl", "--points", "1e9"], "--points"),
+        (["nothing.stl", "--points", "5000"], "from 20 to 1000"),
+        (["nothing.stl", "--half", "--whole"], "--whole"),
+        (["nothing.stl", "other.stl"], "other.stl"),
+    ],
+)
+def test_the_command_tells_in_a_sentence_what_it_can_not_do(command, tmp_path, arguments, words):
+    (tmp_path / "nothing.stl").write_bytes(b"solid nothing\nendsolid")
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(SystemExit) as ended:
+        command(tmp_path, *arguments)
+    told = ended.value.code
+    assert told.startswith("hull from: ") and words in told and len(told.splitlines()) == 1
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["folder", "nothing.stl"]
 
 
 @pytest.mark.skipif(not ALL, reason="HULL_LONG_TESTS=1")
