@@ -60,7 +60,18 @@ def _arguments():
     side.add_argument("--whole", action="store_const", const=False, dest="is_half")
     parser.add_argument("--into", type=Path, default=Path("out"), help=argparse.SUPPRESS)
     parser.add_argument("--called-from", type=Path, default=Path(), help=argparse.SUPPRESS)
-    return parser.parse_args()
+    return parser.parse_args(_with_axes(sys.argv[1:]))
+
+
+def _with_axes(words):
+    """Words of the command line, where "-x" behind an option is an axis and no option."""
+    joined = []
+    for word in words:
+        if joined and joined[-1] in ("--forward", "--up") and word in AXES:
+            joined[-1] += "=" + word
+        else:
+            joined.append(word)
+    return joined
 
 
 def _path_of(given):
@@ -134,6 +145,7 @@ def main():
     if is_watched:
         print(file=sys.stderr)
     seen = os.path.relpath(folder, given.called_from)
+    seen = folder.resolve() if seen.startswith("..") else seen
     print(f"{seen}/{made.data.name}.hull.json, report.json, sections.pdf, sections.png")
     _tell(made.report)
 

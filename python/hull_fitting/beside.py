@@ -13,6 +13,7 @@ def _beside(name, *wanted):
 
 
 hull_native = _beside("hull_native")
+smooth_curve = hull_native.smooth_curve
 GirthLines, *_ = _beside("hull_native.girth_lines", "GirthLines")
 GridFit, extreme_flats = _beside("hull_native.grid_fit", "GridFit", "extreme_flats")
 RowsAndColumns, *_ = _beside("hull_native.grid_refinement", "RowsAndColumns")

@@ -207,6 +207,8 @@ def command():
         (["nothing.stl", "--draft", "-1"], "above zero, not '-1'"),
         (["nothing.stl", "--points", "1e9"], "--points"),
         (["nothing.stl", "--points", "5000"], "from 20 to 1000"),
+        (["nothing.stl", "--forward", "-x"], "nothing.stl: "),
+        (["nothing.stl", "--forward", "north"], "--forward"),
         (["nothing.stl", "--half", "--whole"], "--whole"),
         (["nothing.stl", "other.stl"], "other.stl"),
     ],
