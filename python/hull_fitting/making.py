@@ -19,12 +19,13 @@ _DRAFT = 0.6
 @dataclass(frozen=True)
 class MadeHull:
     """data: the HullData; report: a dict as fit_report() has it, with the guesses; shell, fitted:
-    the HullShell and its FittedHull."""
+    the HullShell and its FittedHull; guess: the Guess by which the geometry was taken."""
 
     data: object
     report: dict
     shell: object
     fitted: object
+    guess: object
 
 
 def hull_from_geometry(
@@ -64,7 +65,7 @@ def hull_from_geometry(
         f"fitted to {geometry.name}",
         particulars_of(guess.length_pp, fitted.fit.points, draft),
     )
-    return MadeHull(data, report, shell, fitted)
+    return MadeHull(data, report, shell, fitted, guess)
 
 
 def _name_of(file):
