@@ -14,6 +14,8 @@ _GAP, _LEAST_REACH, _GOES_ON = 1e-2, 0.12, 0.9
 # Lines end where they turn by more than this cosine. Of a knuckle so much runs along the ship; of
 # the breadth: nearer to the centre plane in the mean it is the rim of a bar.
 _TURNS, _ALONG, _BAR = 0.6, 0.6, 0.04
+# Of the length: a line goes on to where another one ends in the centre plane, over no more.
+_GOES_TO_STEM = 0.05
 # Of the length: lines that are no further apart are the rims of a gap between patches.
 _DOUBLE = 2e-3
 # Knuckles at most, the longest.
@@ -46,6 +48,7 @@ def knuckle_lines(mesh):
     breadth = mesh.points[:, 1].max()
     lines = [line for line in lines if _is_knuckle(line, mesh.length, breadth)]
     lines = [line for line in lines if not _is_doubled(line, lines, _DOUBLE * mesh.length)]
+    lines = _to_one_stem(lines, _GOES_TO_STEM * mesh.length)
     lines.sort(key=lambda line: -lengths_along(line)[-1])
     return lines[:_MOST]
 
@@ -63,6 +66,31 @@ def _is_knuckle(line, length, breadth):
     reach = abs(float(line[-1, 0] - line[0, 0]))
     whole = lengths_along(line)[-1]
     return reach > max(_LEAST_REACH * length, _ALONG * whole) and line[:, 1].mean() > _BAR * breadth
+
+
+def _to_one_stem(lines, reach):
+    """Both knuckles of a chine's flat come to the stem in one place, where one of them may be too
+    blunt to be seen: it is drawn on to where the other one ends."""
+    ends = np.array([end for line in lines for end in (line[0], line[-1])]).reshape(-1, 3)
+    central = ends[ends[:, 1] == 0.0]
+    found = []
+    for line in lines:
+        for _ in range(2):
+            line = _drawn_on(line, central, reach)[::-1]
+        found.append(line)
+    return found
+
+
+def _drawn_on(line, places, reach):
+    """A line (n, 3) to the nearest of places that is ahead of its end, within reach, m."""
+    way = line[-1] - line[max(0, len(line) - 4)]
+    away = places - line[-1]
+    apart = np.linalg.norm(away, axis=1)
+    is_ahead = away @ way > _TURNS * apart * np.linalg.norm(way)
+    near = np.flatnonzero((apart > 0.0) & (apart < reach) & is_ahead)
+    if line[-1, 1] == 0.0 or not len(near):
+        return line
+    return np.vstack([line, places[near[np.argmin(apart[near])]]])
 
 
 def _is_doubled(line, lines, reach):
