@@ -167,7 +167,7 @@ def test_a_sample_of_triangles_becomes_a_hull_again(name):
 
 def test_a_line_through_few_points_is_straight_where_they_are_and_does_not_bulge():
     """A bilge of 2 m between a flat bottom and a flat side, by its waterlines."""
-    angles = np.radians([0.0, 60.0, 90.0])
+    angles = np.radians([0.0, 45.0, 90.0])
     bilge = np.stack([5.0 + 2.0 * np.sin(angles), 2.0 - 2.0 * np.cos(angles)], axis=1)
     line = np.array([(0, 0), *bilge.tolist(), (7, 3), (7, 4), (7, 8)], dtype=float)
     line = np.insert(line, 0, 0.0, axis=1)

@@ -61,6 +61,7 @@ def test_a_mesh_is_made_a_hull_and_that_is_taken_back(window):
 def test_esc_makes_nothing(window):
     begin(window)
     yield
+    before = {obj.name for obj in bpy.data.objects}
     try:
         yield from ask(window)
         yield from sidebar.type_in_dialog(window, keys=("RET", "ESC"))
@@ -68,6 +69,6 @@ def test_esc_makes_nothing(window):
         yield lambda: not jobs._unfinished
         yield
         yield
-        assert made() is None and len(bpy.data.objects) == 1
+        assert {obj.name for obj in bpy.data.objects} == before
     finally:
         sidebar.show_all_panels()
