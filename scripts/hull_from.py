@@ -3,7 +3,7 @@
 
 PYTHONPATH=build/release/python python3 scripts/hull_from.py FILE [--points N]
     [--tolerance MM] [--draft T] [--unit U] [--forward AXIS] [--up AXIS] [--half | --whole]
-    [--into FOLDER] [--called-from FOLDER]
+    [--no-post] [--no-knuckles] [--into FOLDER] [--called-from FOLDER]
 
 writes NAME.hull.json, report.json and sections.pdf and .png into FOLDER/NAME/, or into out/NAME/.
 FILE may be as seen from where the caller is.
@@ -58,6 +58,8 @@ def _arguments():
     side = parser.add_mutually_exclusive_group()
     side.add_argument("--half", action="store_const", const=True, dest="is_half")
     side.add_argument("--whole", action="store_const", const=False, dest="is_half")
+    parser.add_argument("--no-post", action="store_true", help="lay out no stern post")
+    parser.add_argument("--no-knuckles", action="store_true", help="lay no creases along knuckles")
     parser.add_argument("--into", type=Path, default=Path("out"), help=argparse.SUPPRESS)
     parser.add_argument("--called-from", type=Path, default=Path(), help=argparse.SUPPRESS)
     return parser.parse_args(_with_axes(sys.argv[1:]))
@@ -134,6 +136,7 @@ def main():
         geometry = read_geometry(_path_of(given))
         made = hull_from_geometry(
             geometry, budget=given.points, tolerance=tolerance, draft=given.draft,
+            stern_post=not given.no_post, knuckles=not given.no_knuckles,
             progress=_show_progress if is_watched else None, **known
         )  # fmt: skip
         folder = given.into / made.data.name

@@ -65,10 +65,15 @@ class FittedHull:
     fit: object
 
 
-def fit_shell(shell, *, tolerance=None, budget=None, progress=None):
-    """The FittedHull of a HullShell. tolerance, m; budget: control points at most. ValueError where
-    the shell has no outline that a hull can be laid along."""
+def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=True, progress=None):
+    """The FittedHull of a HullShell. tolerance, m; budget: control points at most; stern_post,
+    knuckles: whether such as are found are laid out. ValueError where the shell has no outline that
+    a hull can be laid along."""
     outline = shell_outline(shell)
+    if not stern_post and outline.aft is not None:
+        outline.arch = outline.post = None
+    if not knuckles:
+        outline.knuckles = []
     tolerance = TOLERANCE * outline.length if tolerance is None else float(tolerance)
     if not 0.0 < tolerance < np.inf:
         raise ValueError("The tolerance has to be above zero.")

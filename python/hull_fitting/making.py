@@ -29,12 +29,13 @@ class MadeHull:
 
 
 def hull_from_geometry(
-    geometry, *, budget=None, tolerance=None, draft=None, name=None, progress=None, **known
-):
-    """The MadeHull of a Geometry. budget: control points at most; tolerance and draft: m; name: of
-    the hull, instead of the geometry's; progress: called with the share that is done, what it
-    raises ends the work; known: what guess_hull() takes. ValueError in one sentence for what no
-    hull can be laid onto."""
+    geometry, *, budget=None, tolerance=None, draft=None, stern_post=True, knuckles=True, name=None,
+    progress=None, **known
+):  # fmt: skip
+    """The MadeHull of a Geometry. budget: control points at most; tolerance and draft: m;
+    stern_post, knuckles: whether such as are found are laid out; name: of the hull, instead of the
+    geometry's; progress: called with the share that is done, what it raises ends the work; known:
+    what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
     guess = guess_hull(geometry, **known)
     placed = oriented(geometry, guess)
     if placed.curves and not placed.meshes:
@@ -49,7 +50,10 @@ def hull_from_geometry(
             f"The draft of {draft:g} m is not within the hull, which is from {low:.3f} to "
             f"{high:.3f} m above the base line: give another one."
         )
-    fitted = fit_shell(shell, tolerance=tolerance, budget=budget, progress=progress)
+    fitted = fit_shell(
+        shell, tolerance=tolerance, budget=budget, stern_post=stern_post, knuckles=knuckles,
+        progress=progress,
+    )  # fmt: skip
     tolerance = TOLERANCE * fitted.outline.length if tolerance is None else float(tolerance)
     report = {
         "source": geometry.name,

@@ -44,7 +44,8 @@ def _axis(name, description):
 
 
 class FromGeometry(TaskOperator):
-    """Subclasses: source(context) → a features.geometry.sources.Source.
+    """Subclasses: source(context) → a features.geometry.sources.Source; keeps_source, as
+    features.geometry.making.Asked has it; _choices: names of what else is asked.
 
     It can't be done anew by other values: that takes half a minute."""
 
@@ -75,6 +76,17 @@ class FromGeometry(TaskOperator):
         default=_GUESSED,
     )
 
+    stern_post: BoolProperty(
+        name="Stern Post",
+        description="Where a post is found below the counter, rows and columns are laid out for it",
+        default=True,
+    )
+    knuckles: BoolProperty(
+        name="Knuckles",
+        description="Knuckles that are found become creases",
+        default=True,
+    )
+
     def run(self, context):
         return self.run_on(self.source(context), context)
 
@@ -91,10 +103,11 @@ class FromGeometry(TaskOperator):
         tolerance, draft = (
             units.as_typed(value) * scale or None for value in (self.tolerance, self.draft)
         )
-        return making.Making(source, self.asked(tolerance, draft))
-
-    def asked(self, tolerance, draft):
-        return making.Asked(self.points, tolerance, draft, self.known())
+        asked = making.Asked(
+            self.points, tolerance, draft, self.known(), self.keeps_source, self.stern_post,
+            self.knuckles,
+        )  # fmt: skip
+        return making.Making(source, asked)
 
     def outcome(self, made, scene):
         self._made, report = self._task.write(scene, bpy.context.collection)
@@ -112,6 +125,10 @@ class FromGeometry(TaskOperator):
         for name in ("points", "tolerance", "draft"):
             column.prop(self, name)
         column.separator()
+        column = column.column(heading="Lay Out")
+        for name in ("stern_post", "knuckles"):
+            column.prop(self, name)
+        column = column.column()
         for name in self._choices:
             column.prop(self, name)
 
@@ -123,6 +140,7 @@ class HULL_OT_hull_from_mesh(bpy.types.Operator, FromGeometry):
     bl_idname = "hull.hull_from_mesh"
     bl_label = "Hull from Mesh"
 
+    keeps_source = True  # that is an object already, where it is on a ship's axes
     _choices = ("forward", "up", "sides")
     _lines = ()
 
@@ -200,9 +218,6 @@ class HULL_OT_hull_from_file(bpy.types.Operator, FromGeometry, ImportHelper):
     def known(self):
         told = super().known()
         return told if self.unit == _GUESSED else {**told, "unit": self.unit}
-
-    def asked(self, tolerance, draft):
-        return making.Asked(self.points, tolerance, draft, self.known(), self.keeps_source)
 
     def source(self, context):
         return sources.of_file(self.filepath)

@@ -23,13 +23,16 @@ _USUAL_DOUBTS = {"perpendiculars"}
 class Asked:
     """points: control points at most; tolerance, draft: m, None: 3e-4 of the length, 60 % of the
     depth; known: what hull_io.geometry.guess_hull takes; keeps_source: whether the surface that
-    was fitted to becomes an object, where it is none."""
+    was fitted to becomes an object, where it is none; stern_post, knuckles: whether such as are
+    found are laid out."""
 
     points: int
     tolerance: object = None
     draft: object = None
     known: dict = field(default_factory=dict)
     keeps_source: bool = True
+    stern_post: bool = True
+    knuckles: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +106,8 @@ def _made(source, asked, progress):
         budget=asked.points,
         tolerance=asked.tolerance,
         draft=asked.draft,
+        stern_post=asked.stern_post,
+        knuckles=asked.knuckles,
         name=source.name,
         progress=of_fitting,
         **asked.known,
