@@ -18,7 +18,8 @@ from .targets import shell_targets
 TOLERANCE, BUDGET = 3e-4, 150
 # Stations in which flats are looked for, and places in each.
 _STATIONS, _PER_STATION = 60, 120
-_COLUMNS, _COLUMNS_OF_POST, _ROWS = 6, 7, 9
+# Columns; with a stern post, and how many of these begin at that.
+_COLUMNS, _COLUMNS_OF_POST, _AT_POST = 6, 7, 5
 _AIM = 0.8
 # Evenness of the moves and steps: first, after an addition, at last.
 _FIRST = ((1e-1, 12), (1e-2, 12))
@@ -138,7 +139,9 @@ class _Trial:
         outline = self.outline if way.with_knuckles else replace(self.outline, knuckles=[])
         columns = max(columns, len(outline.knuckles) + 3)
         at = row_places(self.outline, self.girths, way.rows)
-        grid = laid_grid(outline, columns, way.rows, girths=self.girths, at=at)
+        grid = laid_grid(
+            outline, columns, way.rows, girths=self.girths, at=at, post_columns=_AT_POST
+        )
         fit = self._fit(grid, way)
         if len(fit.points) > self.budget:
             raise ValueError(

@@ -8,6 +8,7 @@ from .beside import guess_hull, oriented
 from .fitting import TOLERANCE, fit_shell
 from .half_meshes import half_mesh
 from .hull_files import hull_data, particulars_of
+from .keel_strips import closed_to_centre
 from .lofting import lofted
 from .reports import fit_report
 from .shells import hull_shell
@@ -40,7 +41,8 @@ def hull_from_geometry(
     placed = oriented(geometry, guess)
     if placed.curves and not placed.meshes:
         placed = lofted(placed)
-    shell = hull_shell(half_mesh(placed))
+    mesh, beside = closed_to_centre(half_mesh(placed))
+    shell = hull_shell(mesh)
     used = shell.mesh.points[shell.mesh.triangles].reshape(-1, 3)
     low, high = float(used[:, 2].min()), float(used[:, 2].max())
     is_told = draft is not None
@@ -61,7 +63,7 @@ def hull_from_geometry(
         "doubts": list(guess.doubts),
         "draft_is_told": is_told,
         **fit_report(shell, fitted, draft, tolerance),
-        "left_out": [*geometry.left_out, *shell.left_out],
+        "left_out": [*geometry.left_out, *_told_of_strip(beside), *shell.left_out],
     }
     data = hull_data(
         fitted,
@@ -70,6 +72,15 @@ def hull_from_geometry(
         particulars_of(guess.length_pp, fitted.fit.points, draft),
     )
     return MadeHull(data, report, shell, fitted, guess)
+
+
+def _told_of_strip(beside):
+    if beside == 0.0:
+        return []
+    return [
+        f"The shell ends up to {beside:.3f} m beside the centre plane: it was closed to that by a "
+        "strip."
+    ]
 
 
 def _name_of(file):

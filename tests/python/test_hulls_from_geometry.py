@@ -16,6 +16,7 @@ from hull_fitting import hull_from_geometry, station_overlays
 from hull_fitting.borders import without_spurs
 from hull_fitting.half_meshes import clipped, half_mesh
 from hull_fitting.immersion import immersed
+from hull_fitting.keel_strips import closed_to_centre
 from hull_fitting.lofting import lofted
 from hull_fitting.outlines import shell_outline
 from hull_fitting.shells import hull_shell
@@ -215,6 +216,20 @@ def test_the_surface_through_a_table_does_not_bulge_below_the_base_line(tmp_path
     found = read_geometry(tmp_path / "keelless.csv")
     with pytest.raises(ValueError, match="do not begin at the centre plane"):
         lofted(oriented(found, guess_hull(found)))
+
+
+def test_a_shell_that_ends_beside_the_centre_plane_is_closed_to_it():
+    points, triangles = box()
+    points = points + [0.0, 0.05, 0.0]
+    mesh, beside = closed_to_centre(half_mesh(geometry_of(points, triangles[:8])))
+    assert beside == pytest.approx(0.05)
+    # The bottom's strip, looking downwards as that does: 10 m by 0.05 m.
+    normals, areas = normals_of(mesh.points, mesh.triangles)
+    is_bottom = normals[:, 2] < -0.9
+    assert areas[is_bottom].sum() == pytest.approx(10.0 * 2.05)
+    assert not (normals[:, 2] > 0.9).any()
+    whole = half_mesh(geometry_of(*box()))
+    assert closed_to_centre(whole) == (whole, 0.0)
 
 
 def test_what_is_no_hull_is_refused():

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A hull made of a mesh in the window: what is asked, made and taken back; Esc ends it."""
 
+import time
+
 import bpy
 import numpy as np
 import sidebar
@@ -31,6 +33,15 @@ def made():
     return next((obj for obj in bpy.data.objects if obj.name == "scan hull"), None)
 
 
+def waiting_for(is_done, seconds=240.0):
+    """For longer than a test waits elsewhere: fits take the processor some seconds."""
+    end = time.monotonic() + seconds
+    while not is_done() and time.monotonic() < end:
+        pause = time.monotonic() + 5.0
+        yield lambda: is_done() or time.monotonic() > pause
+    assert is_done()
+
+
 def ask(window):
     sidebar.show_panels(window, "hull", "made_of")
     window.open_sidebar()
@@ -47,7 +58,7 @@ def test_a_mesh_is_made_a_hull_and_that_is_taken_back(window):
     try:
         yield from ask(window)
         yield from sidebar.type_in_dialog(window)
-        yield lambda: made() is not None
+        yield from waiting_for(lambda: made() is not None)
         yield
         hull = made()
         assert bpy.context.view_layer.objects.active == hull
@@ -69,7 +80,7 @@ def test_esc_makes_nothing(window):
         yield from ask(window)
         yield from sidebar.type_in_dialog(window, keys=("RET", "ESC"))
         jobs = part("bridge.background.jobs")
-        yield lambda: not jobs._unfinished
+        yield from waiting_for(lambda: not jobs._unfinished)
         yield
         yield
         assert {obj.name for obj in bpy.data.objects} == before
