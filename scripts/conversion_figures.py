@@ -158,11 +158,7 @@ def row(name, surface, convert, mirrored):
 def table(path):
     hull = hull_io.read_hull(path)
     shell = hull_io.shell_arrays(hull)
-    surface = hn.LimitSurface(
-        hn.ControlMesh(
-            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-        )
-    )
+    surface = hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
     print(f"\n{path.name}: {surface.cell_count} cells")
     print(
         "| | distance, mm | of the length | rms, mm | angle, degrees | patches | control points "

@@ -41,6 +41,15 @@ in_root() {
     fi
 }
 
+# copy_checkout ROOT: the sources of this checkout there in /house, committed or not, with the reference data; the build
+# folder that is there stays.
+copy_checkout() {
+    mkdir -p "$1/house/checkout"
+    find "$1/house/checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
+    tar -c --exclude=./build --exclude=./out --exclude=./.git . | tar -x -C "$1/house/checkout"
+    copy_shared "$1/house"
+}
+
 # copy_shared FOLDER: the reference data beside the checkout, which some tests read, to FOLDER/shared.
 copy_shared() {
     if [ -d ../shared ]; then

@@ -35,7 +35,7 @@ def expected(data):
     import hull_native as hn
 
     shell = hull_io.shell_arrays(data)
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     surface = hn.LimitSurface(hn.ControlMesh(*arrays), data.scheme)
     found = hn.upright_hydrostatics(surface, draft=data.particulars.draft, mirrored=data.half)
     return {name: getattr(found, name) for name in EXPECTED}

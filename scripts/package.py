@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Make build/package/hull_tools-VERSION.zip, the add-on as Blender installs it.
+"""Make build/package/hull_tools-VERSION.zip, the add-on as Blender installs it on this system.
+
+Its native module takes the libraries of this system; scripts/wheels makes zips that bring theirs.
 
 The zip has one folder, hull_tools, so that Blender 3.4 takes it as a legacy add-on and Blender 4.2
 and later as an extension. In the folder are the content of addon/, the samples, the licence, and
@@ -10,19 +12,18 @@ The same sources give the same bytes: names are sorted, dates fixed. With --name
 the zip is printed, and nothing made.
 """
 
-import os
 import subprocess
 import sys
 import tempfile
 import tomllib
-import zipfile
 from pathlib import Path
+
+from zips import write_zip
 
 ROOT = Path(__file__).resolve().parent.parent
 ADDON = ROOT / "addon"
 PYTHON = ROOT / "python"
 NATIVE = ROOT / "build" / "release" / "python" / "hull_native"
-OLDEST_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 def package_file():
@@ -47,8 +48,8 @@ def stripped(library):
         return copy.read_bytes()
 
 
-def contents():
-    """Names inside the zip and the bytes under each."""
+def plain_contents():
+    """Names inside the zip and the bytes under each, of all but the native module."""
     yield "hull_tools/LICENSE", (ROOT / "LICENSE").read_bytes()
     for path in files_below(ADDON):
         yield f"hull_tools/{path.relative_to(ADDON)}", path.read_bytes()
@@ -57,21 +58,14 @@ def contents():
             yield f"hull_tools/{path.relative_to(PYTHON)}", path.read_bytes()
     for path in (ROOT / "samples").glob("*.hull.json"):
         yield f"hull_tools/samples/{path.name}", path.read_bytes()
+
+
+def contents():
+    """Names inside the zip and the bytes under each; libraries are those of this system."""
+    yield from plain_contents()
     for path in files_below(NATIVE):
         data = stripped(path) if path.suffix == ".so" else path.read_bytes()
         yield f"hull_tools/hull_native/{path.relative_to(NATIVE)}", data
-
-
-def write_package(target):
-    target.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = target.with_suffix(".part")
-    with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED) as package:
-        for name, data in sorted(contents()):
-            entry = zipfile.ZipInfo(name, OLDEST_DATE)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            package.writestr(entry, data)
-    os.replace(unfinished, target)
 
 
 def main():
@@ -80,7 +74,8 @@ def main():
         return
     if not any(NATIVE.glob("_core*.so")):
         sys.exit(f"no native module in {NATIVE}: ./hull package builds it first")
-    write_package(package_file())
+    write_zip(package_file(), contents())
 
 
-main()
+if __name__ == "__main__":
+    main()

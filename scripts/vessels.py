@@ -23,8 +23,7 @@ def surface_of(data):
     import hull_native as hn
 
     shell = hull_io.shell_arrays(data)
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
-    return hn.LimitSurface(hn.ControlMesh(*arrays), data.scheme)
+    return hn.LimitSurface(hn.ControlMesh(*shell.arguments()), data.scheme)
 
 
 @dataclass(frozen=True)

@@ -288,6 +288,10 @@ class ShellArrays:
     point_indices: np.ndarray
     face_indices: np.ndarray
 
+    def arguments(self):
+        """The arguments of `hull_native.ControlMesh`."""
+        return self.points, self.face_sizes, self.face_vertices, self.creases, self.corners
+
 
 def face_edges(face):
     """The directed edges (a, b) of a face, in order; the last one closes it."""

@@ -24,9 +24,7 @@ def to_dimensions_keeping(data, native, keep, *, length_pp=None, beam=None, draf
     given = {"length": length_pp, "beam": beam, "draft": draft, "depth": depth}
     plain = to_dimensions(data, length_pp=length_pp, beam=beam, draft=draft, depth=depth)
     shell, now = shell_arrays(data), data.particulars
-    mesh = native.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = native.ControlMesh(*shell.arguments())
     surface = native.LimitSurface(mesh, data.scheme)
     body = native.HullBody(surface, mirrored=data.half)
     kept = native.kept_ranges(

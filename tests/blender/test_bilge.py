@@ -151,6 +151,15 @@ def test_what_cannot_be_is_said(rows, radius, match):
     assert (part("bridge.mesh.mesh_points").read(hull.data) == before).all()
 
 
+@pytest.mark.parametrize("creased", [(), (6,), (5, 6)])
+def test_a_row_that_is_flat_all_along_has_no_bilge(creased):
+    section = [(y, 0.0) for y in np.linspace(0.0, 6.0, 7)]
+    hull = midbody(section, creased)
+    select_rows(hull, len(section), 0, 6)
+    with pytest.raises(RuntimeError, match="points? between the borders of the flats"):
+        bpy.ops.hull.round_bilge(radius=1.0)
+
+
 def test_locked_points_and_nothing_selected():
     section = [*FLAT[::2], *bilge_points(4), *SIDE[::2]]
     hull = midbody(section, (1, 6))

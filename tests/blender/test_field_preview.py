@@ -117,6 +117,21 @@ def test_what_would_fold_is_told_and_not_shown():
     assert np.array_equal(points_of(hull), before)
 
 
+def test_a_field_without_faces_is_named_as_it_is_called_now():
+    hull, _, _ = previewed()
+    for name in ("bow", "stern"):
+        bpy.ops.hull.add_field(role="MOVE", base="FACES")
+        hull.hull.fields.fields[-1].name = name
+    changed()
+    assert shown(hull).problem.startswith("bow: ")
+    bpy.ops.hull.move_field(direction="UP")
+    changed()
+    assert shown(hull).problem.startswith("stern: ")
+    hull.hull.fields.fields[1].name = "transom"
+    changed()
+    assert shown(hull).problem.startswith("transom: ")
+
+
 def test_points_moved_by_hand_meanwhile_are_not_lost():
     hull, field, before = previewed()
     hull.data.vertices[5].co.z += 0.5

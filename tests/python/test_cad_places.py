@@ -80,11 +80,7 @@ def test_a_solid_that_its_first_face_would_turn_inside_out(write, tmp_path):
     """A triangle of its deck lies close above the rest: seen from there Open CASCADE takes the
     inside for the outside."""
     shell = hull_io.shell_arrays(hull_io.read_hull(MOTORBOAT))
-    surface = hn.LimitSurface(
-        hn.ControlMesh(
-            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-        )
-    )
+    surface = hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
     report = write(surface, tmp_path / "boat.cad", mirrored=True, solid=True)
     assert report["valid"] and report["solids"] == 1
     assert report["volume"] == pytest.approx(398.645, abs=0.001)

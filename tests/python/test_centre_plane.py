@@ -24,9 +24,7 @@ EXTENTS = {
 def mesh_of(name):
     data = hull_io.read_hull(hull_path(f"{name}.hull.json"))
     shell = hull_io.shell_arrays(data)
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return data, mesh
 
 

@@ -19,7 +19,7 @@ ROUNDED, ALTERNATING = 1e-14, 1e-12
 
 def sample(name):
     shell = hull_io.shell_arrays(hull_io.read_hull(SAMPLES / f"{name}.hull.json"))
-    return shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
+    return shell.arguments()
 
 
 def pairs(mesh):

@@ -16,9 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 def sample_surface(name):
     data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
     shell = hull_io.shell_arrays(data)
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return hn.LimitSurface(mesh, data.scheme)
 
 

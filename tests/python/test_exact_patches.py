@@ -28,7 +28,7 @@ def control_mesh(name):
 def shell_of(name):
     """Arguments of ControlMesh."""
     shell = hull_io.shell_arrays(hull_io.read_hull(hull_path(name)))
-    return shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
+    return shell.arguments()
 
 
 _surfaces = {}

@@ -26,11 +26,7 @@ class Sample:
     def __init__(self, name):
         data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
         shell = hull_io.shell_arrays(data)
-        self.surface = hn.LimitSurface(
-            hn.ControlMesh(
-                shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-            )
-        )
+        self.surface = hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
         particulars = data.particulars
         self.dimensions = {
             "length_pp": particulars.length_pp,

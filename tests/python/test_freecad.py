@@ -35,9 +35,7 @@ WAYS = {
 
 def surface_of(path):
     shell = hull_io.shell_arrays(hull_io.read_hull(path))
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return hn.LimitSurface(mesh)
 
 

@@ -23,7 +23,7 @@ class Sample:
     def __init__(self, name):
         self.data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
         shell = hull_io.shell_arrays(self.data)
-        arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+        arrays = shell.arguments()
         self.surface = hn.LimitSurface(hn.ControlMesh(*arrays))
         self.size = self.surface.mesh.size
         self.tree = hn.SurfaceTree(self.surface)

@@ -31,7 +31,7 @@ ALL = os.environ.get("HULL_LONG_TESTS") == "1"
 def sample(name):
     data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
     shell = hull_io.shell_arrays(data)
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     return hn.LimitSurface(hn.ControlMesh(*arrays), data.scheme), data
 
 

@@ -41,7 +41,7 @@ def copies_of(name):
 
 def surface_of(data):
     shell = hull_io.shell_arrays(data)
-    arrays = shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
+    arrays = shell.arguments()
     errors = [p.message for p in hull_native.check_mesh(*arrays) if p.severity == "error"]
     assert not errors
     return hull_native.LimitSurface(hull_native.ControlMesh(*arrays), data.scheme)

@@ -21,7 +21,7 @@ DIAGONALS = [(5.0, radians(35.0)), (3.5, radians(50.0))]
 def read(path):
     data = hull_io.read_hull(path)
     shell = hull_io.shell_arrays(data)
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     return data, hn.LimitSurface(hn.ControlMesh(*arrays))
 
 

@@ -21,11 +21,7 @@ NAMES = ("bulk_carrier", "container_ship", "coaster", "naval_vessel", "research_
 @lru_cache(None)
 def half_hull(name, divisions=2):
     shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
-    surface = hn.LimitSurface(
-        hn.ControlMesh(
-            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-        )
-    )
+    surface = hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
     facets = surface.tessellate(n=divisions)
     quads = facets.quads
     return facets.points, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])

@@ -21,7 +21,7 @@ DRAFTS = np.linspace(1.0, 5.0, 9)
 
 def hydrostatic_rows():
     shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / "coaster.hull.json"))
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     surface = hn.LimitSurface(hn.ControlMesh(*arrays))
     return [hn.upright_hydrostatics(surface, draft=draft, mirrored=True) for draft in DRAFTS]
 
@@ -146,7 +146,7 @@ def all_hydrostatic_curves():
     """Those that need the main dimensions, too."""
     data = hull_io.read_hull(ROOT / "samples" / "coaster.hull.json")
     shell, given = hull_io.shell_arrays(data), data.particulars
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     body = hn.HullBody(hn.LimitSurface(hn.ControlMesh(*arrays)), mirrored=True)
     dimensions = {"length_pp": given.length_pp, "beam": given.beam}
     return hn.hydrostatic_curves_plot(hn.hydrostatic_table(body, drafts=DRAFTS, **dimensions))

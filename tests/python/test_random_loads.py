@@ -16,9 +16,7 @@ HEELS = np.radians(np.arange(0, 95, 5))
 def sample_body(name):
     data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
     shell = hull_io.shell_arrays(data)
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return hn.HullBody(hn.LimitSurface(mesh), mirrored=True), data.particulars
 
 

@@ -26,7 +26,7 @@ QUARTERS = (
 @pytest.mark.parametrize("name", NAMES)
 def test_the_surface_is_the_same(name, scheme):
     shell = hull_io.shell_arrays(hull_io.read_hull(SAMPLES / f"{name}.hull.json"))
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     surface = hn.LimitSurface(hn.ControlMesh(*arrays), scheme)
     mesh = surface.refined_mesh()
     finer = hn.LimitSurface(mesh, scheme)

@@ -17,11 +17,7 @@ SEED = 20261123
 
 def surface_of(name):
     shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
-    return hn.LimitSurface(
-        hn.ControlMesh(
-            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-        )
-    )
+    return hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
 
 
 def size_of(surface):

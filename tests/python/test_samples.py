@@ -46,7 +46,7 @@ BILGE = {"barge": (0.99, 0.015), "coaster": (1.6, 0.012)}
 def sample(request):
     data = hull_io.read_hull(ROOT / "samples" / f"{request.param}.hull.json")
     shell = hull_io.shell_arrays(data)
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     return request.param, data, arrays, hn.LimitSurface(hn.ControlMesh(*arrays))
 
 

@@ -19,9 +19,7 @@ SAMPLES = sorted((ROOT / "samples").glob("*.hull.json"))
 def surface_of(path, scheme="biermann"):
     data = hull_io.read_hull(path)
     shell = hull_io.shell_arrays(data)
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return data, shell, hn.LimitSurface(mesh, scheme)
 
 

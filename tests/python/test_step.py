@@ -17,9 +17,7 @@ NAMES = ["barge.hull.json", "coaster.hull.json", *foreign_ships()]
 def surface_of(name):
     data = hull_io.read_hull(hull_path(name))
     shell = hull_io.shell_arrays(data)
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return data, hn.LimitSurface(mesh)
 
 

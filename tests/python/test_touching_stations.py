@@ -18,9 +18,7 @@ def surface_of(points, face_sizes, face_vertices, creases=(), corners=()):
 def fine_barge():
     """The barge's shown surface, rounded to single precision, as a control mesh without creases."""
     shell = hull_io.shell_arrays(hull_io.read_hull(SAMPLES / "barge.hull.json"))
-    coarse = surface_of(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    coarse = surface_of(*shell.arguments())
     shown = coarse.tessellate(3)
     points = shown.points.astype(np.float32).astype(float)
     return surface_of(points, np.full(len(shown.quads), 4), shown.quads.ravel())

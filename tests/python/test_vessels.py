@@ -69,7 +69,7 @@ def test_file_and_source_agree(vessel, tmp_path):
 
 def test_mesh_is_sound_and_small(vessel):
     shell = vessels.hull_io.shell_arrays(vessel.data)
-    arrays = (shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners)
+    arrays = shell.arguments()
     assert hn.check_mesh(*arrays) == []
     most = MOST_POINTS.get(vessel.name, vessel.source.MOST_POINTS)
     assert len(vessel.data.points) <= min(most, vessel.source.MOST_POINTS)

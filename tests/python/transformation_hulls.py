@@ -65,9 +65,7 @@ class Sample:
         data = hull_io.read_hull(SAMPLE_FILES[SAMPLES.index(name)])
         self.data, shell = data, hull_io.shell_arrays(data)
         self.ship = data.particulars
-        self.mesh = hn.ControlMesh(
-            shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-        )
+        self.mesh = hn.ControlMesh(*shell.arguments())
         self.surface = hn.LimitSurface(self.mesh)
         self.half = data.half
         self.body = hn.HullBody(self.surface, mirrored=self.half)

@@ -11,6 +11,7 @@ from bpy.props import (
     FloatVectorProperty,
     IntProperty,
     PointerProperty,
+    StringProperty,
 )
 
 from .shared import changed, length, switch
@@ -71,6 +72,7 @@ def _shift(name, description):
 class HullShapeField(bpy.types.PropertyGroup):
     """Lengths and places in Blender's units and the hull's own axes."""
 
+    name: StringProperty(name="Name", description="As it is told", update=changed)
     use: switch("On", "The field counts", default=True)
     role: EnumProperty(name="Role", description="What the field does", items=ROLES, update=changed)
     colour: FloatVectorProperty(

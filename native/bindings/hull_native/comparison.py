@@ -7,6 +7,7 @@ the one that it is compared with: a difference is the first's value less the sec
 
 from dataclasses import dataclass
 from operator import attrgetter
+from typing import Optional
 
 import numpy as np
 
@@ -50,9 +51,9 @@ class ComparedHull:
     draft: float
     trim: float = 0.0
     heel: float = 0.0
-    draft_at: float = None
-    length_pp: float = None
-    beam: float = None
+    draft_at: Optional[float] = None
+    length_pp: Optional[float] = None
+    beam: Optional[float] = None
     water_density: float = 1.025
 
     def position(self):

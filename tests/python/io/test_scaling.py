@@ -21,9 +21,7 @@ def sample(name):
 
 def surface_of(data):
     shell = hull_io.shell_arrays(data)
-    mesh = hn.ControlMesh(
-        shell.points, shell.face_sizes, shell.face_vertices, shell.creases, shell.corners
-    )
+    mesh = hn.ControlMesh(*shell.arguments())
     return hn.LimitSurface(mesh, data.scheme)
 
 

@@ -221,8 +221,9 @@ def _held(obj):
 
 
 def _values(obj):
-    """All of the fields that a preview goes by; curves and faces by what they are now."""
-    return tuple(values_of(field, obj) for field in obj.hull.fields.fields)
+    """All of the fields that a preview goes by; curves and faces by what they are now, names for
+    what is said of them."""
+    return tuple((field.name, values_of(field, obj)) for field in obj.hull.fields.fields)
 
 
 def values_of(field, obj):

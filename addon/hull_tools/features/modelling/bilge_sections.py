@@ -10,6 +10,8 @@ import numpy as np
 
 # Of the section's size: points nearer to a line than this lie in the flat.
 _IN_FLAT = 1e-4
+# Points between the borders of the flats.
+_FEWEST_BETWEEN, _MOST_BETWEEN = 3, 8
 
 
 class BilgeError(ValueError):
@@ -137,18 +139,30 @@ def _walk(beside, first):
 def _trimmed(row, points, graph, crossed):
     """The BilgeSection of a row that may go on in the flats."""
     row, bottom = _trim_end(row, points, graph, crossed)
+    _refuse_few(row, points)
     back, side = _trim_end(row[::-1], points, graph, crossed)
     row = back[::-1]
+    _refuse_few(row, points)
     if crossed[row[1:-1]].any():
         raise BilgeError(
             "A crease runs through the points of the bilge: make it smooth, or select from there"
         )
-    if not 3 <= len(row) - 2 <= 8:
-        raise BilgeError(
-            f"There are {len(row) - 2} points between the borders of the flats at x = "
-            f"{points[row[0], 0]:.2f} m: a bilge takes three to eight, best four to six"
-        )
+    if len(row) - 2 > _MOST_BETWEEN:
+        raise _odd_count(len(row) - 2, points[row[0], 0])
     return BilgeSection(row, bottom, side)
+
+
+def _refuse_few(row, points):
+    """A flat may reach so far that too few points, even one alone, are left of a row."""
+    if len(row) - 2 < _FEWEST_BETWEEN:
+        raise _odd_count(max(len(row) - 2, 0), points[row[0], 0])
+
+
+def _odd_count(count, x):
+    return BilgeError(
+        f"There {'is 1 point' if count == 1 else f'are {count} points'} between the borders of "
+        f"the flats at x = {x:.2f} m: a bilge takes three to eight, best four to six"
+    )
 
 
 def _trim_end(row, points, graph, crossed):
