@@ -18,7 +18,7 @@ def closed_to_centre(mesh):
     central, others = border_edges(mesh.points, mesh.triangles, _SEAM * mesh.length)
     if len(central) and np.ptp(mesh.points[central][:, :, 0]) > _LONG * mesh.length:
         return mesh, 0.0
-    lines = joined_lines(mesh.points, others, _GAP * mesh.length)
+    lines = joined_lines(mesh.points, np.concatenate([central, others]), _GAP * mesh.length)
     parts = [part for line in lines for part in parts_between_turns(line)]
     widest, least = _BESIDE * mesh.points[:, 1].max(), _LONG * mesh.length
     parts = [part for part in parts if part[:, 1].max() < widest and np.ptp(part[:, 0]) > least]
@@ -31,9 +31,11 @@ def closed_to_centre(mesh):
 def _with_strip(mesh, line):
     """Points of the line are the mesh's own: the strip hangs together with it."""
     own = np.array([np.flatnonzero((mesh.points == place).all(axis=1))[0] for place in line])
-    inner = len(mesh.points) + np.arange(len(line))
+    inner = np.where(line[:, 1] == 0.0, own, len(mesh.points) + np.arange(len(line)))
     a, b, c, d = own[:-1], own[1:], inner[1:], inner[:-1]
     strip = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    following = np.roll(strip, -1, axis=1)
+    strip = strip[(strip != following).all(axis=1)]
     if _is_along(mesh.triangles, own[0], own[1]):
         strip = strip[:, ::-1]
     points = np.concatenate([mesh.points, line * [1.0, 0.0, 1.0]])
