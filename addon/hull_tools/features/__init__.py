@@ -20,6 +20,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        hull files; files for other programs: lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape
+  geometry        hulls that exist as meshes or files, made control meshes
   fairing         chosen control points moved so that surface or rows are fair, within a deviation
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
   dimensions      hulls scaled to main dimensions, with all that belongs to them

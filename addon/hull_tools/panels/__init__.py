@@ -13,6 +13,7 @@ from . import (
     fairness,
     fields,
     fit,
+    geometry,
     hull,
     hydrostatics,
     lines_plan,
@@ -37,6 +38,7 @@ from . import (
 _CLASSES = (
     *add_menu.CLASSES,
     *hull.CLASSES,
+    *geometry.CLASSES,
     *shown.CLASSES,
     *sections.CLASSES,
     *tags.CLASSES,
