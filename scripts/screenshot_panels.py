@@ -256,6 +256,9 @@ PANELS = {
         _with_opening,
         analyses=("righting_levers",),
     ),
+    "panels/resistance": PanelShot(
+        hull_panels("resistance", "resistance_remarks"), analyses=("resistance_curves",)
+    ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
     "panels/export": PanelShot(hull_panels("export", "patches", "cad_file")),

@@ -58,9 +58,11 @@ def test_numbers_of_a_member_by_itself(paper_pair):
     bpy.ops.hull.update()
     bpy.context.view_layer.update()
     assert np.array_equal(mesh_points(copy), exact_member(made, [0.37, 0.63]))
-    # Of the layout's bottom what is flat in the bulk carrier, too: it may be less than two faces.
-    for bottom in part("features.constraints.flats").regions(copy):
-        assert bottom.plane.tolist() == [0.0, 0.0, 1.0, 0.0]
+    side, bottom = sorted(
+        part("features.constraints.flats").regions(copy), key=lambda region: region.plane[2]
+    )
+    assert bottom.plane.tolist() == [0.0, 0.0, 1.0, 0.0] and len(bottom.faces) == 8
+    assert side.plane == pytest.approx([0.0, 1.0, 0.0, 0.37 * 25.5 + 0.63 * 29.0], abs=1e-4)
     again = state_of(copy).hydrostatics.values
     for name in ("displaced_volume", "lcb", "kmt", "wetted_surface"):
         assert getattr(again, name) == pytest.approx(getattr(values, name), rel=1e-6)

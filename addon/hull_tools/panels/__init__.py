@@ -20,6 +20,7 @@ from . import (
     morph,
     networks,
     pull,
+    resistance,
     sections,
     shape,
     shown,
@@ -33,7 +34,7 @@ from . import (
 )
 
 # Panels stand in the sidebar in this order, which is that of the work: hull, surface, lines, shape,
-# variants, fairness, hydrostatics, stability, output.
+# variants, fairness, hydrostatics, stability, resistance, output.
 _CLASSES = (
     *add_menu.CLASSES,
     *hull.CLASSES,
@@ -57,6 +58,7 @@ _CLASSES = (
     *hydrostatics.CLASSES,
     *stability.CLASSES,
     *criteria.CLASSES,
+    *resistance.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,
     *studio.CLASSES,

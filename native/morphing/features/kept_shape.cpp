@@ -20,6 +20,10 @@ using analysis::FlatRegion;
 constexpr double kSquareNormal = 1e-6;
 // Of the size: how far a layout may still be from the flat that its points are put into.
 constexpr double kNearFlat = 5e-3;
+// Of the size: where the other hull has risen from its flat by no more than this, a point is put
+// into the flat all the same, and slides towards it. It is what a layout may be off anyhow: else
+// points of the rim that begin just beyond it stay millimetres out of the plane.
+constexpr double kRisen = 1e-4;
 // Of the size's square: smaller regions are not looked at.
 constexpr double kSmallestFlat = 1e-6;
 
@@ -27,6 +31,12 @@ std::vector<FlatRegion> flats_of(const surface::LimitSurface& surface) {
   const double size = surface.mesh().size();
   return analysis::flat_regions(surface, std::nullopt, kInPlane * size,
                                 kSmallestFlat * size * size);
+}
+
+// Whether a point of a hull is in a flat region or beside it, where it has hardly left the plane.
+bool is_at(const surface::ClosestPoint& foot, const FlatRegion& flat, double risen) {
+  return std::binary_search(flat.cells.begin(), flat.cells.end(), foot.cell) ||
+         std::abs(flat.plane.height(foot.point)) <= risen;
 }
 
 // The control points in the plane of a region, of the faces that its cells are part of.
@@ -63,7 +73,7 @@ std::vector<CommonFlat> common_flats(const surface::LimitSurface& hull,
                                      const surface::LimitSurface& other) {
   const std::vector<Vector3d> limits = limit_points(layout);
   const surface::SurfaceTree tree(other);
-  const double near = kNearFlat * other.mesh().size();
+  const double near = kNearFlat * other.mesh().size(), risen = kRisen * other.mesh().size();
   const std::vector<FlatRegion> others = flats_of(other);
   std::set<int> taken;
   std::vector<CommonFlat> found;
@@ -73,12 +83,8 @@ std::vector<CommonFlat> common_flats(const surface::LimitSurface& hull,
       CommonFlat flat{{}, counterpart.plane};
       for (int v : points_of(hull, region)) {
         const surface::ClosestPoint foot = surface::closest_point(tree, limits[v]);
-        const bool is_in =
-            std::binary_search(counterpart.cells.begin(), counterpart.cells.end(), foot.cell);
-        if (!is_in || std::abs(counterpart.plane.height(limits[v])) > near || taken.count(v)) {
-          continue;
-        }
-        flat.points.push_back(v);
+        const bool is_near = std::abs(counterpart.plane.height(limits[v])) <= near;
+        if (is_near && is_at(foot, counterpart, risen) && !taken.count(v)) flat.points.push_back(v);
       }
       if (flat.points.size() < 3) continue;
       taken.insert(flat.points.begin(), flat.points.end());

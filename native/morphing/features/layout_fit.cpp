@@ -2,52 +2,24 @@
 #include "morphing/features/layout_fit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "modelling/reshape/surface_places.h"
+#include "morphing/features/layout_distances.h"
 #include "morphing/features/layout_fitting.h"
 #include "morphing/features/layout_shortfall.h"
 #include "morphing/features/layout_start.h"
 #include "morphing/features/renumbering.h"
-#include "surface/queries/closest_point.h"
 #include "surface/refined_mesh.h"
 
 namespace hull::morphing {
 namespace {
 
-using modelling::SurfacePlaces;
-
-struct Distances {
-  double rms = 0.0, largest = 0.0;
-  Vector3d place = Vector3d::Zero();
-};
-
-// Of places all over a surface from another one, by area.
-Distances distances(const surface::LimitSurface& from, const surface::LimitSurface& to) {
-  const SurfacePlaces places(from);
-  std::vector<Vector3d> points;
-  for (int k = 0; k < places.count(); ++k) points.push_back(places.position(k));
-  const std::vector<surface::ClosestPoint> feet =
-      surface::closest_points(surface::SurfaceTree(to), points);
-  Distances found;
-  double sum = 0.0;
-  for (int k = 0; k < places.count(); ++k) {
-    const double distance = feet[k].distance;
-    sum += places.area(k) * distance * distance;
-    if (distance <= found.largest) continue;
-    found.largest = distance;
-    found.place = points[k];
-  }
-  found.rms = std::sqrt(sum / places.total_area());
-  return found;
-}
-
 void measure(const surface::LimitSurface& target, LayoutFit& fit) {
-  const Distances there = distances(target, fit.second), back = distances(fit.second, target);
+  const LayoutDistances there = layout_distances(target, fit.second);
+  const LayoutDistances back = layout_distances(fit.second, target);
   fit.rms = there.rms;
   fit.largest = there.largest;
   fit.largest_place = there.place;
@@ -197,7 +169,7 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
-  std::vector<LayoutWay> ways{{}, {.has_first_metric = true}};
+  std::vector<LayoutWay> ways{{.has_first_metric = true}, {}};
   if (has_bar_alone(graph, found.match)) ways.insert(ways.begin() + 1, {.holds_bar = true});
   std::optional<LayoutFit> best;
   for (const LayoutWay& way : ways) {

@@ -2,12 +2,14 @@
 #include "morphing/features/layout_fitting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "mesh/tolerances.h"
 #include "modelling/reshape/surface_places.h"
 #include "morphing/families/hull_family.h"
+#include "morphing/features/layout_distances.h"
 #include "morphing/features/layout_start.h"
 
 namespace hull::morphing {
@@ -17,9 +19,11 @@ using modelling::SurfacePlaces;
 
 // Stiffness of the moves, step by step: rows of points stay laid out as they are while they are
 // far away, and go where the surface is at last.
-constexpr std::array<double, 2> kFarStiffness{3e-3, 1e-4};
-constexpr std::array<double, 2> kNearStiffness{3e-5, 1e-5};
-constexpr int kStepsEach = 15;
+constexpr std::array<FitStage, 2> kFarStages{{{3e-3, 15}, {1e-4, 15}}};
+// Short stages end where members are folded that are not when the stage has settled.
+constexpr std::array<FitStage, 2> kNearStages{{{3e-5, 25}, {1e-5, 25}}};
+// Where that is not near enough: a layout that need not be subdivided has fewer marks.
+constexpr std::array<FitStage, 1> kLastStage{{{3e-6, 25}}};
 constexpr double kCurveSpacing = 1.0 / 500.0;  // of the length
 // Of the second hull's size: so far from the centre plane at least are points of a half hull that
 // are not in it, 1 mm on 100 m. More than kOnCentrePlane, so that none is taken for one in it.
@@ -106,6 +110,7 @@ LayoutFitting::LayoutFitting(const surface::LimitSurface& first,
       second_(second),
       other_(other),
       progress_(options.progress),
+      tolerance_(options.tolerance * (other.box.high.x() - other.box.low.x())),
       way_(way),
       target_(target_of(second)) {}
 
@@ -129,7 +134,7 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     boxed->set_points(in_box(first_.mesh().points(), graph.box, other_.box));
   }
   const surface::LimitSurface* const metric = boxed ? &*boxed : nullptr;
-  if (is_far) approach(layout, curves, limits, bounds, metric, kFarStiffness);
+  if (is_far) approach(layout, curves, limits, bounds, metric, kFarStages);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
@@ -145,7 +150,14 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     }
   }
   layout.set_points(std::move(points));
-  return approach(layout, curves, limits, bounds, metric, kNearStiffness);
+  const auto fold = approach(layout, curves, limits, bounds, metric, kNearStages);
+  if (fold || is_met(layout)) return fold;
+  return approach(layout, curves, limits, bounds, metric, kLastStage);
+}
+
+bool LayoutFitting::is_met(const surface::LimitSurface& layout) const {
+  return layout_distances(second_, layout).rms <= tolerance_ &&
+         layout_distances(layout, second_).rms <= tolerance_;
 }
 
 std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
@@ -153,18 +165,18 @@ std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
                                                 const modelling::ReshapeLimits& limits,
                                                 const std::vector<modelling::FitBound>& bounds,
                                                 const surface::LimitSurface* metric,
-                                                const std::array<double, 2>& stiffness) const {
+                                                std::span<const FitStage> stages) const {
   modelling::FitOptions options;
   options.limits = limits;
   options.bounds = bounds;
   options.metric = metric;
   options.fairness = 0.0;
   options.draw_border = true;
-  options.most_steps = kStepsEach;
   options.progress = progress_;
   bool was_folded = fold_between(first_, layout).has_value();
-  for (double each : stiffness) {
-    options.stiffness = each;
+  for (const FitStage& stage : stages) {
+    options.stiffness = stage.stiffness;
+    options.most_steps = stage.most_steps;
     surface::LimitSurface next = layout;
     next.set_points(modelling::fit(layout, target_, curves, options).points);
     const std::optional<Vector3d> fold = fold_between(first_, next);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "modelling/fit.h"
@@ -26,7 +26,14 @@ struct LayoutWay {
   bool holds_bar = false;
   // Bending of the moves is measured by the first hull in the second one's box, in place of the
   // layout as it is near by: where lines have drawn that together or over, it is a bad measure.
+  // Container ship and bulk carrier come nearer one another with it, and with fewer marks.
   bool has_first_metric = false;
+};
+
+// A fit with one stiffness of the moves from where it begins.
+struct FitStage {
+  double stiffness;  // as FitOptions has it
+  int most_steps;
 };
 
 // A layout on its way to the second hull.
@@ -43,17 +50,20 @@ class LayoutFitting {
                               std::vector<CommonFlat>& flats) const;
 
  private:
+  // Whether the distances both ways are within the tolerance.
+  bool is_met(const surface::LimitSurface& layout) const;
   std::optional<Vector3d> approach(surface::LimitSurface& layout,
                                    const std::vector<modelling::FitCurve>& curves,
                                    const modelling::ReshapeLimits& limits,
                                    const std::vector<modelling::FitBound>& bounds,
                                    const surface::LimitSurface* metric,
-                                   const std::array<double, 2>& stiffness) const;
+                                   std::span<const FitStage> stages) const;
 
   const surface::LimitSurface& first_;
   const surface::LimitSurface& second_;
   const FeatureGraph& other_;
   surface::Progress progress_;
+  double tolerance_;  // m
   LayoutWay way_;
   modelling::FitTarget target_;
 };
