@@ -13,6 +13,7 @@ from ...bridge.blender import units
 from ...bridge.counts import counted
 from ..fitting import fitting
 from ..hull import hull_creation, hull_state
+from . import sources
 
 _SHARE_OF_READING = 0.1  # of the work
 # What is guessed of nearly every hull, and told in the panel only.
@@ -50,7 +51,7 @@ class Report:
     @property
     def doubts(self):
         """Sentences."""
-        return [self.told["guesses"][doubt] for doubt in self.told["doubts"]]
+        return [sources.sentence(self.told["guesses"], doubt) for doubt in self.told["doubts"]]
 
 
 @dataclass
@@ -165,8 +166,8 @@ def rows(report):
         ("Largest", units.format_mm(told["distances"]["largest"])),
         ("RMS below the draft", units.format_mm(below["rms"])),
         ("Largest below the draft", units.format_mm(below["largest"])),
-        ("∇ more than the source's", _more(told["displaced_volume"])),
-        ("Wetted surface more", _more(told["wetted_surface"])),
+        ("∇ off by", _more(told["displaced_volume"])),
+        ("Surface off by", _more(told["wetted_surface"])),
     ]
 
 

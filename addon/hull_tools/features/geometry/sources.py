@@ -55,5 +55,10 @@ def understood(source, known):
     return [
         f"{guess.length:.4g} m long, {guess.beam:.4g} m broad, {guess.depth:.4g} m deep",
         f"Lpp {guess.length_pp:.4g} m, forward {guess.forward}, up {guess.up}, {sides}",
-        *(guess.reasons[doubt] for doubt in guess.doubts),
+        *(sentence(guess.reasons, doubt) for doubt in guess.doubts),
     ]
+
+
+def sentence(reasons, about):
+    """What a Guess of hull_io tells about something, with its name."""
+    return f"{about[0].upper()}{about[1:]}: {reasons[about]}"
