@@ -5,8 +5,8 @@ Its native module takes the libraries of this system; scripts/wheels makes zips 
 
 The zip has one folder, hull_tools, so that Blender 3.4 takes it as a legacy add-on and Blender 4.2
 and later as an extension. In the folder are the content of addon/, the samples, the licence, and
-beside the inner package hull_tools the packages hull_io, hull_fairness and hull_native: their
-users, two folders down, write `from ... import hull_native`.
+beside the inner package hull_tools the packages hull_io, hull_fairness, hull_fitting and
+hull_native: their users, two folders down, write `from ... import hull_native`.
 
 The same sources give the same bytes: names are sorted, dates fixed. With --name-only the path of
 the zip is printed, and nothing made.
@@ -53,7 +53,7 @@ def plain_contents():
     yield "hull_tools/LICENSE", (ROOT / "LICENSE").read_bytes()
     for path in files_below(ADDON):
         yield f"hull_tools/{path.relative_to(ADDON)}", path.read_bytes()
-    for package in ("hull_io", "hull_fairness"):
+    for package in ("hull_io", "hull_fairness", "hull_fitting"):
         for path in files_below(PYTHON / package):
             yield f"hull_tools/{path.relative_to(PYTHON)}", path.read_bytes()
     for path in (ROOT / "samples").glob("*.hull.json"):

@@ -197,8 +197,23 @@ def _with_studio(hull):
     part("features.studio").make(hull, bpy.context.scene)
 
 
+def _of_a_mesh(hull):
+    """The hull's own surface as a mesh, and a hull made of that, active."""
+    state = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
+    grid = state.ship.surface.tessellate(6)
+    mesh = bpy.data.meshes.new("scan")
+    mesh.from_pydata(np.array(grid.points).tolist(), [], np.array(grid.quads).tolist())
+    scan = bpy.data.objects.new("scan", mesh)
+    bpy.context.collection.objects.link(scan)
+    hull.select_set(False)
+    bpy.context.view_layer.objects.active = scan
+    with bpy.context.temp_override(object=scan, active_object=scan):
+        bpy.ops.hull.hull_from_mesh(points=90)
+
+
 PANELS = {
     "panels/hull": PanelShot(hull_panels("hull", "check")),
+    "panels/hull-of-mesh": PanelShot(hull_panels("hull", "made_of"), _of_a_mesh),
     "panels/surface": PanelShot(hull_panels("surface")),
     "panels/edges-and-points": PanelShot(
         hull_panels("tags", "select", "shown_tags"), in_edit_mode=True
@@ -240,6 +255,9 @@ PANELS = {
         hull_panels("stability", "downflooding_points", "stability_remarks"),
         _with_opening,
         analyses=("righting_levers",),
+    ),
+    "panels/resistance": PanelShot(
+        hull_panels("resistance", "resistance_remarks"), analyses=("resistance_curves",)
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),

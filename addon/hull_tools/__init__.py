@@ -11,6 +11,7 @@ late_loading.install(
     f"{__name__}.features",
     f"{__package__.rpartition('.')[0]}.hull_io",
     f"{__package__.rpartition('.')[0]}.hull_fairness",
+    f"{__package__.rpartition('.')[0]}.hull_fitting",
     *(f"{__name__}.overlays.{name}_arrays" for name in _ARRAYS),
     f"{__name__}.overlays.label_places",
     f"{__name__}.overlays.shapes",

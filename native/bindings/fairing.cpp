@@ -20,11 +20,13 @@ using modelling::FairRegion;
 
 FairEnergy energy_from(const std::string& name) {
   if (name == "lengthwise") return FairEnergy::kLengthwise;
+  if (name == "blend") return FairEnergy::kBlend;
   if (name == "thin_plate") return FairEnergy::kThinPlate;
   if (name == "curvature") return FairEnergy::kCurvature;
   if (name == "variation") return FairEnergy::kVariation;
   throw std::invalid_argument(
-      "energy must be 'lengthwise', 'thin_plate', 'curvature' or 'variation', not '" + name + "'.");
+      "energy must be 'lengthwise', 'blend', 'thin_plate', 'curvature' or 'variation', not '" +
+      name + "'.");
 }
 
 const char* name_of(Faired::Bound bound) {
@@ -183,7 +185,7 @@ void bind_region(py::module_& module) {
       module, "FairRegion",
       "Chosen control points move so that the exact surface is as fair as can be within a "
       "deviation from what it was. Prepared once, so that solve() may follow a slider with the "
-      "energies 'lengthwise' and 'thin_plate'.")
+      "energies 'lengthwise', 'blend' and 'thin_plate'.")
       .def(py::init([](const surface::LimitSurface& surface, const py::object& points,
                        const std::string& energy, const py::object& locked,
                        const py::object& held_points, const DoubleArray& held_normals,
@@ -225,14 +227,18 @@ void bind_region(py::module_& module) {
            py::arg("wished_values") = py::tuple(), py::arg("wished_weights") = py::tuple(),
            "points (k,): control points that may move. energy: 'thin_plate' (squared second "
            "derivatives to the metric of the surface as it was), 'lengthwise' (of these what bends "
-           "along the ship: sections keep their own bend), 'curvature' (the integral of the "
-           "squared principal curvatures) or 'variation' (of the squared changes of curvature). "
+           "along the ship: sections keep their own bend), 'blend' (what is not blended from rows "
+           "along "
+           "and across: the squared derivatives by u³ v³ of single cells), 'curvature' (the "
+           "integral "
+           "of the squared principal curvatures) or 'variation' (of the squared changes of "
+           "curvature). "
            "locked, held_points, held_normals, tied, tied_directions, kept, conditions: as of "
            "Reshape. "
            "keep_creases: points of creases, borders and corners stay. keep_stations: x stays, bit "
            "by bit. along_normals: points move along the surface's normal (with keep_stations its "
            "part "
-           "across the ship), not along the surface. most_steps: of the latter two energies. "
+           "across the ship), not along the surface. most_steps: of 'curvature' and 'variation'. "
            "before (n, 3): control points of the surface before a change; the energy is then how "
            "much each place bends otherwise than there, in proportion to how much it did, where "
            "bends below least_bend, 1/m, count as that one. emphasised (k, 3): places on that "
@@ -240,7 +246,7 @@ void bind_region(py::module_& module) {
            "largest of several. wished: sums, as conditions are, of which each is to come to its "
            "value of wished_values (w,): weight · (sum - value)², of wished_weights (w,), is added "
            "to "
-           "the energy, which must be one of the first two or of before.\n\n"
+           "the energy, which must be none of these two.\n\n"
            "The surface is read here and not kept. ValueError for what is none of these, and where "
            "no point may move.")
       .def_property_readonly("area", &FairRegion::area,
@@ -267,7 +273,7 @@ void bind_fairing(py::module_& module) {
       },
       py::arg("surface"), py::arg("energy"),
       "The energy of a whole surface: 'thin_plate' and 'curvature' are numbers, 8 π of a sphere, "
-      "and 'lengthwise' is one; 'variation' is 1/m².");
+      "and 'lengthwise' is one; 'blend' is m², 'variation' 1/m².");
 }
 
 }  // namespace hull::bindings

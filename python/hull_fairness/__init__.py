@@ -8,4 +8,9 @@
   native          the native module
   lines           all lines of a hull judged: what is found on them, and what its design calls for
   changes         marks of a changed hull: which are new
+  levers          how marks' depths change with control points
+  fair_ways       ways in which new marks are made less deep
+  fair_changes    new marks taken out, while numbers of the form stay
+  kept_numbers    numbers of the form that stay
+  fewest_marks    of several ways to what is wanted the one with the fewest new marks
 """

@@ -5,7 +5,9 @@ A mark goes with the surface: where sections are shifted an inflection of a wate
 too. So a mark of the changed hull is looked for on the hull before, at the place of the surface
 with the same parameters. It is an old one where that hull has a mark of its kind within REACH, on a
 line of its kind, that a finer EYE sees; each of these stands for one. Between the lines that are
-judged there are others: a mark is old, too, that is there on the line through its place.
+judged there are others: a mark is old, too, that is there on the line through its place. So is a
+dip where that line bends the other way between two inflections that are gone: where it bent to
+both sides it still bends less, which is the same wave, not as deep.
 
 Marks that extend along a line, as a flat bottom does, are as far apart as they are where they are
 nearest: the middle of a flat goes half as far as its end.
@@ -16,10 +18,11 @@ along an axis by STRETCHES.
 """
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
-from .inflections import INFLECTION
+from .inflections import DIP, INFLECTION
 from .lines import PLANES, found_through, judged, with_reasons
 from .native import hull_native as hn
 
@@ -27,6 +30,7 @@ from .native import hull_native as hn
 REACH = 0.1
 EYE = 0.75
 STRETCHES = (7.0 / 8.0, 9.0 / 8.0)
+_NO_LENGTH = 1e-300
 
 
 @dataclass(frozen=True)
@@ -106,13 +110,54 @@ class Known:
             left = [i for i, one in enumerate(now) if one.line.kind == kind and i not in stays]
             places = np.array([now[i].place for i in left]).reshape(-1, 3)
             through = found_through(self.surface, self.beam, kind, places, EYE)
-            for index, marks in zip(left, through):
+            for index, parts in zip(left, through):
                 line = now[index].line
                 own = [i for i, one in enumerate(now) if one.line is line]
-                old = [Placed(line, one, one.point, _along(one)) for one in marks]
+                old = [Placed(line, one, one.point, _along(one)) for part in parts for one in part]
                 pairs = _pairs(old, [now[i] for i in own], reach)
                 found |= {index} & {own[j] for _, j in pairs}
+                gone = {id(one.found) for one in old} - {id(old[i].found) for i, _ in pairs}
+                dips = [i for i in own if i not in stays and now[i].found.mark == DIP]
+                found |= {index} & _lessened(_waves(parts, gone), now, dips, reach)
         return found
+
+
+def _waves(parts, gone):
+    """[(Found, Found)] of two inflections beside one another in a part, of the [[Found]] of parts,
+    that are both gone: ids of Found."""
+    return [
+        (one, other)
+        for part in parts
+        for one, other in pairwise(part)
+        if one.mark == other.mark == INFLECTION and {id(one), id(other)} <= gone
+    ]
+
+
+def _lessened(waves, now, dips, reach):
+    """Of indices of dips of a line the first between each pair of _waves() that bends to the other
+    side than what was between them."""
+    found = set()
+    for wave in waves:
+        left = (i for i in dips if _is_left(now[i], *wave, reach))
+        found |= {next(left, None)} - {None}
+    return found
+
+
+def _is_left(dip, start, end, reach):
+    place, chord = np.subtract(dip.place, start.point), np.subtract(end.point, start.point)
+    share = (place @ chord) / max(chord @ chord, _NO_LENGTH)
+    is_between = 0.0 < share < 1.0 and np.linalg.norm(place - share * chord) <= reach
+    side = np.sign(dip.found.lever.curvatures.sum())
+    return bool(is_between and side * _side_beyond(start, chord) < 0.0)
+
+
+def _side_beyond(inflection, direction):
+    """The sign of the bend of a line from an inflection on in a direction."""
+    lever = inflection.lever
+    own = lever.factors != 0.0  # one of the two sides
+    side = np.sign(lever.curvatures[own].sum())
+    is_beyond = (lever.points[own].mean(axis=0) - inflection.point) @ direction > 0.0
+    return side if is_beyond else -side
 
 
 def _along(found):

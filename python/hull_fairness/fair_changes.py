@@ -4,8 +4,9 @@
 The form before was fair, or its marks were meant. So the changed surface is shaped anew, round
 after round, while what was wanted of the change is kept, in one way after the other (fair_ways)
 until no mark is new: by levers, that is by what makes these very marks less deep, while creases and
-borders stay; so that it bends as it did before; by levers with creases and borders, too. Of all
-rounds the one with the fewest new marks is taken, and then the smallest deviation with as few.
+borders stay; so that it bends as it did before; by levers with creases and borders, too; and so
+that points move along the ship as well, for a mesh that has too few rows to follow otherwise. Of
+all rounds the one with the fewest new marks is taken, and then the smallest deviation with as few.
 """
 
 from dataclasses import dataclass
@@ -23,7 +24,7 @@ _EYE = 0.95
 # Times the new marks at the start, and besides: with more a way leads astray.
 _ASTRAY = 3, 10
 _HALVINGS = 4
-_MOST_COUNTS = 1 + 3 * _ROUNDS + _HALVINGS
+_MOST_COUNTS = 1 + 4 * _ROUNDS + _HALVINGS
 # Of the deviation, where the surface would fold with more.
 _PARTS = (1.0, 0.5, 0.25, 0.125)
 # Of the length from either end: what is at the ends. Of the beam: points as far out as any.
@@ -44,7 +45,8 @@ class FairChange:
 
 def held_form(surface, parallel=()):
     """(control points (h,), normals (h, 3)) that hold of a LimitSurface: the keel's and stem's
-    heights, the ends, the greatest breadth, and all within `parallel` (aft, forward), m."""
+    heights, the ends, the greatest breadth, and all within `parallel` (aft, forward), m; knuckles
+    across the ship in their stations."""
     points, size = surface.mesh.points, surface.mesh.size
     x, out = points[:, 0], np.abs(points[:, 1])
     at_centre = out <= hn.tolerances.ON_CENTRE_PLANE * size
@@ -53,6 +55,7 @@ def held_form(surface, parallel=()):
     if len(parallel) and parallel[1] > parallel[0]:
         stays |= (x >= parallel[0]) & (x <= parallel[1])
     holds = (
+        (stays | _of_knuckles_across(surface.mesh), 0),
         (stays | at_centre | (out >= (1.0 - _AS_FAR_OUT) * out.max()), 1),
         (stays | at_centre, 2),
     )
@@ -61,9 +64,19 @@ def held_form(surface, parallel=()):
     return np.concatenate(held), np.concatenate(normals)
 
 
+def _of_knuckles_across(mesh):
+    """(n,) which control points are of creases and borders across the ship."""
+    found = np.zeros(len(mesh.points), dtype=bool)
+    for edges in (mesh.creases[:, :2], mesh.border_edges):
+        edges = np.asarray(edges, dtype=int).reshape(-1, 2)
+        along = np.abs(np.diff(mesh.points[edges, 0], axis=1)[:, 0])
+        found[edges[along <= hn.tolerances.IN_PLANE * mesh.size]] = True
+    return found
+
+
 def fair_new_marks(known, surface, most, keeping, wanted=(), progress=None, **limits):
     """The FairChange of a changed LimitSurface, whose marks are compared with a changes.Known:
-    control points move across the ship alone.
+    control points move across the ship, and along it only where that leaves marks.
 
     most: m, the root mean square shift that is not exceeded. keeping:
     kept_numbers.KeptNumbers of the changed hull. wanted: as Known.compared has it. limits: what
@@ -85,6 +98,7 @@ def _ways(ground):
     yield ByLevers(ground, keep_creases=True)
     yield AsBefore(ground)
     yield ByLevers(ground, keep_creases=False)
+    yield ByLevers(ground, keep_creases=False, keep_stations=False)
 
 
 class _Search:

@@ -33,7 +33,7 @@ class Ground:
         self.sums = hn.BendSums(surface)
         self.least_bend = _LEAST_BEND / known.beam
 
-    def region(self, before, attention, keep_creases=False, **wishes):
+    def region(self, before, attention, keep_creases=False, keep_stations=True, **wishes):
         """hull_native.FairRegion of all control points; bends are held to those of `before`, more
         where `attention` tells."""
         return hn.FairRegion(
@@ -45,6 +45,7 @@ class Ground:
             factors=attention.factors,
             reach=attention.reach,
             keep_creases=keep_creases,
+            keep_stations=keep_stations,
             along_normals=False,
             conditions=self.conditions,
             **wishes,
@@ -88,12 +89,13 @@ class AsBefore:
 class ByLevers:
     """Marks are made as little deep as is not seen, by their levers, while the changed surface
     changes its bends as little as can be, in proportion. keep_creases: creases and borders stay;
-    otherwise their own bends count, too. Of reflection lines' marks, which have no levers, bends
-    are held."""
+    otherwise their own bends count, too. keep_stations: points move across the ship alone. Of
+    reflection lines' marks, which have no levers, bends are held."""
 
-    def __init__(self, ground, keep_creases):
+    def __init__(self, ground, keep_creases, keep_stations=True):
         self._ground, self._attention = ground, _Attention(ground.known)
-        self._keep_creases, self._wishes = keep_creases, []
+        self._keep_creases, self._keep_stations = keep_creases, keep_stations
+        self._wishes = []
         self._features = ([], [])
         if not keep_creases:
             beam = ground.known.beam
@@ -115,6 +117,7 @@ class ByLevers:
             self._ground.surface,
             self._attention,
             self._keep_creases,
+            self._keep_stations,
             wished=[one.row for one in wishes] + rows,
             wished_values=[one.value for one in wishes] + [0.0] * len(rows),
             wished_weights=[one.cost / one.mark.found.lever.unseen**2 for one in wishes] + costs,

@@ -108,7 +108,8 @@ def _all_found(surface, beam, eye, within):
     for kind, name, curves in _all_curves(surface, _STEP * beam, within):
         own = [curve for curve in curves if comes_into(curve[1], within)]
         is_cut = kind in PLANES
-        yield kind, name, [mark for curve in own for mark in _marks(*curve, is_cut, beam, eye)]
+        parts = [part for curve in own for part in _marks(*curve, is_cut, beam, eye)]
+        yield kind, name, [mark for part in parts for mark in part]
     for name, parts in reflection_lines(surface, beam, within):
         yield "reflection", name, [mark for part in parts for mark in _turns(part, beam, eye)]
 
@@ -137,10 +138,11 @@ def _cut(surface, column, at, step):
 
 
 def found_through(surface, beam, kind, places, eye=1.0):
-    """Of each of places (n, 3) the [Found] on the line of a kind of PLANES that goes through it."""
+    """Of each of places (n, 3) the [[Found]] on the line of a kind of PLANES that goes through it,
+    in their order along each of its parts between knuckles."""
     column = "xyz".index(PLANES[kind][0])
     for curves in _cut(surface, column, np.asarray(places)[:, column], _STEP * beam):
-        yield [mark for curve in curves for mark in _marks(*curve, True, beam, eye)]
+        yield [part for curve in curves for part in _marks(*curve, True, beam, eye)]
 
 
 def _features(surface, step, size):
@@ -177,7 +179,7 @@ def _rest(curve):
 
 
 def _marks(frame, points, curvatures, starts, is_cut, beam, eye):
-    """Found without reasons, of each part between knuckles."""
+    """[Found] without reasons, of each part between knuckles."""
     least = eye * LEAST_DEPTH * beam
     flat = points @ frame.T
     for first, last in _parts(flat, starts):
@@ -185,13 +187,18 @@ def _marks(frame, points, curvatures, starts, is_cut, beam, eye):
         lengths = np.concatenate([[0.0], np.cumsum(lengths)])
         if lengths[-1] < least:
             continue
-        for mark in marks(lengths, curvatures[first:last], least, eye * SHALLOWEST):
-            size = f"{1e3 * mark.depth:.1f} mm deep"
-            along = [*range(mark.first, mark.last, _EXTENT_STEP), mark.last]
-            extent = tuple(map(tuple, points[first:last][along]))
-            lever = _lever(mark.lever, points[first:last], curvatures[first:last], frame, is_cut)
-            place = tuple(points[first + mark.index])
-            yield Found(mark.kind, place, size, extent=extent, lever=lever)
+        found = marks(lengths, curvatures[first:last], least, eye * SHALLOWEST)
+        own = frame, points[first:last], curvatures[first:last], is_cut
+        yield [_found(mark, *own) for mark in found]
+
+
+def _found(mark, frame, points, curvatures, is_cut):
+    """The Found of an inflections.Mark of a part of a line."""
+    size = f"{1e3 * mark.depth:.1f} mm deep"
+    along = [*range(mark.first, mark.last, _EXTENT_STEP), mark.last]
+    extent = tuple(map(tuple, points[along]))
+    lever = _lever(mark.lever, points, curvatures, frame, is_cut)
+    return Found(mark.kind, tuple(points[mark.index]), size, extent=extent, lever=lever)
 
 
 def _lever(lever, points, curvatures, frame, is_cut):

@@ -4,14 +4,13 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from hull_native import SurfaceTree
-from hull_native.girth_lines import GirthLines
-from hull_native.grid_fit import GridFit, extreme_flats
-from hull_native.grid_refinement import RowsAndColumns
-from hull_native.hull_grid import keel_range, laid_grid
 
+from .beside import GirthLines, GridFit, RowsAndColumns, extreme_flats
+from .beside import hull_native as hn
+from .beside import keel_range, laid_grid
 from .immersion import immersed
 from .outlines import shell_outline
+from .progress import part_of
 from .row_places import row_places
 from .targets import shell_targets
 
@@ -19,11 +18,14 @@ from .targets import shell_targets
 TOLERANCE, BUDGET = 3e-4, 150
 # Stations in which flats are looked for, and places in each.
 _STATIONS, _PER_STATION = 60, 120
-_COLUMNS, _COLUMNS_OF_POST, _ROWS = 6, 7, 9
+# Columns; with a stern post, and how many of these begin at that.
+_COLUMNS, _COLUMNS_OF_POST, _AT_POST = 6, 7, 5
 _AIM = 0.8
 # Evenness of the moves and steps: first, after an addition, at last.
 _FIRST = ((1e-1, 12), (1e-2, 12))
 _AFTER_ADDITION = (1e-2, 0.0, 6)
+# Of the work: the first runs, and those with the additions.
+_BEGUN, _ADDED = 0.1, 0.6
 _LAST = ((3e-3, 12), (1e-3, 12), (3e-4, 15), (3e-4, 15))
 
 
@@ -48,6 +50,9 @@ _WAYS = (
 _GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.
 _OFF, _PARTS = 0.02, 6
+# A surface whose area or volume is off by more lies in folds, and fairer ones are tried. Creases
+# along knuckles are done without only where that misses by so many times less.
+_FOLDED, _FAIRER, _WITHOUT = 3e-3, (4.0, 16.0), 2.0
 
 
 @dataclass(frozen=True)
@@ -61,32 +66,60 @@ class FittedHull:
     fit: object
 
 
-def fit_shell(shell, *, tolerance=None, budget=None, progress=None):
-    """The FittedHull of a HullShell. tolerance, m; budget: control points at most. ValueError where
-    the shell has no outline that a hull can be laid along."""
+def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=True, progress=None):
+    """The FittedHull of a HullShell. tolerance, m; budget: control points at most; stern_post,
+    knuckles: whether such as are found are laid out. ValueError where the shell has no outline that
+    a hull can be laid along."""
     outline = shell_outline(shell)
+    if not stern_post and outline.aft is not None:
+        outline.arch = outline.post = None
+    if not knuckles:
+        outline.knuckles = []
     tolerance = TOLERANCE * outline.length if tolerance is None else float(tolerance)
-    if not tolerance > 0.0:
+    if not 0.0 < tolerance < np.inf:
         raise ValueError("The tolerance has to be above zero.")
     budget = BUDGET if budget is None else int(budget)
     trial = _Trial(shell, outline, tolerance, budget)
     ways = [way for way in _WAYS if way.with_knuckles]
     if outline.knuckles:
         ways += [way for way in _WAYS if not way.with_knuckles]
-    found, refused = [], None
-    for number, way in enumerate(ways):
-        try:
-            fit = trial.fitted(way, progress)
-        except ValueError as error:
-            refused = error
-            continue
-        found.append((trial.misses(fit), number, fit))
-        if found[-1][0] < _GOOD * tolerance:
+    tried = _Tried(trial, len(ways) + len(_FAIRER), progress)
+    for way in ways:
+        tried.add(way)
+        if tried.best is not None and tried.best[0] < _GOOD * tolerance:
             break
-    if not found:
-        raise refused
-    fit = min(found, key=lambda one: one[:2])[2]
+    if tried.best is None:
+        raise tried.refused
+    way = tried.best[2]
+    for times in _FAIRER:
+        if tried.best[1] > _FOLDED:
+            tried.add(replace(way, fairness=times * way.fairness))
+    fit = tried.best[3]
     return FittedHull(fit.surface, fit.grid.outline, fit.flat_points(), fit)
+
+
+class _Tried:
+    """best: (what it misses by, m, the share by which area or volume is off, _Way, GridFit) of the
+    best of the ways that were tried, None without one; refused: why the last one was that was."""
+
+    def __init__(self, trial, count, progress):
+        self._trial, self._count, self._progress = trial, count, progress
+        self._done, self.best, self.refused = 0, None, None
+
+    def add(self, way):
+        told = part_of(self._progress, *(k / self._count for k in (self._done, self._done + 1)))
+        self._done += 1
+        try:
+            fit = self._trial.fitted(way, told)
+        except ValueError as error:
+            self.refused = error
+            return
+        distance, off = self._trial.misses(fit)
+        misses = distance + _OFF * self._trial.outline.length * off
+        if not way.with_knuckles:
+            misses *= _WITHOUT
+        if self.best is None or misses < self.best[0]:
+            self.best = misses, off, way, fit
 
 
 class _Trial:
@@ -106,22 +139,29 @@ class _Trial:
         outline = self.outline if way.with_knuckles else replace(self.outline, knuckles=[])
         columns = max(columns, len(outline.knuckles) + 3)
         at = row_places(self.outline, self.girths, way.rows)
-        grid = laid_grid(outline, columns, way.rows, girths=self.girths, at=at)
+        grid = laid_grid(
+            outline, columns, way.rows, girths=self.girths, at=at, post_columns=_AT_POST
+        )
         fit = self._fit(grid, way)
         if len(fit.points) > self.budget:
             raise ValueError(
                 f"The simplest layout has {len(fit.points)} control points, more than the budget "
                 f"of {self.budget}: give a larger one."
             )
-        for evenness, steps in _FIRST:
-            fit.run(evenness, 0.0, steps, progress)
+        for number, (evenness, steps) in enumerate(_FIRST):
+            told = part_of(progress, *(_BEGUN * (number + k) / len(_FIRST) for k in (0, 1)))
+            fit.run(evenness, 0.0, steps, told)
+        first, most = len(fit.points), max(self.budget, len(fit.points) + 1)
         additions = RowsAndColumns(self.targets.points, _AIM * self.tolerance, self.budget)
         while additions.add_to(fit):
             fit = self._fit(grid, way)
-            fit.run(*_AFTER_ADDITION, progress)
-        for evenness, steps in _LAST:
+            done = _BEGUN + (_ADDED - _BEGUN) * (len(fit.points) - first) / (most - first)
+            fit.run(*_AFTER_ADDITION, part_of(progress, done, done))
+        for number, (evenness, steps) in enumerate(_LAST):
             fit.flatten()
-            fit.run(evenness, 0.0, steps, progress)
+            share = (1.0 - _ADDED) / len(_LAST)
+            done = _ADDED + share * number
+            fit.run(evenness, 0.0, steps, part_of(progress, done, done + share))
             fit.heed(self.tolerance)
         return fit
 
@@ -129,12 +169,12 @@ class _Trial:
         return GridFit(grid, self.targets, self.flats, way.rows_stay, way.fairness)
 
     def misses(self, fit):
-        """m: the root mean square of distances, and what area and volume are off: a surface that
-        lies in folds is near everywhere, but too large."""
+        """(m, the root mean square of distances; the share by which area or volume is off): a
+        surface that lies in folds is near everywhere, but too large."""
         distances = distances_from(fit.surface, self.targets.points)
         volume, area = _volume_and_area(fit.surface, self.outline)
         off = [abs(found / meant - 1.0) for found, meant in zip((volume, area), self.whole)]
-        return float(np.sqrt(np.mean(distances**2))) + _OFF * self.outline.length * max(off)
+        return float(np.sqrt(np.mean(distances**2))), max(off)
 
 
 def _volume_and_area(surface, outline):
@@ -160,4 +200,4 @@ def _station_places(outline, girths):
 
 def distances_from(surface, points):
     """m, of points (n, 3) from a LimitSurface."""
-    return np.asarray(SurfaceTree(surface).closest_points(points).distances)
+    return np.asarray(hn.SurfaceTree(surface).closest_points(points).distances)

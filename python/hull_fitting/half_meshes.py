@@ -5,8 +5,8 @@ outwards."""
 from dataclasses import dataclass
 
 import numpy as np
-from hull_io.triangles import normals_of
 
+from .beside import normals_of
 from .triangle_edges import components, edge_table
 
 # Of the length: points are one, or in the centre plane.

@@ -2,7 +2,8 @@
 """A fitted hull as a HullData: layers, deck edge, flats, points kept in their stations."""
 
 import numpy as np
-from hull_io.hull_data import Flat, HullData, Kept, Layer, Particulars, edge_key
+
+from .beside import Flat, HullData, Kept, Layer, Particulars, edge_key
 
 _SHELL = Layer("Shell", True, (0.55, 0.17, 0.14))
 _TRANSOM = Layer("Transom", True, (0.7, 0.7, 0.68))

@@ -2,8 +2,8 @@
 """Displacement and wetted surface of a half hull of triangles, both sides counted."""
 
 import numpy as np
-from hull_io.triangles import normals_of
 
+from .beside import normals_of
 from .half_meshes import clipped
 
 

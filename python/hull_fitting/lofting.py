@@ -4,13 +4,15 @@
 from dataclasses import replace
 
 import numpy as np
-from hull_io.geometry import GeometryMesh
-from hull_native import smooth_curve
-from hull_native.polylines import bend_shares, end_to_end, foot_on, lengths_along, points_at
+
+from .beside import GeometryMesh, bend_shares, end_to_end, foot_on, lengths_along, points_at
+from .smooth_lines import line_through, runs
 
 # Stations at least; of the length: how far points of one may be from its plane, and ends of its
 # pieces from one another; how far the profile reaches beyond the last one where that is no end.
 _LEAST, _IN_PLANE, _JOINED, _BEYOND = 5, 1e-6, 1e-3, 2e-3
+# Of the length: what tables round away where a line is straight.
+_FLAT = 1e-5
 # Places of a station's curve between two of its points, across the surface, and along it between
 # two stations.
 _FINE, _ACROSS, _ALONG = 16, 96, 8
@@ -27,14 +29,19 @@ def lofted(geometry):
             f"{geometry.name}: it has no surface and {len(stations)} stations from the keel to the "
             f"deck; give a surface, or {_LEAST} stations at least."
         )
-    rows = [_places(line, knuckles) for line, knuckles in stations]
+    if np.median([line[0, 1] for line, _ in stations]) > _JOINED * length:
+        raise ValueError(
+            f"{geometry.name}: its stations do not begin at the centre plane; give the heights of "
+            "the keel, as a line Profile or Buttock 0."
+        )
+    rows = [_places(line, knuckles, _FLAT * length) for line, knuckles in stations]
     profile = _profile(geometry)
     if profile is not None:
         for number, is_aft in ((0, True), (-1, False)):
             end = _end_row(profile, rows[number], is_aft, length)
             if end is not None:
                 rows.insert(0 if is_aft else len(rows), end)
-    mesh = GeometryMesh(*_surface(np.array(rows)), name="lofted", is_exact=False)
+    mesh = GeometryMesh(*_surface(np.array(rows), _FLAT * length), name="lofted", is_exact=False)
     return replace(geometry, meshes=(mesh,))
 
 
@@ -59,22 +66,22 @@ def _stations(geometry, length):
     return found
 
 
-def _places(line, is_sharp):
-    """(_ACROSS + 1, 3) along a smooth curve through a station's points, but for its knuckles."""
-    cuts = [0, *(i for i in np.flatnonzero(is_sharp) if 0 < i < len(line) - 1), len(line) - 1]
-    parts = [_smooth(line[a : b + 1]) for a, b in zip(cuts, cuts[1:])]
-    fine = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+def _places(line, is_sharp, tolerance):
+    """(_ACROSS + 1, 3) along a smooth curve through a station's points, but for its knuckles; its
+    flat bottom and flat side are straight."""
+    flats = runs(np.abs(np.diff(line[:, 2])) < tolerance)[:1]
+    flats = [flat for flat in flats if flat[0] == 0]
+    outermost = np.abs(line[:, 1] - line[:, 1].max()) < tolerance
+    flats += runs(outermost[1:] & outermost[:-1])
+    fine = line_through(line, _centripetal(line), _FINE, is_sharp, flats)
     fine[:, 0] = line[0, 0]
     return points_at(fine, bend_shares(fine), np.linspace(0.0, 1.0, _ACROSS + 1))
 
 
-def _smooth(points):
-    lengths = lengths_along(points)
-    steps = np.arange(_FINE * (len(points) - 1) + 1) / _FINE
-    at = np.interp(steps, np.arange(len(points)), lengths)
-    if len(points) < 4:
-        return points_at(points, lengths, at)
-    return np.asarray(smooth_curve(points, 0.0, parameters=lengths).evaluate(at))
+def _centripetal(line):
+    """Parameters (n,) of points that may be far apart beside such as are close: splines by their
+    distances would bulge there."""
+    return np.concatenate([[0.0], np.cumsum(np.sqrt(np.diff(lengths_along(line))))])
 
 
 def _profile(geometry):
@@ -97,15 +104,13 @@ def _end_row(profile, row, is_aft, length):
     return points_at(line, lengths_along(line), np.linspace(0.0, lengths_along(line)[-1], len(row)))
 
 
-def _surface(rows):
+def _surface(rows, tolerance):
     """(points, triangles) through rows (n, m, 3)."""
     at = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows[:, :, 0], axis=0)).mean(axis=1))])
-    steps = np.arange(_ALONG * (len(rows) - 1) + 1) / _ALONG
-    fine = np.interp(steps, np.arange(len(rows)), at)
-    lines = [
-        np.asarray(smooth_curve(rows[:, column], 0.0, parameters=at).evaluate(fine))
-        for column in range(rows.shape[1])
-    ]
+    lines = []
+    for line in rows.transpose(1, 0, 2):
+        is_same = (np.abs(np.diff(line[:, 1:], axis=0)) < tolerance).all(axis=1)
+        lines.append(line_through(line, at, _ALONG, flats=runs(is_same)))
     points = np.stack(lines, axis=1)
     points[:, :, 1] = np.maximum(points[:, :, 1], 0.0)
     points[:, 0, 1] *= rows[:, 0, 1].any()

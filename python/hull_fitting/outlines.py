@@ -2,8 +2,8 @@
 """The HullOutline of a shell of triangles: contour, deck edge and ends, found from its borders."""
 
 import numpy as np
-from hull_native.hull_outline import HullOutline, find_ends
 
+from .beside import HullOutline, find_ends
 from .borders import border_edges, joined, joined_lines, without_spurs
 from .knuckle_lines import knuckle_lines
 

@@ -3,8 +3,9 @@
 
 from dataclasses import dataclass
 
-import hull_native as hn
 import numpy as np
+
+from .beside import hull_native as hn
 
 # Parts of a face's side in which the hull is cut, and stations.
 _PARTS, STATIONS = 12, 11

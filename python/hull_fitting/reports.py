@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How near a fitted hull is to what it was fitted to, in numbers."""
 
-import hull_native as hn
 import numpy as np
-from hull_io.triangles import spread_points
 
+from .beside import hull_native as hn
+from .beside import spread_points
 from .hull_files import station_points
 from .immersion import immersed
 

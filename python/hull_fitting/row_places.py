@@ -2,8 +2,8 @@
 """Where along the ship rows of control points are laid."""
 
 import numpy as np
-from hull_native.hull_grid import keel_range
-from hull_native.polylines import bend_shares, points_at
+
+from .beside import bend_shares, keel_range, points_at
 
 # Trial sections, and how much of the places is by the turning of lines along the ship between them.
 _TRIALS, _BY_TURNING = 80, 0.6

@@ -4,8 +4,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from hull_io.triangles import normals_of, spread_points
 
+from .beside import normals_of, spread_points
 from .borders import bodies
 from .half_meshes import HalfMesh
 from .triangle_edges import components, edge_table

@@ -2,8 +2,8 @@
 """What a surface is fitted to of a shell of triangles."""
 
 import numpy as np
-from hull_io.triangles import normals_of, spread_points
-from hull_native.network_targets import NetworkTargets
+
+from .beside import NetworkTargets, normals_of, spread_points
 
 # Places spread by area, and corners of triangles, which are close where the surface is curved.
 _SPREAD, _CORNERS = 5000, 3000

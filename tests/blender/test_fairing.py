@@ -41,11 +41,14 @@ def coordinates(hull):
     return part("bridge.mesh.mesh_points").read(hull.data)
 
 
-@pytest.mark.parametrize("operator", ["fair_region", "fair_curvature"])
-def test_a_dent_is_faired_out(operator):
+@pytest.mark.parametrize(
+    "operator, options",
+    [("fair_region", {}), ("fair_region", {"energy": "BLEND"}), ("fair_curvature", {})],
+)
+def test_a_dent_is_faired_out(operator, options):
     hull, before, point = dented()
     start, dent = coordinates(hull), distance(hull, before)
-    assert getattr(bpy.ops.hull, operator)(deviation_mm=7.5) == {"FINISHED"}
+    assert getattr(bpy.ops.hull, operator)(deviation_mm=7.5, **options) == {"FINISHED"}
     after = coordinates(hull)
     np.testing.assert_array_equal(after[:, 0], start[:, 0])
     assert (np.flatnonzero((after != start).any(axis=1)) == [point]).all()

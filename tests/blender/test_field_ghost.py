@@ -71,6 +71,7 @@ def test_numbers_and_sectional_areas_are_compared():
     beside = part("features.curves_of_form.beside").Beside
     (curve,) = state_of(hull).of(beside).of("sectional_areas")
     volume = np.trapz(curve.y, curve.x)
+    assert curve.colour == part("bridge.blender.preferences").colour("ghost", "ghost")
     assert curve.name == "Before" and volume == pytest.approx(was.displaced_volume, rel=2e-3)
     hull.hull.draft *= 0.9
     changed()

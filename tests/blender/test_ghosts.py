@@ -163,6 +163,8 @@ def test_its_areas_are_in_the_plot():
     (curve,) = curves_beside(hull)
     assert curve.name == "A"
     assert curve.y.max() == pytest.approx(4.0 * 1.25, rel=1e-9)  # its own draft
+    # As the ghost in the view is.
+    assert curve.colour == part("bridge.blender.preferences").colour("ghost", "ghost")
     hull.hull.variants.afloat = "SAME"
     ghost_of(hull)
     assert curves_beside(hull)[0].y.max() == pytest.approx(4.0 * 2.0, rel=1e-9)

@@ -229,6 +229,28 @@ def test_features_in_plan_and_profile():
         assert abs(curve.marks.points[at, 1]) < 1e-8
 
 
+@pytest.mark.parametrize("apart", [0.0, 1e-200, 1e-160, 1e-100, 1e-20, 1e-14])
+def test_borders_have_curvature_where_control_points_bunch_up(apart):
+    mesh = grid(lambda x, y: 0.1 * y * y)
+    points = np.array(mesh.points)
+    (border,) = [
+        np.asarray(c.vertices)
+        for c in hn.crease_curves(hn.LimitSurface(mesh))
+        if (points[np.asarray(c.vertices), 0] == points[:, 0].min()).all()
+    ]
+    # The first two are one, but for so much.
+    points -= points[border[0]]
+    points[border[1]] = (0.0, 0.0, apart)
+    for direction in (None, (1.0, 0.0, 0.0)):
+        curves = hn.feature_fairness(
+            hn.LimitSurface(mesh.with_points(points)), step=0.05, marks=False, direction=direction
+        )
+        for curve in curves:
+            for values in (curve.points, curve.arc_lengths, curve.curvatures):
+                assert np.isfinite(values).all()
+            assert np.abs(curve.curvatures).max() < 1e9
+
+
 def test_comb_scale():
     surface = hn.LimitSurface(ring(3.0))
     curves = hn.section_fairness(surface, [[0, 0, 1, 2.6]])[0]

@@ -24,7 +24,7 @@ PACKAGES = {
 # What each part of the add-on may use beside itself.
 ALLOWED = {
     "bridge": {"hull_io"},
-    "features": {"bridge", "hull_io", "hull_fairness"},
+    "features": {"bridge", "hull_io", "hull_fairness", "hull_fitting"},
     "properties": {"features", "bridge", "hull_io"},
     "operators": {"features", "bridge", "hull_io", "properties"},
     "panels": {"features", "bridge", "hull_io", "properties"},

@@ -129,6 +129,18 @@ def test_the_report_tells_what_patches_are():
     assert 0.0 < report.seam_angle < 20.0
     assert np.abs(points_of(made.patches) - report.seam_place).sum(axis=1).min() < 0.1 * length
     assert report.gap <= 1e-13 * surface.mesh.size
+    # Above one degree, the largest first, by the names of curves that go through the places.
+    angles = [angle for _, angle, _ in report.rough_seams]
+    assert angles[0] == report.seam_angle > angles[-1] > 1.0
+    assert angles == sorted(angles, reverse=True)
+    curves = {curve.name: np.asarray(curve.points) for curve in network.curves}
+    named = [seam for seam in report.rough_seams if seam[0] is not None]
+    assert named
+    for name, _, place in named:
+        low, high = curves[name].min(axis=0) - 0.5, curves[name].max(axis=0) + 0.5
+        assert (low <= place).all() and (place <= high).all()
+    told = [line for line in report.lines() if line.startswith("Not smooth along ")]
+    assert len(told) == 1 and f" by {angles[0]:.2g}° at " in told[0]
     assert report.lines()[0] == f"{report.patches} patches"
 
 

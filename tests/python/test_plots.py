@@ -222,3 +222,13 @@ def test_a_parallel_midbody_has_no_one_place_of_the_largest_area():
     for areas, label in ((pointed, "largest 9 m² at 2 m"), (flat, "largest 9 m²")):
         sheet = hn.lay_out_plot(hn.sectional_area_plot(x, areas), width_mm=250.0, height_mm=180.0)
         assert label in [one["text"] for one in sheet.labels]
+
+
+def test_curves_beside_the_sectional_areas_have_their_colour():
+    x, areas, pink = np.arange(5.0), np.array([0.0, 5.0, 9.0, 5.0, 0.0]), (1.0, 0.1, 0.9)
+    others = [("ghost", x, 0.9 * areas, pink), ("target", x, 0.8 * areas), ("a", x, areas, None)]
+    plot = hn.sectional_area_plot(x, areas, others=others)
+    sheet = hn.lay_out_plot(plot, width_mm=250.0, height_mm=180.0)
+    dashed = [tuple(colour[:3]) for _, colour, _, dashes in sheet.strokes if sum(dashes)]
+    assert any(colour == pytest.approx(pink) for colour in dashed)
+    assert len(set(dashed)) >= 3

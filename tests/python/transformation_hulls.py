@@ -97,6 +97,54 @@ class Sample:
             **more,
         )
 
+    def least_change(self, **wanted):
+        """Moves that bring the hull to values of hull_native.FORM_NUMBERS, with __ for a dot, by
+        the least change, with the limits that the add-on begins with; ValueError where there are
+        none."""
+        held = self._held_for_least_change()
+        tied, directions = hn.square_ties(self.surface)
+        reached, _ = hn.reach_within_breadth(
+            self.surface,
+            [hn.FormTarget(name.replace("__", "."), value) for name, value in wanted.items()],
+            mirrored=self.half,
+            openings=self.body.openings,
+            stiffness=1.0,
+            locked=self._parallel_points(),
+            held_points=np.concatenate([points for points, _ in held]),
+            held_normals=np.concatenate([np.tile(n, (len(points), 1)) for points, n in held]),
+            tied=tied,
+            tied_directions=directions,
+            kept=hn.square_sums(self.surface),
+            **self.where(),
+        )
+        if reached.status != "met":
+            raise ValueError(f"{reached.status}: {reached.reached}")
+        return reached.moves
+
+    def _held_for_least_change(self):
+        """[(control points, normal)]: flats and plane ends in their planes, the centre plane with
+        its heights, the length, the greatest breadth."""
+        points = self.mesh.points
+        x, out = points[:, 0], np.abs(points[:, 1])
+        centre = np.flatnonzero(out <= hn.tolerances.ON_CENTRE_PLANE * self.mesh.size)
+        margin = 0.02 * np.ptp(x)
+        ends = np.flatnonzero((x <= x.min() + margin) | (x >= x.max() - margin))
+        held = [flat for flat in self.flats if flat[1][0] == 0.0]
+        across = [flat[0] for flat in self.flats if flat[1][0] != 0.0]
+        for part in [*across, *hn.plane_ends(self.surface)]:
+            offsets = points[part] - points[part].mean(axis=0)
+            held.append((np.asarray(part), np.linalg.svd(offsets)[2][2]))
+        held += [(centre, axis) for axis in np.eye(3)[1 if self.half else 2 :]]
+        widest = np.flatnonzero(out >= (1.0 - 1e-3) * out.max())
+        return [*held, (ends, (1.0, 0.0, 0.0)), (widest, (0.0, 1.0, 0.0))]
+
+    def _parallel_points(self):
+        """Control points of the parallel middle body."""
+        aft, forward = hn.parallel_body(self.body, draft=self.ship.draft)
+        x = self.mesh.points[:, 0]
+        is_long = forward - aft > 1e-3 * self.ship.length_pp
+        return np.flatnonzero((x >= aft) & (x <= forward) & is_long)
+
     def moved(self, moves):
         """(surface, body) with the moves in them."""
         surface = hn.LimitSurface(self.mesh.with_points(self.mesh.points + moves))

@@ -12,6 +12,7 @@ HEAVIEST = of_files.HEAVIEST_LOAD  # t
 DENSITIES = (0.5, 2.0)  # t/m³, of what floats a ship
 _ROUNDING = 1e-6  # rad: Blender keeps angles in single precision
 GREATEST_HEEL = pi + _ROUNDING
+FASTEST = 100.0  # kn
 
 # Faces of a surface object, both sides. Blender takes 10 µs and 1.4 kB for each, most of it for the
 # normals of its corners, while the window waits. A control mesh whose surface has more is refused.

@@ -14,11 +14,13 @@ Each subject uses itself, those above it and the bridge, nothing else:
   hull            a hull as a whole: made, brought up to date, its tags, saved
   curves_of_form  tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
   stability       righting levers, cross curves, load cases, criteria
+  resistance      resistance and power over speeds
   variants        hulls that were kept, and the hull beside another one: ghost, differences
   analyses        all tables and plots of those above, computed when they are looked at
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        hull files; files for other programs: lines plan, tables, STEP, IGES, DXF
   fitting         control points moved so that the surface meets a given shape
+  geometry        hulls that exist as meshes or files, made control meshes
   fairing         chosen control points moved so that surface or rows are fair, within a deviation
   modelling       tools on points and faces: pulling, bilges, flats, halves, irregular points
   dimensions      hulls scaled to main dimensions, with all that belongs to them
@@ -30,6 +32,6 @@ Each subject uses itself, those above it and the bridge, nothing else:
   morphing        hulls between parents: members of a family, moved by weights
   studio          a studio around the hull, for pictures of it
 
-What is to come has its place, as a folder of its own: resistance after stability (an analysis
-more); plates after conversion; the studio stays last.
+What is to come has its place, as a folder of its own: plates after conversion; the studio stays
+last.
 """

@@ -7,20 +7,13 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge import limits
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
-from ..features.transformation import (
-    fair_changes,
-    halves,
-    least_change,
-    particulars,
-    reports,
-    section_shifts,
-)
+from ..features.transformation import halves, least_change, particulars, reports, section_shifts
 from ..properties.outline_settings import keep_deck, keep_profile, keep_side
 from .shared import HullOperator, asked_length, asked_number, can_change, property_column
 from .tasks import TaskOperator
 
 _SKIP = {"SKIP_SAVE"}
-_MEASURES = (
+MEASURES = (
     ("BLOCK", "Cb", "Block coefficient on Lpp, beam and draft"),
     ("PRISMATIC", "Cp", "Prismatic coefficient on Lpp and the station amidships"),
     ("VOLUME", "∇", "Displaced volume in m³"),
@@ -29,10 +22,11 @@ _MEASURES = (
 _HALVES = ("HALVES", "Cp of halves", "Prismatic coefficients of fore and aft body, each on its "
            "half of Lpp and the station amidships")  # fmt: skip
 _KEPT = ("parallel", "heights", "length", "side", "profile", "deck")
-_NO_MEASURE = ("NONE", "As it comes", "Only the centre of buoyancy is wanted")
+NO_MEASURE = ("NONE", "As it comes", "Only the centre of buoyancy is wanted")
 
 
-def _measure(*items):
+def measure_property(*items):
+    """The property of the measures MEASURES, and others."""
     return EnumProperty(
         name="Displacement",
         description="How the displacement is said that is wanted",
@@ -41,8 +35,8 @@ def _measure(*items):
     )
 
 
-class _Displacement:
-    """What both operators ask for; a mix-in. A dialog begins with the hull as it is."""
+class Displacement:
+    """What operators ask for; a mix-in. A dialog begins with the hull as it is."""
 
     block: asked_number("Cb", "Block coefficient wanted", 4, 0.1)
     prismatic: asked_number("Cp", "Prismatic coefficient wanted", 4, 0.1)
@@ -109,14 +103,14 @@ class _Displacement:
         return volume, lcb
 
 
-class HULL_OT_shift_sections(bpy.types.Operator, _Displacement, HullOperator):
+class HULL_OT_shift_sections(bpy.types.Operator, Displacement, HullOperator):
     """Shift the sections along the ship until the hull has the displacement and the centre of
     buoyancy that are wanted. Sections keep their form"""
 
     bl_idname = "hull.shift_sections"
     bl_label = "Displacement and LCB"
 
-    measure: _measure(*_MEASURES, _HALVES, _NO_MEASURE)
+    measure: measure_property(*MEASURES, _HALVES, NO_MEASURE)
     prismatic_fore: asked_number("Cp fore", "Prismatic coefficient of the fore body wanted", 4, 0.1)
     prismatic_aft: asked_number("Cp aft", "Prismatic coefficient of the aft body wanted", 4, 0.1)
     part: EnumProperty(
@@ -187,7 +181,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, _Displacement, HullOperator):
         )
 
 
-class HULL_OT_change_displacement(bpy.types.Operator, _Displacement, TaskOperator):
+class HULL_OT_change_displacement(bpy.types.Operator, Displacement, TaskOperator):
     """Change the hull to the displacement and the centre of buoyancy that are wanted so that its
     surface shifts and bends the least. Sections change their form"""
 
@@ -197,7 +191,7 @@ class HULL_OT_change_displacement(bpy.types.Operator, _Displacement, TaskOperato
 
     needs = (*TaskOperator.needs, can_change)
 
-    measure: _measure(*_MEASURES, _NO_MEASURE)
+    measure: measure_property(*MEASURES, NO_MEASURE)
     keep_parallel: BoolProperty(
         name="Parallel body",
         description="Control points of the parallel middle body stay",
@@ -251,39 +245,4 @@ class HULL_OT_change_displacement(bpy.types.Operator, _Displacement, TaskOperato
         return reports.changed(self._task.write(scene), scene), False
 
 
-class HULL_OT_fair_new_marks(bpy.types.Operator, TaskOperator):
-    """Take out marks that the hull has and the form before the last transformation had not:
-    control points move across the ship so that the surface bends as it did before, in proportion.
-    Displacement and centre of buoyancy stay"""
-
-    bl_idname = "hull.fair_new_marks"
-    bl_label = "Fair New Marks"
-    bl_options = {"REGISTER", "UNDO"}
-
-    needs = (*TaskOperator.needs, can_change)
-
-    per_mille: FloatProperty(
-        name="Deviation in ‰ of B",
-        description="How far the surface may shift at most, root mean square, per mille of the "
-        "beam; it shifts by no more than it takes",
-        default=5.0,
-        min=0.0,
-        max=100.0,
-        options=_SKIP,
-    )
-    keep_parallel: BoolProperty(
-        name="Parallel body",
-        description="Control points of the parallel middle body stay",
-        default=True,
-        options=_SKIP,
-    )
-
-    def begin(self, hull, scene):
-        most = 1e-3 * units.as_typed(self.per_mille)
-        return fair_changes.FairingChange(hull, scene, fair_changes.Asked(most, self.keep_parallel))
-
-    def outcome(self, found, scene):
-        return fair_changes.summary(self._task.write(scene))
-
-
-CLASSES = (HULL_OT_shift_sections, HULL_OT_change_displacement, HULL_OT_fair_new_marks)
+CLASSES = (HULL_OT_shift_sections, HULL_OT_change_displacement)

@@ -12,6 +12,12 @@ from ..features.fairing import region_fairing, row_choice, row_fairing
 from .shared import EditModeOperator
 from .tasks import TaskOperator
 
+_QUADRATIC = (
+    ("LENGTHWISE", "Bend along the ship", "Sections keep their own bend, as bilges"),
+    ("BLEND", "Beside the blend", "What one row has that the others have not: waves along bilges"),
+    ("THIN_PLATE", "Bend all ways", "Flatter in sections, too"),
+)
+
 
 def _deviation(by_which):
     return FloatProperty(
@@ -88,10 +94,7 @@ class HULL_OT_fair_region(bpy.types.Operator, _Settings, EditModeOperator):
     energy: EnumProperty(
         name="Least",
         description="What is made the least",
-        items=(
-            ("LENGTHWISE", "Bend along the ship", "Sections keep their own bend, as bilges"),
-            ("THIN_PLATE", "Bend all ways", "Flatter in sections, too"),
-        ),
+        items=_QUADRATIC,
     )
 
     def run_on(self, hull, context):
@@ -116,8 +119,7 @@ class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
         items=(
             ("VARIATION", "Variation", "Changes of curvature: spheres and cylinders stay"),
             ("CURVATURE", "Curvature", "Curvature itself: flatter all in all"),
-            ("LENGTHWISE", "Bend along the ship", "Sections keep their own bend, as bilges"),
-            ("THIN_PLATE", "Bend all ways", "Flatter in sections, too"),
+            *_QUADRATIC,
         ),
     )
     by_marks: BoolProperty(

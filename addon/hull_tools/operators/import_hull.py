@@ -74,6 +74,9 @@ class HULL_OT_load_sample(bpy.types.Operator, BaseOperator):
 
 def draw_import_menu(self, context):
     self.layout.operator(HULL_OT_import_hull.bl_idname, text="Ship hull (.fbm, .ftm, .hull.json)")
+    self.layout.operator(
+        "hull.hull_from_file", text="Ship hull from surface or offsets (.stl, .step, .csv, …)"
+    )
 
 
 CLASSES = (HULL_OT_import_hull, HULL_OT_load_sample)

@@ -13,12 +13,14 @@ from . import (
     fairness,
     fields,
     fit,
+    geometry,
     hull,
     hydrostatics,
     lines_plan,
     morph,
     networks,
     pull,
+    resistance,
     sections,
     shape,
     shown,
@@ -32,10 +34,11 @@ from . import (
 )
 
 # Panels stand in the sidebar in this order, which is that of the work: hull, surface, lines, shape,
-# variants, fairness, hydrostatics, stability, output.
+# variants, fairness, hydrostatics, stability, resistance, output.
 _CLASSES = (
     *add_menu.CLASSES,
     *hull.CLASSES,
+    *geometry.CLASSES,
     *shown.CLASSES,
     *sections.CLASSES,
     *tags.CLASSES,
@@ -55,6 +58,7 @@ _CLASSES = (
     *hydrostatics.CLASSES,
     *stability.CLASSES,
     *criteria.CLASSES,
+    *resistance.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,
     *studio.CLASSES,

@@ -30,7 +30,9 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
     def _draw_beginnings(self, layout):
         layout.menu("HULL_MT_add", text="New Hull", icon="MOD_OCEAN")
         layout.operator("hull.make_hull", icon="MESH_DATA")
+        layout.operator("hull.hull_from_mesh", icon="MOD_SHRINKWRAP")
         layout.operator("hull.import_hull", icon="IMPORT")
+        layout.operator("hull.hull_from_file", icon="FILEBROWSER")
         layout.operator_menu_enum("hull.load_sample", "name", icon="FILE_3D")
 
     def _draw_others(self, layout):
@@ -39,6 +41,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
         row = column.row(align=True)
         row.menu("HULL_MT_add", text="New")
         row.operator("hull.import_hull", text="Import")
+        column.operator("hull.hull_from_file", text="From File")
         column.operator_menu_enum("hull.load_sample", "name", text="Sample")
 
     def _draw_status(self, context, hull):

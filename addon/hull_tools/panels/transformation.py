@@ -22,6 +22,7 @@ class HULL_PT_transform(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.operator("hull.shift_sections", text="Displacement, LCB …", icon="FULLSCREEN_ENTER")
         column.operator("hull.change_displacement", text="The Same by Least Change …")
+        column.operator("hull.fewest_marks", text="With Fewest New Marks …")
         column.operator("hull.lengthen", text="Lengthen …")
         column.operator("hull.inflate_section", text="Inflate Section …")
         settings = hull.hull.transform

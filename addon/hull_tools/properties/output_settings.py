@@ -32,6 +32,7 @@ class HullPlots(bpy.types.PropertyGroup):
     bonjean_curves: _switch("Bonjean curves")
     righting_levers: _switch("Righting levers GZ")
     cross_curves: _switch("Cross curves KN")
+    resistance_curves: _switch("Resistance")
     knuckle_angles: _switch("Angles of knuckles")
     corner: EnumProperty(
         name="Corner",

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kPartsOfSpan = 4;
 constexpr int kNodes = 6;
+// Of the mean speed: where a curve is slower, its control points all but coincide, and it stands.
+constexpr double kStands = 1e-9;
 
 const GaussRule& rule() {
   static const GaussRule gauss = gauss_rule(kNodes);
@@ -73,6 +75,9 @@ CurveSample FeatureCourse::at(double s) const {
   const double speed = jet.d1.norm();
   if (!(speed > 0.0)) return sample;
   sample.tangent = jet.d1 / speed;
+  // Its curvature there is a quotient of two numbers that are nothing but rounding, or none.
+  const double mean_speed = breaks_.back() / (curve_.spline().end() - curve_.spline().begin());
+  if (!(speed > kStands * mean_speed)) return sample;
   if (!seen_along_) {
     const Vector3d across = jet.d2 - sample.tangent.dot(jet.d2) * sample.tangent;
     sample.curvature = across / (speed * speed);

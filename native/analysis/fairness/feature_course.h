@@ -13,7 +13,8 @@ namespace hull::analysis {
 class FeatureCourse : public MeasuredCurve {
  public:
   // Seen along a unit vector `seen_along` the curve is judged as its picture bends; without it as a
-  // space curve. Keeps a reference to the curve.
+  // space curve. Where its control points all but coincide, so that it stands, it has no curvature.
+  // Keeps a reference to the curve.
   FeatureCourse(const surface::CreaseCurve& curve, const std::optional<Vector3d>& seen_along);
 
   CurveSample at(double s) const override;

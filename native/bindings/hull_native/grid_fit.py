@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ._core import crease_curves, fit_surface
+from .bend_terms import bend_terms
 from .grid_mesh import grid_mesh, line_named
 from .polylines import foot_on, lengths_along, points_at
 
@@ -19,6 +20,7 @@ _LEAST_PLACES = 30
 _AROUND_FLAT = 0.12
 # A place that is missed by the tolerance over this counts for twice as much; and at most.
 _HEED, _MOST_HEED = 1.5, 2.0
+_STEPS_OF_BENDS = 5
 _CENTRE = 1e-6
 _X, _Y, _Z = np.eye(3)
 
@@ -67,11 +69,12 @@ def extreme_flats(outline, places):
 
 class GridFit:
     """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
-    rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness."""
+    rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness; bends:
+    what bend_terms() has."""
 
-    def __init__(self, grid, targets, flats, rows_stay=False, bending=0.0):
+    def __init__(self, grid, targets, flats, rows_stay=False, bending=0.0, bends=0.0):
         self.grid, self.targets, self.flats = grid, targets, flats
-        self._rows_stay, self._bending = rows_stay, bending
+        self._rows_stay, self._bending, self._bends = rows_stay, bending, bends
         self.mesh = grid_mesh(grid)
         self.points = np.array(self.mesh.points)
         self.in_flats = {}  # point -> [axes]
@@ -120,6 +123,12 @@ class GridFit:
     def run(self, evenness, fairness, most_steps, progress=None):
         """evenness: what a second difference of the moves along a row or column counts for, of
         what a distance does; fairness: what a third difference of the places does."""
+        # Bends are those of the surface at the start of a part.
+        part = _STEPS_OF_BENDS if self._bends > 0.0 else most_steps
+        for done in range(0, most_steps, part):
+            self._run(evenness, fairness, min(part, most_steps - done), progress)
+
+    def _run(self, evenness, fairness, most_steps, progress):
         held, tied = self._limits
         flat = [(n, np.eye(3)[axis]) for n, axes in self.in_flats.items() for axis in axes]
         held = held + flat + [(n, _Y) for n in sorted(self.at_centre)]
@@ -133,7 +142,9 @@ class GridFit:
             held_normals=np.array([normal for _, normal in held]).reshape(-1, 3),
             tied=np.array([pair for pair, _ in tied]).reshape(-1, 2),
             tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
-            sums=self._even_moves(evenness) + self._fair_lines(fairness),
+            sums=self._even_moves(evenness)
+            + self._fair_lines(fairness)
+            + bend_terms(surface, self._bends),
             fairness=self._bending,
             draw_border=True,
             most_steps=most_steps,

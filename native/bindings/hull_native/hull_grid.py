@@ -15,8 +15,11 @@ import numpy as np
 from .girth_lines import GirthLines
 from .polylines import bend_shares, foot_on, lengths_along, points_at, where_x_is
 
-# How much of the rows' places are by the turning of columns; trial rows.
-_BY_TURNING, _TRIALS = 0.55, 60
+# How much of the rows' places are by the turning of lines along the ship; trial rows, and parts of
+# them from line to line.
+_BY_TURNING, _TRIALS, _ALONG = 0.6, 80, 12
+# Of an even spacing: from where whole sections begin to the first row before a post.
+_FIRST = 0.35
 # A knuckle line is across where less of it is along the ship.
 _ACROSS = 0.3
 # Of the length: a knuckle's end is on the line of an end.
@@ -69,7 +72,7 @@ def laid_grid(outline, columns, rows, counter_rows=2, post_columns=4, girths=Non
     girths = girths or GirthLines(outline)
     across, along = _sorted_knuckles(outline.knuckles)
     low = post_columns if outline.arch is not None else 0
-    laid = _rows(outline, girths, columns, rows, counter_rows, low, at)
+    laid = _rows(outline, girths, rows, counter_rows, low, at)
     for line in across:
         _put_row(laid, line)
     along = _crossed_knuckles(laid, along, outline.length)
@@ -94,7 +97,7 @@ def _sorted_knuckles(knuckles):
     return across, along
 
 
-def _rows(outline, girths, columns, count, counter_rows, low, at):
+def _rows(outline, girths, count, counter_rows, low, at):
     rows, lengths = [], outline.lengths
     if outline.aft is not None:
         rows.append(GridRow("transom", outline.aft, low))
@@ -109,7 +112,7 @@ def _rows(outline, girths, columns, count, counter_rows, low, at):
         ends = outline.on_contour([outline.post, outline.arch])
         post = np.vstack([ends[:1], outline.contour[below][::-1], ends[1:]])
         rows.append(GridRow("arch", girths.at(arch, on_counter=True), 0, arch, post=post))
-    for x in _row_places(outline, girths, columns, count) if at is None else at:
+    for x in _row_places(outline, girths, count) if at is None else at:
         rows.append(GridRow("station", girths.at(x), 0, float(x)))
     if outline.stem is None:
         rows.append(GridRow("bow", outline.forward))
@@ -139,12 +142,12 @@ def keel_range(outline):
     return low, high
 
 
-def _row_places(outline, girths, columns, count):
-    """x of rows: closer where the columns turn."""
+def _row_places(outline, girths, count):
+    """x of rows: closer where lines along the ship turn."""
     low, high = keel_range(outline)
     margin = 0.01 * (high - low)
     at = np.linspace(low + margin, high - margin, _TRIALS)
-    shares = np.linspace(0.0, 1.0, columns + 1)
+    shares = np.linspace(0.0, 1.0, _ALONG + 1)
     trial = []
     for x in at:
         line = girths.at(x)
@@ -155,8 +158,9 @@ def _row_places(outline, girths, columns, count):
     turns = np.convolve(np.pad(turns, 4, "edge"), np.full(7, 1.0 / 7.0), "valid")
     density = (1.0 - _BY_TURNING) / _TRIALS + _BY_TURNING * turns / turns.sum()
     reached = np.concatenate([[0.0], np.cumsum(0.5 * (density[1:] + density[:-1]))])
-    # A transom is a row itself.
-    inner = np.linspace(0.0, 1.0, count + 1)[1:]
+    # A transom is a row itself; before a post the first row is closer.
+    first = 1.0 if outline.aft is not None and outline.arch is None else _FIRST
+    inner = np.linspace(first / count, 1.0, count)
     return np.interp(inner, reached / reached[-1], at)
 
 

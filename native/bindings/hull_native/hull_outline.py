@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .network_reasons import beside_centre_plane, no_regions
 from .polylines import end_to_end, lengths_along, points_at
 
 # Points on an edge of the network.
@@ -120,11 +121,7 @@ def hull_outline(network):
     """The HullOutline of a CurveNetwork of a half hull. ValueError that names what the network has
     not, or has too many of."""
     if network.region_count == 0:
-        faults = [p.what for p in network.problems if not p.is_note]
-        raise ValueError(
-            "The network has no regions, so that no hull can be laid onto it. "
-            + (faults[0] if faults else "Give curves that cross one another.")
-        )
+        raise ValueError(no_regions(network))
     sheets = _Sheets(network)
     points = np.concatenate([sheets.points(edge) for edge in range(len(sheets.edges))])
     low, high = points.min(axis=0), points.max(axis=0)
@@ -134,6 +131,8 @@ def hull_outline(network):
             "The network reaches beyond the centre plane, to y = "
             f"{low[1]:.3f} m: give the curves of the port half, on the side of positive y."
         )
+    if reason := beside_centre_plane(low, high):
+        raise ValueError(reason)
     kinds = [_kind(sheets, sheet, low, high) for sheet in range(sheets.sheet_of.max() + 1)]
     in_shell = np.array([kinds[sheet] == "shell" for sheet in sheets.sheet_of])
     parts = _border(sheets, kinds, in_shell, low, high)

@@ -20,17 +20,51 @@ from .template_fit import fit_template
 _TOLERANCE = 3e-4
 # Points at most where no budget is given: Greshake (2021) has 105 to 153 for ships.
 _BUDGET = 150
-# Columns and rows to begin with; a post below an arch has more columns, and so have knuckles.
-_COLUMNS, _COLUMNS_OF_POST = 6, 7
-# Which additions pay depends on where the rows are at first: the best of these is taken.
-_ROWS = (9, 10)
 # Of the tolerance: additions go on to this, as the flats cost some of it.
 _AIM = 0.8
-# Evenness of the moves, fairness of rows and columns, and steps: first, after an addition, at last.
-# Rows and columns that are fair from the beginning come nearer to the curves with fewer points.
-_FIRST = ((1e-1, 3e-3, 12), (1e-2, 3e-3, 12))
-_AFTER_ADDITION = (3e-3, 3e-3, 8)
-_LAST = ((1e-3, 3e-3, 15), (1e-4, 1e-3, 20), (1e-4, 1e-3, 20), (1e-4, 5e-4, 20))
+
+
+@dataclass(frozen=True)
+class _Way:
+    """A layout to begin with, of_post: columns that begin at a post below an arch; and how it is
+    fitted: rows_stay and bends as GridFit has them; evenness of the moves, fairness of rows and
+    columns, and steps: first, after an addition, at last."""
+
+    columns: int
+    rows: int
+    of_post: int
+    rows_stay: bool
+    bends: float
+    first: tuple
+    after_addition: tuple
+    last: tuple
+
+
+def _floating(rows):
+    """Rows go to where they are wanted: with third differences that are small from the beginning
+    that comes nearer to the curves with fewer points."""
+    return _Way(
+        6, rows, 0, False, 0.0,
+        ((1e-1, 3e-3, 12), (1e-2, 3e-3, 12)),
+        (3e-3, 3e-3, 8),
+        ((1e-3, 3e-3, 15), (1e-4, 1e-3, 20), (1e-4, 1e-3, 20), (1e-4, 5e-4, 20)),
+    )  # fmt: skip
+
+
+def _staying(columns, rows, of_post):
+    """Around a post, bulbs and blunt bows rows that float would come to lie on one another; they
+    stay, and the surface bends as little as curves allow."""
+    return _Way(
+        columns, rows, of_post, True, 2e-4,
+        ((1e-1, 0.0, 12), (1e-2, 0.0, 10)),
+        (3e-3, 0.0, 5),
+        ((3e-3, 0.0, 15), (3e-3, 0.0, 15), (1e-3, 0.0, 15)),
+    )  # fmt: skip
+
+
+# Which layout does best depends on the hull: the first within the tolerance is taken, or the best.
+_WAYS = (_floating(9), _floating(10))
+_WAYS_OF_POST = (_staying(8, 10, 4), _staying(8, 12, 5))
 # Of the size of points: rows of one x are within it.
 _ONE_X = 2e-3
 
@@ -89,35 +123,45 @@ def _places(network):
 def _laid(network, places, tolerance, budget, progress):
     """The surface and its flats, of the first layout within the tolerance, or the best one."""
     outline = hull_outline(network)
-    columns = _COLUMNS if outline.arch is None else _COLUMNS_OF_POST
-    columns = max(columns, len(outline.knuckles) + 3)
     targets, flats = network_targets(network), extreme_flats(outline, places)
-    found = []
-    for number, rows in enumerate(_ROWS):
-        told = _Progress(progress, budget, number / len(_ROWS), 1.0 / len(_ROWS))
-        grid = laid_grid(outline, columns, rows)
-        fit = _grown(grid, targets, flats, RowsAndColumns(places, _AIM * tolerance, budget), told)
+    ways = _WAYS if outline.arch is None else _WAYS_OF_POST
+    found, refused = [], None
+    for number, way in enumerate(ways):
+        told = _Progress(progress, budget, number / len(ways), 1.0 / len(ways))
+        columns = max(way.columns, len(outline.knuckles) + 3)
+        additions = RowsAndColumns(places, _AIM * tolerance, budget)
+        try:
+            grid = laid_grid(outline, columns, way.rows, post_columns=way.of_post)
+            fit = _grown(grid, targets, flats, way, additions, told)
+        except ValueError as error:
+            refused = refused or error
+            continue
         distances = np.asarray(SurfaceTree(fit.surface).closest_points(places).distances)
         found.append((float(np.sqrt(np.mean(distances**2))), number, fit))
         if distances.max() <= tolerance:
-            break
-    fit = min(found)[2] if distances.max() > tolerance else fit
+            return fit.surface, fit.flat_points()
+    if not found:
+        raise refused
+    fit = min(found)[2]
     return fit.surface, fit.flat_points()
 
 
-def _grown(grid, targets, flats, additions, told):
-    fit = GridFit(grid, targets, flats)
+def _grown(grid, targets, flats, way, additions, told):
+    def anew():
+        return GridFit(grid, targets, flats, way.rows_stay, bends=way.bends)
+
+    fit = anew()
     if len(fit.points) > additions.budget:
         raise ValueError(
             f"The simplest layout has {len(fit.points)} control points, more than the budget of "
             f"{additions.budget}: give a larger one."
         )
-    for evenness, fairness, steps in _FIRST:
+    for evenness, fairness, steps in way.first:
         fit.run(evenness, fairness, steps, told.at(len(fit.points)))
     while additions.add_to(fit):
-        fit = GridFit(grid, targets, flats)
-        fit.run(*_AFTER_ADDITION, told.at(len(fit.points)))
-    for evenness, fairness, steps in _LAST:
+        fit = anew()
+        fit.run(*way.after_addition, told.at(len(fit.points)))
+    for evenness, fairness, steps in way.last:
         fit.flatten()
         fit.run(evenness, fairness, steps, told.at(additions.budget))
         fit.heed(additions.tolerance)

@@ -10,6 +10,8 @@ from ._core import PatchBody
 # Of an edge between two patches: places at which their normals are compared, none of which is an
 # inner knot of few equal spans.
 _SEAM_PLACES = (np.arange(11) + 0.5) / 11
+# Degrees: seams that are smooth to less are not named; of those that are not, so many are told.
+_ROUGH, _TOLD = 1.0, 3
 # Of the size: a network all of which is to port of the centre plane, but for this, is half a hull.
 _CENTRE = 1e-6
 
@@ -19,8 +21,10 @@ class NetworkReport:
     """Of NetworkPatches, in metres and degrees. curve_errors: pairs (name, how far the surface is
     from the curve at most), the largest first; spoke_error: the largest of what borders within
     regions are off; gap: between patches that share an edge; seam_angle: the largest between
-    normals of patches at smooth edges, at seam_place (3,); open_regions, loose_regions,
-    missed_curves: how many are named in NetworkPatches.problems."""
+    normals of patches at smooth edges, at seam_place (3,); rough_seams: tuples (curve's name,
+    angle, place (3,)), the largest first, of curves along which one is above 1 degree, None for the
+    name within regions; open_regions, loose_regions, missed_curves: how many are named in
+    NetworkPatches.problems."""
 
     patches: int
     curve_errors: tuple
@@ -28,6 +32,7 @@ class NetworkReport:
     gap: float
     seam_angle: float
     seam_place: tuple
+    rough_seams: tuple
     open_regions: int
     loose_regions: int
     missed_curves: int
@@ -41,6 +46,7 @@ class NetworkReport:
         told.append(f"Largest gap {1e3 * self.gap:.1g} mm")
         place = ", ".join(f"{value:.2f}" for value in self.seam_place)
         told.append(f"Seams smooth to {self.seam_angle:.2g}° (worst at {place} m)")
+        told += self._rough_lines()
         for count, what in (
             (self.open_regions, "regions left open"),
             (self.loose_regions, "regions not everywhere smooth"),
@@ -50,12 +56,27 @@ class NetworkReport:
                 told.append(f"{count} {what}")
         return told
 
+    def _rough_lines(self):
+        """Which seams turn, and what helps."""
+        if not self.rough_seams:
+            return []
+        told = []
+        for name, angle, place in self.rough_seams[:_TOLD]:
+            at = ", ".join(f"{value:.2f}" for value in place)
+            told.append(f"{name or 'a border within a region'} by {angle:.2g}° at {at} m")
+        more = len(self.rough_seams) - len(told)
+        return [
+            f"Not smooth along {'; '.join(told)}" + (f"; and {more} more" if more else ""),
+            "Curves nearly meet there: bring them to one point, or leave one out",
+        ]
+
 
 def network_report(network, made):
     """The NetworkReport of a CurveNetwork and its NetworkPatches."""
     names = [curve.name for curve in network.curves]
     errors = sorted(zip(names, made.curve_errors.tolist()), key=lambda one: -one[1])
-    angle, place = _worst_seam(made, set(network.crease_edges))
+    seams = _seams(made, set(network.crease_edges))
+    angle, place, _ = max(seams, key=lambda seam: seam[0], default=(0.0, (0.0, 0.0, 0.0), -1))
     kinds = [problem.kind for problem in made.problems]
     return NetworkReport(
         made.patches.patch_count,
@@ -64,15 +85,27 @@ def network_report(network, made):
         made.patches.largest_gap,
         angle,
         place,
+        _rough(seams, names, np.asarray(network.edge_curves)),
         kinds.count("open_region"),
         kinds.count("loose_region"),
         kinds.count("missed_curve"),
     )
 
 
-def _worst_seam(made, creases):
-    """(degrees, place) of the largest angle between normals on both sides of edges that are
-    smooth."""
+def _rough(seams, names, curves):
+    """rough_seams of a NetworkReport, of which a curve has one."""
+    worst = {}
+    for angle, place, edge in seams:
+        name = names[curves[edge]] if edge >= 0 else None
+        if angle > max(_ROUGH, worst.get(name, (0.0,))[0]):
+            worst[name] = (angle, place)
+    found = [(name, angle, place) for name, (angle, place) in worst.items()]
+    return tuple(sorted(found, key=lambda seam: -seam[1]))
+
+
+def _seams(made, creases):
+    """[(degrees, place, the network's edge or -1)] of edges that are smooth: the largest angle
+    between normals on both sides."""
     owners = made.edges.tolist()
     uses = {}
     for patch, sides in enumerate(made.patches.sides):
@@ -80,17 +113,22 @@ def _worst_seam(made, creases):
             for edge, begin, end in parts:
                 if owners[edge] not in creases:
                     uses.setdefault(edge, []).append((patch, side, begin, end))
-    seams = [two for two in uses.values() if len(two) == 2]
+    seams = {edge: two for edge, two in uses.items() if len(two) == 2}
     if not seams:
-        return 0.0, (0.0, 0.0, 0.0)
+        return []
     (one, points), (other, _) = (
-        _normals(made.patches, [two[k] for two in seams], is_reversed=k == 1) for k in (0, 1)
+        _normals(made.patches, [two[k] for two in seams.values()], is_reversed=k == 1)
+        for k in (0, 1)
     )
     angles = np.arctan2(
         np.linalg.norm(np.cross(one, other), axis=-1), np.einsum("ij,ij->i", one, other)
-    )
-    worst = int(np.argmax(angles))
-    return float(np.degrees(angles[worst])), tuple(points[worst].tolist())
+    ).reshape(len(seams), -1)
+    places = points.reshape(len(seams), -1, 3)
+    worst = angles.argmax(axis=1)
+    return [
+        (float(np.degrees(angles[i, k])), tuple(places[i, k].tolist()), owners[edge])
+        for i, (edge, k) in enumerate(zip(seams, worst.tolist()))
+    ]
 
 
 def _normals(patches, uses, is_reversed):

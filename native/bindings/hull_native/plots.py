@@ -45,7 +45,8 @@ def sectional_area_plot(
     """Areas (n,) in m² of the immersed sections at x (n,) in m.
 
     lcb (m) marks the centre of buoyancy; length_pp (m) both perpendiculars and midship. others:
-    triples (name, x, area) of curves that are drawn dashed beside it, such as another hull's.
+    (name, x, area) of curves that are drawn dashed beside it, such as another hull's, or (name, x,
+    area, colour), sRGB or None.
     frame: ((low, high) of x, (low, high) of areas) that the axes show; None: what the curves need.
     """
     x, area = _same_length(x, area, "x", "area")
@@ -56,8 +57,9 @@ def sectional_area_plot(
     curve = plot.add_curve("Sectional area", x, area)
     if x.size > 1:
         plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")
-    for name, other_x, other_area in others:
-        plot.add_curve(name, *_same_length(other_x, other_area, "x", "area"), style="dashed")
+    for name, other_x, other_area, *colour in others:
+        where = _same_length(other_x, other_area, "x", "area")
+        plot.add_curve(name, *where, style="dashed", colour=colour[0] if colour else None)
     top = _maximum(x, area)
     if top is not None:
         level = x[area >= (1.0 - _LEVEL) * top[1]]

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "modelling/gauss_rule.h"
 
@@ -77,6 +79,21 @@ Eigen::MatrixX3d carried(const std::vector<int>& which, const std::vector<Vector
   return own;
 }
 
+void check_before(const BendsBefore& before, std::size_t count) {
+  if (before.points.size() != count) {
+    throw std::invalid_argument("The surface before must have " + std::to_string(count) +
+                                " control points, not " + std::to_string(before.points.size()) +
+                                ".");
+  }
+  if (before.emphasised.size() != before.factors.size()) {
+    throw std::invalid_argument("There must be a factor for each place that is emphasised.");
+  }
+  const auto is_sound = [](double x) { return x > 0.0 && std::isfinite(x); };
+  if (!is_sound(before.least) || !std::ranges::all_of(before.factors, is_sound)) {
+    throw std::invalid_argument("The least bend and factors must be above zero, and not infinite.");
+  }
+}
+
 double emphasis(const BendsBefore& before, const Vector3d& place) {
   double factor = 1.0;
   for (std::size_t i = 0; i < before.emphasised.size(); ++i) {
@@ -126,6 +143,7 @@ struct PieceSums {
 QuadraticEnergy bend_change(const std::vector<Vector3d>& points, const BendsBefore& before,
                             const surface::PieceWeights& weights, const std::vector<int>& pieces,
                             const std::vector<char>& counts) {
+  check_before(before, points.size());
   const auto size = 3 * static_cast<Eigen::Index>(points.size());
   QuadraticEnergy energy{{size, size}, Eigen::VectorXd::Zero(size)};
   std::vector<Eigen::Triplet<double>> entries;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "mesh/vectors.h"
+#include "modelling/fairing/quadratic_energy.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling {
@@ -23,13 +22,6 @@ struct BendsBefore {
   double reach = 0.0;
 };
 
-// Of moves Δ of control points: constant + 2 gradient · Δ + Δᵀ matrix Δ, by (x, y, z) of each.
-struct QuadraticEnergy {
-  Eigen::SparseMatrix<double> matrix;
-  Eigen::VectorXd gradient;
-  double constant = 0.0;
-};
-
 // How much a surface bends otherwise than before, in proportion to how much it did:
 //
 //   ∫ Σ_ab (h_ab - b_ab)² r² / (b_ab² + r²) dA,
@@ -42,7 +34,8 @@ struct QuadraticEnergy {
 //
 // Summed over some pieces. Places where either surface has no area, or looks ahead or aback, are
 // left out. The matrix: of control points only for which `counts` is not 0.
-// REQUIRES: `before` has as many points as the surface, least > 0, a factor for each place.
+// Throws std::invalid_argument where `before` has not as many points as the surface, or not a
+// factor for each place, or where the least bend or a factor is not above zero.
 QuadraticEnergy bend_change(const std::vector<Vector3d>& points, const BendsBefore& before,
                             const surface::PieceWeights& weights, const std::vector<int>& pieces,
                             const std::vector<char>& counts);

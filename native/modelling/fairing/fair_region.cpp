@@ -9,7 +9,7 @@
 
 #include "modelling/fairing/bounded_minimum.h"
 #include "modelling/fairing/fair_limits.h"
-#include "modelling/thin_plate.h"
+#include "modelling/fairing/quadratic_energy.h"
 
 namespace hull::modelling {
 namespace {
@@ -22,19 +22,6 @@ constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-12, kMostDamping = 1e9
 // Of the energy: steps that gain less, this many in a row, end the descent.
 constexpr double kNoGain = 1e-9;
 constexpr int kIdleSteps = 2;
-
-Sparse thrice(const Triplets& entries, Eigen::Index rows, Eigen::Index columns) {
-  Triplets all;
-  all.reserve(3 * entries.size());
-  for (const auto& entry : entries) {
-    for (int axis = 0; axis < 3; ++axis) {
-      all.emplace_back(3 * entry.row() + axis, 3 * entry.col() + axis, entry.value());
-    }
-  }
-  Sparse result(3 * rows, 3 * columns);
-  result.setFromTriplets(all.begin(), all.end());
-  return result;
-}
 
 }  // namespace
 
@@ -57,11 +44,11 @@ class FairRegion::Problem {
     find_moving();
     find_region();
     if (options.before) {
-      take_change(checked(*options.before));
+      take(bend_change(points_, *options.before, weights_, pieces_, may_move_));
     } else if (energy_ == FairEnergy::kCurvature || energy_ == FairEnergy::kVariation) {
       geometric_.emplace(weights_, pieces_, energy_);
     } else {
-      take_quadratic(surface);
+      take(quadratic_energy(surface, weights_, pieces_, energy_, may_move_));
     }
     take_wishes(options.wishes);
     minimum_.emplace(mass(), Sparse(conditions_ * space_.basis()));
@@ -79,12 +66,9 @@ class FairRegion::Problem {
 
   void find_moving();
   void find_region();
-  void take_quadratic(const surface::LimitSurface& surface);
-  const BendsBefore& checked(const BendsBefore& before) const;
-  void take_change(const BendsBefore& before);
+  void take(const QuadraticEnergy& energy);
   void take_wishes(const std::vector<WishedSum>& wishes);
   Sparse mass() const;
-  Sparse by_freedom(const Triplets& entries) const;
 
   Result descend(const Eigen::VectorXd& values, double deviation, double largest,
                  const surface::Progress& progress, Faired& faired) const;
@@ -145,12 +129,6 @@ void FairRegion::Problem::find_region() {
   }
 }
 
-Sparse FairRegion::Problem::by_freedom(const Triplets& entries) const {
-  const auto size = static_cast<Eigen::Index>(points_.size());
-  const Sparse full = thrice(entries, size, size);
-  return space_.basis().transpose() * (full * space_.basis());
-}
-
 Sparse FairRegion::Problem::mass() const {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(places_.count());
   for (int place : region_) shares[place] = places_.area(place) / area_;
@@ -163,50 +141,11 @@ Sparse FairRegion::Problem::mass() const {
       }
     }
   }
-  return by_freedom(entries);
+  const Sparse full = along_each_axis(entries, static_cast<Eigen::Index>(points_.size()));
+  return space_.basis().transpose() * (full * space_.basis());
 }
 
-void FairRegion::Problem::take_quadratic(const surface::LimitSurface& surface) {
-  Triplets entries;
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(points_.size()));
-  const VisitForm take = [&](const std::vector<int>& which, const Eigen::MatrixXd& form) {
-    for (Eigen::Index i = 0; i < form.rows(); ++i) {
-      for (Eigen::Index j = 0; j < form.cols(); ++j) {
-        gradient.segment<3>(3 * which[i]) += form(i, j) * points_[which[j]];
-        constant_ += form(i, j) * points_[which[i]].dot(points_[which[j]]);
-        if (may_move_[which[i]] && may_move_[which[j]]) {
-          entries.emplace_back(which[i], which[j], form(i, j));
-        }
-      }
-    }
-  };
-  if (energy_ == FairEnergy::kLengthwise) {
-    visit_lengthwise_forms(surface, weights_, pieces_, take);
-  } else {
-    visit_thin_plate_forms(surface, weights_, pieces_, 1.0, take);
-  }
-  h_ = by_freedom(entries);
-  g_ = space_.basis().transpose() * gradient;
-}
-
-const BendsBefore& FairRegion::Problem::checked(const BendsBefore& before) const {
-  if (before.points.size() != points_.size()) {
-    throw std::invalid_argument("The surface before must have " + std::to_string(points_.size()) +
-                                " control points, not " + std::to_string(before.points.size()) +
-                                ".");
-  }
-  if (before.emphasised.size() != before.factors.size()) {
-    throw std::invalid_argument("There must be a factor for each place that is emphasised.");
-  }
-  const auto is_sound = [](double x) { return x > 0.0 && std::isfinite(x); };
-  if (!is_sound(before.least) || !std::ranges::all_of(before.factors, is_sound)) {
-    throw std::invalid_argument("The least bend and factors must be above zero, and not infinite.");
-  }
-  return before;
-}
-
-void FairRegion::Problem::take_change(const BendsBefore& before) {
-  const QuadraticEnergy energy = bend_change(points_, before, weights_, pieces_, may_move_);
+void FairRegion::Problem::take(const QuadraticEnergy& energy) {
   h_ = space_.basis().transpose() * (energy.matrix * space_.basis());
   g_ = space_.basis().transpose() * energy.gradient;
   constant_ = energy.constant;

@@ -8,6 +8,8 @@
 #include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
+#include "modelling/fairing/blend_energy.h"
+#include "modelling/fairing/quadratic_energy.h"
 #include "modelling/gauss_rule.h"
 #include "modelling/thin_plate.h"
 #include "surface/pieces/bicubic.h"
@@ -109,7 +111,7 @@ surface::Basis basis(double t, int order) {
     case 2:
       return surface::cubic_basis_d2(t);
     default:
-      return {-1.0, 3.0, -3.0, 1.0};
+      return kThirdDerivative;
   }
 }
 
@@ -260,18 +262,18 @@ double fair_energy(const surface::LimitSurface& surface, FairEnergy energy) {
   const surface::PieceWeights weights(surface);
   const std::vector<Vector3d>& points = surface.mesh().points();
   if (energy == FairEnergy::kThinPlate) return thin_plate_energy(surface, weights, points);
-  if (energy != FairEnergy::kLengthwise) {
+  if (energy == FairEnergy::kCurvature || energy == FairEnergy::kVariation) {
     return SurfaceEnergy(weights, all_pieces(weights), energy).value(points);
   }
   double sum = 0.0;
-  visit_lengthwise_forms(surface, weights, all_pieces(weights),
-                         [&](const std::vector<int>& which, const Eigen::MatrixXd& form) {
-                           Eigen::MatrixX3d at(form.rows(), 3);
-                           for (Eigen::Index i = 0; i < form.rows(); ++i) {
-                             at.row(i) = points[which[i]].transpose();
-                           }
-                           sum += (form * at).cwiseProduct(at).sum();
-                         });
+  visit_energy_forms(surface, weights, all_pieces(weights), energy,
+                     [&](const std::vector<int>& which, const Eigen::MatrixXd& form) {
+                       Eigen::MatrixX3d at(form.rows(), 3);
+                       for (Eigen::Index i = 0; i < form.rows(); ++i) {
+                         at.row(i) = points[which[i]].transpose();
+                       }
+                       sum += (form * at).cwiseProduct(at).sum();
+                     });
   return sum;
 }
 

@@ -19,6 +19,9 @@ enum class FairEnergy {
   // Of the thin plate only what bends along the ship (visit_lengthwise_forms in thin_plate.h): the
   // sections' own bend, that of bilges above all, costs nothing. Quadratic, too.
   kLengthwise,
+  // ∫ |∂⁶S/∂u³∂v³|² du dv, m², u and v along the rows of the mesh: what is not blended from rows
+  // along and across (blend_energy.h). The bends that all rows have cost nothing. Quadratic, too.
+  kBlend,
   // ∫ κ1² + κ2² dA: a number; a sphere has 8π.
   kCurvature,
   // ∫ |∇h|² dA, m⁻², h the second fundamental form and ∇ its covariant derivative: in an

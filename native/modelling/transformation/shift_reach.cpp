@@ -9,8 +9,15 @@
 namespace hull::modelling {
 namespace {
 
+// First steps from the present value, of the volume and of Lpp: less is no shift a designer asks
+// for, and what can be reached mostly is some doublings away.
+constexpr double kVolumeStep = 1e-3, kLcbStep = 1e-4;
+// So many doublings come to more than a thousand times the volume, or Lpp: no form is that far off.
 constexpr int kMostDoublings = 24;
+// Halvings of the last doubling: to 6e-8 of it, beyond the digits that are told.
 constexpr int kReachBisections = 24;
+// Of a number's text: six digits with sign, point and exponent are a fifth of it.
+constexpr int kTextSize = 64;
 
 struct Words {
   const char* name;
@@ -33,7 +40,7 @@ Words words_of(VolumeMeasure measure) {
 }
 
 std::string number(const char* format, double value) {
-  char text[64];
+  char text[kTextSize];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
@@ -88,9 +95,9 @@ void SectionShift::Solver::refuse() {
   const double present = base_.moment / base_.volume;
   const auto volumes =
       reach([&](double volume) { return model_root(volume, targets_.lcb.value_or(0.0)); },
-            base_.volume, 1e-3 * base_.volume);
+            base_.volume, kVolumeStep * base_.volume);
   const auto lcbs = reach([&](double lcb) { return model_root(base_.volume, lcb); }, present,
-                          1e-4 * shift_.project_.length_pp);
+                          kLcbStep * shift_.project_.length_pp);
   if (targets_.volume && volumes) {
     std::string text = volume_range(*volumes) + " here";
     if (targets_.lcb) text += " with LCB at " + number("%.6g", *targets_.lcb) + " m";

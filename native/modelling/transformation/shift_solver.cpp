@@ -8,9 +8,18 @@
 namespace hull::modelling {
 namespace {
 
-constexpr double kModelStep = 0.01;  // of coefficients, which are below 1
+// Of coefficients, which are below 1. The model of the moment is quadratic: its differences are
+// exact at any step, and what rounding leaves of them is least at large ones.
+constexpr double kModelStep = 0.01;
 constexpr int kNewtonSteps = 15;
 constexpr int kMostModelSteps = 50;
+// Of y: the model's root is found when a step is below it, as rounding lets no step be much shorter
+// while y is of order 1.
+constexpr double kModelMet = 1e-13;
+// Of y: sections overtake one another at coefficients of order 1, so a root beyond it is of no use.
+constexpr double kModelAstray = 1e3;
+// Of kMet: steps go on to there, so that what is met is met whatever is rounded afterwards.
+constexpr double kGoesOnTo = 0.01;
 
 }  // namespace
 
@@ -107,8 +116,8 @@ std::optional<Eigen::VectorXd> SectionShift::Solver::model_root(double volume, d
     const Vector change = model_slopes(y).fullPivLu().solve(missing);
     if (!change.allFinite()) return std::nullopt;
     y += change;
-    if (y.norm() > 1e3) return std::nullopt;
-    if (change.norm() < 1e-13) return y;
+    if (y.norm() > kModelAstray) return std::nullopt;
+    if (change.norm() < kModelMet) return y;
   }
   return std::nullopt;
 }
@@ -143,7 +152,7 @@ std::vector<double> SectionShift::Solver::solve() {
   if (!root || !is_sound(*root)) refuse();
   Vector y = *root, left = missing(y);
   Eigen::MatrixXd slopes = model_slopes(y);
-  while (left.cwiseAbs().maxCoeff() > 0.01 * kMet && iterations_ < kNewtonSteps) {
+  while (left.cwiseAbs().maxCoeff() > kGoesOnTo * kMet && iterations_ < kNewtonSteps) {
     const Vector step = slopes.fullPivLu().solve(left);
     const Vector next = y + step;
     if (!step.allFinite() || !is_sound(next)) refuse();

@@ -139,10 +139,11 @@ class _Guesser:
         is_half = self.wanted["half"]
         if is_half is None:
             is_half = self.geometry.is_half
+        plane = 0.0 if self.geometry.on_ship_axes else None
         choices = [
             choice
             for side in others
-            for choice in HullCloud.accounts(self.points, long_axis, side, is_half)
+            for choice in HullCloud.accounts(self.points, long_axis, side, is_half, plane)
         ]
         choices.sort(key=lambda choice: choice.doubt)
         best = choices[0]

@@ -90,8 +90,9 @@ class HullCloud:
         return 3 - self.long - self.side
 
     @classmethod
-    def accounts(cls, points, long_axis, side, is_half):
-        """HullClouds of the hull as whole and as either half, or only as is_half says."""
+    def accounts(cls, points, long_axis, side, is_half, centre_plane=None):
+        """HullClouds of the hull as whole and as either half, or only as is_half says.
+        centre_plane: that of halves, where it is told."""
         found = []
         letter = "xyz"[side]
         low, high = points[:, side].min(), points[:, side].max()
@@ -108,7 +109,7 @@ class HullCloud:
             found.append(cls(points, long_axis, side, plane, is_twin, doubt, reason))
         if is_half is not False:
             size = np.ptp(points, axis=0).max()
-            for plane in (low, high):
+            for plane in (low, high) if centre_plane is None else (centre_plane,):
                 is_zero = abs(plane) <= _MEANT * size
                 plane = 0.0 if is_zero else plane
                 share, exact = _touching(points, long_axis, side, plane)

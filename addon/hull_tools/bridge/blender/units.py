@@ -12,6 +12,8 @@ import numpy as np
 _FOOT = 0.3048
 _INCH = 0.0254
 _LONG_TON = 1.0160469088
+_POUND_FORCE = 0.0044482216152605  # kN
+_HORSEPOWER = 0.74569987158227022  # kW
 
 # By the unit of tables: what the panels write, and for the imperial system the size of its unit.
 _METRIC_SYMBOLS = {
@@ -24,6 +26,8 @@ _METRIC_SYMBOLS = {
     "t m/cm": "t·m/cm",
     "m rad": "m·rad",
     "s": "s",
+    "kN": "kN",
+    "kW": "kW",
 }
 _IMPERIAL = {
     "m": (_FOOT, "ft"),
@@ -35,6 +39,8 @@ _IMPERIAL = {
     "t m/cm": (_LONG_TON * _FOOT * 0.01 / _INCH, "LT·ft/in"),
     "m rad": (_FOOT, "ft·rad"),
     "s": (1.0, "s"),
+    "kN": (_POUND_FORCE, "lbf"),
+    "kW": (_HORSEPOWER, "hp"),
 }
 
 
@@ -71,10 +77,16 @@ def format_value(scene, value, unit):
         return f"{value:.2f} %"
     if not unit:
         return f"{value:.4f}"
+    number, symbol = in_unit(scene, value, unit)
+    return f"{_digits(number)} {symbol}"
+
+
+def in_unit(scene, value, unit):
+    """(number, symbol) of a value in a unit of tables, in the scene's system."""
     if scene.unit_settings.system == "IMPERIAL":
         size, symbol = _IMPERIAL[unit]
-        return f"{_digits(value / size)} {symbol}"
-    return f"{_digits(value)} {_METRIC_SYMBOLS[unit]}"
+        return value / size, symbol
+    return value, _METRIC_SYMBOLS[unit]
 
 
 def metric_symbol(unit):

@@ -19,6 +19,7 @@ from ..curves_of_form import beside, bonjean_curves, hydrostatic_table, sectiona
 from ..fairness import knuckle_angles
 from ..hull import hull_state
 from ..lines import offset_table
+from ..resistance import resistance_curves
 from ..stability import criteria, cross_curves, load_cases, righting_levers
 from ..variants import area_differences, differences
 
@@ -30,6 +31,7 @@ ANALYSES = {
     "cross_curves": cross_curves,
     "criteria": criteria,
     "load_cases": load_cases,
+    "resistance_curves": resistance_curves,
     "offset_table": offset_table,
     "knuckle_angles": knuckle_angles,
     "differences": differences,
@@ -61,6 +63,10 @@ WORDS = {
         "2008 IS Code, Part A, 2.2 and 2.3, for the load of the stability panel",
     ),
     "load_cases": ("Load cases", "How the hull floats under each load case, or why it does not"),
+    "resistance_curves": (
+        "Resistance",
+        "Resistance and power over speeds, by the method of the panel",
+    ),
     "offset_table": (
         "Table of offsets",
         "Heights and half-breadths at the stations of the lines plan",

@@ -11,13 +11,14 @@ import numpy as np
 class Curve:
     """x, y (n,) in the units of the plot's axes; name: for its legend. handles: places (k, 2) by
     which it may be dragged, or None; frame: ((low, high) of x, the same of y) that the plot's axes
-    keep for its sake, or None."""
+    keep for its sake, or None; colour: sRGB, that of its lines in the view, or None."""
 
     name: str
     x: np.ndarray
     y: np.ndarray
     handles: np.ndarray = None
     frame: tuple = None
+    colour: tuple = None
 
 
 @dataclass

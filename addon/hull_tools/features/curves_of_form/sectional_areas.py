@@ -155,6 +155,6 @@ def plot(result, name, others=()):
         subtitles=[at],
         lcb=result.hydrostatics.lcb,
         length_pp=where.length_pp or None,
-        others=[(curve.name, curve.x, curve.y) for curve in others],
+        others=[(curve.name, curve.x, curve.y, curve.colour) for curve in others],
         frame=frame(result, others),
     )

@@ -33,6 +33,8 @@ FOLLOWING = {
     "loading.load_cases.lcg": "at x",
     "loading.load_cases.tcg": "at y",
     "loading.load_cases.vcg": "at z",
+    "resistance.appendage_area": "profile",
+    "resistance.propeller_diameter": "z",
     "wind.areas.area": "profile",
     "wind.areas.z": "at z",
     "wind.lever": "z",
@@ -64,7 +66,9 @@ STAYING = frozenset(
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
     fairness.accepted.line fairness.accepted.mark
-    loading.heel_greatest loading.heel_step wind.pressure wind.roll_period table.trims plots.size
+    loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
+    resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
+    resistance.appendage_factor table.trims plots.size
     plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach

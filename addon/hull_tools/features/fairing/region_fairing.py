@@ -23,7 +23,7 @@ from ..lines import lines
 from . import form_keeping, local_marks, marks_out, seen_marks
 
 # As hull_native.FairRegion names them, in capitals.
-ENERGIES = ("LENGTHWISE", "THIN_PLATE", "CURVATURE", "VARIATION")
+ENERGIES = ("LENGTHWISE", "BLEND", "THIN_PLATE", "CURVATURE", "VARIATION")
 _prepared = {}  # the last one only, by its key
 
 

@@ -4,7 +4,7 @@ of now, its hydrostatics to be compared with. They do not change while fields do
 
 from dataclasses import dataclass, field
 
-from ...bridge.blender import units
+from ...bridge.blender import preferences, units
 from ..curves_of_form import beside, sectional_areas
 from ..flotation import afloat, hydrostatics, ship
 from ..hull import hull_state
@@ -62,7 +62,8 @@ class Before:
         self._area_key, curve = key, None
         if key is not None:
             found = sectional_areas.compute(self._ship, key[1]).areas
-            curve = beside.Curve(_NAME, found.positions, found.areas)
+            colour = preferences.colour("ghost", "ghost")
+            curve = beside.Curve(_NAME, found.positions, found.areas, colour=colour)
         state.of(beside.Beside).put(_ANALYSIS, _WHOSE, curve)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 from ....hull_io import triangles as shapes
 
@@ -31,7 +32,7 @@ def of_hull(obj, scale, length):
     settings = obj.hull.fit
     if settings.target is None:
         raise ValueError("Choose what the hull is fitted to: a mesh object as Target")
-    points, triangles, loose = _arrays(settings.target, obj, scale)
+    points, triangles, loose = shape_arrays(settings.target, obj, scale)
     spacing, lines, centre = _SPACING * length, shapes.divided(loose, _SPACING * length), []
     normals = None
     if not len(triangles):
@@ -46,7 +47,7 @@ def of_hull(obj, scale, length):
     if not len(points):
         raise ValueError(f'"{settings.target.name}" has no points to fit to: choose another target')
     if settings.lines is not None:
-        places, faces, loose = _arrays(settings.lines, obj, scale)
+        places, faces, loose = shape_arrays(settings.lines, obj, scale)
         edges = loose if not len(faces) else np.concatenate([loose, _sides(places, faces)])
         lines += shapes.divided(edges, spacing)
     if obj.hull.half:
@@ -83,9 +84,9 @@ def _on_port_side(points, normals, lines):
     return points, normals, lines
 
 
-def _arrays(obj, hull, scale):
+def shape_arrays(obj, hull, scale):
     """(points (n, 3), triangles (m, 3), edges without faces (k, 2, 3)) of an object as the view
-    shows it."""
+    shows it, on the axes of a hull, or with None those of the scene; m."""
     shown = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
     try:
@@ -100,7 +101,8 @@ def _arrays(obj, hull, scale):
         mesh.loops.foreach_get("edge_index", loops)
     finally:
         shown.to_mesh_clear()
-    matrix = np.array(hull.matrix_world.inverted() @ obj.matrix_world, dtype=np.float64)
+    frame = Matrix() if hull is None else hull.matrix_world
+    matrix = np.array(frame.inverted() @ obj.matrix_world, dtype=np.float64)
     points = scale * (points.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
     is_loose = np.ones(len(edges), dtype=bool)
     is_loose[loops] = False

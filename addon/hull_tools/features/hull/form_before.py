@@ -33,12 +33,14 @@ class FormsBefore:
     forms: list = field(default_factory=list)
 
 
-def keep(obj, surface):
-    """The form of a hull is about to be changed from a surface of its own."""
+def keep(obj, surface, known=None):
+    """The form of a hull is about to be changed from a surface of its own. known: the
+    hull_fairness.changes.Known of it, where that has been found already."""
     state = hull_state.state_of(obj)
     kept, geometry = state.of(FormsBefore), state.ship.geometry_key
     earlier = kept.forms[: _index(kept.forms, geometry)]
-    form = _Form(geometry, surface, hull_mesh.read(obj).topology_key)
+    by_beam = {} if known is None else {known.beam: known}
+    form = _Form(geometry, surface, hull_mesh.read(obj).topology_key, by_beam)
     kept.forms = [*earlier, form][-_MOST:]
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....hull_fairness import fair_changes, kept_numbers
-from ...bridge import limits
+from ...bridge import limits, native
 from ...bridge.blender import units
 from ...bridge.counts import counted
 from ..fairing import seen_marks
@@ -27,6 +27,65 @@ class Asked:
     parallel: bool = True
 
 
+class NewMarks:
+    """Fairs new marks out of a parents.Parent, or of what it is when its points have moved; all of
+    Blender's is read here."""
+
+    def __init__(self, parent, asked):
+        limits.within(asked.most, "Deviation over B", 0.0, 1.0)
+        self.beam = seen_marks.beam_of(parent.obj, parent.control.points, parent.scale)
+        if not self.beam > 0.0:
+            raise ValueError("Give the beam first: what is seen is measured by it")
+        self.wanted = seen_marks.wanted_of(parent.obj, parent.scale, self.beam)
+        self._parent, self._asked = parent, asked
+        self._position = parent.position()
+        self._limits = parent.reach_arguments(False, False, False)
+
+    def faired(self, known, surface, progress):
+        """The hull_fairness.fair_changes.FairChange of a LimitSurface with the parent's mesh, but
+        for its points; known: hull_fairness.changes.Known of the form before."""
+        return fair_changes.fair_new_marks(
+            known,
+            surface,
+            self._asked.most * self.beam,
+            self._kept(surface),
+            self.wanted,
+            progress=progress,
+            **self._held(surface),
+        )
+
+    def _held(self, surface):
+        hull_native = native.require()
+        parallel = ()
+        if self._asked.parallel:
+            body = self._body(surface.mesh.points)
+            parallel = particulars.parallel_of(body, self._position, self._parent.where)
+        held, normals = fair_changes.held_form(surface, parallel)
+        tied, directions = hull_native.square_ties(surface)
+        return {
+            "locked": self._limits["locked"],
+            "held_points": np.concatenate([self._limits["held_points"], held]),
+            "held_normals": np.concatenate([self._limits["held_normals"], normals]),
+            "tied": tied,
+            "tied_directions": directions,
+            "kept": hull_native.square_sums(surface),
+        }
+
+    def _kept(self, surface):
+        where = self._parent.where
+        return kept_numbers.kept_numbers(
+            self._body,
+            surface.mesh.points,
+            (kept_numbers.VOLUME, kept_numbers.LCB),
+            length_pp=where.length_pp or None,
+            water_density=where.water_density,
+            **self._position,
+        )
+
+    def _body(self, points):
+        return self._parent.moved_body(points - self._parent.control.points)
+
+
 class FairingChange(ParentTask):
     """The task of taking out the marks that a hull has and the form before had not; see
     conversion.conversions."""
@@ -34,49 +93,17 @@ class FairingChange(ParentTask):
     text = "Fairing new marks"
 
     def __init__(self, obj, scene, asked):
-        limits.within(asked.most, "Deviation over B", 0.0, 1.0)
         super().__init__(obj, scene)
-        parent = self.parent
-        self._beam = seen_marks.beam_of(obj, parent.control.points, parent.scale)
-        if not self._beam > 0.0:
-            raise ValueError("Give the beam first: what is seen is measured by it")
-        self._marks_before = form_before.MarksBefore(obj, self._beam)
-        self._most = asked.most * self._beam
-        self._wanted = seen_marks.wanted_of(obj, parent.scale, self._beam)
-        self._limits = self._held(asked.parallel)
-        self._keeping = self._kept()
+        self._fairing = NewMarks(self.parent, asked)
+        self._marks_before = form_before.MarksBefore(obj, self._fairing.beam)
         self.begin(self._run)
-
-    def _held(self, keeps_parallel):
-        parent = self.parent
-        found = parent.reach_arguments(False, False, False)
-        parallel = particulars.parallel_body(parent) if keeps_parallel else ()
-        held, normals = fair_changes.held_form(parent.surface, parallel)
-        found["held_points"] = np.concatenate([found["held_points"], held])
-        found["held_normals"] = np.concatenate([found["held_normals"], normals])
-        return found
-
-    def _kept(self):
-        parent, where = self.parent, self.parent.where
-        return kept_numbers.kept_numbers(
-            lambda points: parent.moved_body(points - parent.control.points),
-            parent.control.points,
-            (kept_numbers.VOLUME, kept_numbers.LCB),
-            length_pp=where.length_pp or None,
-            water_density=where.water_density,
-            **parent.position(),
-        )
 
     def _run(self, progress):
         known = self._marks_before.known(lambda share: progress(_BEFORE * share))
-        return fair_changes.fair_new_marks(
+        return self._fairing.faired(
             known,
             self.parent.surface,
-            self._most,
-            self._keeping,
-            self._wanted,
-            progress=lambda share: progress(_BEFORE + (1.0 - _BEFORE) * share),
-            **self._limits,
+            lambda share: progress(_BEFORE + (1.0 - _BEFORE) * share),
         )
 
     def write(self, scene):
@@ -105,4 +132,7 @@ def summary(found):
     text = f"{counted(found.start, 'new mark')} before, {len(found.new)} left"
     if found.new:
         text = f"{text}, {_first(found)}"
+    along = float(np.abs(found.moves[:, 0]).max())
+    if along:
+        shift = f"{shift}, points along the ship by {units.format_mm(along)} at most"
     return f"{text}; the surface shifts by {shift}; ∇ and LCB stay", bool(found.new)

@@ -67,17 +67,14 @@ class Changed:
     rms: float
 
 
-class LeastChange(ParentTask):
-    """The task of bringing a hull as it is now to what is Asked; see conversion.conversions."""
+class LeastMoves:
+    """The moves that bring a parents.Parent to what is Asked; all of Blender's is read here."""
 
-    text = "Changing displacement and LCB"
-
-    def __init__(self, obj, scene, asked):
-        self._asked, self._targets = asked, asked.targets()
+    def __init__(self, parent, asked):
+        self.parent, self._asked, self._targets = parent, asked, asked.targets()
         limits.within(asked.stiffness, "Fairness", 0.0, limits.GREATEST_TARGET_STIFFNESS)
-        super().__init__(obj, scene)
+        self._position = parent.position()
         self._arguments = self._holds()
-        self.begin(self._run)
 
     def _holds(self):
         parent, asked = self.parent, self._asked
@@ -100,7 +97,7 @@ class LeastChange(ParentTask):
             found["held_normals"] = np.concatenate([found["held_normals"], normals])
         return found
 
-    def _run(self, progress):
+    def reached(self, progress):
         """The hull_native.TargetsReached; ValueError with what can be reached where not all is
         met."""
         parent = self.parent
@@ -111,7 +108,7 @@ class LeastChange(ParentTask):
             mirrored=parent.body.mirrored,
             openings=parent.body.openings,
             stiffness=self._asked.stiffness,
-            **parent.position(),
+            **self._position,
             **parent.where.project(),
             **self._arguments,
         )
@@ -133,6 +130,17 @@ class LeastChange(ParentTask):
             f"Not all can be met: the nearest is {nearest}; {why}. Let outlines or the parallel "
             "body move, unlock points, or ask for less"
         )
+
+
+class LeastChange(ParentTask):
+    """The task of bringing a hull as it is now to what is Asked; see conversion.conversions."""
+
+    text = "Changing displacement and LCB"
+
+    def __init__(self, obj, scene, asked):
+        asked.targets()  # what is wrong with them is told before all else
+        super().__init__(obj, scene)
+        self.begin(LeastMoves(self.parent, asked).reached)
 
     def write(self, scene):
         """Moves the hull's control points; returns Changed. ValueError when the hull is no longer

@@ -29,10 +29,10 @@ class ParentTask(jobs.JobTask):
         """What the work returns, which is waited for; raises what went wrong."""
         return self._job.result()
 
-    def moved(self, scene, moves):
+    def moved(self, scene, moves, known=None):
         """Moves the hull's control points; returns the HullState of what it is then. ValueError
-        when the hull is no longer what it was."""
-        return replace(self.parent, obj=self.unchanged(scene)).write(scene, moves)
+        when the hull is no longer what it was. known: see Parent.write."""
+        return replace(self.parent, obj=self.unchanged(scene)).write(scene, moves, known)
 
     def unchanged(self, scene):
         """The hull; ValueError when it is no longer what it was."""

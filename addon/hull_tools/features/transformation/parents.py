@@ -140,10 +140,10 @@ class Parent:
             surface, mirrored=self.body.mirrored, openings=self.body.openings
         )
 
-    def write(self, scene, moves):
+    def write(self, scene, moves, known=None):
         """Moves the hull's control points by moves (n, 3), m; returns the HullState of what it is
-        then. What it was is the form before."""
-        form_before.keep(self.obj, self.surface)
+        then. What it was is the form before; known: its marks, see form_before.keep."""
+        form_before.keep(self.obj, self.surface, known)
         return self.moved(scene, moves)
 
     def moved(self, scene, moves):

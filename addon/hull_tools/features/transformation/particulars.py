@@ -53,6 +53,12 @@ def of_hydrostatics(found):
 def parallel_body(parent):
     """(aft, forward) in m of a parents.Parent's parallel middle body, the same where there is
     none."""
-    aft, forward = native.require().parallel_body(parent.body, **parent.position())
-    least = _LEAST_PARALLEL * parent.where.length_pp
+    return parallel_of(parent.body, parent.position(), parent.where)
+
+
+def parallel_of(body, position, where):
+    """The same of a hull_native.HullBody that lies at a position, as Parent has it, in an
+    Afloat."""
+    aft, forward = native.require().parallel_body(body, **position)
+    least = _LEAST_PARALLEL * where.length_pp
     return (aft, forward) if forward - aft > least else (aft, aft)

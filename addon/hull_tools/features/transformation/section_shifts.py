@@ -7,6 +7,8 @@ from ...bridge import native
 from . import halves, parents, particulars
 from .particulars import Particulars, parallel_body
 
+NO_END = "The search did not end: ask for a smaller change, or keep less"
+
 
 @dataclass(frozen=True)
 class Wanted:
@@ -57,17 +59,7 @@ def shift(obj, scene, wanted):
     of reach, with what can be reached: nothing moves then."""
     parent = parents.of_hull(obj, scene)
     where, position = parent.where, parent.position()
-    length = _length(parent)
-    shift = native.require().SectionShift(
-        parent.body,
-        draft=position["draft"],
-        trim=position["trim"],
-        **{name: value or 0.0 for name, value in where.project().items()},
-        part=wanted.shifted_part,
-        **_parallel(parent, wanted),
-        kept_ranges=parent.kept_ranges(),
-        limits=parent.limits(),
-    )
+    length, shift = _length(parent), new_shift(parent, wanted)
     before = particulars.of_parent(parent)
     if wanted.prismatics is None:
         result = shift.solve(**wanted.volume, lcb=wanted.lcb)
@@ -75,13 +67,29 @@ def shift(obj, scene, wanted):
         solver = halves.HalfSolver(shift, wanted.shifted_part, parent.moved_body, position, length)
         result = solver.solve(wanted.prismatics)
     if wanted.prismatics is None and not result.converged:
-        raise ValueError("The search did not end: ask for a smaller change, or keep less")
+        raise ValueError(NO_END)
     state = parent.write(scene, result.moves)
     found = state.ship.as_it_is().hydrostatics(where)
     reached = None
     if wanted.prismatics is not None:
         reached = halves.prismatics(state.ship.source.new_ship().body, position, length)
     return Shifted(result, before, particulars.of_hydrostatics(found), wanted.shifted_part, reached)
+
+
+def new_shift(parent, wanted):
+    """The hull_native.SectionShift of a parents.Parent for what is Wanted, to be solved."""
+    _length(parent)
+    position = parent.position()
+    return native.require().SectionShift(
+        parent.body,
+        draft=position["draft"],
+        trim=position["trim"],
+        **{name: value or 0.0 for name, value in parent.where.project().items()},
+        part=wanted.shifted_part,
+        **_parallel(parent, wanted),
+        kept_ranges=parent.kept_ranges(),
+        limits=parent.limits(),
+    )
 
 
 def _parallel(parent, wanted):

@@ -7,7 +7,7 @@ points of the hull are moved: at a pause it is looked whether they are still tho
 
 from dataclasses import dataclass, field
 
-from ...bridge.blender import units
+from ...bridge.blender import preferences, units
 from ..curves_of_form import beside, sectional_areas
 from ..flotation import ship
 from ..hull import hull_state
@@ -81,7 +81,8 @@ class Ghost:
             found = sectional_areas.compute(ship.Ship(self._body, ()), where).areas
         except ValueError:
             return None  # it is not afloat there; the table of differences says why
-        return beside.Curve(other.name, found.positions, found.areas)
+        colour = preferences.colour("ghost", "ghost")
+        return beside.Curve(other.name, found.positions, found.areas, colour=colour)
 
 
 def follow(obj, scene):

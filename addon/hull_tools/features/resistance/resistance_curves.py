@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Resistance and power over speeds, by Holtrop and Mennen or by Michell's integral."""
+
+import math
+from dataclasses import dataclass
+
+from ...bridge import limits, native
+from ...bridge.blender.units import as_typed
+from ..curves_of_form.ranges import stepped
+from ..flotation import afloat
+
+IS_LIVE = False
+
+KNOT = 1852.0 / 3600.0  # m/s
+
+NAMES = {"HOLTROP": "Holtrop and Mennen 1984", "MICHELL": "ITTC 1957 and Michell"}
+
+
+@dataclass(frozen=True)
+class Inputs:
+    where: afloat.Afloat
+    method: str
+    speeds: tuple  # m/s
+    form_factor: float  # 1 + k of the ITTC line
+    stern: float
+    appendages: tuple  # (area in m², 1 + k2), or none
+    propeller: tuple  # (diameter in m, screws), or none
+
+
+@dataclass(frozen=True)
+class Result:
+    rows: list  # of hull_native.holtrop_table() or michell_table()
+    given: Inputs
+
+    def remarks(self):
+        """Sentences about what the numbers rest on, each once."""
+        told = dict.fromkeys(row.get("outside", "") for row in self.rows)
+        parts = dict.fromkeys(part for text in told for part in text.split("; ") if part)
+        yield from (f"Out of the method's range: {part}" for part in _first_of_each(parts))
+        worst = max((_error(row) for row in self.rows), default=0.0)
+        if worst > 0.01:
+            yield f"The wave resistance is known to {100.0 * worst:.1f} % only: the ends are blunt"
+
+
+def _first_of_each(sentences):
+    """Froude numbers leave a range at many speeds: the first tells."""
+    seen = set()
+    for sentence in sentences:
+        name = sentence.partition(" is ")[0].rstrip("0123456789.e+- ")
+        if name not in seen:
+            seen.add(name)
+            yield sentence
+
+
+def _error(row):
+    return row.get("wave_error_kN", 0.0) / row["total_kN"] if row["total_kN"] > 0.0 else 0.0
+
+
+def inputs(settings, metres_per_unit):
+    own = settings.resistance
+    where = afloat.afloat(settings, metres_per_unit)
+    if where.heel != 0.0:
+        raise ValueError("Resistance is that of the upright hull: set the heel to zero")
+    first, last, step = (
+        limits.within(as_typed(value), f"{name} in kn", 0.0, limits.FASTEST)
+        for name, value in (
+            ("First speed", own.speed_from),
+            ("Last speed", own.speed_to),
+            ("Step of speeds", own.speed_step),
+        )
+    )
+    if not first > 0.0:
+        raise ValueError("The first speed must be more than zero")
+    knots = stepped(first, last, step, "speeds")
+    area = limits.within(as_typed(own.appendage_area), "Appendages in m²", 0.0, 1e6)
+    factor = limits.within(as_typed(own.appendage_factor), "1 + k2", 0.0, 100.0)
+    diameter = as_typed(own.propeller_diameter) * metres_per_unit
+    limits.within(diameter, "Propeller in m", 0.0, limits.LONGEST)
+    return Inputs(
+        where,
+        own.method,
+        tuple(speed * KNOT for speed in knots),
+        limits.within(as_typed(own.form_factor), "1 + k", 0.0, 10.0),
+        float(own.stern),
+        (area, factor) if area > 0.0 else (),
+        (diameter, 2 if own.twin_screw else 1) if diameter > 0.0 else (),
+    )
+
+
+def compute(ship, given):
+    hull_native = native.require()
+    position = {k: v for k, v in given.where.position().items() if k != "heel"}
+    density = given.where.water_density
+    if given.method == "MICHELL":
+        rows = hull_native.michell_table(
+            ship.body,
+            given.speeds,
+            form_factor=given.form_factor,
+            water_density=density,
+            **position,
+        )
+        return Result(rows, given)
+    own = {"stern_coefficient": given.stern}
+    if given.appendages:
+        own["appendages"] = (given.appendages,)
+    propeller = None
+    if given.propeller:
+        diameter, screws = given.propeller
+        propeller = hull_native.Propeller(diameter, screws=screws)
+    rows = hull_native.holtrop_table(
+        ship.body, given.speeds, given=own, propeller=propeller, water_density=density, **position
+    )
+    return Result(rows, given)
+
+
+# What ends the names of hull_native's columns; others have no unit, but for texts.
+_UNITS = {"kn": "kn", "kN": "kN", "kW": "kW", "m_s": "m/s"}
+
+
+def _heading(column):
+    for ending, unit in _UNITS.items():
+        if column.endswith(f"_{ending}"):
+            return f"{column[: -len(ending) - 1].replace('_', ' ')} [{unit}]"
+    return column if column == "outside" else f"{column.replace('_', ' ')} [-]"
+
+
+def header(result):
+    return [_heading(column) for column in result.rows[0]]
+
+
+def rows(result):
+    return [list(row.values()) for row in result.rows]
+
+
+def plot(result, name):
+    where = result.given.where
+    at = f"{name}, {NAMES[result.given.method]}, draft {where.draft:.3f} m"
+    if where.trim_m:
+        at += f", trim {where.trim_m:.3f} m by the stern"
+    return native.require().resistance_plot(result.rows, subtitles=[at])
+
+
+def shown(count, most):
+    """Which of `count` rows a table of `most` rows shows: first and last, and between at even
+    distances."""
+    if count <= most:
+        return list(range(count))
+    return [math.floor(i * (count - 1) / (most - 1) + 0.5) for i in range(most)]

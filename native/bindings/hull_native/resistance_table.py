@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Resistance of a hull over speeds, by Holtrop and Mennen or by Michell: rows, and their text."""
+
+import csv
+import io
+import math
+
+from . import _core
+from ._resistance import GRAVITY, MichellIntegral, ittc_1957
+from .holtrop_form import holtrop_ship
+from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
+
+KNOT = 1852.0 / 3600.0  # m/s
+
+_HOLTROP = ("friction", "form", "appendages", "wave", "bulb", "transom", "correlation", "total")
+
+
+def michell_table(
+    body,
+    speeds,
+    *,
+    draft,
+    trim=0.0,
+    draft_at=0.0,
+    form_factor=1.0,
+    water_density=_core.SEA_WATER_DENSITY,
+    viscosity=SEA_WATER_VISCOSITY,
+    tolerance=1e-3,
+):
+    """A list of dicts, one for each speed in m/s: friction by the ITTC 1957 line on the exact
+    wetted surface times form_factor, 1 + k, and wave resistance by Michell's integral.
+
+    Keys with units: speed_kn, speed_m_s, froude, friction_kN, form_kN, wave_kN, wave_error_kN,
+    total_kN, effective_power_kW. ValueError as MichellIntegral, and for a form factor below zero.
+    """
+    if not (form_factor >= 0.0 and math.isfinite(form_factor)):
+        raise ValueError(f"The form factor 1 + k must not be negative, as {form_factor} is.")
+    where = {"draft": draft, "trim": trim, "draft_at": draft_at, "water_density": water_density}
+    waves = MichellIntegral(body, tolerance=tolerance, **where).resistance(speeds)
+    water = _core.hydrostatics(body, **where)
+    length = water.waterline_length or water.immersed_length
+    rows = []
+    for wave in waves:
+        line = ittc_1957(wave.speed * length / viscosity)
+        friction = 0.5 * water_density * wave.speed**2 * water.wetted_surface * line
+        total = form_factor * friction + wave.resistance
+        rows.append(
+            {
+                **_speed_columns(wave.speed, length),
+                "friction_kN": friction,
+                "form_kN": (form_factor - 1.0) * friction,
+                "wave_kN": wave.resistance,
+                "wave_error_kN": wave.error,
+                "total_kN": total,
+                "effective_power_kW": total * wave.speed,
+            }
+        )
+    return rows
+
+
+def holtrop_table(body, speeds, *, draft, trim=0.0, draft_at=0.0, given=None, **how):
+    """A list of dicts, one for each speed in m/s, by Holtrop and Mennen's method for a HullBody.
+
+    given: dict of what replaces measured fields of HoltropShip; other keywords as holtrop(). Keys
+    with units as michell_table(): parts, total_kN, effective_power_kW, with a propeller
+    wake_fraction, thrust_deduction, rotative_efficiency, hull_efficiency and delivered_power_kW;
+    "outside" tells in words what is out of the method's range.
+    """
+    ship = holtrop_ship(body, draft=draft, trim=trim, draft_at=draft_at, **(given or {}))
+    return [_holtrop_row(result, ship.length) for result in holtrop(ship, speeds, **how)]
+
+
+def _speed_columns(speed, length):
+    froude = speed / math.sqrt(GRAVITY * length)
+    return {"speed_kn": speed / KNOT, "speed_m_s": speed, "froude": froude}
+
+
+def _holtrop_row(result: HoltropResult, length):
+    row = _speed_columns(result.speed, length)
+    row.update({f"{name}_kN": getattr(result, name) for name in _HOLTROP})
+    row["effective_power_kW"] = result.effective_power
+    if result.propulsion:
+        row["wake_fraction"] = result.propulsion["w"]
+        row["thrust_deduction"] = result.propulsion["t"]
+        row["rotative_efficiency"] = result.propulsion["etaR"]
+        row["hull_efficiency"] = result.propulsion["etaH"]
+        row["delivered_power_kW"] = result.delivered_power
+    row["outside"] = "; ".join(result.outside)
+    return row
+
+
+def resistance_csv(rows):
+    """The text of rows as comma-separated values, numbers with six digits. ValueError for none."""
+    if not rows:
+        raise ValueError("There are no speeds to write: give at least one.")
+    text = io.StringIO()
+    writer = csv.DictWriter(text, fieldnames=list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
+    return text.getvalue()

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The waves far behind a thin ship, from her free-wave spectrum."""
+
+import math
+
+import numpy as np
+
+# Gauss's rule of so many nodes for each turn of the phase by so much, rad.
+_NODES, _TURN = 16, 12.0
+_STEEPEST = math.radians(89.0)
+_MOST_NODES = 200_000
+_BATCH = 256  # points at once
+
+
+def wave_heights(integral, speed, points, *, gravity, steepest=math.radians(80.0)):
+    """(n,) heights of the water in m at points (n, 2): x ahead and y in the ship's axes, m.
+
+    integral: MichellIntegral; gravity in m/s², as it has. Of the free waves alone, which is all
+    there is some wave lengths behind the stern; beside and before the ship they mean nothing.
+    steepest: directions in rad up to which waves are taken; shorter ones, which stand on the ship's
+    track alone, are left out. ValueError for shapes, numbers that are not finite, points so far
+    away that no sum resolves their phases, and as MichellIntegral.amplitudes().
+    """
+    points = np.asarray(points, dtype=float)
+    if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
+        raise ValueError(f"points must be finite, of shape (n, 2), not {points.shape}.")
+    if not 0.0 < steepest < _STEEPEST:
+        raise ValueError("steepest must be above 0 and below 89° in rad.")
+    nu = gravity / speed**2
+    # By u = tan θ: the phase ν √(1 + u²) (x + u y) turns no faster than so much for each u.
+    end = math.tan(steepest)
+    reach = np.abs(points).max(axis=0, initial=0.0) + [integral.length, 0.0]
+    turns = nu * end * math.hypot(1.0, end) * (reach[0] + 2.0 * end * reach[1]) + 1.0
+    parts = math.ceil(turns / _TURN)
+    if parts * _NODES > _MOST_NODES:
+        raise ValueError(
+            "The points are too far away for waves so steep: take less than "
+            f"{math.degrees(steepest):.0f}°, or nearer points."
+        )
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    half = 0.5 * end / parts
+    u = (half * (2.0 * np.arange(parts)[:, None] + 1.0 + nodes)).ravel()
+    amplitudes = np.asarray(integral.amplitudes(speed, np.arctan(u)))
+    # dθ = du / (1 + u²); waves to both sides have one amplitude.
+    factors = amplitudes * np.tile(weights * half, parts) / (1.0 + u**2)
+    k = nu * np.hypot(1.0, u)
+    heights = []
+    for batch in np.array_split(points, max(1, math.ceil(len(points) / _BATCH))):
+        along = np.exp(-1j * np.outer(batch[:, 0], k))
+        across = 2.0 * np.cos(np.outer(batch[:, 1], k * u))
+        heights.append(((along * across) @ factors).real)
+    return np.concatenate(heights)

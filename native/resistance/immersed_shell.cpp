@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "resistance/immersed_shell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/arithmetic/gauss.h"
+#include "analysis/derivatives/wet_columns.h"
+#include "surface/limit_surface.h"
+
+namespace hull::resistance {
+namespace {
+
+using analysis::CutSquare;
+using analysis::GaussRule;
+using analysis::SpanNode;
+
+constexpr double kMostPhase = 8.0;       // over a rectangle of kFull nodes …
+constexpr double kLittlePhase = 1.5;     // … and of kFew, which are exact for the shell alone
+constexpr double kLittleDecay = 0.5;     // of depths, of the least one
+constexpr double kFirstDecays = 4.0;     // of the shortest waves, from the water down
+constexpr int kFull = 10, kFew = 6;      // nodes in each direction
+constexpr int kMostHalvings = 60;        // of a rectangle, in both directions together
+constexpr double kSmallestWhole = 1e-6;  // of the size: of squares around a corner
+
+const GaussRule& wave_rule(int nodes) {
+  static const GaussRule full = analysis::gauss_rule(kFull), few = analysis::gauss_rule(kFew);
+  return nodes == kFull ? full : few;
+}
+
+// Part of a span by two parameters in [0, 1].
+struct SpanSheet {
+  // A node with the area of parameters of the span that the sheet's have there.
+  struct Place {
+    SpanNode node;
+    double scale;
+  };
+
+  const surface::BicubicPoints& points;
+  const CutSquare& square;
+
+  // All of the square, or what is below the water of one that is cut; there t runs from the water's
+  // surface across it.
+  Place at(double s, double t) const {
+    const double area = square.size * square.size;
+    if (square.side == CutSquare::Side::kBelow) {
+      return {SpanNode(points, square.u + square.size * s, square.v + square.size * t), area};
+    }
+    const analysis::WetColumn wet(square, s);
+    const double begin = wet.to < 1.0 ? wet.to : wet.from, end = wet.to < 1.0 ? wet.from : wet.to;
+    return {analysis::node_of(points, square, s, begin + (end - begin) * t),
+            wet.any ? area * std::abs(end - begin) : 0.0};
+  }
+};
+
+struct Rectangle {
+  double s, t, width, height;
+};
+
+class SheetIntegrator {
+ public:
+  SheetIntegrator(const SpanSheet& sheet, const WayFrame& frame, const WaveScales& scales,
+                  ShellVisitor& visitor)
+      : sheet_(sheet), frame_(frame), scales_(scales), visitor_(visitor) {}
+
+  void add(const Rectangle& rectangle, int halvings = 0) {
+    const Spread spread = spread_of(rectangle);
+    const double phase = scales_.along_at(spread.top) * (spread.x_by_s + spread.x_by_t);
+    const double decay = (spread.depth_by_s + spread.depth_by_t) /
+                         std::max(spread.top, kFirstDecays / scales_.decay);
+    if (halvings < kMostHalvings && (phase > kMostPhase || decay > 1.0)) {
+      const bool along_s = phase > kMostPhase ? spread.x_by_s >= spread.x_by_t
+                                              : spread.depth_by_s >= spread.depth_by_t;
+      return halve(rectangle, along_s, halvings);
+    }
+    add_nodes(rectangle, phase < kLittlePhase && decay < kLittleDecay ? kFew : kFull);
+  }
+
+ private:
+  // How far x and depth spread along the sides, and the least depth, at three nodes by three.
+  struct Spread {
+    double top, x_by_s = 0.0, x_by_t = 0.0, depth_by_s = 0.0, depth_by_t = 0.0;
+  };
+
+  Spread spread_of(const Rectangle& r) const {
+    std::array<std::array<double, 3>, 3> x, depth;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const Vector3d p = sheet_.at(r.s + 0.5 * i * r.width, r.t + 0.5 * j * r.height).node.point;
+        x[i][j] = frame_.x(p);
+        depth[i][j] = frame_.depth(p);
+      }
+    }
+    const auto range = [](double a, double b, double c) {
+      return std::max({a, b, c}) - std::min({a, b, c});
+    };
+    Spread spread{depth[0][0]};
+    for (int k = 0; k < 3; ++k) {
+      for (double d : depth[k]) spread.top = std::min(spread.top, d);
+      spread.x_by_s = std::max(spread.x_by_s, range(x[0][k], x[1][k], x[2][k]));
+      spread.x_by_t = std::max(spread.x_by_t, range(x[k][0], x[k][1], x[k][2]));
+      spread.depth_by_s = std::max(spread.depth_by_s, range(depth[0][k], depth[1][k], depth[2][k]));
+      spread.depth_by_t = std::max(spread.depth_by_t, range(depth[k][0], depth[k][1], depth[k][2]));
+    }
+    return spread;
+  }
+
+  void halve(const Rectangle& r, bool along_s, int halvings) {
+    const double width = along_s ? 0.5 * r.width : r.width,
+                 height = along_s ? r.height : 0.5 * r.height;
+    add({r.s, r.t, width, height}, halvings + 1);
+    add({along_s ? r.s + width : r.s, along_s ? r.t : r.t + height, width, height}, halvings + 1);
+  }
+
+  void add_nodes(const Rectangle& r, int count) {
+    const GaussRule& rule = wave_rule(count);
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j) {
+        const SpanSheet::Place place =
+            sheet_.at(r.s + r.width * rule.nodes[i], r.t + r.height * rule.nodes[j]);
+        const double weight = place.scale * r.width * r.height * rule.weights[i] * rule.weights[j];
+        if (weight != 0.0) visitor_.at_node(place.node, weight);
+      }
+    }
+  }
+
+  const SpanSheet& sheet_;
+  const WayFrame& frame_;
+  const WaveScales& scales_;
+  ShellVisitor& visitor_;
+};
+
+// The waterline of a square within an interval.
+class LineIntegrator {
+ public:
+  LineIntegrator(const SpanSheet& sheet, const WayFrame& frame, const WaveScales& scales,
+                 ShellVisitor& visitor)
+      : sheet_(sheet), frame_(frame), scales_(scales), visitor_(visitor) {}
+
+  void add(double begin, double width, int halvings = 0) {
+    const auto x = [&](double s) { return frame_.x(sheet_.at(s, 0.0).node.point); };
+    const double middle = begin + 0.5 * width;
+    const double reach = std::abs(x(begin) - x(middle)) + std::abs(x(middle) - x(begin + width));
+    if (halvings < kMostHalvings && scales_.along * reach > kMostPhase) {
+      add(begin, 0.5 * width, halvings + 1);
+      add(middle, 0.5 * width, halvings + 1);
+      return;
+    }
+    const GaussRule& rule = wave_rule(kFull);
+    for (int i = 0; i < kFull; ++i) {
+      const double s = begin + width * rule.nodes[i];
+      const analysis::WetColumn wet(sheet_.square, s);
+      if (!wet.crosses) continue;
+      const SpanNode at = analysis::node_of(sheet_.points, sheet_.square, s, wet.at_water());
+      const double slope = analysis::slope_across(sheet_.square, at, frame_.water);
+      const double weight = rule.weights[i] * width * sheet_.square.size;
+      if (slope > 0.0) visitor_.at_water(at, weight / slope);
+    }
+  }
+
+ private:
+  const SpanSheet& sheet_;
+  const WayFrame& frame_;
+  const WaveScales& scales_;
+  ShellVisitor& visitor_;
+};
+
+template <class Points>
+bool reaches_below(const Points& points, const WayFrame& frame) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vector3d& p) { return frame.water.height(p) <= -frame.zero; });
+}
+
+}  // namespace
+
+void visit_span(const surface::BicubicPoints& points, const WayFrame& frame,
+                const WaveScales& scales, ShellVisitor& visitor) {
+  if (!reaches_below(points, frame)) return;
+  cut_piece(analysis::heights(points, frame.water, frame.zero), [&](const CutSquare& square) {
+    if (square.side == CutSquare::Side::kAbove) return;
+    const SpanSheet sheet{points, square};
+    SheetIntegrator integrator(sheet, frame, scales, visitor);
+    if (square.side == CutSquare::Side::kBelow) return integrator.add({0.0, 0.0, 1.0, 1.0});
+    LineIntegrator line(sheet, frame, scales, visitor);
+    const auto add = [&](double begin, double width) {
+      integrator.add({begin, 0.0, width, 1.0});
+      line.add(begin, width);
+    };
+    analysis::WetIntervals(points, frame.water, add).divide(square);
+  });
+}
+
+void visit_shell(const analysis::HullBody& body, const WayFrame& frame, const WaveScales& scales,
+                 ShellVisitor& visitor) {
+  const surface::LimitSurface& surface = body.surface();
+  const surface::SurfaceLayout& layout = surface.layout();
+  for (int leaf = 0; leaf < layout.leaf_count(); ++leaf) {
+    visit_span(surface.leaf(leaf), frame, scales, visitor);
+  }
+  for (int corner = 0; corner < layout.corner_count(); ++corner) {
+    const surface::CornerBasis& basis = layout.basis(corner);
+    surface::CornerRing ring(basis, surface.corner(corner));
+    for (; goes_on(ring.points(), frame, surface.mesh().size()); ring.advance()) {
+      for (int s = 0; s < basis.segment_count(); ++s) {
+        visit_span(ring.segment_points(s), frame, scales, visitor);
+      }
+    }
+  }
+}
+
+bool goes_on(const std::vector<Vector3d>& square, const WayFrame& frame, double size) {
+  double farthest = 0.0;
+  for (const Vector3d& p : square) farthest = std::max(farthest, (p - square[0]).squaredNorm());
+  return std::sqrt(farthest) >= kSmallestWhole * size && reaches_below(square, frame);
+}
+
+}  // namespace hull::resistance

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "resistance/michell_integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "analysis/derivatives/corner_derivatives.h"
+#include "analysis/hydrostatics/hydrostatics_check.h"
+#include "mesh/tolerances.h"
+#include "resistance/wave_sums.h"
+
+namespace hull::resistance {
+namespace {
+
+using analysis::PointColumns;
+using analysis::SpanNode;
+
+constexpr double kLeastFroude = 0.05, kMostFroude = 5.0;
+constexpr double kFirstShortest = 16.0, kMostShortest = 128.0;  // λ
+constexpr double kMostTurns = 2e4;  // the phase between the ship's ends of the shortest wave, rad
+constexpr double kSteepest = 89.0 / 180.0 * std::numbers::pi;
+
+void require_positive(double value, const char* name) {
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    throw std::invalid_argument(std::string("The ") + name + " must be a number above zero.");
+  }
+}
+
+// Whether an edge of the control mesh that reaches below the water touches or crosses the centre
+// plane.
+bool is_on_centre_plane(const mesh::ControlMesh& mesh, const analysis::Plane& water) {
+  const mesh::Topology& topology = mesh.topology();
+  const double near = kAtCentreLine * mesh.size();
+  for (int face = 0; face < topology.face_count(); ++face) {
+    const int first = topology.first_half_edge(face);
+    for (int h = first; h < first + topology.face_size(face); ++h) {
+      const Vector3d& a = mesh.points()[topology.origin(h)];
+      const Vector3d& b = mesh.points()[topology.origin(topology.next(h))];
+      if (std::min(water.height(a), water.height(b)) >= 0.0) continue;
+      if (a.y() * b.y() <= 0.0 || std::min(std::abs(a.y()), std::abs(b.y())) <= near) return true;
+    }
+  }
+  return false;
+}
+
+class Spreading : public ShellVisitor {
+ public:
+  Spreading(const WayFrame& frame, double factor, SourceGrid& grid)
+      : frame_(frame), factor_(factor), grid_(grid) {}
+
+  void at_node(const SpanNode& node, double weight) override {
+    grid_.add(frame_.x(node.point), frame_.depth(node.point),
+              factor_ * weight * frame_.ahead.dot(node.normal));
+  }
+
+ private:
+  const WayFrame& frame_;
+  double factor_;
+  SourceGrid& grid_;
+};
+
+// Of ∬ φ(x, d) n_x dS by a span's points, φ that of a grid.
+class SpreadingDerivatives : public ShellVisitor {
+ public:
+  SpreadingDerivatives(const WayFrame& frame, double factor, const SourceGrid& grid,
+                       PointColumns& columns)
+      : frame_(frame), factor_(factor), grid_(grid), columns_(columns) {}
+
+  void at_node(const SpanNode& node, double weight) override {
+    const SourceGrid::Jet jet = grid_.at(frame_.x(node.point), frame_.depth(node.point));
+    const double w = factor_ * weight;
+    const Vector3d by_place = jet.by_x * frame_.ahead - jet.by_depth * frame_.water.normal;
+    columns_ += node.at * (w * frame_.ahead.dot(node.normal) * by_place).transpose() +
+                node.du * (w * jet.value * node.along_v.cross(frame_.ahead)).transpose() +
+                node.dv * (w * jet.value * frame_.ahead.cross(node.along_u)).transpose();
+  }
+
+  void at_water(const SpanNode& node, double weight) override {
+    const double value = grid_.at(frame_.x(node.point), 0.0).value;
+    columns_ -= node.at * (factor_ * weight * value * frame_.ahead.dot(node.normal) *
+                           frame_.water.normal.transpose());
+  }
+
+ private:
+  const WayFrame& frame_;
+  double factor_;
+  const SourceGrid& grid_;
+  PointColumns& columns_;
+};
+
+}  // namespace
+
+MichellIntegral::MichellIntegral(const analysis::HullBody& body,
+                                 const analysis::FloatingPosition& position, double water_density,
+                                 double gravity, double tolerance)
+    : body_(&body), density_(water_density), gravity_(gravity), tolerance_(tolerance) {
+  analysis::check_hydrostatics(position, {}, water_density);
+  require_positive(gravity, "gravity");
+  require_positive(tolerance, "tolerance");
+  if (position.heel != 0.0) {
+    throw std::invalid_argument(
+        "Michell's integral is for upright ships: set the heel to zero for the wave resistance.");
+  }
+  const double size = body.surface().mesh().size();
+  frame_ = {analysis::water_plane(position), analysis::forward_direction(position.trim, 0.0),
+            kZeroHeight * size};
+  if (!(body.immersion(frame_.water).volume > 0.0)) {
+    throw std::invalid_argument("The hull is out of the water at a draft of " +
+                                std::to_string(position.draft) +
+                                " m: without immersion it has no wave resistance; set the draft.");
+  }
+  if (!is_on_centre_plane(body.surface().mesh(), frame_.water)) {
+    throw std::invalid_argument(
+        "All of the hull lies beside the centre plane: Michell's integral is for hulls on it. Move "
+        "one hull of a catamaran there; what both do to each other's waves is then left out.");
+  }
+  const std::vector<Vector3d>& points = body.surface().mesh().points();
+  aft_ = forward_ = frame_.x(points[0]);
+  deepest_ = 0.0;
+  for (const Vector3d& p : points) {
+    aft_ = std::min(aft_, frame_.x(p));
+    forward_ = std::max(forward_, frame_.x(p));
+    deepest_ = std::max(deepest_, frame_.depth(p));
+  }
+}
+
+double MichellIntegral::wave_number(double speed) const {
+  const double froude = speed / std::sqrt(gravity_ * length());
+  if (!(froude >= kLeastFroude && froude <= kMostFroude)) {
+    throw std::invalid_argument(
+        "The speed of " + std::to_string(speed) + " m/s is no speed for Michell's integral: on " +
+        std::to_string(length()) + " m the Froude number must be from 0.05 to 5.");
+  }
+  return gravity_ / (speed * speed);
+}
+
+WaveScales MichellIntegral::scales_for(const std::vector<double>& wave_numbers,
+                                       double shortest) const {
+  const auto [fastest, slowest] = std::minmax_element(wave_numbers.begin(), wave_numbers.end());
+  const double reach = WaveSums::least_reach(length());
+  const double along = std::max(*slowest * shortest, reach);
+  return {*slowest, along, std::max(along * along / *slowest, reach * reach / *fastest)};
+}
+
+SourceGrid MichellIntegral::sources(const WaveScales& scales) const {
+  SourceGrid grid(aft_, forward_, deepest_, scales);
+  Spreading spreading(frame_, side_factor(), grid);
+  visit_shell(*body_, frame_, scales, spreading);
+  return grid;
+}
+
+std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double>& speeds) const {
+  std::vector<double> wave_numbers;
+  for (double speed : speeds) wave_numbers.push_back(wave_number(speed));
+  std::vector<WaveResistance> results(speeds.size());
+  std::vector<std::size_t> open(speeds.size());
+  for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
+  for (double shortest = kFirstShortest; !open.empty(); shortest *= 2.0) {
+    std::vector<double> own;
+    for (std::size_t i : open) own.push_back(wave_numbers[i]);
+    const SourceGrid grid = sources(scales_for(own, shortest));
+    WaveSums sums(grid);
+    std::vector<std::size_t> unsettled;
+    for (std::size_t i : open) {
+      const double nu = wave_numbers[i];
+      const WaveIntegral integral = sums.integral(nu, tolerance_, shortest);
+      const double factor = 4.0 * density_ * gravity_ * nu / std::numbers::pi;
+      results[i] = {speeds[i], factor * integral.value, factor * integral.error, integral.shortest};
+      if (!integral.settled && 2.0 * shortest <= kMostShortest &&
+          2.0 * shortest * nu * length() <= kMostTurns) {
+        unsettled.push_back(i);
+      }
+    }
+    open = std::move(unsettled);
+  }
+  return results;
+}
+
+analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& derivatives,
+                                             double speed) const {
+  const WaveResistance reached = resistance({speed})[0];
+  const double nu = wave_number(speed);
+  const WaveScales scales = scales_for({nu}, reached.shortest * (1.0 + 1e-9));
+  SourceGrid grid = sources(scales);
+  const WaveIntegral integral =
+      WaveSums(grid).integral(nu, tolerance_, reached.shortest * (1.0 + 1e-9));
+  take_derivatives(integral, grid);
+  const double factor = side_factor() * 4.0 * density_ * gravity_ * nu / std::numbers::pi;
+  const surface::LimitSurface& surface = body_->surface();
+  const surface::SurfaceLayout& layout = surface.layout();
+  analysis::SurfaceAdjoint::Sum sum(derivatives.adjoint(), 1);
+  const auto add_span = [&](const surface::BicubicPoints& points, PointColumns& columns) {
+    SpreadingDerivatives spreading(frame_, factor, grid, columns);
+    visit_span(points, frame_, scales, spreading);
+  };
+  for (int leaf = 0; leaf < layout.leaf_count(); ++leaf) {
+    PointColumns columns = PointColumns::Zero(16, 3);
+    add_span(surface.leaf(leaf), columns);
+    sum.add_leaf(leaf, std::move(columns));
+  }
+  const auto deeper = [&](const std::vector<Vector3d>& points) {
+    return goes_on(points, frame_, surface.mesh().size());
+  };
+  for (int corner = 0; corner < layout.corner_count(); ++corner) {
+    const surface::CornerPoints& points = surface.corner(corner);
+    if (!deeper(points.outer)) continue;
+    sum.add_corner(corner,
+                   analysis::corner_derivatives(layout.basis(corner), points, 3, deeper, add_span));
+  }
+  return sum.by_control_points();
+}
+
+std::vector<std::complex<double>> MichellIntegral::amplitudes(
+    double speed, const std::vector<double>& directions) const {
+  const double nu = wave_number(speed);
+  if (directions.empty()) return {};
+  std::vector<double> along;
+  for (double direction : directions) {
+    if (!(std::abs(direction) < kSteepest)) {
+      throw std::invalid_argument("Directions of waves must be within 89° of the ship's course.");
+    }
+    along.push_back(nu / std::cos(direction));
+  }
+  const double most = *std::max_element(along.begin(), along.end());
+  const SourceGrid grid = sources(scales_for({nu}, most / nu));
+  std::vector<std::complex<double>> amplitudes = WaveSums(grid).amplitudes(nu, along);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    amplitudes[i] *= 2.0 * nu / std::numbers::pi * std::pow(along[i] / nu, 3);
+  }
+  return amplitudes;
+}
+
+}  // namespace hull::resistance

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What this package uses of the native module and of hull_io, which lie beside it: on the Python
+path, or in the same packaged add-on."""
+
+import importlib
+
+_above = __package__.rpartition(".")[0]
+
+
+def _beside(name, *wanted):
+    module = importlib.import_module(f"{_above}.{name}" if _above else name)
+    return [getattr(module, one) for one in wanted] if wanted else module
+
+
+hull_native = _beside("hull_native")
+smooth_curve = hull_native.smooth_curve
+GirthLines, *_ = _beside("hull_native.girth_lines", "GirthLines")
+GridFit, extreme_flats = _beside("hull_native.grid_fit", "GridFit", "extreme_flats")
+RowsAndColumns, *_ = _beside("hull_native.grid_refinement", "RowsAndColumns")
+keel_range, laid_grid = _beside("hull_native.hull_grid", "keel_range", "laid_grid")
+HullOutline, find_ends = _beside("hull_native.hull_outline", "HullOutline", "find_ends")
+NetworkTargets, *_ = _beside("hull_native.network_targets", "NetworkTargets")
+bend_shares, end_to_end, foot_on, lengths_along, points_at = _beside(
+    "hull_native.polylines", "bend_shares", "end_to_end", "foot_on", "lengths_along", "points_at"
+)
+
+GeometryMesh, guess_hull, oriented = _beside(
+    "hull_io.geometry", "GeometryMesh", "guess_hull", "oriented"
+)
+Flat, HullData, Kept, Layer, Particulars, edge_key = _beside(
+    "hull_io.hull_data", "Flat", "HullData", "Kept", "Layer", "Particulars", "edge_key"
+)
+normals_of, spread_points = _beside("hull_io.triangles", "normals_of", "spread_points")

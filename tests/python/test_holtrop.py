@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Holtrop and Mennen's method against the worked examples of both papers, and from exact hulls."""
+
+import dataclasses
+import math
+
+import hull_native as hn
+import pytest
+from transformation_hulls import Sample
+
+KNOT = 1852.0 / 3600.0
+
+# Holtrop & Mennen (1982), section 5: 205 m, 25 knots. CP as printed, which is on another length.
+SHIP_1982 = hn.HoltropShip(
+    length=205.0,
+    beam=32.0,
+    draft_forward=10.0,
+    draft_aft=10.0,
+    displaced_volume=37500.0,
+    lcb_percent=-0.75,
+    midship=0.98,
+    waterplane=0.75,
+    prismatic=0.5833,
+    bulb_area=20.0,
+    bulb_height=4.0,
+    transom_area=16.0,
+    appendages=((50.0, 1.5),),
+    stern_coefficient=10.0,
+)
+
+# Holtrop (1984): 50 m, twin screws.
+SHIP_1984 = hn.HoltropShip(
+    length=50.0,
+    beam=12.0,
+    draft_forward=3.1,
+    draft_aft=3.3,
+    displaced_volume=900.0,
+    lcb_percent=-4.5,
+    midship=0.78,
+    waterplane=0.8,
+    wetted_surface=584.9,
+    entrance_angle_deg=25.0,
+    transom_area=10.0,
+    appendages=((50.0, 3.0),),
+)
+
+
+def example_1982():
+    propeller = hn.Propeller(8.0, area_ratio=0.7393)
+    speeds = [25.0 * KNOT]
+    return hn.holtrop(SHIP_1982, speeds, edition=1982, gravity=9.81, propeller=propeller)[0]
+
+
+# As printed, each with what the printed digits leave open. The paper goes on with rounded numbers:
+# m2, RW and RF are by Fn = 0.2868 and CF = 0.001390, RA by CA = 0.000352, 0.1 % at most.
+PRINTED_1982 = {
+    "S": (7381.45, 0.005),
+    "1+k1": (1.156, 0.0005),
+    "c12": (0.5102, 0.00005),
+    "c13": (1.030, 0.0005),
+    "LR": (81.385, 0.003),
+    "CF": (0.001390, 0.0000005),
+    "c7": (0.1561, 0.00005),
+    "iE": (12.08, 0.005),
+    "c1": (1.398, 0.0005),
+    "c3": (0.02119, 0.000005),
+    "c2": (0.7595, 0.00005),
+    "c5": (0.9592, 0.00005),
+    "m1": (-2.1274, 0.00005),
+    "c15": (-1.69385, 0.000005),
+    "m2": (-0.17087, 0.00002),
+    "lambda": (0.6513, 0.00005),
+    "PB": (0.6261, 0.00005),
+    "Fni": (1.5084, 0.0001),
+    "FnT": (5.433, 0.0015),
+    "c4": (0.04, 0.0),
+    "CA": (0.000352, 0.0000005),
+    "CV": (0.001963, 0.000004),
+    "c9": (14.500, 0.0005),
+    "c11": (1.250, 0.0),
+    "CP1": (0.5477, 0.00005),
+}
+
+
+@pytest.mark.parametrize("name", PRINTED_1982)
+def test_coefficients_of_1982(name):
+    value, digit = PRINTED_1982[name]
+    assert example_1982().coefficients[name] == pytest.approx(value, rel=0.0, abs=digit + 1e-12)
+
+
+def test_resistance_of_1982():
+    result = example_1982()
+    assert result.froude == pytest.approx(0.2868, abs=0.00005)
+    for name, printed, digits in (
+        ("friction", 869.63, 0.02),
+        ("appendages", 8.83, 0.01),
+        ("wave", 557.11, 0.35),
+        ("bulb", 0.049, 0.0005),
+        ("transom", 0.00, 0.005),
+        ("correlation", 221.98, 0.1),
+        ("total", 1793.26, 0.3),
+    ):
+        assert getattr(result, name) == pytest.approx(printed, rel=0.0, abs=digits), name
+    assert result.effective_power == pytest.approx(23063.0, abs=4.0)
+    for name, printed in (("w", 0.2584), ("t", 0.1747), ("etaR", 0.9931)):
+        assert result.propulsion[name] == pytest.approx(printed, abs=0.00007), name
+
+
+def test_resistance_of_1984():
+    speeds = [knots * KNOT for knots in (25, 27, 29, 31, 33, 35)]
+    results = hn.holtrop(SHIP_1984, speeds, gravity=9.81)
+    printed = {
+        "wave": (475, 512, 539, 564, 590, 618),
+        "appendages": (21, 24, 28, 31, 35, 39),
+        "transom": (25, 16, 2, 0, 0, 0),
+        "total": (662, 715, 756, 807, 864, 925),
+    }
+    for name, values in printed.items():
+        for result, value in zip(results, values):
+            assert getattr(result, name) == pytest.approx(value, rel=0.0, abs=0.6), name
+    c = results[0].coefficients
+    assert c["1+k1"] == pytest.approx(1.297, abs=0.0005)
+    assert c["CA"] == pytest.approx(0.00064, abs=0.000005)
+    assert c["c17"] == pytest.approx(1.4133, abs=0.00005)
+    assert c["m3"] == pytest.approx(-2.0298, abs=0.00005)
+    assert c["c5"] == pytest.approx(0.7329, abs=0.00005)
+
+
+def test_wave_resistance_is_continuous():
+    """Between the formulas for slow and fast ships it is interpolated."""
+    for froude in (0.4, 0.55):
+        middle = froude * math.sqrt(hn.GRAVITY * SHIP_1984.length)
+        before, after = hn.holtrop(SHIP_1984, [middle * (1 - 1e-9), middle * (1 + 1e-9)])
+        assert after.wave == pytest.approx(before.wave, rel=1e-6)
+
+
+def test_roughness_and_thruster():
+    speed = [12.0]
+    smooth, rough = (hn.holtrop(SHIP_1982, speed, roughness=ks)[0] for ks in (150e-6, 300e-6))
+    added = (0.105 * 300e-6 ** (1 / 3) - 0.005579) / 205.0 ** (1 / 3)
+    assert rough.coefficients["CA"] - smooth.coefficients["CA"] == pytest.approx(added)
+    with_thruster = dataclasses.replace(SHIP_1982, thruster_diameter=2.0)
+    added = hn.holtrop(with_thruster, speed)[0].appendages - smooth.appendages
+    assert added == pytest.approx(hn.SEA_WATER_DENSITY * 12.0**2 * math.pi * 4.0 * 0.005)
+
+
+def test_propellers():
+    c = hn.holtrop(SHIP_1984, [12.0], propeller=hn.Propeller(2.0, screws=2))[0]
+    cb, ratio = 900.0 / (50.0 * 12.0 * 3.2), 2.0 / math.sqrt(12.0 * 3.2)
+    assert c.propulsion["t"] == pytest.approx(0.325 * cb - 0.1885 * ratio)
+    wake = 0.3095 * cb + 10.0 * c.coefficients["CV"] * cb - 0.23 * ratio
+    assert c.propulsion["w"] == pytest.approx(wake)
+    propeller = hn.Propeller(2.0, open_stern=True, open_water_efficiency=0.6)
+    result = hn.holtrop(SHIP_1984, [12.0], propeller=propeller)[0]
+    efficiency = 0.6 * 0.98 * result.propulsion["etaH"]
+    assert result.delivered_power == pytest.approx(result.effective_power / efficiency)
+
+
+def test_outside_is_told_by_name():
+    assert hn.holtrop(SHIP_1982, [10.0])[0].outside == ()
+    broad = dataclasses.replace(SHIP_1982, beam=60.0, prismatic=0.5)
+    told = " ".join(hn.holtrop(broad, [50.0])[0].outside)
+    for name in ("prismatic coefficient", "length to beam", "beam to draft", "Froude number"):
+        assert name in told
+
+
+def test_from_the_exact_hull():
+    hull = Sample("container_ship")
+    draft = hull.ship.draft
+    ship = hn.holtrop_ship(hull.body, draft=draft)
+    water = hn.hydrostatics(hull.body, draft=draft)
+    assert ship.wetted_surface == water.wetted_surface
+    assert ship.completed().prismatic == pytest.approx(
+        water.displaced_volume / (water.largest_section.area * water.waterline_length)
+    )
+    estimated = dataclasses.replace(ship, wetted_surface=None).completed()
+    assert estimated.wetted_surface == pytest.approx(ship.wetted_surface, rel=0.05)
+    given = hn.holtrop_ship(hull.body, draft=draft, bulb_area=0.0, wetted_surface=3000.0)
+    assert (given.bulb_area, given.wetted_surface) == (0.0, 3000.0)
+    assert 0.0 < hn.holtrop(ship, [8.0])[0].total < hn.holtrop(ship, [10.0])[0].total
+
+
+@pytest.mark.parametrize(
+    "change, said",
+    [
+        ({"beam": 0.0}, "beam must be above zero"),
+        ({"draft_aft": math.nan}, "draft_aft must be a finite number"),
+        ({"transom_area": -1.0}, "transom_area must not be negative"),
+        ({"prismatic": 0.96}, "prismatic between"),
+        ({"entrance_angle_deg": 90.0}, "half angle of entrance"),
+        ({"lcb_percent": 20.0}, "too near an end"),
+        ({"appendages": ((1.0, -2.0),)}, "appendage"),
+    ],
+)
+def test_bad_ships(change, said):
+    with pytest.raises(ValueError, match=said):
+        hn.holtrop(dataclasses.replace(SHIP_1982, **change), [10.0])
+
+
+def test_bad_speeds_and_waters():
+    for speed in (0.0, -1.0, math.nan):
+        with pytest.raises(ValueError, match="The speed must be a number above zero"):
+            hn.holtrop(SHIP_1982, [speed])
+    with pytest.raises(ValueError, match="edition"):
+        hn.holtrop(SHIP_1982, [5.0], edition=1978)
+    with pytest.raises(ValueError, match="viscosity"):
+        hn.holtrop(SHIP_1982, [5.0], viscosity=0.0)
+    for how in ({"diameter": 0.0}, {"diameter": 2.0, "screws": 3}):
+        with pytest.raises(ValueError):
+            hn.Propeller(**how)
+    hull = Sample("container_ship")
+    with pytest.raises(ValueError, match="out of the water"):
+        hn.holtrop_ship(hull.body, draft=-1.0)
+    with pytest.raises(ValueError, match="no field of HoltropShip"):
+        hn.holtrop_ship(hull.body, draft=hull.ship.draft, breadth=3.0)
