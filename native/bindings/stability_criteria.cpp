@@ -57,7 +57,7 @@ void bind_report(py::module_& module) {
 
 void bind_roll(py::module_& module) {
   using A = analysis::AngleOfRoll;
-  py::class_<A>(module, "AngleOfRoll", "2008 IS Code, Part A, 2.3.4: 109° k X1 X2 √(r s).")
+  py::class_<A>(module, "AngleOfRoll", "By the 2008 IS Code, Part A, 2.3.4: 109° k X1 X2 √(r s).")
       .def_readonly("angle", &A::angle, "φ1, rad.")
       .def_readonly("k", &A::k)
       .def_readonly("x1", &A::x1)
