@@ -30,7 +30,7 @@ OF_THE_SYSTEM = (
 # looks at: hypot in glibc 2.35, fmod in 2.38 (glibc's NEWS).
 _SAME_FUNCTION = {"hypot", "fmod"}
 _OLDEST = "GLIBC_2.2.5"
-# Functions that glibc has only lately, and the library that older systems had them in.
+# Functions that glibc has only lately, and the library that has them too, where it is carried.
 _ELSEWHERE = {"arc4random_buf": "libbsd.so.0"}
 
 
@@ -45,10 +45,10 @@ def carry(package):
     target.mkdir()
     names = {name: _own_name(path) for name, path in found.items()}
     for name, path in found.items():
-        _copy(path, target / names[name])
+        _copy(path, target / names[name], names)
         _rename(target / names[name], names, "$ORIGIN", names[name])
     for module in modules:
-        _copy(module, module)
+        _copy(module, module, names)
         _rename(module, names, f"$ORIGIN/{FOLDER}")
     return sorted(target.iterdir())
 
@@ -80,20 +80,18 @@ def _libraries_of(module):
     if "not found" in told:
         raise ValueError(f"{module}: a library it needs is missing: {told}")
     found = dict(re.findall(r"^\s*(\S+) => (/\S+)", told, re.MULTILINE))
-    wanted = {name for name in found if name not in OF_THE_SYSTEM}
-    for name in list(wanted):
-        wanted |= {_ELSEWHERE[symbol] for symbol in _moved(Path(found[name]).read_bytes())}
-    return {name: Path(found[name]).resolve() for name in wanted}
+    return {name: Path(path).resolve() for name, path in found.items() if name not in OF_THE_SYSTEM}
 
 
-def _moved(data):
-    """Symbols of a file that are to come from another library than the C library."""
+def _moved(data, names):
+    """Symbols of a file that are to come from another library than the C library: one that is
+    carried."""
     return {
         symbol
         for need in elf_versions.needs(data)
         if need.library == "libc.so.6"
         for symbol in need.symbols
-        if symbol in _ELSEWHERE
+        if _ELSEWHERE.get(symbol) in names
     }
 
 
@@ -103,16 +101,17 @@ def _own_name(path):
     return f"{path.name.split('.so')[0]}-{digest}.so"
 
 
-def _copy(path, target):
+def _copy(path, target, names):
     """Writes a shared object to `target` with the versions it asks for lowered, without what is
     for debugging."""
     data = path.read_bytes()
+    moved = _moved(data, names)
     for need in elf_versions.needs(data):
         symbols = set(need.symbols)
         if need.library not in OF_THE_SYSTEM or not symbols:
             continue
-        if symbols <= _SAME_FUNCTION or symbols <= _ELSEWHERE.keys():
-            data = elf_versions.lowered(data, need.version, _OLDEST)
+        if symbols <= _SAME_FUNCTION or symbols <= moved:
+            data = elf_versions.lowered(data, need, _OLDEST)
     target.write_bytes(data)
     target.chmod(0o755)
     subprocess.run(["strip", "--strip-unneeded", target], check=True)
@@ -122,7 +121,7 @@ def _rename(path, names, search_path, own_name=""):
     """Has a shared object ask for the libraries by their new names, at search_path."""
     # patchelf confuses the arguments of several kinds of changes: one kind a call.
     needed = _output("patchelf", "--print-needed", path).split()
-    for symbol in _moved(path.read_bytes()):
+    for symbol in _moved(path.read_bytes(), names):
         _patch(path, "--clear-symbol-version", symbol)
         if _ELSEWHERE[symbol] not in needed:
             _patch(path, "--add-needed", names[_ELSEWHERE[symbol]])

@@ -57,22 +57,17 @@ def needs(data):
     return found
 
 
-def lowered(data, version, instead):
-    """The bytes with a version that is asked for exchanged for another one of the same library,
-    which the file must ask for too. Which symbols these are is the caller's to look at."""
-    of_file = needs(data)
+def lowered(data, need, instead):
+    """The bytes with a Need exchanged for another version of the same library, which the file must
+    ask for too. Which symbols these are is the caller's to look at."""
+    found = [(one.library, one.version) for one in needs(data)]
+    if (need.library, instead) not in found:
+        raise ValueError(f"{need.library}: {instead} is not asked for beside {need.version}")
+    other = needs(data)[found.index((need.library, instead))]
     changed = bytearray(data)
-    for need in of_file:
-        if need.version != version:
-            continue
-        other = next(
-            (one for one in of_file if (one.library, one.version) == (need.library, instead)), None
-        )
-        if other is None:
-            raise ValueError(f"{need.library}: {instead} is not asked for beside {version}")
-        # Hash and name; flags and the index, by which symbols refer to it, stay.
-        changed[need.at : need.at + 4] = data[other.at : other.at + 4]
-        changed[need.at + 8 : need.at + 12] = data[other.at + 8 : other.at + 12]
+    # Hash and name; flags and the index, by which symbols refer to it, stay.
+    for first, last in ((0, 4), (8, 12)):
+        changed[need.at + first : need.at + last] = data[other.at + first : other.at + last]
     return bytes(changed)
 
 

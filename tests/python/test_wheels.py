@@ -52,12 +52,15 @@ def test_a_lowered_version_is_asked_for_no_longer_and_the_library_loads(tmp_path
     data, lowered = CAIRO.read_bytes(), []
     for need in elf_versions.needs(data):
         if need.library == "libm.so.6" and need.version != "GLIBC_2.2.5":
-            data = elf_versions.lowered(data, need.version, "GLIBC_2.2.5")
+            data = elf_versions.lowered(data, need, "GLIBC_2.2.5")
             lowered += need.symbols
     copy.write_bytes(data)
     assert lowered
     versions = dict(versions_of(copy))
     assert {versions[symbol] for symbol in lowered} == {"GLIBC_2.2.5"}
+    # All others are as they were, of other libraries with the same version too.
+    before = dict(versions_of(CAIRO))
+    assert all(versions[symbol] == before[symbol] for symbol in before.keys() - set(lowered))
     library = ctypes.CDLL(copy)
     library.cairo_version_string.restype = ctypes.c_char_p
     assert library.cairo_version_string().startswith(b"1.")
@@ -73,7 +76,7 @@ def test_what_is_no_elf_file_is_refused(data):
 def test_a_version_that_is_not_there_is_no_substitute():
     newest = next(need for need in elf_versions.needs(CAIRO.read_bytes()) if need.symbols)
     with pytest.raises(ValueError, match="GLIBC_9.9 is not asked for"):
-        elf_versions.lowered(CAIRO.read_bytes(), newest.version, "GLIBC_9.9")
+        elf_versions.lowered(CAIRO.read_bytes(), newest, "GLIBC_9.9")
 
 
 # --- the wheels of build/wheels ---
