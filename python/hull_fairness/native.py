@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The native module beside this package: on the Python path, or in the same packaged add-on."""
+"""The native module: beside this package in the same packaged add-on, else on the Python path, where
+the wheels of an extension are, too."""
 
 import importlib
 
-_beside = __package__.rpartition(".")[0]
-hull_native = importlib.import_module(f"{_beside}.hull_native" if _beside else "hull_native")
+_above = __package__.rpartition(".")[0]
+try:
+    hull_native = importlib.import_module(f"{_above}.hull_native" if _above else "hull_native")
+except ModuleNotFoundError:
+    hull_native = importlib.import_module("hull_native")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What this package uses of the native module and of hull_io, which lie beside it: on the Python
-path, or in the same packaged add-on."""
+path, or in the same packaged add-on; there the native module may come from a wheel, which is on the
+path."""
 
 import importlib
 
@@ -8,7 +9,10 @@ _above = __package__.rpartition(".")[0]
 
 
 def _beside(name, *wanted):
-    module = importlib.import_module(f"{_above}.{name}" if _above else name)
+    try:
+        module = importlib.import_module(f"{_above}.{name}" if _above else name)
+    except ModuleNotFoundError:
+        module = importlib.import_module(name)
     return [getattr(module, one) for one in wanted] if wanted else module
 
 
