@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The native module: beside this package in the same packaged add-on, else on the Python path, as the
-wheels of an extension are."""
+"""The native module: beside this package in the same packaged add-on, else on the Python path, as
+the wheels of an extension are."""
 
 import importlib
 
