@@ -244,6 +244,19 @@ def test_what_cannot_be_subdivided_stays_previewed(monkeypatch):
     assert np.array_equal(points_of(hull), before)
 
 
+def test_nothing_of_faces_before_is_shown_where_those_of_now_are_refused(monkeypatch):
+    hull, _, before = previewed()
+    hull.hull.fields.show_fields = True
+    changed()
+    bpy.ops.hull.apply_fields()
+    bpy.ops.hull.subdivide_exactly()
+    monkeypatch.setattr(part("bridge.limits"), "MOST_FIELD_POINTS", len(before))
+    bpy.ops.hull.preview_fields()
+    changed()
+    assert "control points, and fields take" in shown(hull).problem
+    assert shown(hull).own is None
+
+
 def test_hulls_of_too_many_points_are_told(monkeypatch):
     hull, _, before = previewed()
     monkeypatch.setattr(part("bridge.limits"), "MOST_FIELD_POINTS", len(before))

@@ -70,7 +70,8 @@ _NO_MESHES = {
     "object.text_add",
     "object.volume_add",
 }
-_BRINGS_BLENDER_DOWN = {"sculpt.set_persistent_base"}
+# The second one without a window, writing where other things are.
+_BRINGS_BLENDER_DOWN = {"sculpt.set_persistent_base", "sculpt.face_sets_create"}
 # These change a mesh that is edited and forget to say so to anybody, Blender's own view included.
 TELL_NOBODY = {"mesh.bridge_edge_loops"}
 _LEFT_OUT = (

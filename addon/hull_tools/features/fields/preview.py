@@ -101,7 +101,9 @@ def follow(obj, scene):
     preview.problem, preview.waits = "", False
     try:
         at_start = found.with_points(replace(found.data, points=start))
-        preview.own = prepared.of_hull(obj, at_start, scale, preview.own)
+        # What was prepared of other faces must not be taken for these where they are refused.
+        known, preview.own = preview.own, None
+        preview.own = prepared.of_hull(obj, at_start, scale, known)
         preview.applied = _solved(obj, preview.own)
         _show(obj, scene, start, preview)
     except ValueError as error:
