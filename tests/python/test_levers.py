@@ -100,8 +100,10 @@ def test_a_dent_goes_by_its_lever(coaster):
     beam = coaster.ship.beam
 
     def deepest(changed):
-        found = next(lines.found_through(changed, beam, "waterline", place))
-        near = [one for one in found if np.linalg.norm(one.point - place[0]) < 10.0]
+        parts = next(lines.found_through(changed, beam, "waterline", place))
+        near = [
+            one for part in parts for one in part if np.linalg.norm(one.point - place[0]) < 10.0
+        ]
         return max((one.lever for one in near), key=lambda lever: lever.depth / lever.unseen)
 
     lever = deepest(surface)
