@@ -29,8 +29,6 @@ LEFT = {
     ("planing_boat", (0.0, -0.01)): 2,
     ("planing_boat", (0.0, 0.01)): 18,
 }
-# The most new marks of the six changes of length, breadth and depth by a tenth where there are any.
-SCALED = {"bulk_carrier": 1, "container_ship": 1}
 CHANGES = ((-0.02, 0.0), (0.02, 0.0), (0.0, -0.01), (0.0, 0.01))  # of Cb, of LCB over Lpp
 
 
@@ -40,10 +38,14 @@ def known(name):
     return sample, Known(sample.surface, sample.ship.beam)
 
 
-def new_marks(name, surface, beam_factor=1.0):
+def changed_marks(name, surface, beam_factor=1.0):
     sample, before = known(name)
     lines = judged(surface, beam_factor * sample.ship.beam)
-    return before.compared(lines, surface, vessels.vessel(name).wanted).new
+    return before.compared(lines, surface, vessels.vessel(name).wanted)
+
+
+def new_marks(name, surface, beam_factor=1.0):
+    return changed_marks(name, surface, beam_factor).new
 
 
 def with_points(surface, points):
@@ -262,8 +264,8 @@ def test_table_of_scaling(name):
         for factor in (0.9, 1.1):
             factors = np.where(np.arange(3) == axis, factor, 1.0)
             scaled = with_points(sample.surface, sample.mesh.points * factors)
-            new = new_marks(name, scaled, factors[1])
-            print(f"{name}, {'LBT'[axis]} {factor}: {len(new)}")
-            assert len(new) <= SCALED.get(name, 0)
-            # Stretching keeps inflections.
-            assert not [one for one in new if one.found.mark == "inflection"]
+            found = changed_marks(name, scaled, factors[1])
+            new, gone = len(found.new), len(found.gone)
+            print(f"{name}, {'LBT'[axis]} {factor}: {new} new, {gone} gone")
+            # Stretching makes no mark, but one that was just below what is seen may be seen now.
+            assert new <= min(1, gone)

@@ -2,12 +2,15 @@
 """Sessions in Blenders of their own, one after the other, until enough steps are done."""
 
 import os
+import resource
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 STEPS_A_SESSION = 250
 _FOUND, _SECONDS = 3, 3600
+# Some operators of Blender's take all memory there is, by chance: that ends their session alone.
+_MOST_BYTES = 12 * 1024**3
 _OURS = ("hull_tools", "hull_native")
 
 
@@ -36,8 +39,13 @@ def run(blender, seed, steps, folder):
             stderr=subprocess.STDOUT,
             timeout=_SECONDS,
             check=False,
+            preexec_fn=_bounded,
         )
     return _judged(done.returncode, seed, folder)
+
+
+def _bounded():
+    resource.setrlimit(resource.RLIMIT_AS, (_MOST_BYTES, _MOST_BYTES))
 
 
 def _judged(code, seed, folder):
