@@ -10,7 +10,7 @@ from pathlib import Path
 STEPS_A_SESSION = 250
 _FOUND, _SECONDS = 3, 3600
 # Some operators of Blender's take all memory there is, by chance: that ends their session alone.
-_MOST_BYTES = 12 * 1024**3
+_MOST_BYTES = 8 * 1024**3
 _OURS = ("hull_tools", "hull_native")
 
 
