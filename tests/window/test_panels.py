@@ -3,6 +3,7 @@
 
 import bpy
 from addon_under_test import part
+from scans import lay_scan
 from sidebar import hull_panels
 
 
@@ -81,6 +82,10 @@ def test_every_panel_is_drawn_to_its_end(window):
     yield
     with window.in_view():
         make_network()
+    yield
+    lay_scan(window)
+    with window.in_view():
+        assert bpy.ops.hull.hull_from_mesh(points=90) == {"FINISHED"}
     yield
     bpy.context.preferences.view.ui_scale = 1.0
     assert drawn == wanted
