@@ -18,8 +18,8 @@ from hull_fairness.lines import judged
 from transformation_hulls import SAMPLES, Sample, wigley_areas
 
 IS_LONG = bool(os.environ.get("HULL_LONG_TRANSFORMATIONS"))
-# What may be left of new marks where some are: on a hull whose body is parallel, so that shifts lead
-# nowhere.
+# What may be left of new marks where some are: on a hull whose body is parallel, so that shifts
+# lead nowhere.
 LEFT = {
     ("bulk_carrier", (-0.02, 0.0)): 2,
     ("bulk_carrier", (0.02, 0.0)): 1,
