@@ -47,7 +47,6 @@ class Class:
     text: str
     properties: tuple
     functions: tuple
-    is_made: bool  # whether Python may make one by calling it
 
 
 def functions_of(name, doc):
@@ -101,10 +100,9 @@ def class_of(cls):
             doc = value.__doc__ or ""
             if "->" in doc:
                 functions.append(functions_of(name, doc))
-    is_made = any(ways[0].name == "__init__" for ways in functions)
     bases = tuple(base.__name__ for base in cls.__bases__ if not base.__name__.startswith("pybind"))
     text = inspect.cleandoc(cls.__doc__ or "")
-    return Class(cls.__name__, bases, text, tuple(properties), tuple(functions), is_made)
+    return Class(cls.__name__, bases, text, tuple(properties), tuple(functions))
 
 
 def _property(name, value):

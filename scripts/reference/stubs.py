@@ -35,14 +35,8 @@ _BARE_ARRAY = re.compile(r"\bnumpy\.ndarray\b")
 
 
 def compiled_modules():
-    """The compiled modules of hull_native that there are, by name."""
-    found = {}
-    for name in COMPILED:
-        try:
-            found[name] = importlib.import_module(f"hull_native.{name}")
-        except ModuleNotFoundError:
-            continue
-    return found
+    """The compiled modules of hull_native by name."""
+    return {name: importlib.import_module(f"hull_native.{name}") for name in COMPILED}
 
 
 def kind_in(module, text, is_argument):
@@ -58,9 +52,9 @@ def kind_in(module, text, is_argument):
     return re.sub(r"\bos\.PathLike\b", "Union[str, os.PathLike[str]]", text)
 
 
-def _call(module, function, is_method):
+def _call(module, function):
     words = []
-    for k, argument in enumerate(function.arguments):
+    for argument in function.arguments:
         if argument.name == "self" or argument.name.startswith("*"):
             words.append(argument.name)
             continue
@@ -90,7 +84,7 @@ def function_stub(module, ways, is_method=False):
             lines.append("@overload")
         if is_method and not (way.arguments and way.arguments[0].name == "self"):
             lines.append("@staticmethod")
-        lines += [_call(module, way, is_method), _docstring(way.text)]
+        lines += [_call(module, way), _docstring(way.text)]
     return "\n".join(lines)
 
 
@@ -123,8 +117,8 @@ def module_stub(module):
         else:
             parts.append(f"{key}: {_value_kind(value)}")
     text = "\n\n".join(parts)
-    others = sorted(set(re.findall(r"\b(_(?:core|drawing|exchange|morphing|network))\.", text)))
-    imports = "".join(f"from . import {other}\n" for other in others if other != name)
+    others = [other for other in COMPILED if other != name and re.search(rf"\b{other}\.", text)]
+    imports = "".join(f"from . import {other}\n" for other in others)
     return f"{_HEAD}{imports}\n{text}\n"
 
 
