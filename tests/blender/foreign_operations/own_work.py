@@ -25,8 +25,8 @@ _NEEDS_A_FILE = {
 }
 # Lamps and cameras: Blender's own operators come down with some objects that are no meshes.
 _MAKES_NO_MESHES = {"hull.make_studio", "hull.studio_turntable", "hull.studio_view"}
-# Seconds on hulls of many faces: test_seen_marks.py, test_morph_sessions.py.
-_TAKES_LONG = {"hull.count_marks", "hull.make_morph", "hull.pair_again"}
+# Seconds on hulls of many faces: test_seen_marks.py, test_fewest_marks.py, test_morph_sessions.py.
+_TAKES_LONG = {"hull.count_marks", "hull.fewest_marks", "hull.make_morph", "hull.pair_again"}
 _LEFT_OUT = _NEEDS_A_FILE | _MAKES_NO_MESHES | _TAKES_LONG
 # Of the field's hull.
 _SHIFT, _EXTENTS = 0.05, (0.05, 0.6)
