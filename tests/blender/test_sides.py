@@ -238,6 +238,32 @@ def test_a_half_of_two_sides_leaves_nothing_of_the_other():
     assert (len(hull.data.polygons), len(hull.data.vertices), len(hull.data.edges)) == (4, 8, 11)
 
 
+def without_tags(hull):
+    """The hull, with a mesh that never had a crease or a corner."""
+    mesh = bpy.data.meshes.new(hull.name)
+    faces = [tuple(polygon.vertices) for polygon in hull.data.polygons]
+    mesh.from_pydata([tuple(vertex.co) for vertex in hull.data.vertices], [], faces)
+    hull.data = mesh
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    return hull
+
+
+@pytest.mark.parametrize("side", ["PORT", "STARBOARD"])
+def test_a_half_of_two_sides_without_a_tag(side):
+    hull = without_tags(whole_of_two_sides())
+    assert bpy.ops.hull.make_half(side=side) == {"FINISHED"}
+    assert (len(hull.data.polygons), len(hull.data.vertices)) == (4, 8)
+
+
+def test_a_centre_line_without_a_tag_is_joined():
+    hull = without_tags(whole_of_two_sides())
+    assert bpy.ops.hull.join_centre_line() == {"FINISHED"}
+    assert len(hull.data.vertices) == 12
+    # What was a border is a crease: bottom of two faces, transom and front of one.
+    creases = part("bridge.blender.blender_versions").edge_creases(hull.data)
+    assert np.count_nonzero(np.asarray(creases)) == 3
+
+
 def test_borders_that_meet_no_other_are_no_slit():
     """Neither an open deck and the ends of a whole hull are named, nor a side without the other."""
     hull = add_hull()

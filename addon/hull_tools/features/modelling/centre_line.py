@@ -19,6 +19,7 @@ def join(obj, scene):
     if not len(found):
         raise ValueError("No points of the centre line are there twice")
     with editing(obj.data) as bm:
+        layer, _ = blender_versions.ensure_crease_layers(bm)  # before any vertex is held
         bm.verts.ensure_lookup_table()
         ids = control.vertex_ids
         target = _targets([(bm.verts[ids[a]], bm.verts[ids[b]]) for a, b in found.tolist()])
@@ -26,7 +27,6 @@ def join(obj, scene):
         borders = {edge for vertex in kept for edge in vertex.link_edges if edge.is_boundary}
         ends = [tuple(edge.verts) for edge in borders]
         bmesh.ops.weld_verts(bm, targetmap=target)
-        layer, _ = blender_versions.ensure_crease_layers(bm)
         for edge in map(bm.edges.get, ends):
             if edge is not None and len(edge.link_faces) == 2:
                 edge[layer] = 1.0

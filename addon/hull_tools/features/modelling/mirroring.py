@@ -81,10 +81,12 @@ def to_half(obj, scene, side="PORT", cut=False):
         raise ValueError("The hull is a half already")
     check_single_user(obj.data)
     with editing(obj.data) as bm:
+        # Before any vertex is held.
+        edge_layer, _ = blender_versions.ensure_crease_layers(bm)
         _put_on_centre_plane(bm)
         going = _parts_of_other_side(bm, SIDES[side])
         _cut_at_centre_plane(bm, cut, going)
-        made = _leave(bm, SIDES[side], going)
+        made = _leave(bm, SIDES[side], going, edge_layer)
     if side == "STARBOARD":
         _mirror_planes(obj)
     flats.clear_unused(obj)
@@ -215,9 +217,8 @@ def _cut_at_centre_plane(bm, cut, going):
         _put_on_centre_plane(bm)
 
 
-def _leave(bm, sign, going):
+def _leave(bm, sign, going, edge_layer):
     """Removes the other side and turns this one to port; returns a HalfMade."""
-    edge_layer, _ = blender_versions.ensure_crease_layers(bm)
     others = [vertex for vertex in bm.verts if sign * vertex.co.y < 0.0 or vertex in going]
     overlap = max((sign * vertex.co.y for vertex in going), default=0.0)
     if all(vertex.co.y == 0.0 for vertex in set(bm.verts).difference(others)):
