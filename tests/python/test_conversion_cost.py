@@ -53,6 +53,33 @@ def test_many_faces_around_a_point_are_measured_as_fast_as_few():
     assert many < 4.0 * few
 
 
+def time_of_crumpled(width, seed=2):
+    """Seconds that measuring takes of a sheet of triangles all along one line, to `width`."""
+    count = 4
+    corners = np.arange(count * count).reshape(count, count)
+    faces = []
+    for i in range(count - 1):
+        for j in range(count - 1):
+            a, b, c, d = corners[[i, i + 1, i + 1, i], [j, j, j + 1, j + 1]]
+            faces += [[a, b, c], [a, c, d]]
+    random = np.random.default_rng(seed)
+    along = random.uniform(0.0, 3.0, count * count)
+    points = np.outer(along, [1.0, -1.01, -0.38])
+    points += width * random.standard_normal(points.shape)
+    surface = surface_of(points, faces)
+    patches = hn.fit_per_cell(surface)
+    begin = time.process_time()
+    hn.measure_quality(surface, patches)
+    return time.process_time() - begin
+
+
+def test_a_sheet_crumpled_to_a_line_ends():
+    """Much of it is as near to a patch as the place that is known to be."""
+    wide, thin = time_of_crumpled(5e-2), time_of_crumpled(2e-5)
+    print(f"{wide:.3f} and {thin:.3f} s")
+    assert thin < 80.0 * wide
+
+
 @pytest.fixture(scope="module")
 def triangles():
     """A bulging sheet of 512 triangles, and its patches."""

@@ -138,8 +138,10 @@ class PatchMeasure {
               [](const Candidate& a, const Candidate& b) { return a.found.value > b.found.value; });
     for (const auto& [found, area] : candidates_) {
       if (kAlmost * found.value <= found_.distance.value) return;
-      const surface::ClosestPoint closest =
-          surface::closest_point(gauge_.tree, found.point, found.value);
+      // A little farther, so that the foot that is known is found: without one all that is as near
+      // would be cut to parts.
+      const surface::ClosestPoint closest = surface::closest_point(
+          gauge_.tree, found.point, found.value + gauge_.negligible());
       if (closest.cell >= 0 && closest.distance < found.value) {
         const CellPoint place{closest.cell, closest.u, closest.v};
         found_.distance.take(closest.distance, found.point, place);

@@ -189,8 +189,9 @@ class Search {
 
   // No piece farther than this can matter.
   double limit() const { return reach_ - gap_; }
+  // What is no farther than the radius by less than `gap` is looked for until that is much work.
   bool is_out(double bound) const {
-    return bound > reach_ || (best_.cell >= 0 && bound >= limit());
+    return bound > reach_ || ((best_.cell >= 0 || parts_ > kFreeParts) && bound >= limit());
   }
 
   void count_part() {

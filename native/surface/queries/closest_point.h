@@ -46,7 +46,7 @@ struct ClosestPoint {
 // may turn by more.
 //
 // Work is bounded: after 2,000 pieces and parts of pieces (p near the centre of a sphere, say), gap
-// is doubled at every further 500. Over irregular knots, where pieces shrink without end, a query
+// is doubled at every further 500, and a foot within gap of max_distance may be missed. Over irregular knots, where pieces shrink without end, a query
 // may take a millisecond, and 70 at valence 64.
 //
 // Throws std::invalid_argument unless p is finite and max_distance >= 0.

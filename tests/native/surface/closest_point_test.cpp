@@ -251,6 +251,9 @@ TEST(ClosestPoint, OfTheMiddleOfARoundBodyTakesBoundedWork) {
     EXPECT_LE(at.distance, least + 1e-15);
     EXPECT_LE(at.gap, 1e-4);
     EXPECT_GE(at.distance, least - 1e-3);
+    // All of the surface is beyond this radius, by next to nothing.
+    const double radius = at.distance - at.gap - 1e-12;
+    EXPECT_EQ(closest_point(tree, p, radius).cell, -1);
   }
 }
 
