@@ -6,6 +6,7 @@ Start at `read_hull`, which finds out what a file is, and `HullData`, which it r
 
 from .area_tables import read_area_table
 from .errors import HullFileError
+from .freeship_writing import write_freeship
 from .hull_data import (
     LINE_KINDS,
     Afloat,
@@ -70,6 +71,7 @@ __all__ = [
     "stored_sections",
     "to_dimensions",
     "to_dimensions_keeping",
+    "write_freeship",
     "write_hull_file",
     "write_stl",
 ]
