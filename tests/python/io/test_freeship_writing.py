@@ -72,7 +72,7 @@ def test_samples_have_the_same_surface(sample, tmp_path):
         hn.LimitSurface(hn.ControlMesh(*hull_io.shell_arrays(data).arguments()))
         for data in (sample, read)
     ]
-    ours, theirs = (surface.evaluate_grid(4).points for surface in surfaces)
+    ours, theirs = (surface.evaluate_grid(4)[0] for surface in surfaces)
     size = np.ptp(sample.points, axis=0).max()
     np.testing.assert_allclose(theirs, ours, atol=1e-7 * size)
 
