@@ -50,7 +50,9 @@ def _surface(lines, start, name):
     order_u, order_v = (_whole(values, key, 4, _MOST_ORDER, name) for key in ("OrderU", "OrderV"))
     count_u, count_v = (_whole(values, key, None, MAX_COUNT, name) for key in ("NumU", "NumV"))
     if count_u * count_v > MAX_COUNT:
-        raise HullFileError(f"{name}: a surface has more than {MAX_COUNT} points; use another copy.")
+        raise HullFileError(
+            f"{name}: a surface has more than {MAX_COUNT} points; use another copy."
+        )
     points = []
     for row in range(k, k + count_u * count_v):
         if row >= len(lines) or not _is_point(lines[row]):

@@ -9,9 +9,9 @@ the base line. Each format and its source is told in the module that writes it.
 
 from .archimedes import archimedes_text
 from .ghs import ghs_text, lines_for_ghs
+from .keel_to_deck import StationLine, Stations, station_lines
 from .michlet import MichletSpeeds, michlet_text
 from .section_text import section_text
-from .keel_to_deck import StationLine, Stations, station_lines
 
 __all__ = [
     "MichletSpeeds",

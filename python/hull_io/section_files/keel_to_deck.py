@@ -67,23 +67,42 @@ def station_lines(positions, sections, size):
 
 
 def _port_parts(branch, size):
-    """[(points (n, 2), knuckles (n,))] of a branch where y >= 0, cut at the centre plane."""
+    """[(points (n, 2), knuckles (n,))] of a branch where y >= 0, cut at the centre plane and parted
+    where it runs along that, as the border of a flat across the ship does."""
     points = np.array(branch.points)[:, 1:]
     knuckles = np.zeros(len(points), dtype=bool)
     knuckles[np.asarray(branch.knuckles, dtype=int)] = True
     points[np.abs(points[:, 0]) <= _MEETS * size, 0] = 0.0
+    points, knuckles = _with_crossings(*_from_centre_plane(points, knuckles))
+    is_port = np.maximum(points[:-1, 0], points[1:, 0]) > 0.0
+    is_port &= np.minimum(points[:-1, 0], points[1:, 0]) >= 0.0
+    ends = np.flatnonzero(np.diff(is_port.astype(int)) != 0) + 1
+    for run in np.split(np.arange(len(is_port)), ends):
+        if is_port[run[0]]:
+            part = slice(run[0], run[-1] + 2)
+            yield points[part], knuckles[part]
+
+
+def _from_centre_plane(points, knuckles):
+    """A line; a closed one begins at a point in the centre plane, if it has one."""
+    at_zero = np.flatnonzero(points[:-1, 0] == 0.0)
+    if len(points) < 3 or (points[0] != points[-1]).any() or not len(at_zero):
+        return points, knuckles
+    first = at_zero[0]
+    knuckles = knuckles.copy()
+    knuckles[0] |= knuckles[-1]
+    order = np.append(np.arange(first, len(points) - 1), np.arange(first + 1))
+    return points[order], knuckles[order]
+
+
+def _with_crossings(points, knuckles):
+    """The line with a point where a chord crosses the centre plane."""
     crossing = np.flatnonzero(points[:-1, 0] * points[1:, 0] < 0.0)
     share = points[crossing, 0] / (points[crossing, 0] - points[crossing + 1, 0])
     heights = points[crossing, 1] + share * (points[crossing + 1, 1] - points[crossing, 1])
     at_zero = np.column_stack([np.zeros(len(crossing)), heights])
     points = np.insert(points, crossing + 1, at_zero, axis=0)
-    knuckles = np.insert(knuckles, crossing + 1, False)
-    is_port = points[:, 0] >= 0.0
-    # Runs of points to port, of which at least one is off the centre plane.
-    ends = np.flatnonzero(np.diff(is_port.astype(int)) != 0) + 1
-    for run in np.split(np.arange(len(points)), ends):
-        if is_port[run[0]] and len(run) > 1 and points[run, 0].max() > 0.0:
-            yield points[run], knuckles[run]
+    return points, np.insert(knuckles, crossing + 1, False)
 
 
 def _chains(parts, nearness):

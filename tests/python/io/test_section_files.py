@@ -48,6 +48,16 @@ def test_a_bulb_and_what_is_above_it_are_one_line():
     assert line.knuckles.tolist() == [False, False, True, True, False]
 
 
+@pytest.mark.parametrize("start", range(4))
+def test_the_border_of_a_flat_is_a_line(start):
+    """A transom in the station's plane, closed along the centre plane, from wherever it begins."""
+    corners = [(0.0, 0.0), (2.0, 1.0), (2.0, 3.0), (0.0, 3.0)]
+    around = corners[start:] + corners[: start + 1]
+    (line,) = lines(branch(*around, knuckles=[0, 1, 2, 3, 4]))
+    assert line.points.tolist() == [list(corner) for corner in corners]
+    assert line.knuckles.tolist() == [False, True, True, False]
+
+
 def test_parts_that_meet_are_one_line():
     (line,) = lines(branch((0.0, 0.0), (2.0, 1.0)), branch((2.0, 3.0), (2.0, 1.0)))
     assert line.points.tolist() == [[0, 0], [2, 1], [2, 3]]
