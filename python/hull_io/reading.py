@@ -12,7 +12,7 @@ from .limits import MAX_FILE_BYTES, MAX_HULL_FILE_BYTES
 
 
 def read_hull(path):
-    """The HullData of a FREE!ship (.fbm, .ftm), hull (.hull.json) or chine (.hul, .xyz, .txt) file.
+    """The HullData of a FREE!ship (.fbm, .ftm), hull (.hull.json) or chine file (.hul, .xyz, .txt).
 
     The content decides which reader is used; where it begins like none of them, the extension
     decides which one explains what is missing. Raises HullFileError.
@@ -33,8 +33,8 @@ def read_hull(path):
         hull.name = hull.name or path.stem
         return hull
     raise HullFileError(
-        f"{path.name}: it is neither a FREE!ship file nor a hull file, nor a list of chines; choose "
-        "a file ending in .fbm, .ftm, .hull.json or .hul."
+        f"{path.name}: it is neither a FREE!ship file nor a hull file, nor one of chines; choose a "
+        "file ending in .fbm, .ftm, .hull.json or .hul."
     )
 
 

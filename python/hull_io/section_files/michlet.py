@@ -15,7 +15,7 @@ from ..errors import HullFileError
 from .numbers_as_text import decimal, plain_name
 
 GRAVITY = 9.80665
-# m²/s, of sea and of fresh water of 15 °C (ITTC 2011), and the density that tells one from the other.
+# m²/s, of sea and of fresh water of 15 °C (ITTC), and the density between the two.
 _SEA, _FRESH, _BETWEEN = 1.18831e-6, 1.13902e-6, 1.0125
 _DENSITIES = (0.995, 1.030)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Readers of the section files, from the descriptions of their formats alone: nothing is shared with
-their writers. Each gives a list of (x, points (n, 2)), m, x forward."""
+"""Readers of the section files, from the descriptions of their formats alone: nothing is shared
+with their writers. Each gives a list of (x, points (n, 2)), m, x forward."""
 
 import re
 import xml.etree.ElementTree
