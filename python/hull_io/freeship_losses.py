@@ -4,7 +4,7 @@
 import numpy as np
 
 from .freeship_points import irregular_knuckles
-from .hull_data import Kept
+from .hull_data import Kept, Weights
 from .wanted import Targets
 
 # Rounding of control points, in m, that is worth a word.
@@ -79,6 +79,7 @@ def _not_kept(data):
         ("flats", data.flats),
         ("points kept in planes", data.kept != Kept()),
         ("load cases", data.load_cases),
+        ("weights", data.weights != Weights()),
         ("openings", data.openings),
         ("wind areas", data.wind),
         ("targets", data.targets != Targets()),

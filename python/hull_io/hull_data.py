@@ -16,11 +16,14 @@ from .wanted import Targets
 
 @dataclass
 class Layer:
-    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1."""
+    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1. thickness, in m, and
+    density, in t/m3, of its plating; 0: those of the hull's Weights."""
 
     name: str = ""
     in_hydrostatics: bool = True
     colour: tuple = (0.75, 0.75, 0.75)
+    thickness: float = 0.0
+    density: float = 0.0
 
 
 @dataclass
@@ -61,13 +64,35 @@ class Load:
 
 @dataclass
 class LoadCase:
-    """A mass in t with its centre of gravity in m."""
+    """A mass in t with its centre of gravity in m; with_weights: the ship's Weights are added."""
 
     name: str
     mass_t: float
     lcg: float = 0.0
     tcg: float = 0.0
     vcg: float = 0.0
+    with_weights: bool = False
+
+
+@dataclass
+class Weight:
+    """A part of the ship: its mass in t and the centre of that in m."""
+
+    name: str
+    mass_t: float
+    lcg: float = 0.0
+    tcg: float = 0.0
+    vcg: float = 0.0
+
+
+@dataclass
+class Weights:
+    """What the ship weighs without load: the shell's plating, of a thickness in m (0: not counted)
+    and a density in t/m3, and all else as a list of Weight."""
+
+    thickness: float = 0.0
+    density: float = 7.85
+    items: list = field(default_factory=list)
 
 
 @dataclass
@@ -246,6 +271,7 @@ class HullData:
     afloat: Afloat = field(default_factory=Afloat)
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)
+    weights: Weights = field(default_factory=Weights)
     openings: list = field(default_factory=list)
     wind: object = None
     lines: object = None

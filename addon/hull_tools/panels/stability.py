@@ -180,7 +180,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         if case is None:
             return
         column = layout.column(align=True)
-        for name in ("mass_t", "lcg", "tcg", "vcg"):
+        for name in ("mass_t", "lcg", "tcg", "vcg", "with_weights"):
             column.prop(case, name)
         rows = _MESSAGE_ROWS + _EQUILIBRIUM_ROWS
         equilibria, place = latest_result(layout, context, "load_cases", "Equilibrium", rows)

@@ -68,6 +68,8 @@ _LATER = {
     "MichellIntegral": "._resistance",
     "WaveResistance": "._resistance",
     "ittc_1957": "._resistance",
+    "SurfaceAreas": ".surface_areas",
+    "surface_areas": ".surface_areas",
     "HoltropResult": ".holtrop_resistance",
     "HoltropShip": ".holtrop_form",
     "Propeller": ".propulsion",

@@ -33,6 +33,10 @@ FOLLOWING = {
     "loading.load_cases.lcg": "at x",
     "loading.load_cases.tcg": "at y",
     "loading.load_cases.vcg": "at z",
+    "weights.items.mass_t": "volume",
+    "weights.items.lcg": "at x",
+    "weights.items.tcg": "at y",
+    "weights.items.vcg": "at z",
     "resistance.appendage_area": "profile",
     "resistance.propeller_diameter": "z",
     "wind.areas.area": "profile",
@@ -66,6 +70,7 @@ STAYING = frozenset(
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
     fairness.accepted.line fairness.accepted.mark
+    layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
     resistance.appendage_factor table.trims plots.size

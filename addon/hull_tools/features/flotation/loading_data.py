@@ -3,7 +3,16 @@
 
 from math import degrees, radians
 
-from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
+from ....hull_io.hull_data import (
+    Afloat,
+    Load,
+    LoadCase,
+    Opening,
+    Weight,
+    Weights,
+    Wind,
+    WindArea,
+)
 from ...bridge.blender.units import as_stored, as_typed
 
 _CENTRE = ("lcg", "tcg", "vcg")
@@ -27,12 +36,23 @@ def give_loading(settings, hull, scale):
         entry.name, entry.mass_t = case.name, case.mass_t
         for key in _CENTRE:
             setattr(entry, key, getattr(case, key) / scale)
+        entry.with_weights = case.with_weights
+    _give_weights(settings.weights, hull.weights, scale)
     for opening in hull.openings:
         entry = loading.downflooding_points.add()
         entry.name = opening.name
         entry.position = [value / scale for value in opening.position]
     if hull.wind is not None:
         _give_wind(settings.wind, hull.wind, scale)
+
+
+def _give_weights(settings, weights, scale):
+    settings.thickness, settings.density = weights.thickness / scale, weights.density
+    for item in weights.items:
+        entry = settings.items.add()
+        entry.name, entry.mass_t = item.name, item.mass_t
+        for key in _CENTRE:
+            setattr(entry, key, getattr(item, key) / scale)
 
 
 def _give_wind(settings, wind, scale):
@@ -66,17 +86,25 @@ def take_loading(settings, scale):
             loading.kg_is_guess,
         ),
         "load_cases": [
-            LoadCase(
-                case.name, as_stored(case.mass_t), *(metres(getattr(case, key)) for key in _CENTRE)
-            )
+            LoadCase(*_named_mass(case, metres), case.with_weights)
             for case in loading.load_cases
         ],
+        "weights": Weights(
+            metres(settings.weights.thickness),
+            as_stored(settings.weights.density),
+            [Weight(*_named_mass(item, metres)) for item in settings.weights.items],
+        ),
         "openings": [
             Opening(point.name, tuple(metres(value) for value in point.position))
             for point in loading.downflooding_points
         ],
         "wind": _taken_wind(settings.wind, metres),
     }
+
+
+def _named_mass(entry, metres):
+    """Name, mass in t and centre in m of an entry of a list."""
+    return entry.name, as_stored(entry.mass_t), *(metres(getattr(entry, key)) for key in _CENTRE)
 
 
 def _taken_wind(settings, metres):

@@ -19,6 +19,7 @@ SHARED = (
     "flats",
     "lines",
     "loading",
+    "weights",
     "wind",
 )
 
