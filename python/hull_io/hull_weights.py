@@ -9,13 +9,7 @@ density of their own.
 """
 
 from .hull_data import Weight, Weights
-from .limits import (
-    DENSEST,
-    HEAVIEST_LOAD,
-    LONGEST_DIMENSION,
-    MAX_LOADING_ENTRIES,
-    THICKEST,
-)
+from .limits import DENSEST, HEAVIEST_LOAD, LONGEST_DIMENSION, MAX_LOADING_ENTRIES, THICKEST
 
 KEY = "weights"
 _CENTRE = ("lcg", "tcg", "vcg")
@@ -76,6 +70,4 @@ def entries(data):
         }
         for item in own.items
     ]
-    return {
-        KEY: {"thickness": float(own.thickness), "density": float(own.density), "items": items}
-    }
+    return {KEY: {"thickness": float(own.thickness), "density": float(own.density), "items": items}}

@@ -3,16 +3,7 @@
 
 from math import degrees, radians
 
-from ....hull_io.hull_data import (
-    Afloat,
-    Load,
-    LoadCase,
-    Opening,
-    Weight,
-    Weights,
-    Wind,
-    WindArea,
-)
+from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening, Weight, Weights, Wind, WindArea
 from ...bridge.blender.units import as_stored, as_typed
 
 _CENTRE = ("lcg", "tcg", "vcg")
@@ -86,8 +77,7 @@ def take_loading(settings, scale):
             loading.kg_is_guess,
         ),
         "load_cases": [
-            LoadCase(*_named_mass(case, metres), case.with_weights)
-            for case in loading.load_cases
+            LoadCase(*_named_mass(case, metres), case.with_weights) for case in loading.load_cases
         ],
         "weights": Weights(
             metres(settings.weights.thickness),
