@@ -16,8 +16,9 @@ from .wanted import Targets
 
 @dataclass
 class Layer:
-    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1. thickness, in m, and
-    density, in t/m3, of its plating; 0: those of the hull's Weights."""
+    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1.
+
+    thickness, in m, and density, in t/m3, of its plating; 0: those of the hull's Weights."""
 
     name: str = ""
     in_hydrostatics: bool = True

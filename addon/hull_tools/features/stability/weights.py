@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the ship weighs without load: the shell by thickness and density of its layers' plating, from
-the exact surface, and a list of all else."""
+"""What the ship weighs without load: the shell by thickness and density of its layers' plating,
+from the exact surface, and a list of all else."""
 
 from dataclasses import dataclass
 
