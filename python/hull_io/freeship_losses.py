@@ -4,7 +4,7 @@
 import numpy as np
 
 from .freeship_points import irregular_knuckles
-from .hull_data import Kept, Weights
+from .hull_data import Kept, Resistance, Weights
 from .wanted import Targets
 
 # Rounding of control points, in m, that is worth a word.
@@ -82,6 +82,7 @@ def _not_kept(data):
         ("weights", data.weights != Weights()),
         ("openings", data.openings),
         ("wind areas", data.wind),
+        ("settings of the resistance", data.resistance != Resistance()),
         ("targets", data.targets != Targets()),
         ("the wanted area curve", data.area_target),
         ("fields", data.fields),

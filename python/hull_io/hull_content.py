@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from . import hull_flats, hull_lines, hull_loading, hull_points, hull_weights
+from . import hull_flats, hull_lines, hull_loading, hull_points, hull_resistance, hull_weights
 from .checked_json import shown
 from .cleanup import creases_of_faces
 from .hull_data import HullData, Layer, Particulars, edge_key, face_edges
@@ -25,6 +25,7 @@ OPTIONAL = (
     hull_lines.KEY,
     *hull_loading.KEYS,
     hull_weights.KEY,
+    hull_resistance.KEY,
 )
 PARTICULARS = tuple(vars(Particulars()))
 SCHEMES = ("biermann", "catmull_clark")
@@ -55,6 +56,7 @@ def parsed(check, content, name):
         lines=hull_lines.parsed(check, content),
         **hull_loading.parsed(check, content),
         weights=hull_weights.parsed(check, content),
+        resistance=hull_resistance.parsed(check, content),
         units="m",
         source=check.text(content.get("source", ""), "source"),
     )
@@ -185,6 +187,7 @@ def entries(data):
         **hull_lines.entries(data),
         **hull_loading.entries(data),
         **hull_weights.entries(data),
+        **hull_resistance.entries(data),
     }
 
 

@@ -131,6 +131,31 @@ class Wind:
     roll_period: object = None
 
 
+RESISTANCE_METHODS = ("holtrop", "michell", "savitsky")
+# Holtrop and Mennen's stern coefficients: pram, V, normal, U.
+STERNS = (-25, -10, 0, 10)
+
+
+@dataclass
+class Resistance:
+    """How the resistance is reckoned: method, first, last and step of speeds in knots, and what
+    only the designer knows. Lengths in m, areas in m²; 0: not given. chine_beam 0: that of the
+    waterline."""
+
+    method: str = "holtrop"
+    speeds_kn: tuple = (6.0, 16.0, 1.0)
+    form_factor: float = 1.0
+    stern: int = 0
+    appendage_area: float = 0.0
+    appendage_factor: float = 1.5
+    propeller_diameter: float = 0.0
+    twin_screw: bool = False
+    deadrise_deg: float = 15.0
+    chine_beam: float = 0.0
+    shaft_angle_deg: float = 0.0
+    thrust_arm: float = 0.0
+
+
 @dataclass
 class CutPlane:
     """A plane to cut the hull by: through a point in m, across a normal of any length."""
@@ -275,6 +300,7 @@ class HullData:
     weights: Weights = field(default_factory=Weights)
     openings: list = field(default_factory=list)
     wind: object = None
+    resistance: Resistance = field(default_factory=Resistance)
     lines: object = None
     targets: Targets = field(default_factory=Targets)
     area_target: object = None

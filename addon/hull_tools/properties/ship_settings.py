@@ -15,7 +15,14 @@ from bpy.props import (
 
 from ..bridge import limits
 from ..bridge.blender import preferences
-from . import flat_settings, line_settings, stability_settings, weight_settings, wind_settings
+from . import (
+    flat_settings,
+    line_settings,
+    resistance_settings,
+    stability_settings,
+    weight_settings,
+    wind_settings,
+)
 from .shared import angle, changed, length
 
 
@@ -99,6 +106,7 @@ class ShipSettings:
     loading: PointerProperty(type=stability_settings.HullLoading)
     weights: PointerProperty(type=weight_settings.HullWeights)
     wind: PointerProperty(type=wind_settings.HullWind)
+    resistance: PointerProperty(type=resistance_settings.HullResistance)
 
 
 CLASSES = (
@@ -107,5 +115,6 @@ CLASSES = (
     *stability_settings.CLASSES,
     *weight_settings.CLASSES,
     *wind_settings.CLASSES,
+    *resistance_settings.CLASSES,
     HullLayer,
 )

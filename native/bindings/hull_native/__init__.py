@@ -86,6 +86,7 @@ _LATER = {
     "wave_heights": ".wave_pattern",
     "holtrop_table": ".resistance_table",
     "michell_table": ".resistance_table",
+    "savitsky_table": ".resistance_table",
     "resistance_csv": ".resistance_table",
     "Plot": "._drawing",
     "PlotSheet": "._drawing",

@@ -39,6 +39,8 @@ FOLLOWING = {
     "weights.items.vcg": "at z",
     "resistance.appendage_area": "profile",
     "resistance.propeller_diameter": "z",
+    "resistance.chine_beam": "y",
+    "resistance.thrust_arm": "z",
     "wind.areas.area": "profile",
     "wind.areas.z": "at z",
     "wind.lever": "z",
@@ -73,7 +75,7 @@ STAYING = frozenset(
     layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
-    resistance.appendage_factor table.trims plots.size
+    resistance.appendage_factor resistance.deadrise resistance.shaft_angle table.trims plots.size
     plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach

@@ -21,6 +21,7 @@ SHARED = (
     "loading",
     "weights",
     "wind",
+    "resistance",
 )
 
 # Of the lines, what is the view's alone.
