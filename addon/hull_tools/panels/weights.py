@@ -22,7 +22,7 @@ class HULL_PT_weights(HullPanel, bpy.types.Panel):
     bl_label = "Weights"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 2
+    bl_order = 3
 
     def draw(self, context):
         layout = self.layout

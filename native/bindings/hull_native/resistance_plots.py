@@ -19,8 +19,9 @@ _PARTS = (
 def resistance_plot(rows, *, title="Resistance", subtitles=(), others=()):
     """Total resistance and its parts over the speed in knots.
 
-    rows: of michell_table(), holtrop_table() or savitsky_table(), one at least. others: pairs (name, rows) whose
-    totals are drawn dashed beside it, such as another hull's or method's. ValueError for no rows.
+    rows: of michell_table(), holtrop_table() or savitsky_table(), one at least. others: pairs
+    (name, rows) whose totals are drawn dashed beside it, such as another hull's or method's.
+    ValueError for no rows.
     """
     rows = list(rows)
     if not rows:

@@ -121,7 +121,8 @@ def assert_same(first, second):
     assert first.particulars == second.particulars
     assert first.source == second.source
     for key in ("scheme", "deck_edge", "flats", "locked", "kept", "afloat", "load", "load_cases",
-                "openings", "wind", "weights", "resistance", "lines", "targets", "area_target", "fields"):  # fmt: skip
+                "openings", "wind", "weights", "resistance", "lines", "targets", "area_target",
+                "fields"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key
     assert len(first.variants) == len(second.variants)
     for one, other in zip(first.variants, second.variants):
