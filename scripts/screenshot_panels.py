@@ -66,6 +66,16 @@ def _with_opening(hull):
     hatch.name, hatch.position = "Hatch, fore end", (58.0, 4.2, 8.6)
 
 
+def _with_weights(hull):
+    weights = hull.hull.weights
+    weights.thickness = 0.018
+    for name, mass, lcg, vcg in (("Outfit", 310.0, 38.0, 9.2), ("Machinery", 145.0, 12.5, 4.1)):
+        with bpy.context.temp_override(object=hull, active_object=hull):
+            bpy.ops.hull.add_weight()
+        item = weights.items[-1]
+        item.name, item.mass_t, item.lcg, item.vcg = name, mass, lcg, vcg
+
+
 def _with_fit(hull):
     """The hull fitted to faces between points of its own surface, somewhat fuller."""
     grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(12)
@@ -255,6 +265,11 @@ PANELS = {
         hull_panels("stability", "downflooding_points", "stability_remarks"),
         _with_opening,
         analyses=("righting_levers",),
+    ),
+    "panels/weights": PanelShot(
+        hull_panels("stability", "weights"),
+        _with_weights,
+        analyses=("weights", "righting_levers"),
     ),
     "panels/resistance": PanelShot(
         hull_panels("resistance", "resistance_remarks"), analyses=("resistance_curves",)

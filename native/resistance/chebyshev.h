@@ -37,15 +37,12 @@ class ChebyshevNodes {
 
   // All polynomials at t.
   Values at(double t) const {
-    Values values;
-    double sum = 0.0;
+    const Values distances = Values::Constant(t) - nodes_;
     for (int i = 0; i < n; ++i) {
-      const double distance = t - nodes_[i];
-      if (distance == 0.0) return Values::Unit(i);
-      values[i] = weights_[i] / distance;
-      sum += values[i];
+      if (distances[i] == 0.0) return Values::Unit(i);
     }
-    return values / sum;
+    const Values values = weights_.cwiseQuotient(distances);
+    return values * (1.0 / values.sum());
   }
 
   static const ChebyshevNodes& get() {

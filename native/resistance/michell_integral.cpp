@@ -20,8 +20,19 @@ using analysis::SpanNode;
 
 constexpr double kLeastFroude = 0.05, kMostFroude = 5.0;
 constexpr double kFirstShortest = 16.0, kMostShortest = 128.0;  // λ
+// From one grid of sources to a finer one λ grows by so much; beyond where the error is expected to
+// have fallen by a share, for it does so in waves.
+constexpr double kLeastGrowth = 1.25, kMostGrowth = 6.0, kBeyond = 1.05;
+constexpr double kLeastFall = 1.5, kMostFall = 4.0;
 constexpr double kMostTurns = 2e4;  // the phase between the ship's ends of the shortest wave, rad
 constexpr double kSteepest = 89.0 / 180.0 * std::numbers::pi;
+
+// How far an integral has to be taken to settle, by how its error has fallen off so far.
+double expected_shortest(const WaveIntegral& integral, double tolerance) {
+  const double fall = std::clamp(integral.fall, kLeastFall, kMostFall);
+  const double excess = integral.error / (tolerance * integral.value);
+  return kBeyond * integral.shortest * std::pow(std::max(excess, 1.0), 1.0 / fall);
+}
 
 void require_positive(double value, const char* name) {
   if (!(value > 0.0) || !std::isfinite(value)) {
@@ -156,9 +167,11 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
   std::vector<double> wave_numbers;
   for (double speed : speeds) wave_numbers.push_back(wave_number(speed));
   std::vector<WaveResistance> results(speeds.size());
+  std::vector<WaveIntegral> integrals(speeds.size());
   std::vector<std::size_t> open(speeds.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
-  for (double shortest = kFirstShortest; !open.empty(); shortest *= 2.0) {
+  for (double shortest = kFirstShortest, next = 0.0; !open.empty(); shortest = next) {
+    next = kLeastGrowth * shortest;
     std::vector<double> own;
     for (std::size_t i : open) own.push_back(wave_numbers[i]);
     const SourceGrid grid = sources(scales_for(own, shortest));
@@ -166,14 +179,17 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
     std::vector<std::size_t> unsettled;
     for (std::size_t i : open) {
       const double nu = wave_numbers[i];
-      const WaveIntegral integral = sums.integral(nu, tolerance_, shortest);
+      integrals[i] = sums.integral(nu, tolerance_, shortest, std::move(integrals[i]));
+      const WaveIntegral& integral = integrals[i];
       const double factor = 4.0 * density_ * gravity_ * nu / std::numbers::pi;
       results[i] = {speeds[i], factor * integral.value, factor * integral.error, integral.shortest};
-      if (!integral.settled && 2.0 * shortest <= kMostShortest &&
-          2.0 * shortest * nu * length() <= kMostTurns) {
-        unsettled.push_back(i);
-      }
+      if (integral.settled || shortest >= kMostShortest) continue;
+      const double expected = expected_shortest(integral, tolerance_);
+      if (kLeastGrowth * shortest * nu * length() > kMostTurns) continue;
+      unsettled.push_back(i);
+      next = std::max(next, std::min(expected, kMostTurns / (nu * length())));
     }
+    next = std::min({next, kMostGrowth * shortest, kMostShortest});
     open = std::move(unsettled);
   }
   return results;

@@ -73,8 +73,10 @@ SourceGrid::Phases SourceGrid::phases(const Layer& layer,
 Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_numbers) const {
   const Layer& own = layers_[layer];
   const Phases phase = phases(own, wave_numbers);
-  const Eigen::MatrixXd cosines = phase.node_cos * own.strengths,
-                        sines = phase.node_sin * own.strengths;
+  // Kept, for they are large and asked for again and again.
+  thread_local Eigen::MatrixXd cosines, sines;
+  cosines.noalias() = phase.node_cos * own.strengths;
+  sines.noalias() = phase.node_sin * own.strengths;
   Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(phase.node_cos.rows(), kDown);
   for (int panel = 0; panel < own.panels; ++panel) {
     const auto c = cosines.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * panel).array(),

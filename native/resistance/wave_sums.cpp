@@ -153,21 +153,28 @@ double WaveSums::add_interval(double nu, int interval, WaveIntegral& integral) {
   return sum;
 }
 
-WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest) {
-  WaveIntegral integral;
-  // Half an interval from the singularity Gauss's rule is as good as elsewhere.
-  const int first = static_cast<int>(std::ceil(nu / width_ + 0.5));
-  add_first(nu, first * width_, integral);
+WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, WaveIntegral begun) {
+  WaveIntegral integral = std::move(begun);
+  if (integral.first < 0) {
+    // Half an interval from the singularity Gauss's rule is as good as elsewhere.
+    integral.first = static_cast<int>(std::ceil(nu / width_ + 0.5));
+    add_first(nu, integral.first * width_, integral);
+  }
+  const int first = integral.first;
   const double reach = std::max(nu * shortest, least_reach(length_));
-  std::vector<double> parts;
-  for (int interval = first; (interval + 1) * width_ <= reach; ++interval) {
-    parts.push_back(add_interval(nu, interval, integral));
+  for (int interval = first + static_cast<int>(integral.parts.size());
+       (interval + 1) * width_ <= reach; ++interval) {
+    integral.parts.push_back(add_interval(nu, interval, integral));
     const int end = interval + 1, half = end / 2;
     if (half < first || end < first + kLeastIntervals) continue;
     double octave = 0.0;
-    for (int k = half; k < end; ++k) octave += parts[k - first];
+    for (int k = half; k < end; ++k) octave += integral.parts[k - first];
     // An integrand that falls off as λ⁻³ has a third of its last octave left.
-    integral.error = octave / 3.0;
+    integral.error = integral.errors[end] = octave / 3.0;
+    const auto before = integral.errors.find(half);
+    if (before != integral.errors.end() && octave > 0.0) {
+      integral.fall = std::log2(before->second / integral.error);
+    }
     integral.shortest = end * width_ / nu;
     integral.settled = integral.error <= tolerance * integral.value;
     if (integral.settled) break;

@@ -16,11 +16,17 @@ struct SummedWave {
   std::complex<double> amplitude;
 };
 
-// ∫₁^∞ |I|² λ² / √(λ² - 1) dλ, as far as it was taken.
+// ∫₁^∞ |I|² λ² / √(λ² - 1) dλ, as far as it was taken: to λ = shortest. Its error falls off as
+// λ^-fall there.
 struct WaveIntegral {
-  double value = 0.0, error = 0.0, shortest = 1.0;
+  double value = 0.0, error = 0.0, shortest = 1.0, fall = 2.0;
   bool settled = false;
   std::vector<SummedWave> waves;
+  // Its intervals of k: the first behind the integral's beginning, below zero before that; what
+  // each has to say; and the error, by the interval that it is taken before.
+  int first = -1;
+  std::vector<double> parts;
+  std::map<int, double> errors;
 };
 
 // Integrals over the waves of a grid of sources, for many speeds. The sums along x depend on k
@@ -34,8 +40,9 @@ class WaveSums {
   std::vector<std::complex<double>> amplitudes(double nu, std::span<const double> along) const;
 
   // The integral for ν: ends where what is left is below `tolerance` of it, or at λ = `shortest`,
-  // but not before three intervals of k.
-  WaveIntegral integral(double nu, double tolerance, double shortest);
+  // but not before three intervals of k. `begun`: as far as it was taken by a coarser grid of the
+  // same sources, of the same ν; it is gone on with.
+  WaveIntegral integral(double nu, double tolerance, double shortest, WaveIntegral begun = {});
 
   // The least k that an integral may have to reach whatever λ is. `length`: of the sources, m.
   static double least_reach(double length);

@@ -6,6 +6,7 @@ Start at `read_hull`, which finds out what a file is, and `HullData`, which it r
 
 from .area_tables import read_area_table
 from .errors import HullFileError
+from .freeship_writing import write_freeship
 from .hull_data import (
     LINE_KINDS,
     Afloat,
@@ -20,9 +21,12 @@ from .hull_data import (
     LoadCase,
     Opening,
     Particulars,
+    Resistance,
     ShapeField,
     ShellArrays,
     Variant,
+    Weight,
+    Weights,
     Wind,
     WindArea,
     shell_arrays,
@@ -53,11 +57,14 @@ __all__ = [
     "LoadCase",
     "Opening",
     "Particulars",
+    "Resistance",
     "ShapeField",
     "ShellArrays",
     "Target",
     "Targets",
     "Variant",
+    "Weight",
+    "Weights",
     "Wind",
     "WindArea",
     "read_area_table",
@@ -70,6 +77,7 @@ __all__ = [
     "stored_sections",
     "to_dimensions",
     "to_dimensions_keeping",
+    "write_freeship",
     "write_hull_file",
     "write_stl",
 ]

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from . import hull_flats, hull_lines, hull_loading, hull_points
+from . import hull_flats, hull_lines, hull_loading, hull_points, hull_resistance, hull_weights
 from .checked_json import shown
 from .cleanup import creases_of_faces
 from .hull_data import HullData, Layer, Particulars, edge_key, face_edges
@@ -24,6 +24,8 @@ OPTIONAL = (
     *hull_points.KEYS,
     hull_lines.KEY,
     *hull_loading.KEYS,
+    hull_weights.KEY,
+    hull_resistance.KEY,
 )
 PARTICULARS = tuple(vars(Particulars()))
 SCHEMES = ("biermann", "catmull_clark")
@@ -53,6 +55,8 @@ def parsed(check, content, name):
         **hull_points.parsed(check, content, len(points)),
         lines=hull_lines.parsed(check, content),
         **hull_loading.parsed(check, content),
+        weights=hull_weights.parsed(check, content),
+        resistance=hull_resistance.parsed(check, content),
         units="m",
         source=check.text(content.get("source", ""), "source"),
     )
@@ -131,10 +135,12 @@ def _layers(check, value):
 
 def _layer(check, entry, index):
     where = f"layers[{index}]"
-    check.object(entry, where, ("name", "in_hydrostatics", "colour"))
+    check.object(entry, where, ("name", "in_hydrostatics", "colour", "thickness", "density"))
     layer = Layer(
         name=check.text(entry.get("name", f"Layer {index}"), f"{where}.name"),
         in_hydrostatics=check.flag(entry.get("in_hydrostatics", True), f"{where}.in_hydrostatics"),
+        thickness=hull_weights.thickness(check, entry, where),
+        density=hull_weights.density(check, entry, where),
     )
     if "colour" in entry:
         colour = check.list(entry["colour"], f"{where}.colour", 3)
@@ -180,12 +186,16 @@ def entries(data):
         **hull_points.entries(data),
         **hull_lines.entries(data),
         **hull_loading.entries(data),
+        **hull_weights.entries(data),
+        **hull_resistance.entries(data),
     }
 
 
 def _layer_entry(layer):
+    plating = {"thickness": float(layer.thickness), "density": float(layer.density)}
     return {
         "name": layer.name,
         "in_hydrostatics": bool(layer.in_hydrostatics),
         "colour": [float(part) for part in layer.colour],
+        **{name: value for name, value in plating.items() if value},
     }

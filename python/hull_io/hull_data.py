@@ -16,11 +16,15 @@ from .wanted import Targets
 
 @dataclass
 class Layer:
-    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1."""
+    """A named group of faces. `colour` is sRGB (red, green, blue), each 0 to 1.
+
+    thickness, in m, and density, in t/m3, of its plating; 0: those of the hull's Weights."""
 
     name: str = ""
     in_hydrostatics: bool = True
     colour: tuple = (0.75, 0.75, 0.75)
+    thickness: float = 0.0
+    density: float = 0.0
 
 
 @dataclass
@@ -61,13 +65,35 @@ class Load:
 
 @dataclass
 class LoadCase:
-    """A mass in t with its centre of gravity in m."""
+    """A mass in t with its centre of gravity in m; with_weights: the ship's Weights are added."""
 
     name: str
     mass_t: float
     lcg: float = 0.0
     tcg: float = 0.0
     vcg: float = 0.0
+    with_weights: bool = False
+
+
+@dataclass
+class Weight:
+    """A part of the ship: its mass in t and the centre of that in m."""
+
+    name: str
+    mass_t: float
+    lcg: float = 0.0
+    tcg: float = 0.0
+    vcg: float = 0.0
+
+
+@dataclass
+class Weights:
+    """What the ship weighs without load: the shell's plating, of a thickness in m (0: not counted)
+    and a density in t/m3, and all else as a list of Weight."""
+
+    thickness: float = 0.0
+    density: float = 7.85
+    items: list = field(default_factory=list)
 
 
 @dataclass
@@ -103,6 +129,31 @@ class Wind:
     keel_area: float = 0.0
     sharp_bilges: bool = False
     roll_period: object = None
+
+
+RESISTANCE_METHODS = ("holtrop", "michell", "savitsky")
+# Holtrop and Mennen's stern coefficients: pram, V, normal, U.
+STERNS = (-25, -10, 0, 10)
+
+
+@dataclass
+class Resistance:
+    """How the resistance is reckoned: method, first, last and step of speeds in knots, and what
+    only the designer knows. Lengths in m, areas in m²; 0: not given. chine_beam 0: that of the
+    waterline."""
+
+    method: str = "holtrop"
+    speeds_kn: tuple = (6.0, 16.0, 1.0)
+    form_factor: float = 1.0
+    stern: int = 0
+    appendage_area: float = 0.0
+    appendage_factor: float = 1.5
+    propeller_diameter: float = 0.0
+    twin_screw: bool = False
+    deadrise_deg: float = 15.0
+    chine_beam: float = 0.0
+    shaft_angle_deg: float = 0.0
+    thrust_arm: float = 0.0
 
 
 @dataclass
@@ -246,8 +297,10 @@ class HullData:
     afloat: Afloat = field(default_factory=Afloat)
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)
+    weights: Weights = field(default_factory=Weights)
     openings: list = field(default_factory=list)
     wind: object = None
+    resistance: Resistance = field(default_factory=Resistance)
     lines: object = None
     targets: Targets = field(default_factory=Targets)
     area_target: object = None

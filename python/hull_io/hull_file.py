@@ -11,6 +11,7 @@
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
      "locked" and "kept" as hull_points tells, "lines" as hull_lines tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind";
+     "weights" as hull_weights and "resistance" as hull_resistance tells;
      "targets" and "area_target" as hull_targets tells, "fields" as hull_fields tells,
      "variants" as hull_variants tells}
 

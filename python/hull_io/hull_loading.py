@@ -3,7 +3,8 @@
 
     "afloat": {"trim": m by the stern, "heel_deg": degrees to starboard, "deck_closed": true},
     "load": {"mass_t": t, "kg": m, "kg_is_guess": false, "lcg": m, "free_trim": true},
-    "load_cases": [{"name": "...", "mass_t": t, "lcg": m, "tcg": m, "vcg": m}, ...],
+    "load_cases": [{"name": "...", "mass_t": t, "lcg": m, "tcg": m, "vcg": m,
+                    "with_weights": false}, ...],
     "openings": [{"name": "...", "position": [x, y, z]}, ...],
     "wind": {"hull_profile": true, "areas": [{"name": "...", "area": m2, "z": m}, ...], "lever": m,
              "pressure": Pa, "keel_area": m2, "sharp_bilges": false, "roll_period": s}
@@ -76,7 +77,7 @@ def _listed(check, content, key, parse, parent=""):
 
 
 def _load_case(check, value, where):
-    entries = check.object(value, where, ("name", "mass_t", "lcg", "tcg", "vcg"))
+    entries = check.object(value, where, ("name", "mass_t", "lcg", "tcg", "vcg", "with_weights"))
     if "mass_t" not in entries:
         raise check.error(f"{where}.mass_t", "it is missing", "add the mass in t")
     centre = {
@@ -85,6 +86,7 @@ def _load_case(check, value, where):
     return LoadCase(
         name=check.text(entries.get("name", "Load case"), f"{where}.name"),
         mass_t=check.number(entries["mass_t"], f"{where}.mass_t", 0.0, HEAVIEST_LOAD),
+        with_weights=check.flag(entries.get("with_weights", False), f"{where}.with_weights"),
         **centre,
     )
 
@@ -158,6 +160,7 @@ def entries(data):
                 "lcg": float(case.lcg),
                 "tcg": float(case.tcg),
                 "vcg": float(case.vcg),
+                **({"with_weights": True} if case.with_weights else {}),
             }
             for case in data.load_cases
         ],

@@ -21,6 +21,10 @@ HEAVIEST_LOAD = 1e8
 LARGEST_WIND_AREA = 1e6
 STRONGEST_WIND = 1e5
 LONGEST_ROLL_PERIOD = 1e3
+FASTEST_KN = 1000.0
+# Plating: m and t/m3 (uranium has 19).
+THICKEST = 10.0
+DENSEST = 25.0
 # Load cases, openings, wind areas, each of which takes some milliseconds; a booklet has dozens.
 MAX_LOADING_ENTRIES = 200
 # Planes to cut a hull by, and spaces between stations.

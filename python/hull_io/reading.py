@@ -4,6 +4,7 @@
 from pathlib import Path
 
 from .bytes_on_disk import read_bytes
+from .chines import hull_of_chines, looks_like_chines, read_chines
 from .errors import HullFileError
 from .freeship import is_freeship, read_freeship, read_stored_sections
 from .hull_file import parse_hull_file
@@ -11,7 +12,7 @@ from .limits import MAX_FILE_BYTES, MAX_HULL_FILE_BYTES
 
 
 def read_hull(path):
-    """The HullData of a FREE!ship (.fbm, .ftm) or hull (.hull.json) file.
+    """The HullData of a FREE!ship (.fbm, .ftm), hull (.hull.json) or chine file (.hul, .xyz, .txt).
 
     The content decides which reader is used; where it begins like none of them, the extension
     decides which one explains what is missing. Raises HullFileError.
@@ -27,9 +28,13 @@ def read_hull(path):
         if len(data) > MAX_HULL_FILE_BYTES:
             data = read_bytes(path, MAX_HULL_FILE_BYTES)
         return parse_hull_file(data, path.name)
+    if looks_like_chines(data, path.suffix.lower()):
+        hull = hull_of_chines(read_chines(data, path.name))
+        hull.name = hull.name or path.stem
+        return hull
     raise HullFileError(
-        f"{path.name}: it is neither a FREE!ship file nor a hull file; choose a file ending in "
-        ".fbm, .ftm or .hull.json."
+        f"{path.name}: it is neither a FREE!ship file nor a hull file, nor one of chines; choose a "
+        "file ending in .fbm, .ftm, .hull.json or .hul."
     )
 
 

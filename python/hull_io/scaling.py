@@ -35,6 +35,14 @@ FOLLOWING = {
     "load_cases.lcg": "at x",
     "load_cases.tcg": "at y",
     "load_cases.vcg": "at z",
+    "resistance.appendage_area": "profile",
+    "resistance.propeller_diameter": "z",
+    "resistance.chine_beam": "y",
+    "resistance.thrust_arm": "z",
+    "weights.items.mass_t": "volume",
+    "weights.items.lcg": "at x",
+    "weights.items.tcg": "at y",
+    "weights.items.vcg": "at z",
     "openings.position": "point",
     "wind.areas.area": "profile",
     "wind.areas.z": "at z",
@@ -66,6 +74,10 @@ FOLLOWING = {
 # What stays: no lengths, or not the hull's.
 STAYING = frozenset(
     """name faces creases corners half layers.name layers.in_hydrostatics layers.colour face_layers
+    layers.thickness layers.density weights.thickness weights.density weights.items.name
+    load_cases.with_weights resistance.method resistance.speeds_kn resistance.form_factor
+    resistance.stern resistance.appendage_factor resistance.twin_screw resistance.deadrise_deg
+    resistance.shaft_angle_deg
     particulars.water_density scheme deck_edge flats.faces flats.offset locked kept.stations
     kept.buttocks kept.waterlines afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges

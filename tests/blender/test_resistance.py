@@ -51,6 +51,73 @@ def test_rows_are_those_of_hull_native(method):
             assert row[name] == pytest.approx(value, rel=1e-5), name
 
 
+def planing():
+    """The planing boat from 10 to 40 knots by Savitsky."""
+    hull = sample("planing_boat")
+    own = hull.hull.resistance
+    own.method = "SAVITSKY"
+    own.speed_from, own.speed_to, own.speed_step = 2.0, 40.0, 1.0
+    own.deadrise, own.thrust_arm = 0.3, 0.2
+    return hull, own
+
+
+def test_savitsky_is_that_of_hull_native():
+    hull, own = planing()
+    result = result_of(hull)
+    native = part("bridge.native").require()
+    state = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
+    where = result.given.where
+    boat = native.planing_boat(
+        state.ship.body,
+        draft=where.draft,
+        trim=where.trim,
+        draft_at=where.draft_at,
+        water_density=where.water_density,
+        deadrise_deg=17.188734,
+        vcg=hull.hull.loading.kg,
+        thrust_arm=0.2,
+    )
+    speeds = [row["speed_m_s"] for row in result.rows]
+    wanted = native.savitsky(boat, speeds, water_density=where.water_density)
+    assert 10 < len(speeds) <= 39
+    for row, found in zip(result.rows, wanted):
+        assert row["total_kN"] == pytest.approx(found.total, rel=1e-5)
+        assert row["friction_kN"] + row["pressure_kN"] == pytest.approx(row["total_kN"])
+        assert row["trim_deg"] == pytest.approx(found.trim_deg, rel=1e-5)
+    curves = part("features.resistance.resistance_curves")
+    assert "trim [deg]" in curves.header(result) and "keel draft [m]" in curves.header(result)
+    curves.plot(result, "boat")
+    drawn = Drawn(part("panels.resistance").HULL_PT_resistance)
+    drawn.draw(context())
+
+
+def test_speeds_without_equilibrium_are_told():
+    hull, own = planing()
+    assert not [remark for remark in result_of(hull).remarks() if "left out" in remark]
+    own.thrust_arm = 7.0
+    result = result_of(hull)
+    (told,) = [remark for remark in result.remarks() if "left out" in remark]
+    assert 39 - len(result.rows) == told.count(",") > 3
+    own.thrust_arm = 50.0
+    with pytest.raises(ValueError, match="is in equilibrium"):
+        result_of(hull)
+
+
+def test_hull_files_and_variants_keep_the_settings(tmp_path):
+    hull, own = planing()
+    own.stern, own.twin_screw, own.propeller_diameter, own.chine_beam = "10", True, 0.5, 3.25
+    path = str(tmp_path / "boat.hull.json")
+    assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
+    again = bpy.context.object.hull.resistance
+    assert again.id_data is not hull
+    for name in own.bl_rna.properties.keys():
+        if name not in ("rna_type", "name"):
+            wanted = getattr(own, name)
+            is_number = isinstance(wanted, float)
+            assert getattr(again, name) == (pytest.approx(wanted) if is_number else wanted), name
+
+
 @pytest.mark.parametrize(
     "change, said",
     [

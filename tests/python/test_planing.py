@@ -102,3 +102,19 @@ def test_bad_boats():
     hull = Sample("planing_boat")
     with pytest.raises(ValueError, match="out of the water"):
         hn.planing_boat(hull.body, draft=-2.0, deadrise_deg=18.0, vcg=0.8)
+
+
+def test_rows_of_speeds_in_equilibrium():
+    boat = hn.PlaningBoat(5.0, 2.5, 17.0, 3.5, 0.8)
+    speeds = [8.0, 12.0, 16.0]
+    rows = hn.savitsky_table(boat, speeds)
+    for row, found in zip(rows, hn.savitsky(boat, speeds), strict=True):
+        assert row["total_kN"] == found.total and row["trim_deg"] == found.trim_deg
+        assert row["friction_kN"] + row["pressure_kN"] == pytest.approx(found.total, rel=1e-14)
+        assert row["speed_kn"] == pytest.approx(found.speed / 0.514444, rel=1e-5)
+    assert hn.resistance_csv(rows).splitlines()[0].startswith("speed_kn,speed_m_s,friction_kN")
+    hopeless = hn.PlaningBoat(5.0, 2.5, 17.0, 3.5, 0.8, thrust_arm=50.0)
+    with pytest.raises(ValueError, match="equilibrium"):
+        hn.savitsky_table(hopeless, speeds)
+    with pytest.raises(ValueError, match="no speeds"):
+        hn.savitsky_table(boat, [])

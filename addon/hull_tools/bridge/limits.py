@@ -9,6 +9,8 @@ from ...hull_io import limits as of_files
 # m; the longest ship has half a kilometre.
 LONGEST = of_files.LONGEST_DIMENSION
 HEAVIEST = of_files.HEAVIEST_LOAD  # t
+THICKEST = of_files.THICKEST  # m, of plating
+DENSEST = of_files.DENSEST  # t/m³
 DENSITIES = (0.5, 2.0)  # t/m³, of what floats a ship
 _ROUNDING = 1e-6  # rad: Blender keeps angles in single precision
 GREATEST_HEEL = pi + _ROUNDING

@@ -9,7 +9,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..bridge.objects import hull_objects
 from ..features import analyses
-from ..features.exchange import file_tasks, hull_files
+from ..features.exchange import file_tasks, hull_files, program_files
 from .shared import HullReader
 from .tasks import TaskOperator
 
@@ -62,6 +62,22 @@ class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
         path = bpy.path.ensure_ext(self.filepath, self.filename_ext)
         hull_files.export_hull_file(hull, scene, path)
         return "Hull file written"
+
+
+class HULL_OT_export_freeship(bpy.types.Operator, ExportHull):
+    """Write the control mesh as a FREE!ship file, in feet where the scene's units are imperial"""
+
+    bl_idname = "hull.export_freeship"
+    bl_label = "Export FREE!ship"
+
+    filename_ext = ".fbm"
+    filter_glob: StringProperty(default="*.fbm", options={"HIDDEN"})
+
+    def write(self, hull, scene):
+        path = bpy.path.ensure_ext(self.filepath, self.filename_ext)
+        for remark in program_files.export_freeship(hull, scene, path):
+            self.report({"WARNING"}, remark)
+        return "FREE!ship file written"
 
 
 def _format(*endings):
@@ -128,6 +144,33 @@ class HULL_OT_export_lines(bpy.types.Operator, ExportDrawing, ExportByTask):
         return "Lines plan written"
 
 
+class HULL_OT_export_sections(bpy.types.Operator, ExportDrawing):
+    """Write the stations for programs that know hulls by sections"""
+
+    bl_idname = "hull.export_sections"
+    bl_label = "Export Sections"
+
+    filename_ext = ".gf"
+    filter_glob: StringProperty(default="*.gf;*.hll;*.mlt;*.txt", options={"HIDDEN"})
+    format: EnumProperty(
+        name="Format",
+        description="What the file is; the name's ending says the same",
+        items=(
+            (".gf", "GHS", "The stations, in feet where the scene's units are imperial"),
+            (".hll", "Archimedes", "The stations of both sides, in metres"),
+            (".mlt", "Michlet", "Half-breadths below the water, and the speeds of Resistance"),
+            (".txt", "Text", "The stations as plain text, in metres, for PIAS and others"),
+        ),
+        options={"SKIP_SAVE"},
+    )
+
+    def write(self, hull, scene):
+        ending = os.path.splitext(self.filepath)[1].lower()
+        path = self.filepath if ending in self._endings() else self.filepath + self.format
+        program_files.export_sections(hull, scene, path)
+        return "Sections written"
+
+
 def _analysis_items(names):
     return tuple((name, *analyses.WORDS[name]) for name in names)
 
@@ -183,6 +226,8 @@ class HULL_OT_export_plot(bpy.types.Operator, ExportAnalysis, ExportDrawing, Exp
 def draw_export_menu(self, context):
     layout = self.layout
     layout.operator(HULL_OT_export_hull.bl_idname, text="Ship hull (.hull.json)")
+    layout.operator(HULL_OT_export_freeship.bl_idname, text="FREE!ship hull (.fbm)")
+    layout.operator(HULL_OT_export_sections.bl_idname, text="Hull sections (.gf, .hll, .mlt, .txt)")
     layout.operator("hull.export_step", text="Hull surface (.step)")
     layout.operator("hull.export_iges", text="Hull surface (.igs)")
     layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.pdf, .svg, .png, .dxf)")
@@ -192,6 +237,8 @@ def draw_export_menu(self, context):
 
 CLASSES = (
     HULL_OT_export_hull,
+    HULL_OT_export_freeship,
+    HULL_OT_export_sections,
     HULL_OT_export_lines,
     HULL_OT_export_table,
     HULL_OT_export_plot,

@@ -193,7 +193,7 @@ class HULL_OT_hull_from_file(bpy.types.Operator, FromGeometry, ImportHelper):
     bl_label = "Hull from File"
 
     filter_glob: StringProperty(
-        default="*.stl;*.gz;*.obj;*.step;*.stp;*.iges;*.igs;*.csv;*.txt;*.fbm;*.ftm",
+        default="*.stl;*.gz;*.obj;*.step;*.stp;*.iges;*.igs;*.csv;*.txt;*.fbm;*.ftm;*.geo",
         options={"HIDDEN"},
     )
     unit: EnumProperty(

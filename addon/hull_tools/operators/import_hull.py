@@ -30,12 +30,15 @@ def _doubts(state):
 
 
 class HULL_OT_import_hull(bpy.types.Operator, BaseOperator, ImportHelper):
-    """Read a hull from a FREE!ship file (.fbm, .ftm) or a hull file (.hull.json)"""
+    """Read a hull from a FREE!ship file (.fbm, .ftm), a hull file (.hull.json) or a file of chines
+    (.hul, .xyz, .txt)"""
 
     bl_idname = "hull.import_hull"
     bl_label = "Import Hull"
 
-    filter_glob: StringProperty(default="*.fbm;*.ftm;*.hull.json", options={"HIDDEN"})
+    filter_glob: StringProperty(
+        default="*.fbm;*.ftm;*.hull.json;*.hul;*.xyz;*.txt", options={"HIDDEN"}
+    )
 
     needs = (native_is_there, in_object_mode)
 
@@ -73,7 +76,9 @@ class HULL_OT_load_sample(bpy.types.Operator, BaseOperator):
 
 
 def draw_import_menu(self, context):
-    self.layout.operator(HULL_OT_import_hull.bl_idname, text="Ship hull (.fbm, .ftm, .hull.json)")
+    self.layout.operator(
+        HULL_OT_import_hull.bl_idname, text="Ship hull (.fbm, .ftm, .hull.json, .hul)"
+    )
     self.layout.operator(
         "hull.hull_from_file", text="Ship hull from surface or offsets (.stl, .step, .csv, …)"
     )

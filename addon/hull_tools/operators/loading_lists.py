@@ -88,6 +88,25 @@ class HULL_OT_remove_wind_area(bpy.types.Operator, RemoveEntry):
     entries, none_there = "areas", "There is no wind area"
 
 
+class HULL_OT_add_weight(bpy.types.Operator, AddEntry):
+    """Add a part of the ship to her weights: engine, outfit, mast"""
+
+    bl_idname = "hull.add_weight"
+    bl_label = "Add Weight"
+
+    def add(self, hull, scene):
+        loading.add_weight(hull)
+
+
+class HULL_OT_remove_weight(bpy.types.Operator, RemoveEntry):
+    """Remove the weight that is chosen in the list"""
+
+    bl_idname = "hull.remove_weight"
+    bl_label = "Remove Weight"
+
+    entries, none_there = "items", "There is no weight"
+
+
 CLASSES = (
     HULL_OT_add_load_case,
     HULL_OT_remove_load_case,
@@ -95,4 +114,6 @@ CLASSES = (
     HULL_OT_remove_downflooding_point,
     HULL_OT_add_wind_area,
     HULL_OT_remove_wind_area,
+    HULL_OT_add_weight,
+    HULL_OT_remove_weight,
 )

@@ -31,6 +31,7 @@ from . import (
     targets,
     transformation,
     variants,
+    weights,
 )
 
 # Panels stand in the sidebar in this order, which is that of the work: hull, surface, lines, shape,
@@ -58,6 +59,7 @@ _CLASSES = (
     *hydrostatics.CLASSES,
     *stability.CLASSES,
     *criteria.CLASSES,
+    *weights.CLASSES,
     *resistance.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,

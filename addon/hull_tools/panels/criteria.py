@@ -28,7 +28,7 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
     bl_label = "IS Code Criteria"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 5
+    bl_order = 6
 
     def draw(self, context):
         result, layout = latest_result(self.layout, context, "criteria", "IS Code, Part A")

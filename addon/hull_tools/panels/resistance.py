@@ -27,6 +27,10 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
             column.prop(own, name)
         if own.method == "MICHELL":
             layout.prop(own, "form_factor")
+        elif own.method == "SAVITSKY":
+            column = layout.column(align=True)
+            for name in ("deadrise", "chine_beam", "shaft_angle", "thrust_arm"):
+                column.prop(own, name)
         else:
             self._draw_ship(layout, own)
         result, place = latest_result(layout, context, "resistance_curves", "Over speed", _ROWS + 1)

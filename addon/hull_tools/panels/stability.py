@@ -171,7 +171,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
     bl_label = "Load Cases"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 3
+    bl_order = 4
 
     def draw(self, context):
         layout = self.layout
@@ -180,7 +180,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         if case is None:
             return
         column = layout.column(align=True)
-        for name in ("mass_t", "lcg", "tcg", "vcg"):
+        for name in ("mass_t", "lcg", "tcg", "vcg", "with_weights"):
             column.prop(case, name)
         rows = _MESSAGE_ROWS + _EQUILIBRIUM_ROWS
         equilibria, place = latest_result(layout, context, "load_cases", "Equilibrium", rows)
@@ -216,7 +216,7 @@ class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
     bl_label = "Cross Curves KN"
     bl_parent_id = "HULL_PT_stability"
     bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 4
+    bl_order = 5
 
     def draw(self, context):
         loading = hull_objects.hull_of(context.object).hull.loading
@@ -233,7 +233,7 @@ class HULL_PT_stability_remarks(HullPanel, bpy.types.Panel):
 
     bl_label = "Remarks"
     bl_parent_id = "HULL_PT_stability"
-    bl_order = 6
+    bl_order = 7
 
     def draw(self, context):
         outcome = _outcome(context, "righting_levers")

@@ -18,7 +18,6 @@ from . import (
     morph_settings,
     network_settings,
     output_settings,
-    resistance_settings,
     ship_settings,
     studio_settings,
     tag_settings,
@@ -67,7 +66,6 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     fairness: PointerProperty(type=fairness_settings.HullFairness)
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
-    resistance: PointerProperty(type=resistance_settings.HullResistance)
     plan: PointerProperty(type=output_settings.HullPlan)
     export: PointerProperty(type=export_settings.HullExport)
     studio: PointerProperty(type=studio_settings.HullStudio)
@@ -91,7 +89,6 @@ CLASSES = (
     *area_target_settings.CLASSES,
     *target_settings.CLASSES,
     *output_settings.CLASSES,
-    *resistance_settings.CLASSES,
     *export_settings.CLASSES,
     *studio_settings.CLASSES,
     *variant_settings.CLASSES,

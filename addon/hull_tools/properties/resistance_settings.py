@@ -2,10 +2,12 @@
 """Object.hull.resistance: speeds and method, and what of a ship only her designer knows. Speeds are
 in knots and areas in m² whatever the scene's units."""
 
+from math import radians
+
 import bpy
 from bpy.props import EnumProperty, FloatProperty
 
-from .shared import changed, length, switch
+from .shared import angle, changed, length, switch
 
 
 def _number(name, description, default, greatest, minimum=0.0):
@@ -32,6 +34,8 @@ class HullResistance(bpy.types.PropertyGroup):
              "factors"),
             ("MICHELL", "Michell", "ITTC 1957 line and Michell's integral over the exact surface: "
              "slender ships"),
+            ("SAVITSKY", "Savitsky", "Savitsky 1964: planing boats with chines, at the trim at "
+             "which they run"),
         ),
         default="HOLTROP",
         update=changed,
@@ -62,6 +66,18 @@ class HullResistance(bpy.types.PropertyGroup):
         "Propeller", "Its diameter, for wake and thrust deduction; 0: not reckoned"
     )
     twin_screw: switch("Twin screws", "Two propellers")
+    deadrise: angle(
+        "Deadrise", "Of the bottom, its mean where it is wet", radians(15.0), 0.0, radians(44.0)
+    )
+    chine_beam: length(
+        "Chine beam", "Mean breadth over the chines where they are wet; 0: that of the waterline"
+    )
+    shaft_angle: angle(
+        "Shaft angle", "Of the shaft against the keel", 0.0, radians(-45.0), radians(45.0)
+    )
+    thrust_arm: length(
+        "Thrust arm", "How far the shaft's line runs below the centre of gravity", minimum=None
+    )
 
 
 CLASSES = (HullResistance,)

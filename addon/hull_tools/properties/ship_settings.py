@@ -15,7 +15,14 @@ from bpy.props import (
 
 from ..bridge import limits
 from ..bridge.blender import preferences
-from . import flat_settings, line_settings, stability_settings, wind_settings
+from . import (
+    flat_settings,
+    line_settings,
+    resistance_settings,
+    stability_settings,
+    weight_settings,
+    wind_settings,
+)
 from .shared import angle, changed, length
 
 
@@ -34,6 +41,8 @@ class HullLayer(bpy.types.PropertyGroup):
         default=True,
         update=changed,
     )
+    thickness: length("Plating", "Thickness of the layer's plating; 0: that of the shell")
+    density: weight_settings.density("Of the layer's plating; 0: that of the shell")
 
 
 class ShipSettings:
@@ -95,13 +104,17 @@ class ShipSettings:
     flats: CollectionProperty(type=flat_settings.HullFlat)
     lines: PointerProperty(type=line_settings.HullLines)
     loading: PointerProperty(type=stability_settings.HullLoading)
+    weights: PointerProperty(type=weight_settings.HullWeights)
     wind: PointerProperty(type=wind_settings.HullWind)
+    resistance: PointerProperty(type=resistance_settings.HullResistance)
 
 
 CLASSES = (
     *flat_settings.CLASSES,
     *line_settings.CLASSES,
     *stability_settings.CLASSES,
+    *weight_settings.CLASSES,
     *wind_settings.CLASSES,
+    *resistance_settings.CLASSES,
     HullLayer,
 )

@@ -13,7 +13,7 @@ from bpy.props import (
     StringProperty,
 )
 
-from .shared import angle, changed, length, mass
+from .shared import angle, changed, length, mass, switch
 
 
 class HullLoadCase(bpy.types.PropertyGroup):
@@ -22,6 +22,9 @@ class HullLoadCase(bpy.types.PropertyGroup):
     lcg: length("LCG", "Centre of gravity forward of the after perpendicular", minimum=None)
     tcg: length("TCG", "Centre of gravity to port of the centre plane", minimum=None)
     vcg: length("VCG", "Centre of gravity above the base line", minimum=None)
+    with_weights: switch(
+        "And the ship's weights", "Those of Weights are added to this mass, as to a load alone"
+    )
 
 
 class HullDownfloodingPoint(bpy.types.PropertyGroup):

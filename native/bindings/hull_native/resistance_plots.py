@@ -8,6 +8,7 @@ from ._drawing import Plot
 # Parts in the order in which they are drawn, by the columns of a table.
 _PARTS = (
     ("Friction with form", ("friction_kN", "form_kN")),
+    ("Pressure", ("pressure_kN",)),
     ("Waves", ("wave_kN",)),
     ("Appendages", ("appendages_kN",)),
     ("Bulb and transom", ("bulb_kN", "transom_kN")),
@@ -18,8 +19,9 @@ _PARTS = (
 def resistance_plot(rows, *, title="Resistance", subtitles=(), others=()):
     """Total resistance and its parts over the speed in knots.
 
-    rows: of michell_table() or holtrop_table(), one at least. others: pairs (name, rows) whose
-    totals are drawn dashed beside it, such as another hull's or method's. ValueError for no rows.
+    rows: of michell_table(), holtrop_table() or savitsky_table(), one at least. others: pairs
+    (name, rows) whose totals are drawn dashed beside it, such as another hull's or method's.
+    ValueError for no rows.
     """
     rows = list(rows)
     if not rows:

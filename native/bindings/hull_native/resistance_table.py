@@ -9,6 +9,7 @@ from . import _core
 from ._resistance import GRAVITY, MichellIntegral, ittc_1957
 from .holtrop_form import holtrop_ship
 from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
+from .planing import savitsky
 
 KNOT = 1852.0 / 3600.0  # m/s
 
@@ -68,6 +69,45 @@ def holtrop_table(body, speeds, *, draft, trim=0.0, draft_at=0.0, given=None, **
     """
     ship = holtrop_ship(body, draft=draft, trim=trim, draft_at=draft_at, **(given or {}))
     return [_holtrop_row(result, ship.length) for result in holtrop(ship, speeds, **how)]
+
+
+def savitsky_table(boat, speeds, **how):
+    """A list of dicts, one for each speed in m/s at which a PlaningBoat is in equilibrium by
+    Savitsky's method; keywords as savitsky(). Other speeds, as those at which she does not plane,
+    are left out.
+
+    Keys with units: speed_kn, speed_m_s, friction_kN (along the water), pressure_kN, total_kN,
+    effective_power_kW, trim_deg, wetted_length_ratio, keel_length_m, chine_length_m, keel_draft_m,
+    and "outside" as holtrop_table(). ValueError as savitsky() where no speed is left.
+    """
+    rows, problem = [], None
+    for speed in speeds:
+        try:
+            (found,) = savitsky(boat, [speed], **how)
+        except ValueError as error:
+            problem = problem or error
+            continue
+        rows.append(_planing_row(found))
+    if not rows:
+        raise problem or ValueError("There are no speeds: give at least one.")
+    return rows
+
+
+def _planing_row(found):
+    return {
+        "speed_kn": found.speed / KNOT,
+        "speed_m_s": found.speed,
+        "friction_kN": found.total - found.pressure,
+        "pressure_kN": found.pressure,
+        "total_kN": found.total,
+        "effective_power_kW": found.effective_power,
+        "trim_deg": found.trim_deg,
+        "wetted_length_ratio": found.wetted_length_ratio,
+        "keel_length_m": found.keel_length,
+        "chine_length_m": found.chine_length,
+        "keel_draft_m": found.keel_draft,
+        "outside": "; ".join(found.outside),
+    }
 
 
 def _speed_columns(speed, length):

@@ -5,6 +5,7 @@ import zlib
 from pathlib import Path
 
 from ..bytes_on_disk import read_bytes
+from ..chines import looks_like_chines, read_chines
 from ..errors import HullFileError
 from ..freeship import is_freeship, read_stored_sections
 from ..limits import MAX_GEOMETRY_BYTES, MAX_STL_BYTES, MAX_TABLE_BYTES
@@ -16,6 +17,7 @@ from .obj import read_obj
 from .offset_curves import read_offsets
 from .offset_tables import looks_like_offsets
 from .point_lists import read_points
+from .polycad import is_polycad, read_polycad
 from .values import Geometry, GeometryMesh, polyline
 
 # Of the size, how far triangles of CAD faces may be from them.
@@ -24,8 +26,8 @@ _GZIP = b"\x1f\x8b\x08"
 
 
 def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
-    """The Geometry of a file: STEP, IGES, DXF, STL, OBJ, FREE!ship's stored sections, a table of
-    offsets or a list of points; packed by gzip all but STEP and IGES.
+    """The Geometry of a file: STEP, IGES, DXF, STL, OBJ, FREE!ship's stored sections, PolyCAD's
+    surfaces, chines, a table of offsets or a list of points; packed by gzip all but STEP and IGES.
 
     What a file is its content tells; the ending counts for OBJ and where the content tells
     nothing. progress: called with the share of the work that is done, for STEP and IGES; what it
@@ -89,6 +91,16 @@ def _stored_sections(data, name):
     return Geometry(name, "FREE!ship", "m", curves, is_half=True, on_ship_axes=True)
 
 
+def _chines(data, name):
+    found = read_chines(data, name)
+    curves = [
+        polyline(points, name=f"chine {number}", kind="knuckle")
+        for number, points in enumerate(found.curves, 1)
+    ]
+    curves = tuple(curve for curve in curves if curve is not None)
+    return Geometry(name, found.source, "m", curves, is_half=True, on_ship_axes=True)
+
+
 def _text(path, data):
     if len(data) > MAX_TABLE_BYTES:
         raise HullFileError(
@@ -101,7 +113,11 @@ def _text(path, data):
             f"{path.name}: it is no text and none of the known formats; choose a STEP, IGES, DXF, "
             "STL, OBJ, .fbm or .ftm file, a table of offsets or a list of points."
         )
+    if looks_like_chines(data, path.suffix.lower()):
+        return _chines(data, path.name)
     text = decoded(data)
+    if is_polycad(text):
+        return read_polycad(text, path.name)
     if looks_like_offsets(text):
         return read_offsets(text, path.name)
     return read_points(text, path.name)

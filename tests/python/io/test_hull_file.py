@@ -48,6 +48,10 @@ def content(**changes):
         "afloat": {"trim": -0.25, "heel_deg": 5, "deck_closed": False},
         "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False},
         "load_cases": [{"name": "ballast", "mass_t": 8, "lcg": 5, "tcg": -0.1, "vcg": 1}],
+        "weights": {"thickness": 0.01, "density": 2.7,
+                    "items": [{"name": "mast", "mass_t": 0.5, "vcg": 6}]},
+        "resistance": {"method": "savitsky", "speeds_kn": [5, 30, 2.5], "stern": -10,
+                       "deadrise_deg": 18, "thrust_arm": -0.1, "twin_screw": True},
         "openings": [{"name": "hatch", "position": [5, 1, 3]}],
         "wind": {
             "hull_profile": False,
@@ -117,7 +121,8 @@ def assert_same(first, second):
     assert first.particulars == second.particulars
     assert first.source == second.source
     for key in ("scheme", "deck_edge", "flats", "locked", "kept", "afloat", "load", "load_cases",
-                "openings", "wind", "lines", "targets", "area_target", "fields"):  # fmt: skip
+                "openings", "wind", "weights", "resistance", "lines", "targets", "area_target",
+                "fields"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key
     assert len(first.variants) == len(second.variants)
     for one, other in zip(first.variants, second.variants):
@@ -141,6 +146,10 @@ def test_a_file_is_read(read):
     assert hull.afloat == hull_io.Afloat(-0.25, 5.0, False)
     assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False)
     assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
+    assert hull.weights == hull_io.Weights(0.01, 2.7, [hull_io.Weight("mast", 0.5, vcg=6.0)])
+    assert hull.resistance == hull_io.Resistance(
+        "savitsky", (5.0, 30.0, 2.5), stern=-10, deadrise_deg=18.0, thrust_arm=-0.1, twin_screw=True
+    )
     assert hull.openings == [hull_io.Opening("hatch", (5.0, 1.0, 3.0))]
     areas = [hull_io.WindArea("house", 20.0, 4.5), hull_io.WindArea("Wind area", 5.0)]
     assert hull.wind == hull_io.Wind(False, areas, 3.5, 252.0, 1.5, True, 4.0)
@@ -318,6 +327,14 @@ MISTAKES = {
     ),
     "load mass null": (content(load={"mass_t": None}), "load.mass_t: NoneType is not a number"),
     "load cases": (content(load_cases={}), "load_cases: dict is no list"),
+    "weights key": (content(weights={"steel": 1}), 'weights: the key "steel" is unknown'),
+    "plating": (content(weights={"thickness": 11}), "weights.thickness: 11"),
+    "weight mass": (content(weights={"items": [{}]}), "weights.items[0].mass_t: it is missing"),
+    "layer plating": (content(layers=[{"density": -1}] * 2), "layers[0].density: -1"),
+    "resistance method": (content(resistance={"method": "guess"}), "resistance.method: "),
+    "resistance stern": (content(resistance={"stern": True}), "resistance.stern: "),
+    "resistance speeds": (content(resistance={"speeds_kn": [1, 2]}), "resistance.speeds_kn"),
+    "deadrise": (content(resistance={"deadrise_deg": 60}), "resistance.deadrise_deg: 60"),
     "load case": (content(load_cases=[7]), "load_cases[0]: 7 is no object"),
     "load case key": (content(load_cases=[{"kg": 1}]), 'load_cases[0]: the key "kg" is unknown'),
     "load case mass": (content(load_cases=[{}]), "load_cases[0].mass_t: it is missing"),

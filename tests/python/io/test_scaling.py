@@ -38,6 +38,8 @@ def paths(cls, before=""):
         "load_cases": hull_io.LoadCase, "openings": hull_io.Opening, "wind": hull_io.Wind,
         "areas": hull_io.WindArea, "lines": hull_io.LineChoice, "planes": hull_io.CutPlane,
         "targets": hull_io.Targets, "rows": hull_io.Target, "area_target": hull_io.AreaTarget,
+        "weights": hull_io.Weights, "items": hull_io.Weight,
+        "resistance": hull_io.Resistance,
         "fields": hull_io.ShapeField, "end": hull_io.FieldEnd,
     }  # fmt: skip
     for field in dataclasses.fields(cls):

@@ -20,7 +20,7 @@ from ..fairness import knuckle_angles
 from ..hull import hull_state
 from ..lines import offset_table
 from ..resistance import resistance_curves
-from ..stability import criteria, cross_curves, load_cases, righting_levers
+from ..stability import criteria, cross_curves, load_cases, righting_levers, weights
 from ..variants import area_differences, differences
 
 ANALYSES = {
@@ -31,6 +31,7 @@ ANALYSES = {
     "cross_curves": cross_curves,
     "criteria": criteria,
     "load_cases": load_cases,
+    "weights": weights,
     "resistance_curves": resistance_curves,
     "offset_table": offset_table,
     "knuckle_angles": knuckle_angles,
@@ -63,6 +64,7 @@ WORDS = {
         "2008 IS Code, Part A, 2.2 and 2.3, for the load of the stability panel",
     ),
     "load_cases": ("Load cases", "How the hull floats under each load case, or why it does not"),
+    "weights": ("Weights", "What the ship weighs without load: plating and list, and the sum"),
     "resistance_curves": (
         "Resistance",
         "Resistance and power over speeds, by the method of the panel",
@@ -85,7 +87,9 @@ WORDS = {
     ),
 }
 
-_UNPLOTTED = ("criteria", "load_cases", "offset_table", "differences", "area_differences")
+_UNPLOTTED = (
+    *("criteria", "load_cases", "weights", "offset_table", "differences", "area_differences"),
+)
 DRAWN_BESIDE = ("sectional_areas",)
 PLOTTED = {name: module for name, module in ANALYSES.items() if name not in _UNPLOTTED}
 

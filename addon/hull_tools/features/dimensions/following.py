@@ -33,8 +33,14 @@ FOLLOWING = {
     "loading.load_cases.lcg": "at x",
     "loading.load_cases.tcg": "at y",
     "loading.load_cases.vcg": "at z",
+    "weights.items.mass_t": "volume",
+    "weights.items.lcg": "at x",
+    "weights.items.tcg": "at y",
+    "weights.items.vcg": "at z",
     "resistance.appendage_area": "profile",
     "resistance.propeller_diameter": "z",
+    "resistance.chine_beam": "y",
+    "resistance.thrust_arm": "z",
     "wind.areas.area": "profile",
     "wind.areas.z": "at z",
     "wind.lever": "z",
@@ -66,9 +72,10 @@ STAYING = frozenset(
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
     fairness.accepted.line fairness.accepted.mark
+    layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
-    resistance.appendage_factor table.trims plots.size
+    resistance.appendage_factor resistance.deadrise resistance.shaft_angle table.trims plots.size
     plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach

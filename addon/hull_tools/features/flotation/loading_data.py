@@ -3,7 +3,17 @@
 
 from math import degrees, radians
 
-from ....hull_io.hull_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
+from ....hull_io.hull_data import (
+    Afloat,
+    Load,
+    LoadCase,
+    Opening,
+    Resistance,
+    Weight,
+    Weights,
+    Wind,
+    WindArea,
+)
 from ...bridge.blender.units import as_stored, as_typed
 
 _CENTRE = ("lcg", "tcg", "vcg")
@@ -27,12 +37,55 @@ def give_loading(settings, hull, scale):
         entry.name, entry.mass_t = case.name, case.mass_t
         for key in _CENTRE:
             setattr(entry, key, getattr(case, key) / scale)
+        entry.with_weights = case.with_weights
+    _give_weights(settings.weights, hull.weights, scale)
     for opening in hull.openings:
         entry = loading.downflooding_points.add()
         entry.name = opening.name
         entry.position = [value / scale for value in opening.position]
+    _give_resistance(settings.resistance, hull.resistance, scale)
     if hull.wind is not None:
         _give_wind(settings.wind, hull.wind, scale)
+
+
+def _give_weights(settings, weights, scale):
+    settings.thickness, settings.density = weights.thickness / scale, weights.density
+    for item in weights.items:
+        entry = settings.items.add()
+        entry.name, entry.mass_t = item.name, item.mass_t
+        for key in _CENTRE:
+            setattr(entry, key, getattr(item, key) / scale)
+
+
+_SPEEDS = ("speed_from", "speed_to", "speed_step")
+_RESISTANCE_LENGTHS = ("propeller_diameter", "chine_beam", "thrust_arm")
+_RESISTANCE_NUMBERS = ("form_factor", "appendage_area", "appendage_factor")
+
+
+def _give_resistance(settings, own, scale):
+    settings.method, settings.stern = own.method.upper(), str(own.stern)
+    for name, speed in zip(_SPEEDS, own.speeds_kn):
+        setattr(settings, name, speed)
+    for name in _RESISTANCE_NUMBERS:
+        setattr(settings, name, getattr(own, name))
+    for name in _RESISTANCE_LENGTHS:
+        setattr(settings, name, getattr(own, name) / scale)
+    settings.twin_screw = own.twin_screw
+    settings.deadrise = radians(own.deadrise_deg)
+    settings.shaft_angle = radians(own.shaft_angle_deg)
+
+
+def _taken_resistance(settings, metres):
+    return Resistance(
+        method=settings.method.lower(),
+        speeds_kn=tuple(as_stored(getattr(settings, name)) for name in _SPEEDS),
+        stern=int(settings.stern),
+        twin_screw=settings.twin_screw,
+        deadrise_deg=as_typed(degrees(settings.deadrise)),
+        shaft_angle_deg=as_typed(degrees(settings.shaft_angle)),
+        **{name: as_stored(getattr(settings, name)) for name in _RESISTANCE_NUMBERS},
+        **{name: metres(getattr(settings, name)) for name in _RESISTANCE_LENGTHS},
+    )
 
 
 def _give_wind(settings, wind, scale):
@@ -66,17 +119,25 @@ def take_loading(settings, scale):
             loading.kg_is_guess,
         ),
         "load_cases": [
-            LoadCase(
-                case.name, as_stored(case.mass_t), *(metres(getattr(case, key)) for key in _CENTRE)
-            )
-            for case in loading.load_cases
+            LoadCase(*_named_mass(case, metres), case.with_weights) for case in loading.load_cases
         ],
+        "weights": Weights(
+            metres(settings.weights.thickness),
+            as_stored(settings.weights.density),
+            [Weight(*_named_mass(item, metres)) for item in settings.weights.items],
+        ),
         "openings": [
             Opening(point.name, tuple(metres(value) for value in point.position))
             for point in loading.downflooding_points
         ],
         "wind": _taken_wind(settings.wind, metres),
+        "resistance": _taken_resistance(settings.resistance, metres),
     }
+
+
+def _named_mass(entry, metres):
+    """Name, mass in t and centre in m of an entry of a list."""
+    return entry.name, as_stored(entry.mass_t), *(metres(getattr(entry, key)) for key in _CENTRE)
 
 
 def _taken_wind(settings, metres):

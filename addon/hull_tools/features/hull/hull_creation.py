@@ -60,7 +60,7 @@ def give_ship(obj, hull, scale, known=()):
     mesh_arrays.write_faces(mesh, np.asarray(hull.points) / scale, sizes, corners)
     mesh_arrays.write_tags(mesh, hull.creases, hull.corners, hull.deck_edge)
     obj.hull.half = hull.half
-    _add_layers(obj, hull, known)
+    _add_layers(obj, hull, known, scale)
     _copy_particulars(obj.hull, hull, scale)
     loading_data.give_loading(obj.hull, hull, scale)
     if hull.lines is not None:
@@ -73,7 +73,7 @@ def give_ship(obj, hull, scale, known=()):
     _fill_particulars(obj)
 
 
-def _add_layers(obj, hull, known):
+def _add_layers(obj, hull, known, scale):
     for index, layer in enumerate(hull.layers):
         key, material = known[index] if index < len(known) else (None, None)
         if key != (layer.name, layer.colour):
@@ -83,6 +83,7 @@ def _add_layers(obj, hull, known):
         entry.name = layer.name
         entry.material = material
         entry.in_hydrostatics = layer.in_hydrostatics
+        entry.thickness, entry.density = layer.thickness / scale, layer.density
     if hull.layers:
         slots = np.array(hull.face_layers, dtype=np.int32)
         obj.data.polygons.foreach_set("material_index", slots)

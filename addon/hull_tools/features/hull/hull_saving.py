@@ -39,7 +39,7 @@ def ship_data(obj, scale):
         face.tolist() for face in np.split(data.face_vertices, np.cumsum(data.face_sizes)[:-1])
     ]
     of_faces = mesh_arrays.edges_of_faces(data)
-    layers = _layers(obj)
+    layers = _layers(obj, scale)
     return HullData(
         name=obj.name,
         points=units.all_as_stored(data.points) * scale,
@@ -81,12 +81,19 @@ def _kept(mesh):
     return Kept(**{name: found.along(axis).tolist() for axis, name in enumerate(KEPT_IN)})
 
 
-def _layers(obj):
+def _layers(obj, scale):
     excluded = hull_objects.excluded_slots(obj)
-    return [
+    found = [
         _layer(slot.material, index, index not in excluded)
         for index, slot in enumerate(obj.material_slots)
     ] or [Layer()]
+    plating = {entry.material: entry for entry in obj.hull.layers}
+    for layer, slot in zip(found, obj.material_slots):
+        if slot.material in plating:
+            entry = plating[slot.material]
+            layer.thickness = units.as_stored(entry.thickness) * scale
+            layer.density = units.as_stored(entry.density)
+    return found
 
 
 def _layer(material, index, in_hydrostatics):

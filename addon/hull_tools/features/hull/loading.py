@@ -9,6 +9,7 @@ _LISTS = {
     "load_cases": ("loading", "active_load_case"),
     "downflooding_points": ("loading", "active_downflooding_point"),
     "areas": ("wind", "active_area"),
+    "items": ("weights", "active_item"),
 }
 
 
@@ -46,8 +47,19 @@ def add_wind_area(obj):
     return area
 
 
+def add_weight(obj):
+    """A weight amidships, of no mass as yet; returns it."""
+    settings, weights = obj.hull, obj.hull.weights
+    item = weights.items.add()
+    item.name = f"Weight {len(weights.items)}"
+    item.lcg, item.vcg = 0.5 * settings.length_pp, settings.depth
+    weights.active_item = len(weights.items) - 1
+    return item
+
+
 def entries_of(obj, name):
-    """The list of that name: "load_cases", "downflooding_points" or "areas" of the wind."""
+    """The list of that name: "load_cases", "downflooding_points", "areas" of the wind or "items"
+    of the weights."""
     return getattr(getattr(obj.hull, _LISTS[name][0]), name)
 
 

@@ -13,7 +13,11 @@ IS_LIVE = False
 
 KNOT = 1852.0 / 3600.0  # m/s
 
-NAMES = {"HOLTROP": "Holtrop and Mennen 1984", "MICHELL": "ITTC 1957 and Michell"}
+NAMES = {
+    "HOLTROP": "Holtrop and Mennen 1984",
+    "MICHELL": "ITTC 1957 and Michell",
+    "SAVITSKY": "Savitsky 1964",
+}
 
 
 @dataclass(frozen=True)
@@ -25,6 +29,7 @@ class Inputs:
     stern: float
     appendages: tuple  # (area in m², 1 + k2), or none
     propeller: tuple  # (diameter in m, screws), or none
+    planing: tuple  # pairs (argument of hull_native.planing_boat, value), with Savitsky alone
 
 
 @dataclass(frozen=True)
@@ -37,6 +42,11 @@ class Result:
         told = dict.fromkeys(row.get("outside", "") for row in self.rows)
         parts = dict.fromkeys(part for text in told for part in text.split("; ") if part)
         yield from (f"Out of the method's range: {part}" for part in _first_of_each(parts))
+        known = {row["speed_m_s"] for row in self.rows}
+        left_out = [speed for speed in self.given.speeds if speed not in known]
+        if left_out and self.given.method == "SAVITSKY":
+            knots = ", ".join(f"{speed / KNOT:.4g}" for speed in left_out)
+            yield f"No equilibrium by Savitsky's formulas, and left out: {knots} kn"
         worst = max((_error(row) for row in self.rows), default=0.0)
         if worst > 0.01:
             yield f"The wave resistance is known to {100.0 * worst:.1f} % only: the ends are blunt"
@@ -84,7 +94,26 @@ def inputs(settings, metres_per_unit):
         float(own.stern),
         (area, factor) if area > 0.0 else (),
         (diameter, 2 if own.twin_screw else 1) if diameter > 0.0 else (),
+        _planing(settings, metres_per_unit) if own.method == "SAVITSKY" else (),
     )
+
+
+def _planing(settings, metres_per_unit):
+    own = settings.resistance
+
+    def metres(value, name, least):
+        length = as_typed(value) * metres_per_unit
+        return limits.within(length, f"{name} in m", least, limits.LONGEST)
+
+    found = {
+        "deadrise_deg": math.degrees(afloat.as_typed_angle(own.deadrise)),
+        "vcg": metres(settings.loading.kg, "VCG", 0.0),
+        "thrust_angle_deg": math.degrees(afloat.as_typed_angle(own.shaft_angle)),
+        "thrust_arm": metres(own.thrust_arm, "Thrust arm", -limits.LONGEST),
+    }
+    if beam := metres(own.chine_beam, "Chine beam", 0.0):
+        found["beam"] = beam
+    return tuple(found.items())
 
 
 def compute(ship, given):
@@ -100,6 +129,11 @@ def compute(ship, given):
             **position,
         )
         return Result(rows, given)
+    if given.method == "SAVITSKY":
+        boat = hull_native.planing_boat(
+            ship.body, water_density=density, **position, **dict(given.planing)
+        )
+        return Result(hull_native.savitsky_table(boat, given.speeds, water_density=density), given)
     own = {"stern_coefficient": given.stern}
     if given.appendages:
         own["appendages"] = (given.appendages,)
@@ -114,7 +148,7 @@ def compute(ship, given):
 
 
 # What ends the names of hull_native's columns; others have no unit, but for texts.
-_UNITS = {"kn": "kn", "kN": "kN", "kW": "kW", "m_s": "m/s"}
+_UNITS = {"kn": "kn", "kN": "kN", "kW": "kW", "m_s": "m/s", "m": "m", "deg": "deg"}
 
 
 def _heading(column):

@@ -7,7 +7,7 @@ from math import degrees
 from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ..flotation import afloat
-from . import loads
+from . import loads, weights
 
 IS_LIVE = False
 
@@ -19,12 +19,14 @@ class Case:
     name: str
     mass_t: float
     centre: tuple  # LCG, TCG, VCG in m
+    with_weights: bool = False  # whether the ship's are to be added
 
 
 @dataclass(frozen=True)
 class Inputs:
     cases: tuple
     where: afloat.Afloat
+    ship: object  # weights.Inputs where a case has her weights, else None
 
 
 @dataclass(frozen=True)
@@ -54,19 +56,33 @@ def inputs(settings, metres_per_unit):
                 loads.within_a_ship(value, one.name, metres_per_unit)
                 for value in (one.lcg, one.tcg, one.vcg)
             ),
+            one.with_weights,
         )
         for one in settings.loading.load_cases
     )
-    return Inputs(cases, afloat.afloat(settings, metres_per_unit).upright())
+    ship = None
+    if any(case.with_weights for case in cases):
+        ship = weights.inputs(settings, metres_per_unit)
+    return Inputs(cases, afloat.afloat(settings, metres_per_unit).upright(), ship)
 
 
 def compute(ship, given):
     """A CaseEquilibrium of each case."""
     found = []
+    parts = weights.compute(ship, given.ship).parts if given.ship else ()
     for case in given.cases:
         ship.tell(len(found), len(given.cases))
-        found.append(_equilibrium(ship.body, case, given.where))
+        found.append(_equilibrium(ship.body, _with_weights(case, parts), given.where))
     return found
+
+
+def _with_weights(case, parts):
+    """The Case with the ship's weights in it, where it wants them."""
+    if not case.with_weights:
+        return case
+    load = weights.Part(case.name, case.mass_t, case.centre)
+    both = weights.total(case.name, (*parts, load))
+    return Case(case.name, both.mass_t, both.centre, True)
 
 
 def _equilibrium(body, case, where):

@@ -19,7 +19,9 @@ SHARED = (
     "flats",
     "lines",
     "loading",
+    "weights",
     "wind",
+    "resistance",
 )
 
 # Of the lines, what is the view's alone.

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a hull file tells of how the resistance is reckoned.
+
+    "resistance": {"method": "holtrop", "michell" or "savitsky", "speeds_kn": [first, last, step],
+                   "form_factor": 1 + k, "stern": -25, -10, 0 or 10, "appendage_area": m2,
+                   "appendage_factor": 1 + k2, "propeller_diameter": m, "twin_screw": false,
+                   "deadrise_deg": degrees, "chine_beam": m, "shaft_angle_deg": degrees,
+                   "thrust_arm": m}
+
+All may be left out; lengths and areas of 0 are not given.
+"""
+
+from .checked_json import shown
+from .hull_data import RESISTANCE_METHODS, STERNS, Resistance
+from .limits import FASTEST_KN, LARGEST_WIND_AREA, LONGEST_DIMENSION
+
+KEY = "resistance"
+# Least and greatest number.
+_NUMBERS = {
+    "form_factor": (0.0, 10.0),
+    "appendage_area": (0.0, LARGEST_WIND_AREA),
+    "appendage_factor": (0.0, 10.0),
+    "propeller_diameter": (0.0, LONGEST_DIMENSION),
+    "deadrise_deg": (0.0, 44.0),
+    "chine_beam": (0.0, LONGEST_DIMENSION),
+    "shaft_angle_deg": (-45.0, 45.0),
+    "thrust_arm": (-LONGEST_DIMENSION, LONGEST_DIMENSION),
+}
+
+
+def parsed(check, content):
+    """The Resistance of a hull file's content; raises HullFileError."""
+    known = ("method", "speeds_kn", "stern", "twin_screw", *_NUMBERS)
+    entries = check.object(content.get(KEY, {}), KEY, known)
+    found = Resistance()
+    for name, bounds in _NUMBERS.items():
+        value = entries.get(name, getattr(found, name))
+        setattr(found, name, check.number(value, f"{KEY}.{name}", *bounds))
+    found.method = _one_of(check, entries, "method", RESISTANCE_METHODS, found.method)
+    found.stern = _one_of(check, entries, "stern", STERNS, found.stern)
+    found.twin_screw = check.flag(entries.get("twin_screw", False), f"{KEY}.twin_screw")
+    speeds = check.list(entries.get("speeds_kn", list(found.speeds_kn)), f"{KEY}.speeds_kn", 3)
+    found.speeds_kn = tuple(
+        check.number(speed, f"{KEY}.speeds_kn", 0.0, FASTEST_KN) for speed in speeds
+    )
+    return found
+
+
+def _one_of(check, entries, name, choices, usual):
+    value = entries.get(name, usual)
+    if isinstance(value, bool) or value not in choices:
+        raise check.error(
+            f"{KEY}.{name}",
+            f"{shown(value)} is unknown",
+            f"write one of {', '.join(map(str, choices))}",
+        )
+    return value
+
+
+def entries(data):
+    """What a hull file says of a HullData's resistance, by its key; nothing of the usual one."""
+    own = data.resistance
+    if own == Resistance():
+        return {}
+    return {
+        KEY: {
+            "method": own.method,
+            "speeds_kn": [float(speed) for speed in own.speeds_kn],
+            "stern": int(own.stern),
+            "twin_screw": bool(own.twin_screw),
+            **{name: float(getattr(own, name)) for name in _NUMBERS},
+        }
+    }

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files for FREE!ship, GHS, Archimedes, Michlet and as text, by the operators; chines imported."""
+
+import sys
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import LENGTH, ROOT, add_hull, hull_io, mesh_points, part, sample
+
+sys.path.append(str(ROOT / "tests" / "python" / "io"))
+
+from chine_boats import carlson, curves  # noqa: E402
+from section_file_readers import (  # noqa: E402
+    read_archimedes,
+    read_ghs,
+    read_michlet,
+    read_section_text,
+)
+
+
+@pytest.fixture
+def box():
+    hull = add_hull()
+    hull.hull.length_pp, hull.hull.beam, hull.hull.draft = LENGTH, 4.0, 2.0
+    hull.hull.lines.station_count = 4
+    return hull
+
+
+def test_freeship_files_read_back(tmp_path):
+    hull = sample("coaster")
+    path = tmp_path / "coaster.fbm"
+    points, draft = mesh_points(hull), hull.hull.draft
+    assert bpy.ops.hull.export_freeship(filepath=str(path)) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    again = bpy.context.object
+    assert again is not hull and np.array_equal(mesh_points(again), points)
+    assert again.hull.draft == pytest.approx(draft, rel=1e-6)
+    assert len(again.material_slots) == len(hull.material_slots)
+
+
+def test_an_imperial_scene_writes_feet(box, tmp_path):
+    bpy.context.scene.unit_settings.system = "IMPERIAL"
+    path = tmp_path / "box.fbm"
+    bpy.ops.hull.export_freeship(filepath=str(path))
+    read = hull_io().read_hull(path)
+    assert read.units == "ft"
+    np.testing.assert_allclose(read.points, mesh_points(box), atol=1e-6)
+    assert read.particulars.water_density == pytest.approx(box.hull.water_density, rel=1e-6)
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "box.gf"))
+    header, sections, _ = read_ghs((tmp_path / "box.gf").read_bytes().decode())
+    assert header["P"] == "F"
+    np.testing.assert_allclose([x for x, _ in sections], [10, 7.5, 5, 2.5, 0], atol=1e-5)
+
+
+def test_sections_of_a_box(box, tmp_path):
+    corner = [(0.0, 0.0), (2.0, 0.0), (2.0, 3.0)]
+    for ending in ("gf", "hll", "txt", "mlt"):
+        path = str(tmp_path / f"box.{ending}")
+        assert bpy.ops.hull.export_sections(filepath=path) == {"FINISHED"}
+    _, sections, _ = read_ghs((tmp_path / "box.gf").read_bytes().decode())
+    assert [round(x, 5) for x, _ in sections] == [10.0, 7.5, 5.0, 2.5, 0.0]
+    for _, points in sections:
+        assert {tuple(p) for p in points.round(5).tolist()} >= {*corner, (0.0, 3.0)}
+    _, sections = read_archimedes((tmp_path / "box.hll").read_text())
+    for _, points in sections:
+        assert (points.min(), points[:, 1].max()) == (-2.0, 3.0)
+    _, sections = read_section_text((tmp_path / "box.txt").read_text())
+    for _, rows in sections:
+        assert rows[(rows[:, :2] == (2.0, 0.0)).all(axis=1), 2] == [1.0]
+    _, offsets, values = read_michlet((tmp_path / "box.mlt").read_bytes().decode())
+    assert offsets.shape == (81, 41) and (offsets[1:-1, 1:] == 2.0).all()
+    assert [float(value) for value in values[:3]] == pytest.approx([80.0, 10.0, 2.0])
+
+
+def test_an_ending_is_added(box, tmp_path):
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "box"), format=".hll")
+    assert [path.name for path in tmp_path.iterdir()] == ["box.hll"]
+
+
+def test_sides_that_differ_are_refused(tmp_path):
+    hull = sample("coaster")
+    assert bpy.ops.hull.make_whole() == {"FINISHED"}
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.txt"))
+    hull.data.vertices[0].co.y += 1.0
+    hull.data.update()
+    with pytest.raises(RuntimeError, match="two sides differ"):
+        bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.gf"))
+
+
+def test_two_hulls_are_refused(tmp_path):
+    sample("catamaran")
+    with pytest.raises(RuntimeError, match="parts beside one another"):
+        bpy.ops.hull.export_sections(filepath=str(tmp_path / "catamaran.gf"))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_hull_without_stations_is_told(box, tmp_path):
+    box.hull.length_pp = 0.0
+    with pytest.raises(RuntimeError, match="There are no stations"):
+        bpy.ops.hull.export_sections(filepath=str(tmp_path / "box.gf"))
+
+
+def test_chines_become_a_hull(tmp_path):
+    path = tmp_path / "skiff.hul"
+    path.write_text(carlson(curves()))
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    hull = bpy.context.object
+    assert hull.name.startswith("Skiff") and hull.hull.half
+    state = part("features.hull.hull_state").state_of(hull)
+    assert not state.status and state.ship.surface is not None
