@@ -140,8 +140,8 @@ class PatchMeasure {
       if (kAlmost * found.value <= found_.distance.value) return;
       // A little farther, so that the foot that is known is found: without one all that is as near
       // would be cut to parts.
-      const surface::ClosestPoint closest = surface::closest_point(
-          gauge_.tree, found.point, found.value + gauge_.negligible());
+      const surface::ClosestPoint closest =
+          surface::closest_point(gauge_.tree, found.point, found.value + gauge_.negligible());
       if (closest.cell >= 0 && closest.distance < found.value) {
         const CellPoint place{closest.cell, closest.u, closest.v};
         found_.distance.take(closest.distance, found.point, place);

@@ -46,8 +46,9 @@ struct ClosestPoint {
 // may turn by more.
 //
 // Work is bounded: after 2,000 pieces and parts of pieces (p near the centre of a sphere, say), gap
-// is doubled at every further 500, and a foot within gap of max_distance may be missed. Over irregular knots, where pieces shrink without end, a query
-// may take a millisecond, and 70 at valence 64.
+// is doubled at every further 500, and a foot within gap of max_distance may be missed. Over
+// irregular knots, where pieces shrink without end, a query may take a millisecond, and 70 at
+// valence 64.
 //
 // Throws std::invalid_argument unless p is finite and max_distance >= 0.
 ClosestPoint closest_point(const SurfaceTree& tree, const Vector3d& p,
