@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender's own operators on meshes and objects, called with arguments by chance."""
 
+import functools
+
 import bpy
 import numpy as np
 
@@ -114,6 +116,7 @@ def in_an_order_by_chance(modules, left_out, random):
     return random.sample(names, len(names))
 
 
+@functools.cache  # asking Blender for them takes longer than most of them
 def _names(module):
     return sorted(dir(getattr(bpy.ops, module)))
 

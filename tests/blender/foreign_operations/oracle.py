@@ -205,7 +205,13 @@ def _of_lines(state, wanted):
     if state.lines.groups.keys() != wanted.keys():
         return [f"lines of {sorted(state.lines.groups)}, afresh of {sorted(wanted)}"]
     for kind, group in wanted.items():
-        ours, theirs = state.lines.groups[kind].polylines, group.polylines
-        if len(ours) != len(theirs) or not all(map(np.array_equal, ours, theirs)):
+        if not _are_same(state.lines.groups[kind].polylines, group.polylines):
             return [f"lines of kind {kind} are not those of the surface"]
     return []
+
+
+def _are_same(lines, others):
+    """Whether polylines (k, 3) are the same, point by point."""
+    if list(map(len, lines)) != list(map(len, others)):
+        return False
+    return not len(lines) or np.array_equal(np.concatenate(lines), np.concatenate(others))
