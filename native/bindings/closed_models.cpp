@@ -56,6 +56,11 @@ void bind_slices(py::module_& module) {
   py::class_<ModelLayers>(module, "ModelLayers", "A ClosedModel in layers of one thickness.")
       .def_readonly("thickness", &ModelLayers::thickness)
       .def_readonly("bottom", &ModelLayers::bottom, "z of the model's lowest point.")
+      .def_property_readonly(
+          "tops", [](const ModelLayers& layers) { return to_array(layers.tops); },
+          "(n,) z of the layers' upper surfaces; the last is the model's highest point.")
+      .def_property_readonly("volume", &ModelLayers::volume,
+                             "The sum of the slices' areas times the layers' thickness.")
       .def_readonly("slices", &ModelLayers::slices,
                     "A list of ModelSlice, at the middle of each layer, from below.");
 }

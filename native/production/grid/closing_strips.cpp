@@ -99,6 +99,11 @@ void ClosingStrips::close_to_point(const BorderLoop& loop) {
 }
 
 void ClosingStrips::close_to_own_plane(const BorderLoop& loop) {
+  const bool is_flat = std::all_of(loop.points.begin(), loop.points.end(), [&](int p) {
+    return std::abs(grid_.points[p].y() - loop.end.y()) <= no_length_;
+  });
+  // A pole, or a border that lies in the plane: there is nothing to close.
+  if (is_flat) return;
   std::vector<Line> lines;
   for (const auto& [from, to] : lines_across(grid_.points, loop.points, loop.end.y())) {
     lines.push_back({from, to, {}});

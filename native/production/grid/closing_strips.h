@@ -24,7 +24,9 @@ BorderLoop loop_closed_by(const analysis::ClosingPatch& closing, bool mirrored, 
 // Closes loops of a grid by quadrilaterals between straight lines.
 class ClosingStrips {
  public:
-  ClosingStrips(HullGrid& grid, const GridOptions& options) : grid_(grid), options_(options) {}
+  // no_length: what is no longer is a point, m.
+  ClosingStrips(HullGrid& grid, const GridOptions& options, double no_length)
+      : grid_(grid), options_(options), no_length_(no_length) {}
 
   // To the points' images in the centre plane, or, if `images` are given (by point), to these.
   void close_to_centre_plane(const BorderLoop& loop, const std::vector<int>* images);
@@ -48,6 +50,7 @@ class ClosingStrips {
 
   HullGrid& grid_;
   const GridOptions& options_;
+  double no_length_;
 };
 
 }  // namespace hull::production

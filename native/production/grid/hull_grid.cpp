@@ -27,7 +27,7 @@ class GridBuilder {
     // The shell's image comes before all closings: their common sides are the shell's.
     std::vector<int> images;
     if (body_.mirrored() && options_.both_sides) images = add_image();
-    ClosingStrips strips(grid_, options_);
+    ClosingStrips strips(grid_, options_, kNoLength * surface_.mesh().size());
     for (const BorderLoop& loop : loops) {
       close(loop, images, strips);
       if (!images.empty() && loop.kind != ClosingKind::kToCentrePlane) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "mesh/tolerances.h"
 #include "production/grid/hull_grid.h"
 
 namespace hull::production {
@@ -51,6 +52,29 @@ void compress(ClosedModel& model) {
   model.points = std::move(points);
 }
 
+// Sides no longer than `near` become points, triangles that have one are left out.
+void weld(ClosedModel& model, double near) {
+  std::vector<int> one(model.points.size());
+  std::iota(one.begin(), one.end(), 0);
+  const auto root = [&one](int p) {
+    while (one[p] != p) p = one[p] = one[one[p]];
+    return p;
+  };
+  for (const std::array<int, 3>& triangle : model.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = root(triangle[k]), b = root(triangle[(k + 1) % 3]);
+      if ((model.points[a] - model.points[b]).norm() <= near) one[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::array<int, 3>> kept;
+  for (const auto& [a, b, c] : model.triangles) {
+    const std::array<int, 3> t{root(a), root(b), root(c)};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) kept.push_back(t);
+  }
+  model.triangles = std::move(kept);
+  compress(model);
+}
+
 }  // namespace
 
 double ClosedModel::volume() const {
@@ -83,7 +107,7 @@ ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance)
   model.triangles.reserve(2 * grid.quads.size());
   for (const std::array<int, 4>& quad : grid.quads) add_quad(grid, quad, model);
   model.points = std::move(grid.points);
-  compress(model);
+  weld(model, kNoLength * surface.mesh().size());
   return model;
 }
 
@@ -93,33 +117,12 @@ ClosedModel scaled(const ClosedModel& model, double factor) {
     words << "A model's lengths are multiplied by a positive number, not " << factor << ".";
     throw std::invalid_argument(words.str());
   }
-  ClosedModel result;
-  for (const Vector3d& p : model.points) {
-    result.points.push_back((factor * p).cast<float>().cast<double>());
-  }
-  std::vector<int> one(model.points.size());
-  std::iota(one.begin(), one.end(), 0);
-  const auto root = [&one](int p) {
-    while (one[p] != p) p = one[p] = one[one[p]];
-    return p;
-  };
-  for (const std::array<int, 3>& triangle : model.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = root(triangle[k]), b = root(triangle[(k + 1) % 3]);
-      if (result.points[a] == result.points[b]) one[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  for (const auto& [a, b, c] : model.triangles) {
-    const std::array<int, 3> triangle{root(a), root(b), root(c)};
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
-      continue;
-    }
-    result.triangles.push_back(triangle);
-  }
+  ClosedModel result = model;
+  for (Vector3d& p : result.points) p = (factor * p).cast<float>().cast<double>();
+  weld(result, 0.0);
   if (result.triangles.empty()) {
     throw std::invalid_argument("At this scale nothing is left of the model; take a larger one.");
   }
-  compress(result);
   return result;
 }
 

@@ -117,14 +117,31 @@ ModelLayers layers(const ClosedModel& model, double thickness) {
     high = std::max(high, p.z());
   }
   const double count = std::ceil((high - low) / thickness - 1e-9);
+  if (count < 1.0) {
+    throw std::invalid_argument("The model has no height to be divided into layers.");
+  }
   if (count > kMostLayers) {
     words << "Layers of " << thickness << " are more than " << kMostLayers << ". "
           << (high - low) / kMostLayers << " would do.";
     throw std::invalid_argument(words.str());
   }
+  ModelLayers result{thickness, low, {}, {}};
   std::vector<double> middles;
-  for (int i = 0; i < count; ++i) middles.push_back(low + (i + 0.5) * thickness);
-  return {thickness, low, slices(model, middles)};
+  for (int i = 0; i < count; ++i) {
+    const double bottom = low + i * thickness;
+    result.tops.push_back(i + 1 < count ? bottom + thickness : high);
+    middles.push_back(0.5 * (bottom + result.tops.back()));
+  }
+  result.slices = slices(model, middles);
+  return result;
+}
+
+double ModelLayers::volume() const {
+  double sum = 0.0, under = bottom;
+  for (std::size_t i = 0; i < slices.size(); under = tops[i++]) {
+    sum += slices[i].area() * (tops[i] - under);
+  }
+  return sum;
 }
 
 }  // namespace hull::production

@@ -23,14 +23,15 @@ std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<doubl
 
 inline constexpr double kMostLayers = 100000;
 
-// Layers of a model from its lowest point up, of the given thickness, the last of them as thick:
-// their upper surfaces, and the sections at their middles, whose areas times the thickness sum to
+// Layers of a model from its lowest point up, of one thickness but for the last, which ends at the
+// highest point: with the sections at their middles, whose areas times the layers' thickness sum to
 // the volume but for the square of the thickness.
 struct ModelLayers {
   double thickness, bottom;
+  std::vector<double> tops;        // heights of the layers' upper surfaces
   std::vector<ModelSlice> slices;  // at the middles
 
-  double top(int layer) const { return bottom + (layer + 1) * thickness; }
+  double volume() const;  // by that sum
 };
 
 // Throws std::invalid_argument unless the thickness is positive and makes at most kMostLayers.
