@@ -31,7 +31,7 @@ from .hull_data import (
 from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
 from .model_files import write_3mf, write_cli
-from .panel_files import panel_areas, write_gdf, write_nemoh, write_obj
+from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .stl import read_stl, write_stl
@@ -62,6 +62,7 @@ __all__ = [
     "Variant",
     "Wind",
     "WindArea",
+    "gdf_title",
     "panel_areas",
     "read_area_table",
     "read_hull",

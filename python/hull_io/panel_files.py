@@ -22,6 +22,12 @@ _SAME_POINT = 1e-6
 _NO_AREA = 1e-10
 
 
+def gdf_title(name):
+    """The name as a header of write_gdf: letters that are not ASCII as "?", cut to 72."""
+    text = " ".join(name.split()).encode("ascii", "replace").decode("ascii")
+    return "".join(letter if letter.isprintable() else "?" for letter in text)[:_LONGEST_HEADER]
+
+
 def panel_areas(points, panels):
     """(m,) of panels, by half the cross product of the diagonals."""
     a, b, c, d = np.asarray(points, dtype=float)[np.asarray(panels)].transpose(1, 0, 2)
@@ -78,9 +84,7 @@ def write_obj(path, points, faces):
         for face in corners
         if len(face) > 2
     )
-    write_bytes(
-        Path(path), b"# Hull Tools, metres\n" + lines_of(points, "v %.10g %.10g %.10g") + text
-    )
+    write_bytes(Path(path), b"# Hull Tools\n" + lines_of(points, "v %.10g %.10g %.10g") + text)
 
 
 def _with_triangles(points, panels, same):

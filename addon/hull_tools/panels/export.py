@@ -19,6 +19,8 @@ class HULL_PT_export(HullPanel, bpy.types.Panel):
         column.operator("hull.export_iges", icon="EXPORT")
         column.operator("hull.export_lines", icon="EXPORT")
         column.operator("hull.export_hull", icon="EXPORT")
+        column.operator("hull.export_model", icon="EXPORT")
+        column.operator("hull.export_panels", icon="EXPORT")
         problem = cad_files.problem_of(hull_objects.hull_of(context.object))
         if problem is not None:
             box = self.layout.box()
