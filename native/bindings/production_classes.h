@@ -8,5 +8,6 @@ namespace hull::bindings {
 
 void bind_wetted_panels(pybind11::module_& module);
 void bind_closed_models(pybind11::module_& module);
+void bind_developable(pybind11::module_& module);
 
 }  // namespace hull::bindings

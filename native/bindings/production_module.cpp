@@ -9,5 +9,6 @@ PYBIND11_MODULE(_production, module) {
   join_core(module);
   bind_wetted_panels(module);
   bind_closed_models(module);
+  bind_developable(module);
   refuse_unmade_instances(module);
 }

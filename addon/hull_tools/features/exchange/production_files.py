@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models of a hull and panels of its wetted part, written beside Blender's own work: tasks, as those
-of file_tasks are."""
+"""Models of a hull and panels of its wetted part, written beside Blender's own work: tasks, as
+those of file_tasks are."""
 
 from pathlib import Path
 
@@ -24,7 +24,7 @@ _MILLIMETRES = 1000.0
 
 
 class ModelFile(jobs.JobTask):
-    """A closed model at 1 : `scale` in mm, by the name's ending .stl, .3mf, .obj, or .cli in layers.
+    """A closed model at 1 : `scale` in mm, by the name's ending .stl, .3mf, .obj; .cli: its layers.
 
     tolerance, layer: of the model, in mm.
     """
@@ -32,7 +32,8 @@ class ModelFile(jobs.JobTask):
     text = "Making the model"
 
     def __init__(self, obj, scene, path, *, scale, tolerance, layer):
-        source = hull_state.up_to_date(obj, scene).ship.source
+        self.state = hull_state.up_to_date(obj, scene)
+        source = self.state.ship.source
         hull_native, title = native.require(), obj.name
         factor = _MILLIMETRES / scale
 
@@ -82,7 +83,8 @@ class PanelFile(jobs.JobTask):
     def __init__(self, obj, scene, path, *, along, grading):
         scale = units.metres_per_unit(scene)
         where = afloat.afloat(obj.hull, scale)
-        source = hull_state.up_to_date(obj, scene).ship.source
+        self.state = hull_state.up_to_date(obj, scene)
+        source = self.state.ship.source
         hull_native, title = native.require(), gdf_title(obj.name)
 
         def work(progress):
