@@ -15,6 +15,8 @@ namespace {
 constexpr double kNearWater = 0.3;
 // … or this, where they would leave a knuckle.
 constexpr double kAtWater = 1e-3;
+// Twice the area, of the longer diagonal's square, of what is a line.
+constexpr double kNoPanel = 1e-10;
 
 std::uint64_t side_key(int a, int b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<unsigned>(std::max(a, b));
@@ -229,6 +231,11 @@ void WaterCut::add_polygon(Polygon polygon) {
 }
 
 void WaterCut::add_panel(const Polygon& polygon) {
+  const Vector3d &a = points_[polygon[0]], &b = points_[polygon[1]], &c = points_[polygon[2]],
+                 &d = points_[polygon.back()];
+  // Where closing lines run along the border itself nothing lies between them.
+  const double longest = std::max((c - a).squaredNorm(), (d - b).squaredNorm());
+  if ((c - a).cross(d - b).norm() <= kNoPanel * longest) return;
   panels_.push_back({polygon[0], polygon[1], polygon[2], polygon.back()});
 }
 

@@ -20,7 +20,7 @@ class WaterCut {
   bool in_water_plane(int point) const { return label_[point] == 0; }
 
   // Counter-clockwise from the water; the last corner of a triangle is there twice. None has three
-  // different corners in the water's surface, or lies in it.
+  // different corners in the water's surface, lies in it, or is a line.
   const std::vector<std::array<int, 4>>& panels() const { return panels_; }
 
  private:

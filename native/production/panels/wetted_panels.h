@@ -38,7 +38,9 @@ struct PanelMesh {
 // is the water's nearest point to (origin_x, 0, 0) of the ship.
 //
 // Sides of panels that pass the water's surface end where the exact surface does; corners near it
-// are moved there, along lines of the surface. Volumes are off by the square of the panels' size.
+// are moved there, along lines of the surface. Where a border runs athwartships, as above a
+// transom, closing lines run along it: what lies between them has no area and is left out. Volumes
+// are off by the square of the panels' size.
 //
 // Throws std::invalid_argument for sizes that are none, for a hull out of the water, and as
 // HullBody::immersion().
