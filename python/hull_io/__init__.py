@@ -34,6 +34,8 @@ from .hull_data import (
 )
 from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
+from .model_files import write_3mf, write_cli
+from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .stl import read_stl, write_stl
@@ -67,6 +69,8 @@ __all__ = [
     "Weights",
     "Wind",
     "WindArea",
+    "gdf_title",
+    "panel_areas",
     "read_area_table",
     "read_hull",
     "read_hull_file",
@@ -78,6 +82,11 @@ __all__ = [
     "to_dimensions",
     "to_dimensions_keeping",
     "write_freeship",
+    "write_3mf",
+    "write_cli",
+    "write_gdf",
     "write_hull_file",
+    "write_nemoh",
+    "write_obj",
     "write_stl",
 ]
