@@ -66,11 +66,13 @@ class FittedHull:
     fit: object
 
 
-def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=True, progress=None):
+def fit_shell(
+    shell, *, tolerance=None, budget=None, stern_post=True, knuckles=True, progress=None, loft=None
+):  # fmt: skip
     """The FittedHull of a HullShell. tolerance, m; budget: control points at most; stern_post,
-    knuckles: whether such as are found are laid out. ValueError where the shell has no outline that
-    a hull can be laid along."""
-    outline = shell_outline(shell)
+    knuckles: whether such as are found are laid out; loft: the LoftedHull that the shell is of.
+    ValueError where the shell has no outline that a hull can be laid along."""
+    outline = shell_outline(shell) if loft is None else loft.outline
     if not stern_post and outline.aft is not None:
         outline.arch = outline.post = None
     if not knuckles:
@@ -79,7 +81,7 @@ def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=T
     if not 0.0 < tolerance < np.inf:
         raise ValueError("The tolerance has to be above zero.")
     budget = BUDGET if budget is None else int(budget)
-    trial = _Trial(shell, outline, tolerance, budget)
+    trial = _Trial(shell, outline, tolerance, budget, loft)
     ways = [way for way in _WAYS if way.with_knuckles]
     if outline.knuckles:
         ways += [way for way in _WAYS if not way.with_knuckles]
@@ -125,11 +127,11 @@ class _Tried:
 class _Trial:
     """Fits of one shell in several ways."""
 
-    def __init__(self, shell, outline, tolerance, budget):
+    def __init__(self, shell, outline, tolerance, budget, loft):
         mesh = shell.mesh
         self.outline, self.tolerance, self.budget = outline, tolerance, budget
-        self.girths = GirthLines(outline, (mesh.points, mesh.triangles))
-        self.targets = shell_targets(mesh)
+        self.girths = loft.girths if loft else GirthLines(outline, (mesh.points, mesh.triangles))
+        self.targets = shell_targets(mesh) if loft is None else loft.targets
         self.flats = extreme_flats(outline, _station_places(outline, self.girths))
         self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
 

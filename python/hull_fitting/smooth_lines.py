@@ -9,24 +9,26 @@ from .beside import points_at, smooth_curve
 _LEAST = 4
 
 
-def line_through(points, parameters, parts, is_sharp=None, flats=()):
+def line_through(points, parameters, parts, is_sharp=None, flats=(), start=None, end=None):
     """(parts * (n - 1) + 1, 3) places along a line through points (n, 3) with rising parameters
     (n,), `parts` of them evenly between two points. is_sharp (n,): where it has knuckles. flats:
     pairs (first, last) of points between which it is straight; it is tangent to that at its ends.
+    start, end: directions (3,) that it begins and ends along.
     """
     steps = np.arange(parts * (len(points) - 1) + 1) / parts
     at = np.interp(steps, np.arange(len(points)), parameters)
     fine = points_at(points, parameters, at)
     sharp = set() if is_sharp is None else set(np.flatnonzero(is_sharp).tolist())
-    cuts = {0, len(points) - 1, *sharp, *(end for flat in flats for end in flat)}
+    cuts = {0, len(points) - 1, *sharp, *(border for flat in flats for border in flat)}
     cuts = sorted(cut for cut in cuts if 0 <= cut < len(points))
     straight = {i for first, last in flats for i in range(first, last)}
     tangents = {
-        end: points[last] - points[first]
+        border: points[last] - points[first]
         for first, last in flats
-        for end in (first, last)
-        if end not in sharp
+        for border in (first, last)
+        if border not in sharp
     }
+    tangents.update({at: way for at, way in ((0, start), (len(points) - 1, end)) if way is not None})
     for low, high in zip(cuts, cuts[1:]):
         if low in straight:
             continue
