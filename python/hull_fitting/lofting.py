@@ -80,7 +80,7 @@ def _surface(curves, girths):
     numbers = np.arange(points.shape[0] * points.shape[1]).reshape(points.shape[:2])
     a, b = numbers[:-1, :-1].ravel(), numbers[1:, :-1].ravel()
     c, d = numbers[1:, 1:].ravel(), numbers[:-1, 1:].ravel()
-    triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    triangles = np.concatenate([np.stack([a, c, b], axis=1), np.stack([a, d, c], axis=1)])
     points = points.reshape(-1, 3)
     is_central = (points[triangles][:, :, 1] == 0.0).all(axis=1)
     return points, triangles[~is_central]

@@ -22,10 +22,11 @@ def station_line(station, length):
     points, tolerance = station.points, _FLAT * length
     flats = runs(np.abs(np.diff(points[:, 2])) < tolerance)[:1]
     flats = [flat for flat in flats if flat[0] == 0]
+    has_bottom = bool(flats)
     outermost = np.abs(points[:, 1] - points[:, 1].max()) < tolerance
     flats += runs(outermost[1:] & outermost[:-1])
     start = None
-    if not flats and len(points) > 2 and points[0, 1] < _SAME * length:
+    if not has_bottom and len(points) > 2 and points[0, 1] < _SAME * length:
         start = np.array([0.0, 1.0, 0.0]) if _is_round(points[:3, 1:], False) else None
     fine = line_through(points, _centripetal(points), _FINE, station.sharp, flats, start=start)
     fine[:, 0] = station.x
