@@ -46,6 +46,8 @@ _WAYS = (
     _Way(10, False, 3e-6, False),
     _Way(11, True, 1e-6, False),
 )
+# Of few points, as of a table, a surface is to be fair between them.
+_WAYS_OF_TABLE = (_Way(11, True, 1e-5), _Way(10, False, 1e-5))
 # Of the tolerance: what misses no more than this is good enough.
 _GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.
@@ -85,7 +87,9 @@ def fit_shell(
     ways = [way for way in _WAYS if way.with_knuckles]
     if outline.knuckles:
         ways += [way for way in _WAYS if not way.with_knuckles]
-    tried = _Tried(trial, len(ways) + len(_FAIRER), progress)
+    # Of a table area and volume are too little known to tell folds.
+    ways, fairer = (ways, _FAIRER) if loft is None else (_WAYS_OF_TABLE, ())
+    tried = _Tried(trial, len(ways) + len(fairer), progress)
     for way in ways:
         tried.add(way)
         if tried.best is not None and tried.best[0] < _GOOD * tolerance:
@@ -93,7 +97,7 @@ def fit_shell(
     if tried.best is None:
         raise tried.refused
     way = tried.best[2]
-    for times in _FAIRER:
+    for times in fairer:
         if tried.best[1] > _FOLDED:
             tried.add(replace(way, fairness=times * way.fairness))
     fit = tried.best[3]
@@ -132,6 +136,7 @@ class _Trial:
         self.outline, self.tolerance, self.budget = outline, tolerance, budget
         self.girths = loft.girths if loft else GirthLines(outline, (mesh.points, mesh.triangles))
         self.targets = shell_targets(mesh) if loft is None else loft.targets
+        self.wanted = self.targets.points if loft is None else loft.told
         self.flats = extreme_flats(outline, _station_places(outline, self.girths))
         self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
 
@@ -154,7 +159,7 @@ class _Trial:
             told = part_of(progress, *(_BEGUN * (number + k) / len(_FIRST) for k in (0, 1)))
             fit.run(evenness, 0.0, steps, told)
         first, most = len(fit.points), max(self.budget, len(fit.points) + 1)
-        additions = RowsAndColumns(self.targets.points, _AIM * self.tolerance, self.budget)
+        additions = RowsAndColumns(self.wanted, _AIM * self.tolerance, self.budget)
         while additions.add_to(fit):
             fit = self._fit(grid, way)
             done = _BEGUN + (_ADDED - _BEGUN) * (len(fit.points) - first) / (most - first)

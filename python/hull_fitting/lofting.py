@@ -18,7 +18,7 @@ from .half_meshes import HalfMesh
 from .outlines import end_lines
 from .shells import HullShell
 from .table_curves import table_curves
-from .table_lines import station_line, waterline_lines
+from .table_lines import waterline_lines
 from .table_sections import TableSections
 
 # Stations at least; of the length: how far their first points may be from the centre plane.
@@ -27,7 +27,7 @@ _LEAST, _CENTRE = 5, 1e-3
 _SECTIONS, _ACROSS = 160, 96
 # Of the length: steps along lines; what places of lines count for beside points of the table, and
 # what they count for on waterlines.
-_STEP, _BETWEEN, _ON_WATERLINES = 1 / 250, 0.1, 0.5
+_STEP, _BETWEEN, _ON_WATERLINES = 1 / 250, 0.3, 1.0
 
 
 @dataclass(frozen=True)
@@ -58,12 +58,12 @@ def lofted(geometry):
             f"{geometry.name}: its stations do not begin at the centre plane; give the heights of "
             "the keel, as a line Profile or Buttock 0."
         )
-    lines = [station_line(station, length) for station in whole]
     waterlines = waterline_lines(curves)
     outline = _outline(curves)
     girths = TableSections(curves, outline, waterlines)
     points, triangles = _surface(curves, girths)
     shell = HullShell(HalfMesh(points, triangles, outline.length), {}, 0.0)
+    lines = [line for station in whole for line in girths.lines_at(station.x)]
     targets, told = _targets(curves, lines, waterlines)
     return LoftedHull(shell, outline, girths, targets, told)
 
@@ -72,7 +72,7 @@ def _surface(curves, girths):
     """(points, triangles) through sections."""
     low, high = girths.outline.low[0], girths.outline.high[0]
     xs = np.linspace(low, high, _SECTIONS + 1)[1:-1]
-    lines = [line for line in (girths.whole_line(float(x)) for x in xs) if line is not None]
+    lines = [np.concatenate(pieces) for x in xs if (pieces := girths.lines_at(float(x)))]
     lines = [curves.aft, *lines] if curves.aft is not None else lines
     lines = [*lines, curves.forward] if curves.forward is not None else lines
     shares = np.linspace(0.0, 1.0, _ACROSS + 1)

@@ -4,7 +4,7 @@
 import numpy as np
 
 from .beside import points_at, smooth_curve
-from .conic_pieces import between, tangents_at
+from .conic_pieces import bend_of, between, tangents_at
 
 # Points that a spline is laid through at least.
 _LEAST = 4
@@ -49,12 +49,13 @@ def line_through(points, parameters, parts, is_sharp=None, flats=(), start=None,
 def _is_smooth(points, at):
     """Whether a line (in a plane across) turns at one of its points by no more than arcs would that
     turn on beside it: the rim of a flat is no knuckle, though it may be tagged as one."""
-    if not 2 <= at < len(points) - 2:
-        return False
-    before, after = tangents_at(points[at - 2 : at + 1]), tangents_at(points[at : at + 3])
+    if not 0 < at < len(points) - 1:
+        return True
+    before = tangents_at(points[max(0, at - 2) : at + 1])
+    after = tangents_at(points[at : at + 3])
     ways = np.diff(points[at - 1 : at + 2], axis=0)
     turn = _turn(ways[0], ways[1])
-    beside = np.array([_turn(before[1], ways[0]), _turn(ways[1], after[1])])
+    beside = np.array([_turn(before[-2], ways[0]), _turn(ways[1], after[1])])
     return abs(turn) - np.abs(beside[beside * turn > 0.0]).sum() < _RIM
 
 
@@ -77,7 +78,10 @@ def _piece(points, parameters, at, at_start, at_end):
     for i in np.flatnonzero(turns[:-1] | turns[1:]):
         inside = (at >= parameters[i]) & (at <= parameters[i + 1])
         shares = (at[inside] - parameters[i]) / (parameters[i + 1] - parameters[i])
-        found[inside] = between(points[i], points[i + 1], tangents[i], tangents[i + 1], shares)
+        bends = bend_of(points[max(0, i - 2) : i + 1]), bend_of(points[i + 1 : i + 4])
+        found[inside] = between(
+            points[i], points[i + 1], tangents[i], tangents[i + 1], shares, bends
+        )
     return found
 
 

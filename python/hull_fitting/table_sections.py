@@ -92,20 +92,16 @@ class TableSections:
         there = where_x_is(deck, x)
         return points_at(deck, lengths_along(deck), there[-1]) if there else None
 
-    def whole_line(self, x):
-        """(n, 3) m: all of the section at x from the lowest place of the contour to the deck edge,
-        along the centre plane where the contour is crossed more than once; None without."""
+    def lines_at(self, x):
+        """The pieces (n, 3), m, of the section at x from below: from where the contour is crossed
+        to where it is next, or to the deck edge."""
         contour = self.outline.contour
         heights = sorted(
             float(points_at(contour, self._lengths, t)[2]) for t in where_x_is(contour, x)
         )
-        parts = []
-        for i in range(0, len(heights), 2):
-            high = heights[i + 1] if i + 1 < len(heights) else np.inf
-            line = self.piece(x, heights[i], high)
-            if line is not None:
-                parts.append(line)
-        return np.concatenate(parts) if parts else None
+        ends = [*heights, np.inf] if len(heights) % 2 else heights
+        pieces = (self.piece(x, *ends[i : i + 2]) for i in range(0, len(ends), 2))
+        return [line for line in pieces if line is not None]
 
 
 def _breadth(pieces, x):
