@@ -29,8 +29,8 @@ bend_shares, end_to_end, foot_on, lengths_along, points_at, where_x_is = _beside
     *("bend_shares", "end_to_end", "foot_on", "lengths_along", "points_at", "where_x_is"),
 )
 
-GeometryMesh, guess_hull, oriented = _beside(
-    "hull_io.geometry", "GeometryMesh", "guess_hull", "oriented"
+guess_hull, oriented, placed_views = _beside(
+    "hull_io.geometry", "guess_hull", "oriented", "placed_views"
 )
 Flat, HullData, Kept, Layer, Particulars, edge_key = _beside(
     "hull_io.hull_data", "Flat", "HullData", "Kept", "Layer", "Particulars", "edge_key"

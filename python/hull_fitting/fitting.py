@@ -48,6 +48,8 @@ _WAYS = (
 )
 # Of few points, as of a table, a surface is to be fair between them.
 _WAYS_OF_TABLE = (_Way(11, True, 1e-5), _Way(10, False, 1e-5))
+# Rows and columns at most: of hulls for which there are few points.
+_LAYOUTS = ((99, 99), (6, 5), (4, 4), (3, 3))
 # Of the tolerance: what misses no more than this is good enough.
 _GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.
@@ -142,15 +144,13 @@ class _Trial:
 
     def fitted(self, way, progress):
         """The GridFit of a _Way."""
-        columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
         outline = self.outline if way.with_knuckles else replace(self.outline, knuckles=[])
-        columns = max(columns, len(outline.knuckles) + 3)
-        at = row_places(self.outline, self.girths, way.rows)
-        grid = laid_grid(
-            outline, columns, way.rows, girths=self.girths, at=at, post_columns=_AT_POST
-        )
-        fit = self._fit(grid, way)
-        if len(fit.points) > self.budget:
+        for layout in _LAYOUTS:
+            grid = self._grid(outline, way, *layout)
+            fit = self._fit(grid, way)
+            if len(fit.points) <= self.budget:
+                break
+        else:
             raise ValueError(
                 f"The simplest layout has {len(fit.points)} control points, more than the budget "
                 f"of {self.budget}: give a larger one."
@@ -171,6 +171,16 @@ class _Trial:
             fit.run(evenness, 0.0, steps, part_of(progress, done, done + share))
             fit.heed(self.tolerance)
         return fit
+
+    def _grid(self, outline, way, most_rows, most_columns):
+        columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
+        columns = max(min(columns, most_columns), len(outline.knuckles) + 2)
+        if most_columns > _COLUMNS:
+            columns = max(columns, len(outline.knuckles) + 3)
+        rows = min(way.rows, most_rows)
+        at = row_places(self.outline, self.girths, rows)
+        post = min(_AT_POST, columns - 1)
+        return laid_grid(outline, columns, rows, girths=self.girths, at=at, post_columns=post)
 
     def _fit(self, grid, way):
         return GridFit(grid, self.targets, self.flats, way.rows_stay, way.fairness)

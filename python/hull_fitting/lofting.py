@@ -21,8 +21,6 @@ from .table_curves import table_curves
 from .table_lines import waterline_lines
 from .table_sections import TableSections
 
-# Stations at least; of the length: how far their first points may be from the centre plane.
-_LEAST, _CENTRE = 5, 1e-3
 # Sections that the surface is through, and places on each.
 _SECTIONS, _ACROSS = 160, 96
 # Of the length: steps along lines; what places of lines count for beside points of the table, and
@@ -46,24 +44,12 @@ def lofted(geometry):
     """The LoftedHull of an oriented Geometry of a half hull. ValueError where there are fewer than
     five stations from the keel to the deck."""
     curves = table_curves(geometry)
-    length = curves.length
-    whole = [station for station in curves.stations if len(station.points) > 2]
-    if len(whole) < _LEAST:
-        raise ValueError(
-            f"{geometry.name}: it has no surface and {len(whole)} stations from the keel to the "
-            f"deck; give a surface, or {_LEAST} stations at least."
-        )
-    if np.median([station.points[0, 1] for station in whole]) > _CENTRE * length:
-        raise ValueError(
-            f"{geometry.name}: its stations do not begin at the centre plane; give the heights of "
-            "the keel, as a line Profile or Buttock 0."
-        )
     waterlines = waterline_lines(curves)
     outline = _outline(curves)
     girths = TableSections(curves, outline, waterlines)
     points, triangles = _surface(curves, girths)
     shell = HullShell(HalfMesh(points, triangles, outline.length), {}, 0.0)
-    lines = [line for station in whole for line in girths.lines_at(station.x)]
+    lines = [line for x in sorted({s.x for s in curves.stations}) for line in girths.lines_at(x)]
     targets, told = _targets(curves, lines, waterlines)
     return LoftedHull(shell, outline, girths, targets, told)
 
@@ -111,8 +97,10 @@ def _plane_of(rim):
 
 def _targets(curves, lines, waterlines):
     """(NetworkTargets, the table's points)."""
-    told = np.concatenate([station.points for station in curves.stations])
     step = _STEP * curves.length
+    told = np.concatenate(
+        [_spread(s.points, step) if s.is_dense else s.points for s in curves.stations]
+    )
     parts = [(told, 1.0)]
     parts += [(_spread(line, step), _BETWEEN) for line in lines]
     parts += [(_spread(line, step), _BETWEEN * _ON_WATERLINES) for line in waterlines]

@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from .beside import guess_hull, oriented
+from .beside import guess_hull, oriented, placed_views
 from .fitting import TOLERANCE, fit_shell
 from .half_meshes import half_mesh
 from .hull_files import hull_data, particulars_of
@@ -37,6 +37,7 @@ def hull_from_geometry(
     stern_post, knuckles: whether such as are found are laid out; name: of the hull, instead of the
     geometry's; progress: called with the share that is done, what it raises ends the work; known:
     what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
+    geometry = placed_views(geometry)
     guess = guess_hull(geometry, **known)
     placed = oriented(geometry, guess)
     loft, beside = None, 0.0

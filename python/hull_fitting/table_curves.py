@@ -9,6 +9,8 @@ import numpy as np
 
 from .beside import end_to_end, foot_on, lengths_along, points_at
 
+# Stations at least; points of a line that is drawn and no table's.
+_LEAST, _DENSE = 5, 60
 # Of the length: how far points of a station may be from its plane, ends of its pieces from one
 # another, what is in the centre plane.
 _IN_PLANE, _JOINED, _CENTRE = 1e-6, 1e-3, 1e-6
@@ -27,6 +29,11 @@ class Station:
     points: np.ndarray
     sharp: np.ndarray
 
+    @property
+    def is_dense(self):
+        """Whether it is a drawn curve rather than the few points of a table."""
+        return len(self.points) > _DENSE
+
     def at_height(self, z, tolerance):
         """y of its points at a height; of several the largest. None without."""
         near = np.abs(self.points[:, 2] - z) < tolerance
@@ -37,7 +44,7 @@ class Station:
 class TableCurves:
     """profile (n, 3): from the deck aft along the contour to the deck forward; deck (n, 3): from
     aft; aft, forward: rims of flat ends, upwards, or None; knuckles: lines; levels: z of the
-    waterlines; is_told: whether the profile's ends were."""
+    waterlines of tables; drawn: waterlines (n, 3) that are curves themselves; is_told: whether the profile's ends were."""
 
     length: float
     stations: list
@@ -47,17 +54,30 @@ class TableCurves:
     forward: object = None
     knuckles: list = field(default_factory=list)
     levels: list = field(default_factory=list)
+    drawn: list = field(default_factory=list)
     is_told: bool = True
 
 
 def table_curves(geometry):
-    """The TableCurves of an oriented Geometry of a half hull."""
+    """The TableCurves of an oriented Geometry of a half hull. ValueError where there are fewer than
+    five stations from the keel to the deck."""
     length = float(np.ptp(geometry.all_points()[:, 0]))
     stations = _stations(geometry, length)
     found = TableCurves(length, stations)
-    found.levels = sorted({float(c.points[0, 2]) for c in _of(geometry, "waterline")})
-    if len(stations) < 2:
-        return found
+    waterlines = [curve.points for curve in _of(geometry, "waterline")]
+    found.drawn = [points for points in waterlines if len(points) > _DENSE]
+    found.levels = sorted({float(p[0, 2]) for p in waterlines if len(p) <= _DENSE})
+    whole = [station for station in stations if len(station.points) > 2]
+    if len(whole) < _LEAST:
+        raise ValueError(
+            f"{geometry.name}: it has no surface and {len(whole)} stations from the keel to the "
+            f"deck; give a surface, or {_LEAST} stations at least."
+        )
+    if np.median([station.points[0, 1] for station in whole]) > _JOINED * length:
+        raise ValueError(
+            f"{geometry.name}: its stations do not begin at the centre plane; give the heights of "
+            "the keel, as a line Profile or Buttock 0."
+        )
     found.knuckles = [c.points for c in _of(geometry, "knuckle")]
     _find_profile(found, geometry)
     _find_deck(found, geometry)
@@ -79,14 +99,16 @@ def _stations(geometry, length):
     for key in sorted(at_x):
         curves = at_x[key]
         lines = end_to_end([curve.points for curve in curves], _JOINED * length, -2.0)
-        line = max(lines, key=lambda one: lengths_along(one)[-1])
-        if line[0, 1] > line[-1, 1] or line[0, 1] == line[-1, 1] and line[0, 2] > line[-1, 2]:
-            line = line[::-1]
         sharp = np.concatenate([curve.points[curve.knuckles] for curve in curves])
-        is_sharp = (line[:, None] == sharp[None]).all(axis=2).any(axis=1)
-        if len(line) > 1:
+        longest = max(lines, key=lambda one: lengths_along(one)[-1])
+        for line in lines:
+            if line is not longest and len(line) <= _DENSE:
+                continue
+            if line[0, 1] > line[-1, 1] or line[0, 1] == line[-1, 1] and line[0, 2] > line[-1, 2]:
+                line = line[::-1]
+            is_sharp = (line[:, None] == sharp[None]).all(axis=2).any(axis=1)
             found.append(Station(float(line[0, 0]), line, is_sharp))
-    return found
+    return [station for station in found if len(station.points) > 1]
 
 
 def _find_profile(found, geometry):
@@ -99,6 +121,7 @@ def _find_profile(found, geometry):
     keel = np.array([s.points[0] for s in found.stations if s.points[0, 1] < _CENTRE * length])
     middle = 0.5 * (xs[0] + xs[-1])
     ends = {"aft": None, "forward": None}
+    in_space = end_to_end(in_space, _JOINED * 1e-2 * length, -2.0)
     for line in in_space:
         line = line if line[0, 0] < line[-1, 0] else line[::-1]
         if line[0, 0] < middle < line[-1, 0]:

@@ -20,6 +20,8 @@ def station_line(station, length):
     """(n, 3) along a smooth curve through a station's points, but for its knuckles; flat bottom and
     flat side are straight."""
     points, tolerance = station.points, _FLAT * length
+    if station.is_dense:
+        return points.copy()
     flats = runs(np.abs(np.diff(points[:, 2])) < tolerance)[:1]
     flats = [flat for flat in flats if flat[0] == 0]
     has_bottom = bool(flats)
@@ -36,7 +38,7 @@ def station_line(station, length):
 
 def waterline_lines(curves):
     """Lists of (n, 3): the pieces of each waterline of TableCurves, from aft."""
-    found = []
+    found = [line if line[0, 0] < line[-1, 0] else line[::-1] for line in curves.drawn]
     for z in curves.levels:
         for piece in _pieces(curves, z):
             line = _waterline(curves, *piece)

@@ -9,7 +9,7 @@ from .table_curves import Station
 from .table_lines import station_line
 
 # Of the length: a station is at x; heights are the same; the contour is within the keel's part.
-_AT, _SAME, _SLACK = 2e-4, 1e-6, 1e-6
+_AT, _SAME, _SLACK, _NEAR = 2e-4, 1e-6, 1e-6, 1e-3
 
 
 class TableSections:
@@ -53,7 +53,11 @@ class TableSections:
         length, same = self.outline.length, _SAME * self.outline.length
         for station in self._curves.stations:
             is_there = abs(station.x - x) < _AT * length
-            if is_there and high == np.inf and abs(station.points[0, 2] - low) < 1e-3 * length:
+            ends = station.points[[0, -1], 2]
+            is_there &= abs(ends[0] - low) < _NEAR * length
+            if station.is_dense and high < np.inf:
+                is_there &= abs(ends[1] - high) < _NEAR * length
+            if is_there and (high == np.inf or station.is_dense):
                 line = station_line(station, length)
                 line[:, 0] = x
                 return line

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The three views of a lines plan put together in space, by its layers: BASE_LINE and CENTRE_LINE
+tell where the views are, GRID where stations, waterlines and buttocks; which curve is which follows
+from the other views, whose curves it has to meet.
+
+The layers are those of the add-on's own drawings (docs/lines-plan.md).
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .values import polyline
+
+# Of the length: curves of two views meet where they are no further apart; ends are the same.
+_MEETS, _SAME = 4e-5, 1e-5
+# Of the distance of two views: curves reach so far below their lines.
+_BELOW = 0.1
+_NEEDED = ("BASE_LINE", "CENTRE_LINE", "GRID", "STATIONS", "WATERLINES", "OUTLINE")
+
+
+def placed_views(geometry):
+    """The Geometry of a lines plan with its curves in space, x forward, y to port, z up; any other
+    geometry as it is. What can't be placed is told in left_out."""
+    layers = {}
+    for curve in geometry.curves:
+        if np.ptp(curve.points[:, 2]) == 0.0:
+            layers.setdefault(curve.group.upper(), []).append(curve.points[:, :2])
+    if geometry.meshes or not all(layers.get(name) for name in _NEEDED):
+        return geometry
+    views = _views(layers)
+    if views is None:
+        return geometry
+    placer = _Placer(layers, views)
+    curves = placer.curves()
+    left_out = list(geometry.left_out)
+    if placer.lost:
+        left_out.append(f"Curves of the lines plan that fit to no other view ({placer.lost}).")
+    return replace(
+        geometry, curves=tuple(c for c in curves if c is not None), left_out=tuple(left_out),
+        is_half=True, on_ship_axes=True,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Views:
+    """base: y of the profile's base line; centre: y of the half-breadth plan's centre line; body:
+    (x of the body plan's centre line, y of its base line); body_box: (low (2,), high (2,))."""
+
+    base: float
+    centre: float
+    body: tuple
+    body_box: tuple
+
+    def view_of(self, points):
+        low, high = self.body_box
+        if (points >= low).all() and (points <= high).all():
+            return "body"
+        # Both are drawn upwards from their lines; a keel may be a little below.
+        lower, upper = sorted((self.base, self.centre))
+        is_upper = points[:, 1].mean() > upper - _BELOW * (upper - lower)
+        return "profile" if is_upper == (self.base > self.centre) else "plan"
+
+
+def _views(layers):
+    lines = {name: np.array([c[[0, -1]] for c in layers[name]]) for name in _NEEDED[:2]}
+    level = {
+        name: one[np.abs(one[:, 0, 1] - one[:, 1, 1]) < 1e-9 * np.ptp(one)]
+        for name, one in lines.items()
+    }
+    upright = [one for one in lines["CENTRE_LINE"] if one[0, 0] == one[1, 0]]
+    if len(level["BASE_LINE"]) < 2 or not len(level["CENTRE_LINE"]) or len(upright) != 1:
+        return None
+    bases = sorted(level["BASE_LINE"], key=lambda one: np.ptp(one[:, 0]))
+    body, profile = bases[0], bases[-1]
+    middle = upright[0]
+    low = np.array([body[:, 0].min(), middle[:, 1].min()])
+    high = np.array([body[:, 0].max(), middle[:, 1].max()])
+    return _Views(
+        float(profile[0, 1]), float(level["CENTRE_LINE"][0, 0, 1]),
+        (float(middle[0, 0]), float(body[0, 1])), (low, high),
+    )  # fmt: skip
+
+
+class _Placer:
+    def __init__(self, layers, views):
+        self.views, self.lost = views, 0
+        self.by_view = {}
+        for name, curves in layers.items():
+            for points in curves:
+                view = views.view_of(points)
+                self.by_view.setdefault((name, view), []).append(self._in_ship(points, view))
+        outline = self._of("OUTLINE", "profile")
+        self.length = float(np.ptp(np.concatenate(outline)[:, 0])) if outline else 1.0
+        self.reach = _MEETS * self.length
+        self.xs = self._grid("profile", 0)
+        self.zs = self._grid("profile", 1)
+
+    def _of(self, name, view):
+        return self.by_view.get((name, view), [])
+
+    def _in_ship(self, points, view):
+        """(n, 2): (x, z) in the profile, (x, y) in the plan, (y, z) in the body plan."""
+        views = self.views
+        if view == "profile":
+            return points - [0.0, views.base]
+        if view == "plan":
+            return points - [0.0, views.centre]
+        placed = points - list(views.body)
+        placed[:, 0] = np.abs(placed[:, 0])
+        return placed
+
+    def _grid(self, view, axis):
+        """Rising places of straight lines across an axis of a view."""
+        found = set()
+        for name in ("GRID", "MIDSHIP", "PERPENDICULARS", "DESIGN_WATERLINE", "BASE_LINE"):
+            for points in self._of(name, view):
+                if len(points) == 2 and points[0, axis] == points[1, axis]:
+                    found.add(round(float(points[0, axis]), 6))
+        return sorted(found)
+
+    def curves(self):
+        contour, edges = self._lines()
+        waterlines = self._waterlines(contour, edges)
+        stations = self._stations(waterlines, contour, edges)
+        for points in contour:
+            yield polyline(points, kind="profile", name="profile")
+        for kind, points in edges:
+            yield polyline(points, kind=kind, name=kind.replace("_", " "))
+        for z, points in waterlines:
+            yield polyline(points, kind="waterline", name=f"waterline {z:g}")
+        for x, points in stations:
+            yield polyline(points, kind="station", name=f"station at {x:g}")
+
+    def _lines(self):
+        """(lines of the contour, [(kind, line)]) in space: a line of the profile goes with that of
+        the plan, or of the body plan, that has the same ends."""
+        contour, edges = [], []
+        for name, kind in (("OUTLINE", "deck_edge"), ("KNUCKLES", "knuckle")):
+            plan, body = self._of(name, "plan"), self._of(name, "body")
+            # Of lines with the same ends the upper one is the deck edge, the lowest the contour.
+            plan = list(plan)
+            drawn = sorted(self._of(name, "profile"), key=lambda line: -line[:, 1].mean())
+            for points in drawn:
+                line, is_across = self._joined(points, plan, body)
+                if line is None and np.ptp(points, axis=0).max() < _SAME * self.length:
+                    continue
+                if line is None and name == "OUTLINE":
+                    contour.append(np.insert(points, 1, 0.0, axis=1))
+                elif line is None:
+                    self.lost += 1
+                elif is_across:
+                    edges.append(("border", line))
+                else:
+                    edges.append((kind, line))
+        longest = max((np.ptp(line[:, 0]) for kind, line in edges if kind == "deck_edge"), default=0)
+        edges = [
+            (("border" if kind == "deck_edge" and np.ptp(line[:, 0]) < 0.2 * longest else kind), line)
+            for kind, line in edges
+        ]
+        return contour, edges
+
+    def _joined(self, points, plan, body):
+        """(line (n, 3) or None, whether it is across the ship)."""
+        same = _SAME * self.length
+        if np.ptp(points, axis=0).max() < same:
+            return None, True  # seen from its end
+        if np.ptp(points[:, 0]) < 1e-2 * self.length:
+            # Across the ship the body plan shows it best; x goes with the height.
+            for other in body:
+                for way in (other, other[::-1]):
+                    if np.abs(way[[0, -1], 1] - points[[0, -1], 1]).max() < same:
+                        if way[:, 0].max() > same:
+                            order = np.argsort(points[:, 1])
+                            x = np.interp(way[:, 1], points[order, 1], points[order, 0])
+                            return np.column_stack([x, way]), True
+            return None, True
+        for other in plan:
+            for way in (other, other[::-1]):
+                if np.abs(way[[0, -1], 0] - points[[0, -1], 0]).max() < same:
+                    if way[:, 1].max() > same:
+                        order = np.argsort(way[:, 0])
+                        y = np.interp(points[:, 0], way[order, 0], way[order, 1])
+                        plan[:] = [one for one in plan if one is not other]
+                        return np.column_stack([points[:, 0], y, points[:, 1]]), False
+        return None, False
+
+    def _waterlines(self, contour, edges):
+        """(z, line (n, 3)): each at the level at which its ends are on the lines in space."""
+        segments = [*contour, *(line for _, line in edges)]
+        found = []
+        for name in ("WATERLINES", "DESIGN_WATERLINE"):
+            for points in self._of(name, "plan"):
+                if len(points) < 3:
+                    continue
+                ends = points[[0, -1]]
+                off = [max(self._from_lines(segments, x, y, z) for x, y in ends) for z in self.zs]
+                if np.ptp(points[:, 0]) < self.reach:
+                    continue
+                if not off or min(off) > self.reach:
+                    self.lost += 1
+                    continue
+                z = self.zs[int(np.argmin(off))]
+                found.append((z, np.insert(points, 2, z, axis=1)))
+        return found
+
+    @staticmethod
+    def _from_lines(lines, x, y, z):
+        place, best = np.array([x, y, z]), np.inf
+        for line in lines:
+            start, way = line[:-1], np.diff(line, axis=0)
+            squares = np.maximum((way * way).sum(axis=1), 1e-300)
+            share = np.clip(((place - start) * way).sum(axis=1) / squares, 0.0, 1.0)
+            off = np.linalg.norm(start + share[:, None] * way - place, axis=1).min()
+            best = min(best, float(off))
+        return best
+
+    def _stations(self, waterlines, contour, edges):
+        """(x, piece (n, 3)): the curves of the body plan that meet all waterlines, and end on lines
+        in space, at x."""
+        segments = [*contour, *(line for _, line in edges)]
+        pieces = []
+        for points in self._of("STATIONS", "body"):
+            if not any(self._is_same(points, other) for other in pieces):
+                pieces.append(points)
+        used, found = set(), []
+        for x in self.xs:
+            at_x = {}
+            for z, line in waterlines:
+                crossing = _where(line[:, :2], 0, x)
+                at_x.setdefault(z, []).extend(crossing)
+            for number, points in enumerate(pieces):
+                if self._meets(points, x, at_x, segments):
+                    used.add(number)
+                    found.append((x, np.column_stack([np.full(len(points), x), points])))
+        self.lost += len(pieces) - len(used)
+        return found
+
+    def _is_same(self, points, other):
+        if len(points) != len(other):
+            return False
+        apart = min(np.abs(points - way).max() for way in (other, other[::-1]))
+        return apart < _SAME * self.length
+
+    def _meets(self, points, x, at_x, segments):
+        count = 0
+        for z, breadths in at_x.items():
+            own = _where(points, 1, z)
+            inner = points[:, 1].min() + self.reach < z < points[:, 1].max() - self.reach
+            if not inner or not own:
+                continue
+            if not breadths:
+                return False
+            off = min(abs(y - other) for y in own for other in breadths)
+            if off > self.reach:
+                return False
+            count += 1
+        ends = [self._from_lines(segments, x, y, z) for y, z in points[[0, -1]]]
+        return min(ends) < self.reach and (count > 0 or max(ends) < self.reach)
+
+
+def _where(line, axis, place):
+    """The other coordinate where a plane line comes through a place of one."""
+    off = line[:, axis] - place
+    at = np.flatnonzero((off[:-1] <= 0.0) != (off[1:] <= 0.0))
+    share = off[at] / (off[at] - off[at + 1])
+    other = line[:, 1 - axis]
+    return (other[at] + share * (other[at + 1] - other[at])).tolist()
