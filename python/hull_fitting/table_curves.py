@@ -224,6 +224,7 @@ def _closing(known, beyond, is_closed, step):
 def _find_deck(found, geometry):
     ends = np.array([station.points[-1] for station in found.stations])
     lines = [curve.points for curve in _of(geometry, "deck_edge")]
+    lines = end_to_end(lines, 1e-5 * found.length, -2.0)
     line = max(lines, key=lambda one: np.ptp(one[:, 0])) if lines else ends
     found.deck = line if line[0, 0] < line[-1, 0] else line[::-1]
 
@@ -232,11 +233,15 @@ def _find_ends(found, geometry):
     """Rims of flat ends, or the first and the last station where the hull ends broad; the deck edge
     is drawn to the ends, and the profile ends there."""
     breadth = max(station.points[:, 1].max() for station in found.stations)
-    rims = [
-        c.points if c.points[0, 1] < c.points[-1, 1] else c.points[::-1]
+    across = [
+        c.points
         for c in _of(geometry, "border", "edge")
         if np.ptp(c.points[:, 0]) < _RIM * found.length
-        and np.ptp(c.points[:, 1]) > _BROAD * breadth
+    ]
+    rims = [
+        line if line[0, 1] < line[-1, 1] else line[::-1]
+        for line in end_to_end(across, 1e-5 * found.length, -2.0)
+        if np.ptp(line[:, 1]) > _BROAD * breadth
     ]
     for name, is_aft in (("aft", True), ("forward", False)):
         profile = found.profile if is_aft else found.profile[::-1]

@@ -14,6 +14,10 @@ from .values import polyline
 
 # Of the length: curves of two views meet where they are no further apart; ends are the same.
 _MEETS, _SAME = 4e-5, 1e-5
+# Of the length: what is no further from the centre plane is drawn as its line.
+_AT_CENTRE = 1.2e-3
+# Places on a spline between two of its knots.
+_PER_SPAN = 24
 # Of the distance of two views: curves reach so far below their lines.
 _BELOW = 0.1
 _NEEDED = ("BASE_LINE", "CENTRE_LINE", "GRID", "STATIONS", "WATERLINES", "OUTLINE")
@@ -25,14 +29,14 @@ def placed_views(geometry):
     layers = {}
     for curve in geometry.curves:
         if np.ptp(curve.points[:, 2]) == 0.0:
-            layers.setdefault(curve.group.upper(), []).append(curve.points[:, :2])
+            layers.setdefault(curve.group.upper(), []).append(_sampled(curve)[:, :2])
     if geometry.meshes or not all(layers.get(name) for name in _NEEDED):
         return geometry
     views = _views(layers)
     if views is None:
         return geometry
     placer = _Placer(layers, views)
-    curves = placer.curves()
+    curves = list(placer.curves())
     left_out = list(geometry.left_out)
     if placer.lost:
         left_out.append(f"Curves of the lines plan that fit to no other view ({placer.lost}).")
@@ -40,6 +44,16 @@ def placed_views(geometry):
         geometry, curves=tuple(c for c in curves if c is not None), left_out=tuple(left_out),
         is_half=True, on_ship_axes=True,
     )  # fmt: skip
+
+
+def _sampled(curve):
+    """(n, 3), of a spline by its knots: two views of one curve have the same places."""
+    spline = curve.spline
+    if spline is None:
+        return curve.points
+    knots = np.unique(np.clip(spline.knots, spline.start, spline.end))
+    steps = np.arange(_PER_SPAN * (len(knots) - 1) + 1) / _PER_SPAN
+    return spline.evaluate(np.interp(steps, np.arange(len(knots)), knots))
 
 
 @dataclass(frozen=True)
@@ -139,7 +153,7 @@ class _Placer:
         for name, kind in (("OUTLINE", "deck_edge"), ("KNUCKLES", "knuckle")):
             plan, body = self._of(name, "plan"), self._of(name, "body")
             # Of lines with the same ends the upper one is the deck edge, the lowest the contour.
-            plan = list(plan)
+            plan, body = list(plan), list(body)
             drawn = sorted(self._of(name, "profile"), key=lambda line: -line[:, 1].mean())
             for points in drawn:
                 line, is_across = self._joined(points, plan, body)
@@ -165,6 +179,12 @@ class _Placer:
         same = _SAME * self.length
         if np.ptp(points, axis=0).max() < same:
             return None, True  # seen from its end
+        for others, axis in ((body, 1), (plan, 0)):
+            for other in others:
+                line = self._of_both(points, other, axis)
+                if line is not None:
+                    others[:] = [one for one in others if one is not other]
+                    return line, np.ptp(line[:, 0]) < 1e-2 * self.length
         if np.ptp(points[:, 0]) < 1e-2 * self.length:
             # Across the ship the body plan shows it best; x goes with the height.
             for other in body:
@@ -185,6 +205,19 @@ class _Placer:
                         return np.column_stack([points[:, 0], y, points[:, 1]]), False
         return None, False
 
+    def _of_both(self, points, other, axis):
+        """The line (n, 3) of two views of a spline, that of the profile and another one, which have
+        x (axis 0) or z (1) in common; None where they are not of one."""
+        if len(points) != len(other) or len(points) < 2 * _PER_SPAN:
+            return None
+        common = other[:, 1] if axis == 1 else other[:, 0]
+        if np.abs(points[:, axis] - common).max() > _SAME * self.length:
+            return None
+        y = other[:, 0] if axis == 1 else other[:, 1]
+        if y.max() < _SAME * self.length or np.ptp(common) < _SAME * self.length:
+            return None
+        return np.column_stack([points[:, 0], y, points[:, 1]])
+
     def _waterlines(self, contour, edges):
         """(z, line (n, 3)): each at the level at which its ends are on the lines in space."""
         segments = [*contour, *(line for _, line in edges)]
@@ -204,8 +237,10 @@ class _Placer:
                 found.append((z, np.insert(points, 2, z, axis=1)))
         return found
 
-    @staticmethod
-    def _from_lines(lines, x, y, z):
+    def _from_lines(self, lines, x, y, z):
+        """m: of a place from the nearest line; keel, stem and stern beside the centre plane, as of
+        a bar, are drawn as its own."""
+        y = 0.0 if y < _AT_CENTRE * self.length else y
         place, best = np.array([x, y, z]), np.inf
         for line in lines:
             start, way = line[:-1], np.diff(line, axis=0)
@@ -229,8 +264,12 @@ class _Placer:
             for z, line in waterlines:
                 crossing = _where(line[:, :2], 0, x)
                 at_x.setdefault(z, []).extend(crossing)
-            for number, points in enumerate(pieces):
-                if self._meets(points, x, at_x, segments):
+            off = [self._apart(points, x, at_x, segments) for points in pieces]
+            kept = []
+            for number in np.argsort(off, kind="stable").tolist():
+                points = pieces[number]
+                if np.isfinite(off[number]) and not self._is_doubled(points, kept):
+                    kept.append(points)
                     used.add(number)
                     found.append((x, np.column_stack([np.full(len(points), x), points])))
         self.lost += len(pieces) - len(used)
@@ -242,21 +281,31 @@ class _Placer:
         apart = min(np.abs(points - way).max() for way in (other, other[::-1]))
         return apart < _SAME * self.length
 
-    def _meets(self, points, x, at_x, segments):
-        count = 0
+    def _is_doubled(self, points, others):
+        """Whether another piece has the same ends, as where stations are nearly the same."""
+        same = 1e-3 * self.length
+        ends = points[[0, -1]]
+        return any(
+            np.abs(ends - way).max() < same for o in others for way in (o[[0, -1]], o[[-1, 0]])
+        )
+
+    def _apart(self, points, x, at_x, segments):
+        """m: how far a piece of the body plan is from waterlines and ends at x; infinite where that
+        is beyond the reach."""
+        count, most = 0, 0.0
         for z, breadths in at_x.items():
             own = _where(points, 1, z)
             inner = points[:, 1].min() + self.reach < z < points[:, 1].max() - self.reach
             if not inner or not own:
                 continue
             if not breadths:
-                return False
+                return np.inf
             off = min(abs(y - other) for y in own for other in breadths)
-            if off > self.reach:
-                return False
+            most = max(most, off)
             count += 1
         ends = [self._from_lines(segments, x, y, z) for y, z in points[[0, -1]]]
-        return min(ends) < self.reach and (count > 0 or max(ends) < self.reach)
+        most = max(most, min(ends) if count else max(ends))
+        return most if most < self.reach else np.inf
 
 
 def _where(line, axis, place):
