@@ -4,8 +4,9 @@ is hollow hollow and what is full full, where a spline would swing out."""
 
 import numpy as np
 
-# A conic's fullness, as the weight of its middle point, where nothing tells it, and its limits: 1 is
-# a parabola, above a hyperbola, closer to the corner of its tangents.
+# A conic's fullness, as the weight of its middle point, where nothing tells it and one tangent is
+# far longer than the other (where they are alike it is an arc), and its limits: 1 is a parabola,
+# above a hyperbola, closer to the corner of its tangents.
 _WEIGHT, _LEAST, _MOST = 1.3, 0.8, 4.0
 # Cosine of the turn at a free end up to which it is that of an arc.
 _MOST_TURN = np.cos(np.radians(50.0))
@@ -76,7 +77,13 @@ def _weight(a, b, corner, bends):
         for end, bend in zip((a, b), bends)
         if bend > 0.0
     ]
-    return float(np.exp(np.mean(np.log(found)))) if found else _WEIGHT
+    if found:
+        return float(np.exp(np.mean(np.log(found))))
+    sides = np.linalg.norm([corner - a, b - corner], axis=1)
+    cosine = (corner - a) @ (b - corner) / max(np.prod(sides), 1e-300)
+    alike = sides.min() / sides.max()
+    # Of an arc: the cosine of half its turn.
+    return float(alike * np.sqrt(max(0.0, 0.5 * (1.0 + cosine))) + (1.0 - alike) * _WEIGHT)
 
 
 def bend_of(points):

@@ -49,7 +49,7 @@ _WAYS = (
 # Of few points, as of a table, a surface is to be fair between them.
 _WAYS_OF_TABLE = (_Way(11, True, 1e-5), _Way(10, False, 1e-5))
 # Rows and columns at most: of hulls for which there are few points.
-_LAYOUTS = ((99, 99), (6, 5), (4, 4), (3, 3))
+_LAYOUTS = ((99, 99), (6, 5), (4, 4))
 # Of the tolerance: what misses no more than this is good enough.
 _GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.
@@ -90,7 +90,9 @@ def fit_shell(
     if outline.knuckles:
         ways += [way for way in _WAYS if not way.with_knuckles]
     # Of a table area and volume are too little known to tell folds.
-    ways, fairer = (ways, _FAIRER) if loft is None else (_WAYS_OF_TABLE, ())
+    fairer = _FAIRER if loft is None else ()
+    if loft is not None and not loft.is_drawn:
+        ways = _WAYS_OF_TABLE
     tried = _Tried(trial, len(ways) + len(fairer), progress)
     for way in ways:
         tried.add(way)
@@ -138,7 +140,7 @@ class _Trial:
         self.outline, self.tolerance, self.budget = outline, tolerance, budget
         self.girths = loft.girths if loft else GirthLines(outline, (mesh.points, mesh.triangles))
         self.targets = shell_targets(mesh) if loft is None else loft.targets
-        self.wanted = self.targets.points if loft is None else loft.told
+        self.wanted = loft.told if loft and not loft.is_drawn else self.targets.points
         self.flats = extreme_flats(outline, _station_places(outline, self.girths))
         self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
 

@@ -38,6 +38,7 @@ class LoftedHull:
     girths: TableSections
     targets: NetworkTargets
     told: np.ndarray
+    is_drawn: bool  # of curves that were drawn, and no points of a table
 
 
 def lofted(geometry):
@@ -51,7 +52,8 @@ def lofted(geometry):
     shell = HullShell(HalfMesh(points, triangles, outline.length), {}, 0.0)
     lines = [line for x in sorted({s.x for s in curves.stations}) for line in girths.lines_at(x)]
     targets, told = _targets(curves, lines, waterlines)
-    return LoftedHull(shell, outline, girths, targets, told)
+    is_drawn = any(station.is_dense for station in curves.stations)
+    return LoftedHull(shell, outline, girths, targets, told, is_drawn)
 
 
 def _surface(curves, girths):

@@ -14,6 +14,8 @@ from .values import polyline
 
 # Of the length: curves of two views meet where they are no further apart; ends are the same.
 _MEETS, _SAME = 4e-5, 1e-5
+# Of the length: a line across reaches no further along the ship.
+_ACROSS = 0.05
 # Of the length: what is no further from the centre plane is drawn as its line.
 _AT_CENTRE = 1.2e-3
 # Places on a spline between two of its knots.
@@ -184,7 +186,7 @@ class _Placer:
                 line = self._of_both(points, other, axis)
                 if line is not None:
                     others[:] = [one for one in others if one is not other]
-                    return line, np.ptp(line[:, 0]) < 1e-2 * self.length
+                    return line, self._is_across(line)
         if np.ptp(points[:, 0]) < 1e-2 * self.length:
             # Across the ship the body plan shows it best; x goes with the height.
             for other in body:
@@ -204,6 +206,10 @@ class _Placer:
                         plan[:] = [one for one in plan if one is not other]
                         return np.column_stack([points[:, 0], y, points[:, 1]]), False
         return None, False
+
+    def _is_across(self, line):
+        along, *others = np.ptp(line, axis=0)
+        return along < _ACROSS * self.length and along < 0.5 * max(others)
 
     def _of_both(self, points, other, axis):
         """The line (n, 3) of two views of a spline, that of the profile and another one, which have
