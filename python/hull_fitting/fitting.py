@@ -49,7 +49,7 @@ _WAYS = (
 # Of few points, as of a table, a surface is to be fair between them.
 _WAYS_OF_TABLE = (_Way(11, True, 1e-5), _Way(10, False, 1e-5))
 # Rows and columns at most: of hulls for which there are few points.
-_LAYOUTS = ((99, 99), (6, 5), (4, 4))
+_LAYOUTS = ((99, 99), (6, 5), (5, 4))
 # Of the tolerance: what misses no more than this is good enough.
 _GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.

@@ -185,8 +185,9 @@ def _closings(found, stations):
         if len(known) < 2:
             continue
         beyond = line[first - 1][0] if first else None
-        closed = line[first - 1][1] == 0.0 if first else False
-        place, reach = _closing(known, beyond, closed, step)
+        place, reach = _closing(known, beyond, step)
+        if first and line[first - 1][1] == 0.0:
+            place = line[first - 1]
         if first == 0 and known[0][1] > _BROAD * breadth:
             reaches.append(reach)
         places.append(place)
@@ -195,7 +196,7 @@ def _closings(found, stations):
     return places or None
 
 
-def _closing(known, beyond, is_closed, step):
+def _closing(known, beyond, step):
     """((x, 0, z), how far from the first of the places (x, y, z) that is, m): the parabola through
     three places, or the line through two; no further than `beyond`."""
     (x, y, z), (x1, y1, z1) = known[:2]
@@ -207,14 +208,11 @@ def _closing(known, beyond, is_closed, step):
         second = (y2 - y1) / abs(x2 - x1)
         bend = (second - slope) / abs(x2 - x)
         slope = slope - bend * abs(x1 - x)
-    # y + slope * (-t) + bend * t² = 0 beyond the first place, t m from it.
-    reach = np.inf
-    roots = np.roots([bend, -slope, y]) if abs(bend) > 1e-12 else np.array([y / slope if slope else np.inf])
-    real = [float(r.real) for r in np.atleast_1d(roots) if abs(r.imag) < 1e-9 and r.real > 0.0]
-    if real:
-        reach = min(real)
-    if is_closed:
-        return (beyond, 0.0, z), abs(beyond - x)
+    # y - slope t + bend t² = 0 at t m beyond the first place; without such a place by the chord.
+    roots = np.roots([bend, -slope, y]) if abs(bend) > 1e-12 else np.array([y / max(slope, 1e-12)])
+    ahead = [float(root.real) for root in roots if abs(root.imag) < 1e-9 and root.real > 0.0]
+    chord = (y1 - y) / abs(x1 - x)
+    reach = min(ahead) if ahead else y / chord if chord > 0.0 else np.inf
     most = abs(beyond - x) if beyond is not None else step
     t = min(reach, most)
     rise = (z - z1) / abs(x1 - x) * t
