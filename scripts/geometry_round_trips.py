@@ -74,7 +74,7 @@ def _table(vessel, stations):
 
 def write_offsets(vessel, path):
     own, table = offset_rows(), _table(vessel, _stations(vessel))
-    found = own.OffsetTable(table, own.end_lines(hn, vessel.surface, table.stations))
+    found = own.with_ends(hn, table, vessel.surface)
     with open(path, "w", newline="") as file:
         csv.writer(file).writerows([own.header(found), *own.rows(found)])
 
@@ -82,7 +82,7 @@ def write_offsets(vessel, path):
 def write_bare(vessel, path):
     own = offset_rows()
     x = np.asarray(vessel.surface.tessellate(6).points)[:, 0]
-    found = own.OffsetTable(_table(vessel, np.linspace(x.min(), x.max(), STATIONS + 1)))
+    found = _table(vessel, np.linspace(x.min(), x.max(), STATIONS + 1))
     with open(path, "w", newline="") as file:
         csv.writer(file).writerows([own.header(found), *own.rows(found)])
 
@@ -130,9 +130,7 @@ def main_part(surface):
     from hull_io.triangles import normals_of
 
     points, triangles = triangles_of(surface, 6)
-    _, first, which = np.unique(
-        points.round(6), axis=0, return_index=True, return_inverse=True
-    )
+    _, first, which = np.unique(points.round(6), axis=0, return_index=True, return_inverse=True)
     points, triangles = points[first], which.reshape(-1)[triangles]
     table = edge_table(triangles)
     body = components(len(triangles), table.owners[table.counts > 1])

@@ -6,14 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .beside import (
-    HullOutline,
-    NetworkTargets,
-    bend_shares,
-    find_ends,
-    lengths_along,
-    points_at,
-)
+from .beside import HullOutline, NetworkTargets, bend_shares, find_ends, lengths_along, points_at
 from .half_meshes import HalfMesh
 from .outlines import end_lines
 from .shells import HullShell

@@ -34,7 +34,9 @@ def line_through(points, parameters, parts, is_sharp=None, flats=(), start=None,
         for border in (first, last)
         if border not in sharp
     }
-    tangents.update({at: way for at, way in ((0, start), (len(points) - 1, end)) if way is not None})
+    tangents.update(
+        {at: way for at, way in ((0, start), (len(points) - 1, end)) if way is not None}
+    )
     for low, high in zip(cuts, cuts[1:]):
         if low in straight:
             continue

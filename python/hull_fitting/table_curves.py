@@ -44,7 +44,8 @@ class Station:
 class TableCurves:
     """profile (n, 3): from the deck aft along the contour to the deck forward; deck (n, 3): from
     aft; aft, forward: rims of flat ends, upwards, or None; knuckles: lines; levels: z of the
-    waterlines of tables; drawn: waterlines (n, 3) that are curves themselves; is_told: whether the profile's ends were."""
+    waterlines of tables; drawn: waterlines (n, 3) that are curves themselves; is_told: whether the
+    profile's ends were."""
 
     length: float
     stations: list
@@ -135,7 +136,9 @@ def _find_profile(found, geometry):
         parts.insert(0, ends["aft"])
     if ends["forward"] is not None:
         begin = ends["forward"][:, 0].min()
-        parts = [part if i < len(parts) - 1 else part[part[:, 0] < begin] for i, part in enumerate(parts)]
+        parts = [
+            part if i < len(parts) - 1 else part[part[:, 0] < begin] for i, part in enumerate(parts)
+        ]
         parts.append(ends["forward"])
     found.profile = np.concatenate(parts)
     if ends["aft"] is None:
@@ -168,9 +171,7 @@ def _closings(found, stations):
     tolerance = 1e-6 * found.length
     breadth = max(station.points[:, 1].max() for station in found.stations)
     step = abs(stations[1].x - stations[0].x)
-    lines = [
-        [(s.x, s.at_height(z, tolerance), z) for s in stations] for z in found.levels
-    ]
+    lines = [[(s.x, s.at_height(z, tolerance), z) for s in stations] for z in found.levels]
     lines.append([(s.x, float(s.points[-1, 1]), float(s.points[-1, 2])) for s in stations])
     places, reaches = [], []
     for line in lines:
@@ -245,7 +246,9 @@ def _find_ends(found, geometry):
         profile = found.profile if is_aft else found.profile[::-1]
         deck = found.deck if is_aft else found.deck[::-1]
         end = found.stations[0 if is_aft else -1]
-        rim = next((r for r in rims if abs(r[:, 0].mean() - profile[0, 0]) < _RIM * found.length), None)
+        rim = next(
+            (r for r in rims if abs(r[:, 0].mean() - profile[0, 0]) < _RIM * found.length), None
+        )
         if rim is None and end.points[-1, 1] > _BROAD * breadth:
             if abs(profile[0, 0] - end.x) < _JOINED * found.length:
                 rim = end.points

@@ -109,7 +109,9 @@ def _waterline(curves, points, is_central):
     square = np.array([0.0, 1.0, 0.0])
     start = square if is_central[0] and _is_round(points[:3, :2], True) else None
     end = square if is_central[1] and _is_round(points[:-4:-1, :2], True) else None
-    line = line_through(points, lengths_along(points), _FINE, flats=runs(is_same), start=start, end=end)
+    line = line_through(
+        points, lengths_along(points), _FINE, flats=runs(is_same), start=start, end=end
+    )
     line[:, 1] = np.maximum(line[:, 1], 0.0)
     line[:, 2] = points[0, 2]
     return line

@@ -6,10 +6,11 @@ from the other views, whose curves it has to meet.
 The layers are those of the add-on's own drawings (docs/lines-plan.md).
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from .drawn_views import LAYERS, PER_SPAN, sampled, views_of
 from .values import polyline
 
 # Of the length: curves of two views meet where they are no further apart; ends are the same.
@@ -18,11 +19,6 @@ _MEETS, _SAME = 4e-5, 1e-5
 _ACROSS = 0.05
 # Of the length: what is no further from the centre plane is drawn as its line.
 _AT_CENTRE = 1.2e-3
-# Places on a spline between two of its knots.
-_PER_SPAN = 24
-# Of the distance of two views: curves reach so far below their lines.
-_BELOW = 0.1
-_NEEDED = ("BASE_LINE", "CENTRE_LINE", "GRID", "STATIONS", "WATERLINES", "OUTLINE")
 
 
 def placed_views(geometry):
@@ -31,10 +27,10 @@ def placed_views(geometry):
     layers = {}
     for curve in geometry.curves:
         if np.ptp(curve.points[:, 2]) == 0.0:
-            layers.setdefault(curve.group.upper(), []).append(_sampled(curve)[:, :2])
-    if geometry.meshes or not all(layers.get(name) for name in _NEEDED):
+            layers.setdefault(curve.group.upper(), []).append(sampled(curve)[:, :2])
+    if geometry.meshes or not all(layers.get(name) for name in LAYERS):
         return geometry
-    views = _views(layers)
+    views = views_of(layers)
     if views is None:
         return geometry
     placer = _Placer(layers, views)
@@ -48,56 +44,6 @@ def placed_views(geometry):
     )  # fmt: skip
 
 
-def _sampled(curve):
-    """(n, 3), of a spline by its knots: two views of one curve have the same places."""
-    spline = curve.spline
-    if spline is None:
-        return curve.points
-    knots = np.unique(np.clip(spline.knots, spline.start, spline.end))
-    steps = np.arange(_PER_SPAN * (len(knots) - 1) + 1) / _PER_SPAN
-    return spline.evaluate(np.interp(steps, np.arange(len(knots)), knots))
-
-
-@dataclass(frozen=True)
-class _Views:
-    """base: y of the profile's base line; centre: y of the half-breadth plan's centre line; body:
-    (x of the body plan's centre line, y of its base line); body_box: (low (2,), high (2,))."""
-
-    base: float
-    centre: float
-    body: tuple
-    body_box: tuple
-
-    def view_of(self, points):
-        low, high = self.body_box
-        if (points >= low).all() and (points <= high).all():
-            return "body"
-        # Both are drawn upwards from their lines; a keel may be a little below.
-        lower, upper = sorted((self.base, self.centre))
-        is_upper = points[:, 1].mean() > upper - _BELOW * (upper - lower)
-        return "profile" if is_upper == (self.base > self.centre) else "plan"
-
-
-def _views(layers):
-    lines = {name: np.array([c[[0, -1]] for c in layers[name]]) for name in _NEEDED[:2]}
-    level = {
-        name: one[np.abs(one[:, 0, 1] - one[:, 1, 1]) < 1e-9 * np.ptp(one)]
-        for name, one in lines.items()
-    }
-    upright = [one for one in lines["CENTRE_LINE"] if one[0, 0] == one[1, 0]]
-    if len(level["BASE_LINE"]) < 2 or not len(level["CENTRE_LINE"]) or len(upright) != 1:
-        return None
-    bases = sorted(level["BASE_LINE"], key=lambda one: np.ptp(one[:, 0]))
-    body, profile = bases[0], bases[-1]
-    middle = upright[0]
-    low = np.array([body[:, 0].min(), middle[:, 1].min()])
-    high = np.array([body[:, 0].max(), middle[:, 1].max()])
-    return _Views(
-        float(profile[0, 1]), float(level["CENTRE_LINE"][0, 0, 1]),
-        (float(middle[0, 0]), float(body[0, 1])), (low, high),
-    )  # fmt: skip
-
-
 class _Placer:
     def __init__(self, layers, views):
         self.views, self.lost = views, 0
@@ -105,7 +51,7 @@ class _Placer:
         for name, curves in layers.items():
             for points in curves:
                 view = views.view_of(points)
-                self.by_view.setdefault((name, view), []).append(self._in_ship(points, view))
+                self.by_view.setdefault((name, view), []).append(views.in_ship(points, view))
         outline = self._of("OUTLINE", "profile")
         self.length = float(np.ptp(np.concatenate(outline)[:, 0])) if outline else 1.0
         self.reach = _MEETS * self.length
@@ -114,17 +60,6 @@ class _Placer:
 
     def _of(self, name, view):
         return self.by_view.get((name, view), [])
-
-    def _in_ship(self, points, view):
-        """(n, 2): (x, z) in the profile, (x, y) in the plan, (y, z) in the body plan."""
-        views = self.views
-        if view == "profile":
-            return points - [0.0, views.base]
-        if view == "plan":
-            return points - [0.0, views.centre]
-        placed = points - list(views.body)
-        placed[:, 0] = np.abs(placed[:, 0])
-        return placed
 
     def _grid(self, view, axis):
         """Rising places of straight lines across an axis of a view."""
@@ -169,9 +104,14 @@ class _Placer:
                     edges.append(("border", line))
                 else:
                     edges.append((kind, line))
-        longest = max((np.ptp(line[:, 0]) for kind, line in edges if kind == "deck_edge"), default=0)
+        longest = max(
+            (np.ptp(line[:, 0]) for kind, line in edges if kind == "deck_edge"), default=0
+        )
         edges = [
-            (("border" if kind == "deck_edge" and np.ptp(line[:, 0]) < 0.2 * longest else kind), line)
+            (
+                ("border" if kind == "deck_edge" and np.ptp(line[:, 0]) < 0.2 * longest else kind),
+                line,
+            )
             for kind, line in edges
         ]
         return contour, edges
@@ -214,7 +154,7 @@ class _Placer:
     def _of_both(self, points, other, axis):
         """The line (n, 3) of two views of a spline, that of the profile and another one, which have
         x (axis 0) or z (1) in common; None where they are not of one."""
-        if len(points) != len(other) or len(points) < 2 * _PER_SPAN:
+        if len(points) != len(other) or len(points) < 2 * PER_SPAN:
             return None
         common = other[:, 1] if axis == 1 else other[:, 0]
         if np.abs(points[:, axis] - common).max() > _SAME * self.length:

@@ -2,7 +2,7 @@
 """The table of offsets: heights and half-breadths at the stations of the lines plan, and stem,
 stern and transom beside it, which no station tells."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -18,11 +18,24 @@ def inputs(settings, metres_per_unit):
 
 @dataclass(frozen=True)
 class OffsetTable:
-    """table: a hull_native.OffsetTable; ends: pairs (name, (n, 3) points in m) as end_lines() has
+    """What a hull_native.OffsetTable has; ends: pairs (name, (n, 3) points in m) as end_lines() has
     them."""
 
-    table: object
-    ends: tuple = ()
+    stations: np.ndarray
+    waterlines: np.ndarray
+    buttocks: np.ndarray
+    half_breadths: np.ndarray
+    heights: np.ndarray
+    half_breadth_on_knuckle: np.ndarray
+    height_on_knuckle: np.ndarray
+    features: list
+    ends: tuple
+
+
+def with_ends(hn, table, surface):
+    """The OffsetTable of a hull_native.OffsetTable of a surface."""
+    own = {one.name: getattr(table, one.name) for one in fields(OffsetTable)[:-1]}
+    return OffsetTable(**own, ends=end_lines(hn, surface, table.stations))
 
 
 def compute(ship, wanted):
@@ -35,11 +48,10 @@ def compute(ship, wanted):
     table = hn.offset_table(
         surface, stations=stations, waterlines=waterlines, buttocks=(0.0, *buttocks)
     )
-    return OffsetTable(table, end_lines(hn, surface, table.stations))
+    return with_ends(hn, table, surface)
 
 
-def header(found):
-    table = found.table
+def header(table):
     return [
         "x from AP [m]",
         *(f"half-breadth at WL {z:.10g} m [mm]" for z in table.waterlines),
@@ -50,12 +62,11 @@ def header(found):
             for what in ("half-breadth", "height")
         ),
         "on a knuckle",
-        *(f"{name}: {what}" for name, points in found.ends for what in _columns_of(points)),
+        *(f"{name}: {what}" for name, points in _ends(table) for what in _columns_of(points)),
     ]
 
 
-def rows(found):
-    table = found.table
+def rows(table):
     for i, x in enumerate(table.stations):
         features = [
             value
@@ -63,8 +74,13 @@ def rows(found):
             for value in (feature.half_breadths[i], feature.heights[i])
         ]
         lengths = [*table.half_breadths[i], *table.heights[i], *features]
-        beside = [cell for _, points in found.ends for cell in _point(points, i)]
+        beside = [cell for _, points in _ends(table) for cell in _point(points, i)]
         yield [x, *(_in_mm(value) for value in lengths), _marks(table, i), *beside]
+
+
+def _ends(table):
+    """Of a hull_native.OffsetTable none."""
+    return getattr(table, "ends", ())
 
 
 def _in_mm(value):
