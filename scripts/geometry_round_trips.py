@@ -25,6 +25,7 @@ import numpy as np
 import vessels
 from hull_fairness.lines import judged
 from hull_fitting import hull_from_geometry
+from hull_fitting.profile_ends import end_lines
 from hull_io.geometry import read_geometry
 from hull_io.triangles import spread_points
 
@@ -74,7 +75,7 @@ def _table(vessel, stations):
 
 def write_offsets(vessel, path):
     own, table = offset_rows(), _table(vessel, _stations(vessel))
-    found = own.with_ends(hn, table, vessel.surface)
+    found = own.with_ends(table, end_lines(vessel.surface, table.stations))
     with open(path, "w", newline="") as file:
         csv.writer(file).writerows([own.header(found), *own.rows(found)])
 

@@ -104,16 +104,6 @@ class _Placer:
                     edges.append(("border", line))
                 else:
                     edges.append((kind, line))
-        longest = max(
-            (np.ptp(line[:, 0]) for kind, line in edges if kind == "deck_edge"), default=0
-        )
-        edges = [
-            (
-                ("border" if kind == "deck_edge" and np.ptp(line[:, 0]) < 0.2 * longest else kind),
-                line,
-            )
-            for kind, line in edges
-        ]
         return contour, edges
 
     def _joined(self, points, plan, body):
@@ -125,7 +115,8 @@ class _Placer:
             for other in others:
                 line = self._of_both(points, other, axis)
                 if line is not None:
-                    others[:] = [one for one in others if one is not other]
+                    self._drop(plan, line[:, :2])
+                    self._drop(body, line[:, 1:])
                     return line, self._is_across(line)
         if np.ptp(points[:, 0]) < 1e-2 * self.length:
             # Across the ship the body plan shows it best; x goes with the height.
@@ -146,6 +137,15 @@ class _Placer:
                         plan[:] = [one for one in plan if one is not other]
                         return np.column_stack([points[:, 0], y, points[:, 1]]), False
         return None, False
+
+    def _drop(self, drawn, line):
+        """Takes what has the ends of a line, (n, 2) as the view has it, out of a view's curves."""
+        ends, same = line[[0, -1]], _SAME * self.length
+        drawn[:] = [
+            one
+            for one in drawn
+            if min(np.abs(one[at] - ends).max() for at in ([0, -1], [-1, 0])) > same
+        ]
 
     def _is_across(self, line):
         along, *others = np.ptp(line, axis=0)
@@ -242,10 +242,8 @@ class _Placer:
         for z, breadths in at_x.items():
             own = _where(points, 1, z)
             inner = points[:, 1].min() + self.reach < z < points[:, 1].max() - self.reach
-            if not inner or not own:
+            if not (inner and own and breadths):
                 continue
-            if not breadths:
-                return np.inf
             off = min(abs(y - other) for y in own for other in breadths)
             most = max(most, off)
             count += 1
