@@ -44,6 +44,12 @@ def lofted(geometry):
     points, triangles = _surface(curves, girths)
     shell = HullShell(HalfMesh(points, triangles, outline.length), {}, 0.0)
     lines = [line for x in sorted({s.x for s in curves.stations}) for line in girths.lines_at(x)]
+    for line in (*lines, *waterlines):
+        if not np.isfinite(line).all():
+            raise ValueError(
+                f"{geometry.name}: no smooth line goes through its points near x = "
+                f"{np.nanmean(line[:, 0]):.2f} m; look for a wrong number there."
+            )
     targets, told = _targets(curves, lines, waterlines)
     is_drawn = any(station.is_dense for station in curves.stations)
     return LoftedHull(shell, outline, girths, targets, told, is_drawn)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stem, stern and transom of a hull as lines beside its table of offsets, which no station tells."""
+"""Stem, stern and transom of a hull, which no station tells, as lines beside its table."""
 
 import numpy as np
 

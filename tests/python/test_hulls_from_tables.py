@@ -4,6 +4,7 @@
 import os
 from unittest import mock
 
+import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
@@ -191,3 +192,43 @@ def test_a_lines_plan_becomes_a_hull(tmp_path):
     places = np.asarray(surface.tessellate(4).points) - np.asarray(made.guess.origin)
     apart = np.asarray(hn.SurfaceTree(made.fitted.surface).closest_points(places).distances)
     assert np.sqrt(np.mean(apart**2)) < 1e-4 * np.ptp(places[:, 0])
+
+
+COPIES = int(os.environ.get("HULL_CORRUPTIONS", 24))
+
+
+def damaged(data, copy, random):
+    """Bytes with some signs changed, a part or every third line taken out, or cut short."""
+    bad, how = bytearray(data), copy % 4
+    if how == 0:
+        for at in random.integers(0, len(bad), 20):
+            bad[at] = int(random.choice(np.frombuffer(b"0123456789.-,;x", dtype=np.uint8)))
+    elif how == 1:
+        begin = int(random.integers(len(bad)))
+        del bad[begin : begin + int(random.integers(1, len(bad) // 4))]
+    elif how == 2:
+        bad = bad[: int(random.integers(10, len(bad)))]
+    else:
+        lines = bytes(bad).split(b"\n")
+        del lines[int(random.integers(1, len(lines))) :: 3]
+        bad = bytearray(b"\n".join(lines))
+    return bytes(bad)
+
+
+@pytest.mark.parametrize("write, ending", [(table_of, "csv"), (drawn, "dxf")])
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_damaged_tables_and_plans_are_refused_in_a_sentence(write, ending, tmp_path):
+    write("coaster", tmp_path / f"whole.{ending}")
+    data = (tmp_path / f"whole.{ending}").read_bytes()
+    random = np.random.default_rng(22)
+    refused = 0
+    for copy in range(COPIES):
+        path = tmp_path / f"copy{copy}.{ending}"
+        path.write_bytes(damaged(data, copy, random))
+        try:
+            placed = placed_views(read_geometry(path))
+            lofted(oriented(placed, guess_hull(placed)))
+        except (ValueError, hull_io.HullFileError) as error:
+            refused += 1
+            assert str(error).endswith(".") and len(str(error)) > 30, (copy, str(error))
+    assert refused > 0
