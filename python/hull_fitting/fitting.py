@@ -140,6 +140,7 @@ class _Trial:
         self.outline, self.tolerance, self.budget = outline, tolerance, budget
         self.girths = loft.girths if loft else GirthLines(outline, (mesh.points, mesh.triangles))
         self.targets = shell_targets(mesh) if loft is None else loft.targets
+        self.have_normals = loft is None
         self.wanted = loft.told if loft and not loft.is_drawn else self.targets.points
         self.flats = extreme_flats(outline, _station_places(outline, self.girths))
         self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
@@ -185,7 +186,14 @@ class _Trial:
         return laid_grid(outline, columns, rows, girths=self.girths, at=at, post_columns=post)
 
     def _fit(self, grid, way):
-        return GridFit(grid, self.targets, self.flats, way.rows_stay, way.fairness)
+        return GridFit(
+            grid,
+            self.targets,
+            self.flats,
+            way.rows_stay,
+            way.fairness,
+            by_normals=self.have_normals,
+        )
 
     def misses(self, fit):
         """(m, the root mean square of distances; the share by which area or volume is off): a
