@@ -6,7 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .beside import HullOutline, NetworkTargets, bend_shares, find_ends, lengths_along, points_at
+from .beside import (
+    HullOutline,
+    NetworkTargets,
+    bend_shares,
+    find_ends,
+    keel_range,
+    lengths_along,
+    points_at,
+)
 from .half_meshes import HalfMesh
 from .outlines import end_lines
 from .shells import HullShell
@@ -40,6 +48,11 @@ def lofted(geometry):
     curves = table_curves(geometry)
     waterlines = waterline_lines(curves)
     outline = _outline(curves)
+    if not _has_keel(outline):
+        raise ValueError(
+            f"{geometry.name}: its profile does not go along one keel from stern to stem; leave fin "
+            "keels, skegs and rudders out of its heights."
+        )
     girths = TableSections(curves, outline, waterlines)
     points, triangles = _surface(curves, girths)
     shell = HullShell(HalfMesh(points, triangles, outline.length), {}, 0.0)
@@ -87,6 +100,15 @@ def _outline(curves):
             outline.ends[name] = end_lines(rim, _plane_of(rim))
     find_ends(outline)
     return outline
+
+
+def _has_keel(outline):
+    """Whether there are whole sections over half of the length."""
+    try:
+        low, high = keel_range(outline)
+    except ValueError:  # nothing of the contour is between stern and stem
+        return False
+    return high - low > 0.5 * outline.length
 
 
 def _plane_of(rim):

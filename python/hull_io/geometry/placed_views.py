@@ -34,12 +34,14 @@ def placed_views(geometry):
     if views is None:
         return geometry
     placer = _Placer(layers, views)
-    curves = list(placer.curves())
+    curves = [curve for curve in placer.curves() if curve is not None]
+    if not any(curve.kind == "station" for curve in curves):
+        return geometry
     left_out = list(geometry.left_out)
     if placer.lost:
         left_out.append(f"Curves of the lines plan that fit to no other view ({placer.lost}).")
     return replace(
-        geometry, curves=tuple(c for c in curves if c is not None), left_out=tuple(left_out),
+        geometry, curves=tuple(curves), left_out=tuple(left_out),
         is_half=True, on_ship_axes=True,
     )  # fmt: skip
 
