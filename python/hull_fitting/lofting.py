@@ -50,8 +50,8 @@ def lofted(geometry):
     outline = _outline(curves)
     if not _has_keel(outline):
         raise ValueError(
-            f"{geometry.name}: its profile does not go along one keel from stern to stem; leave fin "
-            "keels, skegs and rudders out of its heights."
+            f"{geometry.name}: its profile does not go along one keel from stern to stem; leave "
+            "fin keels, skegs and rudders out of its heights."
         )
     girths = TableSections(curves, outline, waterlines)
     points, triangles = _surface(curves, girths)
