@@ -154,13 +154,10 @@ def _drawn_on(found, profile, is_aft):
     closings = _closings(found, stations)
     if closings is None:
         return profile
-    heights = np.array([place[2] for place in closings])
-    base = min(heights.min(), profile[0, 2]) if len(heights) else profile[0, 2]
-    low = profile[:, 2] > base - 1e-9
-    # Of the keel what is below the lowest closing goes by its order along the ship, the rest by its
-    # height.
-    near = np.arange(len(profile)) < len(profile) // 2
-    rising = near & (profile[:, 2] > heights.min()) & low
+    # Of the profile what rises from its lowest place to the end goes by its height, as closings do.
+    lowest = int(np.argmin(profile[: max(1, len(profile) // 2), 2]))
+    rising = np.arange(len(profile)) < lowest
+    rising &= profile[:, 2] > min(place[2] for place in closings)
     upper = sorted([*closings, *map(tuple, profile[rising])], key=lambda place: -place[2])
     return np.concatenate([np.array(upper).reshape(-1, 3), profile[~rising]])
 

@@ -14,7 +14,8 @@ from hull_fitting.lofting import lofted
 from hull_fitting.smooth_lines import line_through, runs
 from hull_fitting.table_curves import table_curves
 from hull_io.geometry import guess_hull, oriented, placed_views, read_geometry
-from test_hulls_from_geometry import sample
+from hull_io.triangles import spread_points
+from test_hulls_from_geometry import sample, triangles_of
 
 ALL = os.environ.get("HULL_LONG_TESTS") == "1"
 LONG = pytest.mark.skipif(not ALL, reason="HULL_LONG_TESTS=1")
@@ -88,7 +89,7 @@ def test_hulls_of_tables(name, rms, most, tmp_path):
     made = hull_from_geometry(
         read_geometry(tmp_path / "hull.csv"), budget=int(most * len(surface.mesh.points))
     )
-    places = np.asarray(surface.tessellate(4).points)
+    places, _ = spread_points(*triangles_of(surface), 5000)
     shift = [made.guess.origin[0], 0.0, made.guess.origin[2]]
     apart = np.asarray(hn.SurfaceTree(made.fitted.surface).closest_points(places - shift).distances)
     assert np.sqrt(np.mean(apart**2)) < rms * np.ptp(places[:, 0])
