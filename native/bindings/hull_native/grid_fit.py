@@ -70,10 +70,14 @@ def extreme_flats(outline, places):
 class GridFit:
     """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
     rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness; bends:
-    what bend_terms() has."""
+    what bend_terms() has. by_normals: whether the surface has to be turned as targets are where
+    they count: at knuckles places of one side do not draw the other one."""
 
-    def __init__(self, grid, targets, flats, rows_stay=False, bending=0.0, bends=0.0):
+    def __init__(
+        self, grid, targets, flats, rows_stay=False, bending=0.0, bends=0.0, by_normals=False
+    ):
         self.grid, self.targets, self.flats = grid, targets, flats
+        self._normals = targets.normals if by_normals else None
         self._rows_stay, self._bending, self._bends = rows_stay, bending, bends
         self.mesh = grid_mesh(grid)
         self.points = np.array(self.mesh.points)
@@ -136,6 +140,7 @@ class GridFit:
         found = fit_surface(
             surface,
             self.targets.points,
+            normals=self._normals,
             weights=self._weights,
             curves=self._curves(surface),
             held_points=[number for number, _ in held],
