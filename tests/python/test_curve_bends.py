@@ -87,7 +87,12 @@ class SplineHull:
         extended[0, :2] = extended[-1, :-3:-1] = 2.0, -1.0
         span = np.minimum(t.astype(int), count - 2)
         s = (t - span)[:, None]
-        parts = ((1 - s) ** 3, 3 * s**3 - 6 * s**2 + 4, 1 + 3 * s + 3 * s**2 - 3 * s**3, s**3)
+        parts = (
+            (1 - s) ** 3,
+            3 * s**3 - 6 * s**2 + 4,
+            1 + 3 * s + 3 * s**2 - 3 * s**3,
+            s**3,
+        )
         basis = sum(part / 6.0 * extended[span + k] for k, part in enumerate(parts))
         self._x = basis @ rows
         self._breadth = basis @ (6.0 + 3.0 * np.sin(np.arange(count) * 1.7))

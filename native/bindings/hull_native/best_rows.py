@@ -97,7 +97,12 @@ def _basis(count):
     extended[0, :2] = extended[-1, :-3:-1] = 2.0, -1.0
     span = np.minimum(t.astype(int), count - 2)
     s = t - span
-    parts = ((1 - s) ** 3, 3 * s**3 - 6 * s**2 + 4, -3 * s**3 + 3 * s**2 + 3 * s + 1, s**3)
+    parts = (
+        (1 - s) ** 3,
+        3 * s**3 - 6 * s**2 + 4,
+        -3 * s**3 + 3 * s**2 + 3 * s + 1,
+        s**3,
+    )
     return sum(part[:, None] / 6.0 * extended[span + k] for k, part in enumerate(parts))
 
 
