@@ -19,7 +19,7 @@ import numpy as np
 from ._core import BendSums, SurfaceTree
 from .sampling import on_spline, spline_slopes
 
-# Gauss's places in a span (Abramowitz and Stegun 1972, 25.4.29).
+# The two places of Gauss in a span, of equal weight.
 _AT = 0.5 + np.array([-0.5, 0.5]) / np.sqrt(3.0)
 # Over the size: a bend above which more costs less.
 _STRONG = 10.0
