@@ -56,7 +56,7 @@ def test_curves_of_a_cylinder_bend_as_circles_and_lines_do():
 
 def test_a_hull_bends_as_its_own_lines_do():
     surface = sample_surface("coaster")
-    network, _ = lines_of(surface, curves=1e-7)
+    network, _ = lines_of(surface, 9, 4, curves=1e-6)
     bends, points = network_bends(network), np.array(surface.mesh.points)
     terms = curve_bend_terms(surface, bends, 1e-4)
     own = missed(terms, points)
