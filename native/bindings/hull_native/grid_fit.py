@@ -71,19 +71,22 @@ def extreme_flats(outline, places):
 class GridFit:
     """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
     rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness; bends:
-<<<<<<< HEAD
     what bend_terms() has. by_normals: whether the surface has to be turned as targets are where
-    they count: at knuckles places of one side do not draw the other one."""
+    they count: at knuckles places of one side do not draw the other one. lines: CurveBends that
+    the surface is to have, with what curve_bend_terms() has as fairness, or None; with them rows
+    that stay may lean at the ends."""
 
     def __init__(
-        self, grid, targets, flats, rows_stay=False, bending=0.0, bends=0.0, by_normals=False
+        self,
+        grid,
+        targets,
+        flats,
+        rows_stay=False,
+        bending=0.0,
+        bends=0.0,
+        by_normals=False,
+        lines=None,
     ):
-=======
-    what bend_terms() has. lines: CurveBends that the surface is to have, with what
-    curve_bend_terms() has as fairness, or None; with them rows that stay may lean at the ends."""
-
-    def __init__(self, grid, targets, flats, rows_stay=False, bending=0.0, bends=0.0, lines=None):
->>>>>>> h21
         self.grid, self.targets, self.flats = grid, targets, flats
         self._normals = targets.normals if by_normals else None
         self._rows_stay, self._bending, self._bends = rows_stay, bending, bends
