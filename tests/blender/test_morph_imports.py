@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Families of hulls that were imported: two of FREE!ship by the layout of a sample, as neither's own
-comes onto the other; what has no part in a family is refused by name."""
+"""Families of hulls that were imported: two of FREE!ship by the layout of a sample, as
+neither's own comes onto the other; what has no part in a family is refused by name."""
 
 import bpy
 import pytest

@@ -126,8 +126,8 @@ def test_a_keel_and_a_rudder_without_counterpart_are_named(name):
             hn.fit_layout(*hulls)
         text = str(raised.value)
         print(text)
-        found = re.search(f"leave out of the {which} the body between .* and the body between", text)
-        assert found, text
+        named = f"leave out of the {which} the body between .* and the body between"
+        assert re.search(named, text), text
 
 
 @pytest.mark.skipif(os.environ.get("HULL_ALL_PAIRS") != "1", reason="HULL_ALL_PAIRS is not set")
