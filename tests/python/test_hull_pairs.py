@@ -37,7 +37,6 @@ BY_A_THIRD = (
     ("FREE!ship demo 3", "FREE!ship demo 4", "roro"),
     ("FREE!ship demo 3", "FREE!ship demo 6", "coaster"),
     ("FREE!ship demo 6", "bulk_carrier", "research_vessel"),
-    ("FREE!ship demo 6", "FREE!ship demo 4", "roro"),
 )
 # What can be done.
 REMEDY = re.compile(
