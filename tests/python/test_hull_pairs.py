@@ -36,7 +36,6 @@ BY_A_THIRD = (
     ("FREE!ship demo 4", "container_ship", "naval_vessel"),
     ("FREE!ship demo 3", "FREE!ship demo 4", "roro"),
     ("FREE!ship demo 3", "FREE!ship demo 6", "coaster"),
-    ("FREE!ship demo 6", "bulk_carrier", "research_vessel"),
 )
 # What can be done.
 REMEDY = re.compile(
