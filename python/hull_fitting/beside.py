@@ -24,12 +24,13 @@ RowsAndColumns, *_ = _beside("hull_native.grid_refinement", "RowsAndColumns")
 keel_range, laid_grid = _beside("hull_native.hull_grid", "keel_range", "laid_grid")
 HullOutline, find_ends = _beside("hull_native.hull_outline", "HullOutline", "find_ends")
 NetworkTargets, *_ = _beside("hull_native.network_targets", "NetworkTargets")
-bend_shares, end_to_end, foot_on, lengths_along, points_at = _beside(
-    "hull_native.polylines", "bend_shares", "end_to_end", "foot_on", "lengths_along", "points_at"
+bend_shares, end_to_end, foot_on, lengths_along, points_at, where_x_is = _beside(
+    "hull_native.polylines",
+    *("bend_shares", "end_to_end", "foot_on", "lengths_along", "points_at", "where_x_is"),
 )
 
-GeometryMesh, guess_hull, oriented = _beside(
-    "hull_io.geometry", "GeometryMesh", "guess_hull", "oriented"
+guess_hull, oriented, placed_views = _beside(
+    "hull_io.geometry", "guess_hull", "oriented", "placed_views"
 )
 Flat, HullData, Kept, Layer, Particulars, edge_key = _beside(
     "hull_io.hull_data", "Flat", "HullData", "Kept", "Layer", "Particulars", "edge_key"

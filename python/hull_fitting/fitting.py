@@ -46,6 +46,10 @@ _WAYS = (
     _Way(10, False, 3e-6, False),
     _Way(11, True, 1e-6, False),
 )
+# Of few points, as of a table, a surface is to be fair between them.
+_WAYS_OF_TABLE = (_Way(11, True, 1e-5), _Way(10, False, 1e-5))
+# Rows and columns at most: of hulls for which there are few points.
+_LAYOUTS = ((99, 99), (6, 5), (5, 4))
 # Of the tolerance: what misses no more than this is good enough.
 _GOOD = 0.4
 # What an error of area or volume counts for, of the length; parts of a face's side.
@@ -66,11 +70,13 @@ class FittedHull:
     fit: object
 
 
-def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=True, progress=None):
+def fit_shell(
+    shell, *, tolerance=None, budget=None, stern_post=True, knuckles=True, progress=None, loft=None
+):  # fmt: skip
     """The FittedHull of a HullShell. tolerance, m; budget: control points at most; stern_post,
-    knuckles: whether such as are found are laid out. ValueError where the shell has no outline that
-    a hull can be laid along."""
-    outline = shell_outline(shell)
+    knuckles: whether such as are found are laid out; loft: the LoftedHull that the shell is of.
+    ValueError where the shell has no outline that a hull can be laid along."""
+    outline = shell_outline(shell) if loft is None else loft.outline
     if not stern_post and outline.aft is not None:
         outline.arch = outline.post = None
     if not knuckles:
@@ -79,11 +85,15 @@ def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=T
     if not 0.0 < tolerance < np.inf:
         raise ValueError("The tolerance has to be above zero.")
     budget = BUDGET if budget is None else int(budget)
-    trial = _Trial(shell, outline, tolerance, budget)
+    trial = _Trial(shell, outline, tolerance, budget, loft)
     ways = [way for way in _WAYS if way.with_knuckles]
     if outline.knuckles:
         ways += [way for way in _WAYS if not way.with_knuckles]
-    tried = _Tried(trial, len(ways) + len(_FAIRER), progress)
+    # Of a table area and volume are too little known to tell folds.
+    fairer = _FAIRER if loft is None else ()
+    if loft is not None and not loft.is_drawn:
+        ways = _WAYS_OF_TABLE
+    tried = _Tried(trial, len(ways) + len(fairer), progress)
     for way in ways:
         tried.add(way)
         if tried.best is not None and tried.best[0] < _GOOD * tolerance:
@@ -91,7 +101,7 @@ def fit_shell(shell, *, tolerance=None, budget=None, stern_post=True, knuckles=T
     if tried.best is None:
         raise tried.refused
     way = tried.best[2]
-    for times in _FAIRER:
+    for times in fairer:
         if tried.best[1] > _FOLDED:
             tried.add(replace(way, fairness=times * way.fairness))
     fit = tried.best[3]
@@ -125,25 +135,25 @@ class _Tried:
 class _Trial:
     """Fits of one shell in several ways."""
 
-    def __init__(self, shell, outline, tolerance, budget):
+    def __init__(self, shell, outline, tolerance, budget, loft):
         mesh = shell.mesh
         self.outline, self.tolerance, self.budget = outline, tolerance, budget
-        self.girths = GirthLines(outline, (mesh.points, mesh.triangles))
-        self.targets = shell_targets(mesh)
+        self.girths = loft.girths if loft else GirthLines(outline, (mesh.points, mesh.triangles))
+        self.targets = shell_targets(mesh) if loft is None else loft.targets
+        self.have_normals = loft is None
+        self.wanted = loft.told if loft and not loft.is_drawn else self.targets.points
         self.flats = extreme_flats(outline, _station_places(outline, self.girths))
         self.whole = immersed(mesh.points, mesh.triangles, outline, outline.high[2])
 
     def fitted(self, way, progress):
         """The GridFit of a _Way."""
-        columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
         outline = self.outline if way.with_knuckles else replace(self.outline, knuckles=[])
-        columns = max(columns, len(outline.knuckles) + 3)
-        at = row_places(self.outline, self.girths, way.rows)
-        grid = laid_grid(
-            outline, columns, way.rows, girths=self.girths, at=at, post_columns=_AT_POST
-        )
-        fit = self._fit(grid, way)
-        if len(fit.points) > self.budget:
+        for layout in _LAYOUTS:
+            grid = self._grid(outline, way, *layout)
+            fit = self._fit(grid, way)
+            if len(fit.points) <= self.budget:
+                break
+        else:
             raise ValueError(
                 f"The simplest layout has {len(fit.points)} control points, more than the budget "
                 f"of {self.budget}: give a larger one."
@@ -152,7 +162,7 @@ class _Trial:
             told = part_of(progress, *(_BEGUN * (number + k) / len(_FIRST) for k in (0, 1)))
             fit.run(evenness, 0.0, steps, told)
         first, most = len(fit.points), max(self.budget, len(fit.points) + 1)
-        additions = RowsAndColumns(self.targets.points, _AIM * self.tolerance, self.budget)
+        additions = RowsAndColumns(self.wanted, _AIM * self.tolerance, self.budget)
         while additions.add_to(fit):
             fit = self._fit(grid, way)
             done = _BEGUN + (_ADDED - _BEGUN) * (len(fit.points) - first) / (most - first)
@@ -165,8 +175,25 @@ class _Trial:
             fit.heed(self.tolerance)
         return fit
 
+    def _grid(self, outline, way, most_rows, most_columns):
+        columns = _COLUMNS if self.outline.arch is None else _COLUMNS_OF_POST
+        columns = max(min(columns, most_columns), len(outline.knuckles) + 2)
+        if most_columns > _COLUMNS:
+            columns = max(columns, len(outline.knuckles) + 3)
+        rows = min(way.rows, most_rows)
+        at = row_places(self.outline, self.girths, rows)
+        post = min(_AT_POST, columns - 1)
+        return laid_grid(outline, columns, rows, girths=self.girths, at=at, post_columns=post)
+
     def _fit(self, grid, way):
-        return GridFit(grid, self.targets, self.flats, way.rows_stay, way.fairness)
+        return GridFit(
+            grid,
+            self.targets,
+            self.flats,
+            way.rows_stay,
+            way.fairness,
+            by_normals=self.have_normals,
+        )
 
     def misses(self, fit):
         """(m, the root mean square of distances; the share by which area or volume is off): a

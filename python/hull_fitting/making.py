@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from .beside import guess_hull, oriented
+from .beside import guess_hull, oriented, placed_views
 from .fitting import TOLERANCE, fit_shell
 from .half_meshes import half_mesh
 from .hull_files import hull_data, particulars_of
@@ -37,12 +37,16 @@ def hull_from_geometry(
     stern_post, knuckles: whether such as are found are laid out; name: of the hull, instead of the
     geometry's; progress: called with the share that is done, what it raises ends the work; known:
     what guess_hull() takes. ValueError in one sentence for what no hull can be laid onto."""
+    geometry = placed_views(geometry)
     guess = guess_hull(geometry, **known)
     placed = oriented(geometry, guess)
+    loft, beside = None, 0.0
     if placed.curves and not placed.meshes:
-        placed = lofted(placed)
-    mesh, beside = closed_to_centre(half_mesh(placed))
-    shell = hull_shell(mesh)
+        loft = lofted(placed)
+        shell = loft.shell
+    else:
+        mesh, beside = closed_to_centre(half_mesh(placed))
+        shell = hull_shell(mesh)
     used = shell.mesh.points[shell.mesh.triangles].reshape(-1, 3)
     low, high = float(used[:, 2].min()), float(used[:, 2].max())
     is_told = draft is not None
@@ -54,7 +58,7 @@ def hull_from_geometry(
         )
     fitted = fit_shell(
         shell, tolerance=tolerance, budget=budget, stern_post=stern_post, knuckles=knuckles,
-        progress=progress,
+        progress=progress, loft=loft,
     )  # fmt: skip
     tolerance = TOLERANCE * fitted.outline.length if tolerance is None else float(tolerance)
     report = {
@@ -62,7 +66,7 @@ def hull_from_geometry(
         "guesses": guess.reasons,
         "doubts": list(guess.doubts),
         "draft_is_told": is_told,
-        **fit_report(shell, fitted, draft, tolerance),
+        **fit_report(shell, fitted, draft, tolerance, None if loft is None else loft.told),
         "left_out": [*geometry.left_out, *_told_of_strip(beside), *shell.left_out],
     }
     data = hull_data(

@@ -51,7 +51,7 @@ def shell_outline(shell):
     )
     for name, line in (("aft", aft), ("forward", fore)):
         if name in shell.ends and line is not None:
-            outline.ends[name] = _end_lines(line, shell.ends[name])
+            outline.ends[name] = end_lines(line, shell.ends[name])
     outline.knuckles = knuckle_lines(mesh)
     find_ends(outline)
     return outline
@@ -93,7 +93,7 @@ def _split(rim, plane, length, depth):
     return rim[:count], rim[count - 1 :]
 
 
-def _end_lines(line, plane):
+def end_lines(line, plane):
     """Of a flat end with faces: its line in the centre plane, upwards, and its upper border,
     inwards."""
     place, normal = plane

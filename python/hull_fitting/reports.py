@@ -12,11 +12,13 @@ from .immersion import immersed
 _MEASURED = 20_000
 
 
-def fit_report(shell, fitted, draft, tolerance):
-    """A dict of numbers in m, m² and m³: points, distances of the source's surface from the hull
-    (in all and below the draft), ∇ and wetted surface of both, what was found."""
+def fit_report(shell, fitted, draft, tolerance, places=None):
+    """A dict of numbers in m, m² and m³: points, distances of the source's surface, or of places
+    (n, 3) that are given, from the hull (in all and below the draft), ∇ and wetted surface of both,
+    what was found."""
     mesh, outline = shell.mesh, fitted.outline
-    places, _ = spread_points(mesh.points, mesh.triangles, _MEASURED)
+    if places is None:
+        places, _ = spread_points(mesh.points, mesh.triangles, _MEASURED)
     distances = np.asarray(hn.SurfaceTree(fitted.surface).closest_points(places).distances)
     low = places[:, 2] <= draft
     volume, area = immersed(mesh.points, mesh.triangles, outline, draft)

@@ -9,7 +9,6 @@ from .errors import HullFileError
 from .freeship_writing import write_freeship
 from .hull_data import (
     LINE_KINDS,
-    Afloat,
     CutPlane,
     FieldEnd,
     Flat,
@@ -17,25 +16,20 @@ from .hull_data import (
     Kept,
     Layer,
     LineChoice,
-    Load,
-    LoadCase,
-    Opening,
     Particulars,
-    Resistance,
     ShapeField,
     ShellArrays,
     Variant,
-    Weight,
-    Weights,
-    Wind,
-    WindArea,
     shell_arrays,
     shell_face_indices,
 )
 from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
+from .model_files import write_3mf, write_cli
+from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
+from .ship_data import Afloat, Load, LoadCase, Opening, Resistance, Weight, Weights, Wind, WindArea
 from .stl import read_stl, write_stl
 from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 
@@ -67,6 +61,8 @@ __all__ = [
     "Weights",
     "Wind",
     "WindArea",
+    "gdf_title",
+    "panel_areas",
     "read_area_table",
     "read_hull",
     "read_hull_file",
@@ -77,7 +73,12 @@ __all__ = [
     "stored_sections",
     "to_dimensions",
     "to_dimensions_keeping",
+    "write_3mf",
+    "write_cli",
     "write_freeship",
+    "write_gdf",
     "write_hull_file",
+    "write_nemoh",
+    "write_obj",
     "write_stl",
 ]

@@ -4,7 +4,8 @@
 import numpy as np
 
 from .freeship_points import irregular_knuckles
-from .hull_data import Kept, Resistance, Weights
+from .hull_data import Kept
+from .ship_data import Resistance, Weights
 from .wanted import Targets
 
 # Rounding of control points, in m, that is worth a word.

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .ship_data import Afloat, Load, Resistance, Weights
 from .wanted import Targets
 
 
@@ -36,124 +37,6 @@ class Particulars:
     draft: float = 0.0
     depth: float = 0.0
     water_density: float = 0.0
-
-
-@dataclass
-class Afloat:
-    """How the hull lies: trim_m in m by the stern between perpendiculars, heel in degrees to
-    starboard; whether her openings count as closed weathertight."""
-
-    trim_m: float = 0.0
-    heel_deg: float = 0.0
-    deck_closed: bool = True
-
-
-@dataclass
-class Load:
-    """The load whose stability is looked at: mass in t, centre of gravity in m.
-
-    mass_t None: the displacement as afloat. kg 0: not given. lcg None: above that of buoyancy.
-    free_trim: whether the trim adjusts itself as she heels. kg_is_guess: nobody gave the kg.
-    """
-
-    mass_t: object = None
-    kg: float = 0.0
-    lcg: object = None
-    free_trim: bool = True
-    kg_is_guess: bool = False
-
-
-@dataclass
-class LoadCase:
-    """A mass in t with its centre of gravity in m; with_weights: the ship's Weights are added."""
-
-    name: str
-    mass_t: float
-    lcg: float = 0.0
-    tcg: float = 0.0
-    vcg: float = 0.0
-    with_weights: bool = False
-
-
-@dataclass
-class Weight:
-    """A part of the ship: its mass in t and the centre of that in m."""
-
-    name: str
-    mass_t: float
-    lcg: float = 0.0
-    tcg: float = 0.0
-    vcg: float = 0.0
-
-
-@dataclass
-class Weights:
-    """What the ship weighs without load: the shell's plating, of a thickness in m (0: not counted)
-    and a density in t/m3, and all else as a list of Weight."""
-
-    thickness: float = 0.0
-    density: float = 7.85
-    items: list = field(default_factory=list)
-
-
-@dataclass
-class Opening:
-    """The lower edge (x, y, z) in m of an opening that can't be closed, meant on both sides."""
-
-    name: str
-    position: tuple
-
-
-@dataclass
-class WindArea:
-    """A part of the projected lateral area above the water: m², and its centre's height in m."""
-
-    name: str
-    area: float
-    z: float = 0.0
-
-
-@dataclass
-class Wind:
-    """What the weather criterion needs to know of a ship.
-
-    hull_profile: the profile of the hull above the water counts, beside `areas`. lever: of all
-    areas over the centre of the underwater profile, in m; None: from their centres. pressure in Pa.
-    keel_area: of bilge and bar keels in m². roll_period in s; None: estimated.
-    """
-
-    hull_profile: bool = True
-    areas: list = field(default_factory=list)
-    lever: object = None
-    pressure: float = 504.0
-    keel_area: float = 0.0
-    sharp_bilges: bool = False
-    roll_period: object = None
-
-
-RESISTANCE_METHODS = ("holtrop", "michell", "savitsky")
-# Holtrop and Mennen's stern coefficients: pram, V, normal, U.
-STERNS = (-25, -10, 0, 10)
-
-
-@dataclass
-class Resistance:
-    """How the resistance is reckoned: method, first, last and step of speeds in knots, and what
-    only the designer knows. Lengths in m, areas in m²; 0: not given. chine_beam 0: that of the
-    waterline."""
-
-    method: str = "holtrop"
-    speeds_kn: tuple = (6.0, 16.0, 1.0)
-    form_factor: float = 1.0
-    stern: int = 0
-    appendage_area: float = 0.0
-    appendage_factor: float = 1.5
-    propeller_diameter: float = 0.0
-    twin_screw: bool = False
-    deadrise_deg: float = 15.0
-    chine_beam: float = 0.0
-    shaft_angle_deg: float = 0.0
-    thrust_arm: float = 0.0
 
 
 @dataclass

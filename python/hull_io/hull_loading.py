@@ -14,7 +14,6 @@ displacement afloat, one without lcg has it above the centre of buoyancy. Centre
 are 0.
 """
 
-from .hull_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
 from .limits import (
     FURTHEST_POINT,
     HEAVIEST_LOAD,
@@ -24,6 +23,7 @@ from .limits import (
     MAX_LOADING_ENTRIES,
     STRONGEST_WIND,
 )
+from .ship_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
 
 KEYS = ("afloat", "load", "load_cases", "openings", "wind")
 

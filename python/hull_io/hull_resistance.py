@@ -11,8 +11,8 @@ All may be left out; lengths and areas of 0 are not given.
 """
 
 from .checked_json import shown
-from .hull_data import RESISTANCE_METHODS, STERNS, Resistance
 from .limits import FASTEST_KN, LARGEST_WIND_AREA, LONGEST_DIMENSION
+from .ship_data import RESISTANCE_METHODS, STERNS, Resistance
 
 KEY = "resistance"
 # Least and greatest number.

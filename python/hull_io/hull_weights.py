@@ -8,8 +8,8 @@ All may be left out; a shell without thickness has no weight. "layers" may have 
 density of their own.
 """
 
-from .hull_data import Weight, Weights
 from .limits import DENSEST, HEAVIEST_LOAD, LONGEST_DIMENSION, MAX_LOADING_ENTRIES, THICKEST
+from .ship_data import Weight, Weights
 
 KEY = "weights"
 _CENTRE = ("lcg", "tcg", "vcg")

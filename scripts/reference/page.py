@@ -26,6 +26,7 @@ _GROUPS = {
     "_drawing": "Drawings",
     "_morphing": "Morphing",
     "_network": "Networks of curves",
+    "_production": "Models, panels",
     "_resistance": "Resistance",
 }
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import signatures
 
-COMPILED = ("_core", "_drawing", "_exchange", "_morphing", "_network", "_resistance")
+COMPILED = ("_core", "_drawing", "_exchange", "_morphing", "_network", "_production", "_resistance")
 _HEAD = """\
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os

@@ -34,7 +34,7 @@ MEMBERS = np.linspace(0.0, 1.0, 11)
 BY_A_THIRD = (
     ("FREE!ship demo 4", "bulk_carrier", "coaster"),
     ("FREE!ship demo 4", "container_ship", "naval_vessel"),
-    ("FREE!ship demo 3", "FREE!ship demo 4", "coaster"),
+    ("FREE!ship demo 3", "FREE!ship demo 4", "roro"),
     ("FREE!ship demo 3", "FREE!ship demo 6", "coaster"),
 )
 # What can be done.

@@ -17,11 +17,9 @@ from hull_fitting.borders import without_spurs
 from hull_fitting.half_meshes import clipped, half_mesh
 from hull_fitting.immersion import immersed
 from hull_fitting.keel_strips import closed_to_centre
-from hull_fitting.lofting import lofted
 from hull_fitting.outlines import shell_outline
 from hull_fitting.shells import hull_shell
-from hull_fitting.smooth_lines import line_through, runs
-from hull_io.geometry import Geometry, GeometryMesh, guess_hull, oriented, read_geometry
+from hull_io.geometry import Geometry, GeometryMesh, read_geometry
 from hull_io.triangles import normals_of
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -164,58 +162,6 @@ def test_a_sample_of_triangles_becomes_a_hull_again(name):
     stations = station_overlays(made.shell, made.fitted)
     assert len(stations) == 11
     assert max(one.rms for one in stations) < 1e-3 * length
-
-
-def test_a_line_through_few_points_is_straight_where_they_are_and_does_not_bulge():
-    """A bilge of 2 m between a flat bottom and a flat side, by its waterlines."""
-    angles = np.radians([0.0, 45.0, 90.0])
-    bilge = np.stack([5.0 + 2.0 * np.sin(angles), 2.0 - 2.0 * np.cos(angles)], axis=1)
-    line = np.array([(0, 0), *bilge.tolist(), (7, 3), (7, 4), (7, 8)], dtype=float)
-    line = np.insert(line, 0, 0.0, axis=1)
-    at = np.arange(len(line), dtype=float)
-    flats = [*runs(np.diff(line[:, 2]) == 0.0), *runs(np.diff(line[:, 1]) == 0.0)]
-    assert flats == [(0, 1), (3, 6)]
-    _, y, z = line_through(line, at, 16, flats=flats).T
-    assert np.abs(z[:17]).max() < 1e-12 and np.abs(y[48:] - 7.0).max() < 1e-12
-    off = np.hypot(y[16:49] - 5.0, z[16:49] - 2.0) - 2.0
-    assert np.abs(off).max() < 0.01 * 2.0
-    # Along the flats at their ends: the next place is off by a square.
-    assert z[17] < 0.1 * (y[17] - 5.0) and 7.0 - y[47] < 0.1 * (2.0 - z[47])
-
-
-def table_of(name, path, stations=21, waterlines=11):
-    """Writes the offsets of a sample by its stations, waterlines and heights of the keel; returns
-    its surface."""
-    surface, _ = sample(name)
-    places = np.asarray(surface.tessellate(6).points)
-    low, high = places.min(axis=0), places.max(axis=0)
-    xs, zs = np.linspace(low[0], high[0], stations), np.linspace(0.0, high[2], waterlines)
-    table = hn.offset_table(surface, stations=xs, waterlines=zs, buttocks=[0.0])
-    (deck,) = (one for one in table.features if "eck" in one.name)
-    lines = [["x", *(f"WL {z:.6g}" for z in zs), "Profile", "Deck half-breadth", "Deck height"]]
-    for i, x in enumerate(xs):
-        values = [*table.half_breadths[i], table.heights[i][0]]
-        values += [deck.half_breadths[i], deck.heights[i]]
-        lines.append([f"{x:.4f}", *("" if np.isnan(v) else f"{v:.4f}" for v in values)])
-    path.write_text("\n".join(",".join(line) for line in lines) + "\n")
-    return surface
-
-
-def test_the_surface_through_a_table_does_not_bulge_below_the_base_line(tmp_path):
-    surface = table_of("coaster", tmp_path / "coaster.csv")
-    found = read_geometry(tmp_path / "coaster.csv")
-    points = lofted(oriented(found, guess_hull(found))).meshes[0].points
-    apart = np.asarray(hn.SurfaceTree(surface).closest_points(points).distances)
-    # Between waterlines of 0.9 m, and ends between stations of 4.4 m, the table tells no more.
-    length = np.ptp(points[:, 0])
-    assert np.median(apart) < 2e-4 * length and np.sqrt(np.mean(apart**2)) < 2e-3 * length
-    assert points[:, 2].min() > -4e-3 * length
-    rows = [line.split(",") for line in (tmp_path / "coaster.csv").read_text().splitlines()]
-    rows = [",".join(row[:-3] + row[-2:]) for row in rows]  # without the keel
-    (tmp_path / "keelless.csv").write_text("\n".join(rows))
-    found = read_geometry(tmp_path / "keelless.csv")
-    with pytest.raises(ValueError, match="do not begin at the centre plane"):
-        lofted(oriented(found, guess_hull(found)))
 
 
 def test_a_shell_that_ends_beside_the_centre_plane_is_closed_to_it():

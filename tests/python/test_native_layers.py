@@ -19,6 +19,7 @@ USES = {
     "modelling": {"analysis", "surface", "mesh"},
     "morphing": {"modelling", "analysis", "surface", "mesh"},
     "conversion": {"analysis", "surface", "mesh"},
+    "production": {"analysis", "surface", "mesh"},
     "resistance": {"analysis", "surface", "mesh"},
     "network": {"conversion", "modelling", "analysis", "surface", "mesh"},
     "exchange": {"conversion", "analysis", "surface", "mesh", "files"},

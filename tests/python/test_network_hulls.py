@@ -50,21 +50,24 @@ IS_LONG = bool(os.environ.get("HULL_LONG_NETWORKS"))
 
 
 # Budgets are 1.3 times the samples' own 125 and 136 points. Rows that floated came to lie on one
-# another, with control points far outside of the hull: there were 849 and 981 marks.
+# another, with control points far outside of the hull: there were 849 and 981 marks. Where bends
+# were small, instead of those of the curves, there were 268 and 331; now there are 141 and 227.
 @pytest.mark.skipif(not IS_LONG, reason="HULL_LONG_NETWORKS is not set: takes half a minute")
-@pytest.mark.parametrize("name, budget", [("bulk_carrier", 162), ("container_ship", 176)])
-def test_hulls_with_posts_keep_their_rows(name, budget):
+@pytest.mark.parametrize(
+    "name, budget, marks", [("bulk_carrier", 162, 180), ("container_ship", 176, 270)]
+)
+def test_hulls_with_posts_keep_their_rows(name, budget, marks):
     surface, _, length, hull = laid(name, budget)
     points = np.asarray(hull.surface.mesh.points)
     assert len(points) <= budget and hull.in_rows >= 0.8
-    assert hull.rms <= 1.2e-4 * length and hull.largest <= 1.5e-3 * length
+    assert hull.rms <= 1e-4 * length and hull.largest <= 1e-3 * length
     own = np.asarray(surface.mesh.points)
     low, high = own.min(axis=0), own.max(axis=0)
     beyond = 0.25 * (high[2] - low[2])
     assert (points > low - beyond).all() and (points < high + beyond).all()
     vessel = vessels.vessel(name)
     lines = judged(hull.surface, vessel.data.particulars.beam, vessel.wanted)
-    assert sum(len(line.unwanted) for line in lines) <= 400
+    assert sum(len(line.unwanted) for line in lines) <= marks
 
 
 def test_distances_are_those_of_the_curves():

@@ -7,6 +7,7 @@ import numpy as np
 
 from ._core import crease_curves, fit_surface
 from .bend_terms import bend_terms
+from .curve_bends import curve_bend_terms
 from .grid_mesh import grid_mesh, line_named
 from .polylines import foot_on, lengths_along, points_at
 
@@ -70,11 +71,26 @@ def extreme_flats(outline, places):
 class GridFit:
     """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
     rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness; bends:
-    what bend_terms() has."""
+    what bend_terms() has. by_normals: whether the surface has to be turned as targets are where
+    they count: at knuckles places of one side do not draw the other one. lines: CurveBends that
+    the surface is to have, with what curve_bend_terms() has as fairness, or None; with them rows
+    that stay may lean at the ends."""
 
-    def __init__(self, grid, targets, flats, rows_stay=False, bending=0.0, bends=0.0):
+    def __init__(
+        self,
+        grid,
+        targets,
+        flats,
+        rows_stay=False,
+        bending=0.0,
+        bends=0.0,
+        by_normals=False,
+        lines=None,
+    ):
         self.grid, self.targets, self.flats = grid, targets, flats
+        self._normals = targets.normals if by_normals else None
         self._rows_stay, self._bending, self._bends = rows_stay, bending, bends
+        self._lines, self._may_lean = lines, rows_stay and lines is not None
         self.mesh = grid_mesh(grid)
         self.points = np.array(self.mesh.points)
         self.in_flats = {}  # point -> [axes]
@@ -124,7 +140,8 @@ class GridFit:
         """evenness: what a second difference of the moves along a row or column counts for, of
         what a distance does; fairness: what a third difference of the places does."""
         # Bends are those of the surface at the start of a part.
-        part = _STEPS_OF_BENDS if self._bends > 0.0 else most_steps
+        is_changing = self._bends > 0.0 or self._lines is not None
+        part = _STEPS_OF_BENDS if is_changing else most_steps
         for done in range(0, most_steps, part):
             self._run(evenness, fairness, min(part, most_steps - done), progress)
 
@@ -136,6 +153,7 @@ class GridFit:
         found = fit_surface(
             surface,
             self.targets.points,
+            normals=self._normals,
             weights=self._weights,
             curves=self._curves(surface),
             held_points=[number for number, _ in held],
@@ -144,7 +162,8 @@ class GridFit:
             tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
             sums=self._even_moves(evenness)
             + self._fair_lines(fairness)
-            + bend_terms(surface, self._bends),
+            + bend_terms(surface, self._bends)
+            + ([] if self._lines is None else curve_bend_terms(surface, *self._lines)),
             fairness=self._bending,
             draw_border=True,
             most_steps=most_steps,
@@ -155,7 +174,7 @@ class GridFit:
         for row, numbers in zip(self.grid.rows, self.mesh.numbers):
             there = numbers >= 0
             row.points[there] = self.points[numbers[there]]
-            if row.x is not None:
+            if row.x is not None and not self._may_lean:
                 row.x = float(np.median(row.points[there, 0]))
 
     def _row_limits(self):
@@ -167,10 +186,10 @@ class GridFit:
         at_end = set().union(*mesh.ends.values())
         self._beside_ends = _rows_beside_ends(rows)
         tied, leaders = [], {}
-        below_arch = self._below_arch()
+        apart = at_end | mesh.feet | self._below_arch() | self._leaning()
         for number, i in enumerate(mesh.row_of):
             row = rows[i]
-            if row.x is None or number in at_end or number in mesh.feet or number in below_arch:
+            if row.x is None or number in apart:
                 continue
             if row.is_knuckle or self._rows_stay or i in self._beside_ends:
                 held.append((number, _X))
@@ -199,6 +218,18 @@ class GridFit:
             return set()
         below = {int(n) for n in self.mesh.numbers[arch, : self.grid.rows[0].low] if n >= 0}
         return below | {self.mesh.partners.get(n, n) for n in below}
+
+    def _leaning(self):
+        """With a post below an arch: the points that lean with the post in the first whole row,
+        those of the columns that begin there, and with the stem's foot in the last one, the lower
+        half of it."""
+        grid, numbers = self.grid, self.mesh.numbers
+        if not self._may_lean or grid.arch_row is None or grid.rows[-1].kind != "stem":
+            return set()
+        whole = [i for i, row in enumerate(grid.rows) if row.kind == "station" and row.low == 0]
+        aft = numbers[whole[0], 1 : grid.rows[0].low]
+        forward = numbers[whole[-1], 1 : 1 + grid.columns // 2]
+        return set(aft.tolist()) | set(forward.tolist())
 
     def _held_in_plane(self, numbers):
         """Points of an end in its plane; it may lean."""

@@ -12,6 +12,7 @@ from functools import cmp_to_key
 
 import numpy as np
 
+from .best_rows import best_rows
 from .girth_lines import GirthLines
 from .polylines import bend_shares, foot_on, lengths_along, points_at, where_x_is
 
@@ -63,6 +64,16 @@ class HullGrid:
     @property
     def arch_row(self):
         return next((i for i, row in enumerate(self.rows) if row.kind == "arch"), None)
+
+
+def best_places(outline, girths, count):
+    """(count,) x of rows, m, with which columns meet the sections best; the first and the last one
+    are where the ends want them."""
+    before, _ = keel_range(outline)
+    if outline.arch is not None:
+        before = float(outline.on_contour(outline.arch)[0])
+    after = float(outline.contour[-1, 0])
+    return best_rows(girths, _row_places(outline, girths, count), before, after)
 
 
 def laid_grid(outline, columns, rows, counter_rows=2, post_columns=4, girths=None, at=None):

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ._core import SurfaceTree
+from .curve_bends import network_bends
+from .girth_lines import GirthLines
 from .grid_fit import GridFit, extreme_flats
 from .grid_refinement import RowsAndColumns
-from .hull_grid import laid_grid
+from .hull_grid import best_places, laid_grid
 from .hull_outline import hull_outline
 from .network_targets import curve_distances, network_places, network_targets
 from .template_fit import fit_template
@@ -27,14 +29,16 @@ _AIM = 0.8
 @dataclass(frozen=True)
 class _Way:
     """A layout to begin with, of_post: columns that begin at a post below an arch; and how it is
-    fitted: rows_stay and bends as GridFit has them; evenness of the moves, fairness of rows and
-    columns, and steps: first, after an addition, at last."""
+    fitted: rows_stay and bends as GridFit has them; follow: what bends along the network's curves
+    count for; evenness of the moves, fairness of rows and columns, and steps: first, after an
+    addition, at last."""
 
     columns: int
     rows: int
     of_post: int
     rows_stay: bool
     bends: float
+    follow: float
     first: tuple
     after_addition: tuple
     last: tuple
@@ -44,7 +48,7 @@ def _floating(rows):
     """Rows go to where they are wanted: with third differences that are small from the beginning
     that comes nearer to the curves with fewer points."""
     return _Way(
-        6, rows, 0, False, 0.0,
+        6, rows, 0, False, 0.0, 0.0,
         ((1e-1, 3e-3, 12), (1e-2, 3e-3, 12)),
         (3e-3, 3e-3, 8),
         ((1e-3, 3e-3, 15), (1e-4, 1e-3, 20), (1e-4, 1e-3, 20), (1e-4, 5e-4, 20)),
@@ -53,9 +57,10 @@ def _floating(rows):
 
 def _staying(columns, rows, of_post):
     """Around a post, bulbs and blunt bows rows that float would come to lie on one another; they
-    stay, and the surface bends as little as curves allow."""
+    stay, where columns meet the sections best; along curves the surface bends as these do, and
+    elsewhere as little as they allow."""
     return _Way(
-        columns, rows, of_post, True, 2e-4,
+        columns, rows, of_post, True, 5e-5, 2e-4,
         ((1e-1, 0.0, 12), (1e-2, 0.0, 10)),
         (3e-3, 0.0, 5),
         ((3e-3, 0.0, 15), (3e-3, 0.0, 15), (1e-3, 0.0, 15)),
@@ -124,6 +129,7 @@ def _laid(network, places, tolerance, budget, progress):
     """The surface and its flats, of the first layout within the tolerance, or the best one."""
     outline = hull_outline(network)
     targets, flats = network_targets(network), extreme_flats(outline, places)
+    girths, bends = GirthLines(outline), network_bends(network)
     ways = _WAYS if outline.arch is None else _WAYS_OF_POST
     found, refused = [], None
     for number, way in enumerate(ways):
@@ -131,8 +137,11 @@ def _laid(network, places, tolerance, budget, progress):
         columns = max(way.columns, len(outline.knuckles) + 3)
         additions = RowsAndColumns(places, _AIM * tolerance, budget)
         try:
-            grid = laid_grid(outline, columns, way.rows, post_columns=way.of_post)
-            fit = _grown(grid, targets, flats, way, additions, told)
+            at = best_places(outline, girths, way.rows) if way.rows_stay else None
+            grid = laid_grid(
+                outline, columns, way.rows, post_columns=way.of_post, girths=girths, at=at
+            )
+            fit = _grown(grid, targets, flats, way, additions, told, bends)
         except ValueError as error:
             refused = refused or error
             continue
@@ -146,9 +155,11 @@ def _laid(network, places, tolerance, budget, progress):
     return fit.surface, fit.flat_points()
 
 
-def _grown(grid, targets, flats, way, additions, told):
+def _grown(grid, targets, flats, way, additions, told, curves):
+    lines = (curves, way.follow) if way.follow > 0.0 else None
+
     def anew():
-        return GridFit(grid, targets, flats, way.rows_stay, bends=way.bends)
+        return GridFit(grid, targets, flats, way.rows_stay, bends=way.bends, lines=lines)
 
     fit = anew()
     if len(fit.points) > additions.budget:

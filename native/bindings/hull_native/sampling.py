@@ -69,8 +69,36 @@ def _shares(line):
 
 def on_spline(degree, knots, points, weights, at):
     """Places (k, 3) on a rational B-spline curve (Piegl and Tiller 1987), by de Boor's way."""
+    at_places = _de_boor(degree, knots, _homogeneous(points, weights), at)
+    return at_places[:, :3] / at_places[:, 3:]
+
+
+def spline_slopes(degree, knots, points, weights, at):
+    """First and second derivatives (k, 3) of a rational B-spline curve by its parameter (Piegl and
+    Tiller 1987): of numerator and denominator those of splines of lower degrees."""
+    control, lower = _homogeneous(points, weights), np.asarray(knots)
+    parts = [_de_boor(degree, lower, control, at)]
+    for order in (1, 2):
+        if order > degree:
+            parts.append(np.zeros_like(parts[0]))
+            continue
+        p = degree - order + 1
+        spans = lower[p + 1 : -1] - lower[1 : -p - 1]
+        steps = np.diff(control, axis=0)
+        control = p * steps / np.where(spans > 0.0, spans, np.inf)[:, None]
+        lower = lower[1:-1]
+        parts.append(_de_boor(p - 1, lower, control, at))
+    (a, w), (da, dw), (dda, ddw) = ((part[:, :3], part[:, 3:]) for part in parts)
+    first = (da - dw * a / w) / w
+    return first, (dda - 2.0 * dw * first - ddw * a / w) / w
+
+
+def _homogeneous(points, weights):
     weights = np.asarray(weights)
-    control = np.column_stack([np.asarray(points) * weights[:, None], weights])
+    return np.column_stack([np.asarray(points) * weights[:, None], weights])
+
+
+def _de_boor(degree, knots, control, at):
     spans = np.clip(np.searchsorted(knots, at, "right") - 1, degree, len(control) - 1)
     near = control[spans[:, None] + np.arange(-degree, 1)]
     for level in range(1, degree + 1):
@@ -79,4 +107,4 @@ def on_spline(degree, knots, points, weights, at):
             high = knots[spans + 1 + k - level]
             share = ((at - low) / (high - low))[:, None]
             near[:, k] = (1.0 - share) * near[:, k - 1] + share * near[:, k]
-    return near[:, degree, :3] / near[:, degree, 3:]
+    return near[:, degree]

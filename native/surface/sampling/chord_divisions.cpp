@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
+#include <stdexcept>
 
 #include "surface/pieces/pieces.h"
 #include "surface/sampling/chord_bound.h"
@@ -163,6 +165,12 @@ int grown(int n, double ratio) {
   return std::clamp(more, n + 1, kMostDivisions);
 }
 
+// To two digits, as it will be read.
+double rounded_up(double length) {
+  const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+  return std::ceil(length / unit) * unit;
+}
+
 }  // namespace
 
 CellDivisions::CellDivisions(const mesh::Topology& cells, int n) : cells_(&cells) {
@@ -221,6 +229,22 @@ std::optional<CellDivisions> chord_divisions(const LimitSurface& surface, double
     if (any && divisions.quad_count() > kMostQuads) return std::nullopt;
   }
   return divisions;
+}
+
+CellDivisions chord_divisions_for(const LimitSurface& surface, double chord_tolerance) {
+  std::ostringstream message;
+  if (!(chord_tolerance > 0.0) || !std::isfinite(chord_tolerance)) {
+    message << "The chord tolerance must be a positive length, not " << chord_tolerance << " m.";
+    throw std::invalid_argument(message.str());
+  }
+  if (auto divisions = chord_divisions(surface, chord_tolerance)) return *divisions;
+  double enough = std::max(chord_tolerance, 1e-10 * surface.mesh().size());
+  do {
+    enough = rounded_up(2.0 * enough);
+  } while (!chord_divisions(surface, enough));
+  message << "A chord tolerance of " << chord_tolerance << " m takes more than " << kMostDivisions
+          << " divisions of a cell, or more than 2^24 quadrilaterals. " << enough << " m would do.";
+  throw std::invalid_argument(message.str());
 }
 
 }  // namespace hull::surface

@@ -39,4 +39,8 @@ inline constexpr double kMostQuads = 1 << 24;
 // that takes. None where more than kMostDivisions or kMostQuads would be needed.
 std::optional<CellDivisions> chord_divisions(const LimitSurface& surface, double tolerance);
 
+// The same; where there are none std::invalid_argument names a tolerance that would do, as it says
+// what is wrong with one that is no length.
+CellDivisions chord_divisions_for(const LimitSurface& surface, double chord_tolerance);
+
 }  // namespace hull::surface

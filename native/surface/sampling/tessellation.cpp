@@ -2,10 +2,8 @@
 #include "surface/sampling/tessellation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "surface/sampling/chord_divisions.h"
@@ -190,12 +188,6 @@ class Builder {
   Tessellation result_;
 };
 
-// To two digits, as it will be read.
-double rounded_up(double length) {
-  const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
-  return std::ceil(length / unit) * unit;
-}
-
 }  // namespace
 
 Tessellation tessellate(const LimitSurface& surface, int n) {
@@ -207,22 +199,7 @@ Tessellation tessellate(const LimitSurface& surface, int n) {
 }
 
 Tessellation tessellate_to_tolerance(const LimitSurface& surface, double chord_tolerance) {
-  if (!(chord_tolerance > 0.0) || !std::isfinite(chord_tolerance)) {
-    std::ostringstream message;
-    message << "The chord tolerance must be a positive length, not " << chord_tolerance << " m.";
-    throw std::invalid_argument(message.str());
-  }
-  if (const auto divisions = chord_divisions(surface, chord_tolerance)) {
-    return Builder(surface, *divisions).build();
-  }
-  double enough = std::max(chord_tolerance, 1e-10 * surface.mesh().size());
-  do {
-    enough = rounded_up(2.0 * enough);
-  } while (!chord_divisions(surface, enough));
-  std::ostringstream message;
-  message << "A chord tolerance of " << chord_tolerance << " m takes more than " << kMostDivisions
-          << " divisions of a cell, or more than 2^24 quadrilaterals. " << enough << " m would do.";
-  throw std::invalid_argument(message.str());
+  return Builder(surface, chord_divisions_for(surface, chord_tolerance)).build();
 }
 
 }  // namespace hull::surface

@@ -5,6 +5,8 @@ edge."""
 import numpy as np
 
 from ..errors import HullFileError
+from ..table_text import table_rows
+from .offset_lines import divided, lines_of
 from .offset_tables import parse_offset_table
 from .values import Geometry, polyline
 
@@ -14,7 +16,8 @@ _MOST_STATION_NUMBER = 50
 
 def read_offsets(text, name):
     """The Geometry of a table of offsets; x as the table has it, y of the half, z up."""
-    table = parse_offset_table(text, name)
+    rows, lines = divided(table_rows(text))
+    table = parse_offset_table(rows, name)
     xs = _station_positions(table, name)
     stations = {}
     for offset in table.offsets:
@@ -25,8 +28,12 @@ def read_offsets(text, name):
             stations[text_of_station].mark(said)
     ordered = sorted(stations.items(), key=lambda item: item[1].x)
     curves = [station.curve(label) for label, station in ordered]
-    curves += _lengthwise(table, [station for _, station in ordered], name)
-    curves = tuple(curve for curve in curves if curve is not None)
+    in_space = lines_of(lines, table, name)
+    told = {curve.kind for curve in in_space} - {"border", "profile"}
+    # What is told in space is told better than by its places at stations.
+    lengthwise = _lengthwise(table, [station for _, station in ordered], name)
+    curves += [curve for curve in lengthwise if curve is None or curve.kind not in told]
+    curves = tuple(curve for curve in (*curves, *in_space) if curve is not None)
     if not curves:
         raise HullFileError(
             f"{name}: no station has two points; give half-breadths at two waterlines or more."

@@ -95,9 +95,10 @@ def looks_like_offsets(text):
     return False
 
 
-def parse_offset_table(text, name):
-    """The OffsetTable of a text; name: of the file, for messages. HullFileError with the line."""
-    return _Reader(name).read(table_rows(text))
+def parse_offset_table(rows, name):
+    """The OffsetTable of rows as table_rows() has them; name: of the file, for messages.
+    HullFileError with the line."""
+    return _Reader(name).read(rows)
 
 
 class _Reader:

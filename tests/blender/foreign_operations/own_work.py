@@ -12,6 +12,8 @@ _NEEDS_A_FILE = {
     "hull.export_hull",
     "hull.export_iges",
     "hull.export_lines",
+    "hull.export_model",
+    "hull.export_panels",
     "hull.export_plot",
     "hull.export_report",
     "hull.export_series",

@@ -3,7 +3,7 @@
 
 from math import degrees, radians
 
-from ....hull_io.hull_data import (
+from ....hull_io.ship_data import (
     Afloat,
     Load,
     LoadCase,

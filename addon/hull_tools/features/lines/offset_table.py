@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table of offsets: heights and half-breadths at the stations of the lines plan."""
+"""The table of offsets: heights and half-breadths at the stations of the lines plan, and stem,
+stern and transom beside it, which no station tells."""
+
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -13,15 +16,41 @@ def inputs(settings, metres_per_unit):
     return line_places.line_places(settings, metres_per_unit)
 
 
+@dataclass(frozen=True)
+class OffsetTable:
+    """What a hull_native.OffsetTable has; ends: pairs (name, (n, 3) points in m) as end_lines() has
+    them."""
+
+    stations: np.ndarray
+    waterlines: np.ndarray
+    buttocks: np.ndarray
+    half_breadths: np.ndarray
+    heights: np.ndarray
+    half_breadth_on_knuckle: np.ndarray
+    height_on_knuckle: np.ndarray
+    features: list
+    ends: tuple
+
+
+def with_ends(table, ends):
+    """The OffsetTable of a hull_native.OffsetTable and what end_lines() gives."""
+    own = {one.name: getattr(table, one.name) for one in fields(OffsetTable)[:-1]}
+    return OffsetTable(**own, ends=tuple(ends))
+
+
 def compute(ship, wanted):
-    """hull_native.OffsetTable; the first buttock is 0, the centre line."""
+    """The OffsetTable of a hull; the first buttock is 0, the centre line."""
     surface = ship.body.surface
     stations, waterlines, buttocks = wanted.positions(surface.mesh.points)
     if not stations:
         raise ValueError("There are no stations: give Lpp and their number, or a list of them")
-    return native.require().offset_table(
+    table = native.require().offset_table(
         surface, stations=stations, waterlines=waterlines, buttocks=(0.0, *buttocks)
     )
+    # With what reads such tables again; loaded where it is wanted.
+    from ....hull_fitting.profile_ends import end_lines
+
+    return with_ends(table, end_lines(surface, table.stations))
 
 
 def header(table):
@@ -35,6 +64,7 @@ def header(table):
             for what in ("half-breadth", "height")
         ),
         "on a knuckle",
+        *(f"{name}: {what}" for name, points in _ends(table) for what in _columns_of(points)),
     ]
 
 
@@ -46,7 +76,13 @@ def rows(table):
             for value in (feature.half_breadths[i], feature.heights[i])
         ]
         lengths = [*table.half_breadths[i], *table.heights[i], *features]
-        yield [x, *(_in_mm(value) for value in lengths), _marks(table, i)]
+        beside = [cell for _, points in _ends(table) for cell in _point(points, i)]
+        yield [x, *(_in_mm(value) for value in lengths), _marks(table, i), *beside]
+
+
+def _ends(table):
+    """Of a hull_native.OffsetTable none."""
+    return getattr(table, "ends", ())
 
 
 def _in_mm(value):
@@ -61,3 +97,17 @@ def _marks(table, i):
     return "; ".join(
         [*(f"WL {z:.10g} m" for z in waterlines), *(f"buttock {y:.10g} m" for y in buttocks)]
     )
+
+
+def _columns_of(points):
+    if np.abs(points[:, 1]).max() < 5e-5:
+        return ["x [m]", "height [mm]"]
+    return ["x [m]", "half-breadth [mm]", "height [mm]"]
+
+
+def _point(points, i):
+    if i >= len(points):
+        return [None] * len(_columns_of(points))
+    x, y, z = points[i]
+    values = [round(float(x), 4), _in_mm(y), _in_mm(z)]
+    return values if len(_columns_of(points)) == 3 else [values[0], values[2]]

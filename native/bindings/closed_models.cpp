@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <stdexcept>
+
+#include "bindings/arrays.h"
+#include "bindings/production_classes.h"
+#include "bindings/rows.h"
+#include "production/models/closed_model.h"
+#include "production/models/slices.h"
+
+namespace hull::bindings {
+namespace {
+
+using production::ClosedModel;
+using production::ModelLayers;
+using production::ModelSlice;
+
+ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
+  ClosedModel model{points_from(points, "points"), {}};
+  const auto rows = py::array::ensure(triangles);
+  if (!rows || rows.ndim() != 2 || rows.shape(1) != 3) {
+    throw std::invalid_argument("triangles must have shape (n, 3).");
+  }
+  const std::vector<int> corners = integers_from(rows.attr("ravel")(), "triangles");
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    for (std::size_t k = i; k < i + 3; ++k) {
+      if (corners[k] >= 0 && corners[k] < static_cast<int>(model.points.size())) continue;
+      throw std::invalid_argument("Triangle " + std::to_string(i / 3) + " has the corner " +
+                                  std::to_string(corners[k]) + ", which is no point.");
+    }
+    model.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  }
+  const int open = production::open_sides(model);
+  if (open > 0 || model.triangles.empty()) {
+    throw std::invalid_argument("The triangles do not enclose a body: " + std::to_string(open) +
+                                " sides do not belong to two of them.");
+  }
+  return model;
+}
+
+void bind_slices(py::module_& module) {
+  py::class_<ModelSlice>(module, "ModelSlice", "The section of a ClosedModel at a height.")
+      .def_readonly("height", &ModelSlice::height)
+      .def_property_readonly(
+          "contours",
+          [](const ModelSlice& slice) {
+            py::list list;
+            for (const auto& contour : slice.contours) list.append(to_array(contour));
+            return list;
+          },
+          "A list of arrays (n, 2), x and y of closed contours, whose first point is not "
+          "repeated: counter-clockwise around the model, clockwise around what is hollow.")
+      .def_property_readonly("area", &ModelSlice::area);
+  py::class_<ModelLayers>(module, "ModelLayers", "A ClosedModel in layers of one thickness.")
+      .def_readonly("thickness", &ModelLayers::thickness)
+      .def_readonly("bottom", &ModelLayers::bottom, "z of the model's lowest point.")
+      .def_property_readonly(
+          "tops", [](const ModelLayers& layers) { return to_array(layers.tops); },
+          "(n,) z of the layers' upper surfaces; the last is the model's highest point.")
+      .def_property_readonly("volume", &ModelLayers::volume,
+                             "The sum of the slices' areas times the layers' thickness.")
+      .def_readonly("slices", &ModelLayers::slices,
+                    "A list of ModelSlice, at the middle of each layer, from below.");
+}
+
+}  // namespace
+
+void bind_closed_models(py::module_& module) {
+  bind_slices(module);
+  py::class_<ClosedModel>(
+      module, "ClosedModel",
+      "Triangles that enclose a body: every side belongs to two of them, which run through it in "
+      "opposite directions.")
+      .def(py::init(&model_from), py::arg("points"), py::arg("triangles"),
+           "points (n, 3), triangles (m, 3), counter-clockwise seen from outside. ValueError where "
+           "they do not enclose a body.")
+      .def_property_readonly(
+          "points", [](const ClosedModel& model) { return to_array(model.points); }, "(n, 3).")
+      .def_property_readonly(
+          "triangles", [](const ClosedModel& model) { return rows_of(model.triangles); },
+          "(m, 3), counter-clockwise seen from outside.")
+      .def_property_readonly("volume", &ClosedModel::volume)
+      .def_property_readonly("area", &ClosedModel::area)
+      .def_property_readonly("open_sides", &production::open_sides,
+                             "How many sides do not belong to just two triangles: none.")
+      .def("scaled", &production::scaled, py::arg("factor"),
+           py::call_guard<py::gil_scoped_release>(),
+           "A ClosedModel with all lengths times factor, in the single precision of files; what "
+           "vanishes by that is left out, and it stays closed. ValueError unless the factor is "
+           "positive, and where nothing is left.")
+      .def("layers", &production::layers, py::arg("thickness"),
+           py::call_guard<py::gil_scoped_release>(),
+           "ModelLayers of that thickness, from the lowest point up. Areas times thickness sum to "
+           "the volume but for the thickness squared. ValueError for what is no thickness, and "
+           "for more than 100 000 layers.")
+      .def(
+          "slices",
+          [](const ClosedModel& model, const DoubleArray& heights) {
+            const std::vector<double> values = numbers_from(heights, "heights");
+            const py::gil_scoped_release release;
+            return production::slices(model, values);
+          },
+          py::arg("heights"),
+          "A list of ModelSlice at heights (n,), which must rise. Points at a height count as "
+          "above it.");
+
+  module.def("closed_model", &production::closed_model, py::arg("body"), py::arg("chord_tolerance"),
+             py::call_guard<py::gil_scoped_release>(),
+             "A ClosedModel of a whole HullBody, both sides, with its closings, in m. Every point "
+             "of the shell is within chord_tolerance, m, of the triangles, and the volume within "
+             "that times the area. ValueError names a tolerance that would do where this is too "
+             "fine.");
+}
+
+}  // namespace hull::bindings

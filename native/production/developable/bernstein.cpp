@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/developable/bernstein.h"
+
+#include <cassert>
+
+namespace hull::production {
+namespace {
+
+double binomial(std::size_t n, std::size_t k) {
+  double value = 1.0;
+  for (std::size_t i = 1; i <= k; ++i) value = value * static_cast<double>(n - k + i) / i;
+  return value;
+}
+
+}  // namespace
+
+Bernstein product(const Bernstein& a, const Bernstein& b) {
+  const std::size_t m = a.size() - 1, n = b.size() - 1;
+  Bernstein result(m + n + 1, 0.0);
+  for (std::size_t i = 0; i <= m; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      result[i + j] += binomial(m, i) * binomial(n, j) / binomial(m + n, i + j) * a[i] * b[j];
+    }
+  }
+  return result;
+}
+
+Bernstein sum(const Bernstein& a, const Bernstein& b, double factor) {
+  assert(a.size() == b.size());
+  Bernstein result = a;
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] += factor * b[i];
+  return result;
+}
+
+Bernstein dot(const BernsteinVector& a, const BernsteinVector& b) {
+  return sum(sum(product(a[0], b[0]), product(a[1], b[1])), product(a[2], b[2]));
+}
+
+BernsteinVector cross(const BernsteinVector& a, const BernsteinVector& b) {
+  const auto part = [&](int i, int j) {
+    return sum(product(a[i], b[j]), product(a[j], b[i]), -1.0);
+  };
+  return {part(1, 2), part(2, 0), part(0, 1)};
+}
+
+double value(const Bernstein& polynomial, double t) {
+  Bernstein c = polynomial;
+  for (std::size_t n = c.size() - 1; n > 0; --n) {
+    for (std::size_t i = 0; i < n; ++i) c[i] += t * (c[i + 1] - c[i]);
+  }
+  return c[0];
+}
+
+std::array<Bernstein, 2> halves(const Bernstein& polynomial) {
+  Bernstein c = polynomial, low, high(polynomial.size());
+  for (std::size_t n = c.size(); n > 0; --n) {
+    low.push_back(c[0]);
+    high[n - 1] = c[n - 1];
+    for (std::size_t i = 0; i + 1 < n; ++i) c[i] = 0.5 * (c[i] + c[i + 1]);
+  }
+  return {low, high};
+}
+
+}  // namespace hull::production

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/models/closed_model.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "mesh/tolerances.h"
+#include "production/grid/hull_grid.h"
+
+namespace hull::production {
+namespace {
+
+// How often a side is run through in either direction.
+struct SideUse {
+  int forward = 0, backward = 0;
+};
+
+// Cut along the shorter diagonal. Quadrilaterals that have a corner twice are triangles.
+void add_quad(const HullGrid& grid, const std::array<int, 4>& q, ClosedModel& model) {
+  const auto add = [&model](int a, int b, int c) {
+    if (a != b && b != c && c != a) model.triangles.push_back({a, b, c});
+  };
+  const auto squared = [&](int a, int b) {
+    return (grid.points[q[a]] - grid.points[q[b]]).squaredNorm();
+  };
+  if (squared(0, 2) <= squared(1, 3)) {
+    add(q[0], q[1], q[2]);
+    add(q[0], q[2], q[3]);
+  } else {
+    add(q[0], q[1], q[3]);
+    add(q[1], q[2], q[3]);
+  }
+}
+
+// Without points that no triangle has.
+void compress(ClosedModel& model) {
+  std::vector<int> number(model.points.size(), -1);
+  std::vector<Vector3d> points;
+  for (std::array<int, 3>& triangle : model.triangles) {
+    for (int& corner : triangle) {
+      if (number[corner] < 0) {
+        number[corner] = static_cast<int>(points.size());
+        points.push_back(model.points[corner]);
+      }
+      corner = number[corner];
+    }
+  }
+  model.points = std::move(points);
+}
+
+// A call of its own: where GCC 12 makes vectors of two such roundings it leaves them out.
+[[gnu::noinline]] double in_single_precision(double x) { return static_cast<float>(x); }
+
+// Sides no longer than `near` become points, triangles that have one are left out.
+void weld(ClosedModel& model, double near) {
+  std::vector<int> one(model.points.size());
+  std::iota(one.begin(), one.end(), 0);
+  const auto root = [&one](int p) {
+    while (one[p] != p) p = one[p] = one[one[p]];
+    return p;
+  };
+  for (const std::array<int, 3>& triangle : model.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = root(triangle[k]), b = root(triangle[(k + 1) % 3]);
+      if ((model.points[a] - model.points[b]).norm() <= near) one[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::array<int, 3>> kept;
+  for (const auto& [a, b, c] : model.triangles) {
+    const std::array<int, 3> t{root(a), root(b), root(c)};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) kept.push_back(t);
+  }
+  model.triangles = std::move(kept);
+  compress(model);
+}
+
+}  // namespace
+
+double ClosedModel::volume() const {
+  if (points.empty()) return 0.0;
+  double sum = 0.0;
+  const Vector3d& origin = points[0];
+  for (const auto& [a, b, c] : triangles) {
+    sum += (points[a] - origin).dot((points[b] - origin).cross(points[c] - origin));
+  }
+  return sum / 6.0;
+}
+
+double ClosedModel::area() const {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : triangles) {
+    sum += (points[b] - points[a]).cross(points[c] - points[a]).norm();
+  }
+  return 0.5 * sum;
+}
+
+ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance) {
+  const surface::LimitSurface& surface = body.surface();
+  const SidePoints sides(surface.cells(), surface::chord_divisions_for(surface, chord_tolerance));
+  // Wholly in the water: says what is wrong with a body that has no inside.
+  double top = surface.mesh().points()[0].z();
+  for (const Vector3d& p : surface.mesh().points()) top = std::max(top, p.z());
+  body.closed().immersion({Vector3d::UnitZ(), top + surface.mesh().size()});
+  HullGrid grid = hull_grid(body, sides, {});
+  ClosedModel model;
+  model.triangles.reserve(2 * grid.quads.size());
+  for (const std::array<int, 4>& quad : grid.quads) add_quad(grid, quad, model);
+  model.points = std::move(grid.points);
+  weld(model, kNoLength * surface.mesh().size());
+  return model;
+}
+
+ClosedModel scaled(const ClosedModel& model, double factor) {
+  if (!(factor > 0.0) || !std::isfinite(factor)) {
+    std::ostringstream words;
+    words << "A model's lengths are multiplied by a positive number, not " << factor << ".";
+    throw std::invalid_argument(words.str());
+  }
+  ClosedModel result = model;
+  for (Vector3d& p : result.points) {
+    for (int k = 0; k < 3; ++k) p[k] = in_single_precision(factor * p[k]);
+  }
+  weld(result, 0.0);
+  if (result.triangles.empty()) {
+    throw std::invalid_argument("At this scale nothing is left of the model; take a larger one.");
+  }
+  return result;
+}
+
+int open_sides(const ClosedModel& model) {
+  std::unordered_map<std::uint64_t, SideUse> uses;
+  uses.reserve(2 * model.triangles.size());
+  for (const std::array<int, 3>& triangle : model.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const auto a = static_cast<std::uint64_t>(triangle[k]);
+      const auto b = static_cast<std::uint64_t>(triangle[(k + 1) % 3]);
+      if (a < b) {
+        ++uses[a << 32 | b].forward;
+      } else {
+        ++uses[b << 32 | a].backward;
+      }
+    }
+  }
+  int open = 0;
+  for (const auto& [side, use] : uses) open += use.forward != 1 || use.backward != 1;
+  return open;
+}
+
+}  // namespace hull::production
