@@ -57,6 +57,14 @@ def test_the_least_change_is_taken_where_shifts_lead_nowhere():
     assert not np.array_equal(points_of(hull)[:, 1], start[:, 1])
 
 
+def test_what_no_way_reaches_is_refused_before_marks_are_counted(monkeypatch):
+    sample("barge")
+    fairness = part("features.transformation.fewest_marks").changes
+    monkeypatch.setattr(fairness, "Known", None)
+    with pytest.raises(RuntimeError, match="By shifts of sections: LCB can .* By least change: "):
+        bpy.ops.hull.fewest_marks(measure="NONE", lcb_as="LENGTH", lcb=-1e30)
+
+
 def test_what_no_way_reaches_is_refused_with_what_each_can():
     hull = sample("planing_boat")
     start = points_of(hull)

@@ -3,6 +3,7 @@
 new marks: by shifts of the sections, or by the least change, each with its marks faired out."""
 
 from dataclasses import dataclass
+from functools import partial
 
 from ....hull_fairness import changes, fewest_marks
 from ...bridge.counts import counted
@@ -54,6 +55,7 @@ class FewestMarks(ParentTask):
 
     def _run(self, progress):
         """[hull_fairness.fewest_marks.Tried]; ValueError where no way leads there."""
+        found = self._found(lambda: progress(0.0))  # before marks are counted, which takes longer
         self._known = changes.Known(
             self.parent.surface, self._fairing.beam, lambda share: progress(_BEFORE * share)
         )
@@ -61,20 +63,30 @@ class FewestMarks(ParentTask):
         def later(share):
             progress(_BEFORE + (1.0 - _BEFORE) * share)
 
-        ways = {
-            SHIFTS: lambda: self._shifted().moves,
-            LEAST: lambda: self._least.reached(lambda share: later(0.0)).moves,
-        }
-        tried = fewest_marks.fewest_marks(
+        return fewest_marks.fewest_marks(
             self._known,
-            ways,
+            {name: partial(_again, moves) for name, moves in found.items()},
             lambda surface, tell: self._fairing.faired(self._known, surface, tell),
             self._fairing.wanted,
             later,
         )
-        if tried[0].refusal:
-            raise ValueError(". ".join(f"By {one.name}: {one.refusal}" for one in tried))
-        return tried
+
+    def _found(self, tell):
+        """{name of a way: its moves, or the ValueError with why it leads nowhere}; ValueError where
+        none does. tell: called now and then."""
+        ways = {
+            SHIFTS: lambda: self._shifted().moves,
+            LEAST: lambda: self._least.reached(lambda share: tell()).moves,
+        }
+        found = {}
+        for name, way in ways.items():
+            try:
+                found[name] = way()
+            except ValueError as refused:
+                found[name] = refused
+        if all(isinstance(one, ValueError) for one in found.values()):
+            raise ValueError(". ".join(f"By {name}: {why}" for name, why in found.items()))
+        return found
 
     def _shifted(self):
         found = self._shift.solve(**self._asked.volume, lcb=self._asked.lcb)
@@ -89,6 +101,13 @@ class FewestMarks(ParentTask):
         state = self.moved(scene, tried[0].moves, self._known)
         found = state.ship.as_it_is().hydrostatics(self.parent.where)
         return Changed(tried, particulars.of_hydrostatics(found))
+
+
+def _again(found):
+    """The moves that were found, or the refusal."""
+    if isinstance(found, ValueError):
+        raise found
+    return found
 
 
 def summary(changed, scene):
