@@ -6,13 +6,7 @@ set -eu
 cd "$(dirname "$0")/.."
 zip=$1
 shift
-profile=$PWD/build/plain-profile
-rm -rf "$profile"
-mkdir -p "$profile" build/tmp
-export BLENDER_USER_RESOURCES="$profile" TMPDIR="$PWD/build/tmp" PYTHONDONTWRITEBYTECODE=1 LC_ALL=C.UTF-8
-for part in config scripts datafiles extensions; do
-    name=BLENDER_USER_$(echo $part | tr '[:lower:]' '[:upper:]')
-    export "$name=$profile/$part"
-done
+rm -rf build/plain-profile
+. scripts/plain_profile.sh
 blender --background --factory-startup --python-exit-code 1 --python scripts/install_addon.py -- "$zip"
 blender --background --python-exit-code 1 --python tests/blender/run_tests.py -- "$@"
