@@ -2,12 +2,14 @@
 """A hull from the Add menu, and its dimensions in the panel of the last operation."""
 
 import bpy
+from addon_under_test import part
 from editing import hull_at_hand
 from expect import assert_follows, edited_points
 from mathutils import Vector
 
 # From the mouse when the panel opens to its fields.
 TO_TYPE, TO_LENGTH, TO_BEAM, TO_SECTIONS = (210, -35), (210, -58), (210, -79), (210, -144)
+TO_USE_BLOCK, TO_BLOCK = (131, -146), (210, -146)
 # From the field of the type to the first of the types below it.
 TO_FIRST_TYPE = (-40, -23)
 
@@ -31,6 +33,11 @@ def type_in_panel(window, place, text):
     yield
     window.move_by(0, 400)
     yield
+
+
+def block_of(hull):
+    found, _ = part("features.transformation.particulars").of_hull(hull, bpy.context.scene)
+    return found.block
 
 
 def the_hull():
@@ -72,6 +79,22 @@ def test_another_type_comes_with_its_dimensions(window):
     window.click()
     yield
     assert the_hull().name == "Barge" and the_hull().hull.length_pp == 60.0
+
+
+def test_a_type_ship_gets_the_block_coefficient_that_is_wanted(window):
+    new_hull(window, "research vessel")
+    yield
+    before = block_of(the_hull())
+    yield from type_in_panel(window, TO_BLOCK, "0.66")
+    assert block_of(the_hull()) == before
+    window.move_to_middle()
+    window.press("F9")
+    yield
+    window.move_by(*TO_USE_BLOCK)
+    window.click()
+    yield
+    assert abs(block_of(the_hull()) - 0.66) < 1e-6 < abs(before - 0.66)
+    assert_follows(the_hull())
 
 
 def test_refused_dimensions_keep_the_last_hull(window):

@@ -22,8 +22,8 @@ from .shared import (
 
 _DIMENSIONS = ("length", "beam", "draft", "depth")
 _COUNTS = ("sections", "points")
-# What is asked of a hull after a type ship, and whether it is.
-_FORM = ("block", "lcb_percent", "parallel")
+# What may be asked of a hull after a type ship, by its property and how it is called.
+_FORM = {"block": "Cb", "lcb_percent": "LCB, % of Lpp", "parallel": "Parallel body"}
 
 
 def _types():
@@ -54,7 +54,7 @@ def _usual(kind, scene):
 
 def _asked(name):
     return BoolProperty(
-        name=name,
+        name=_FORM[name],
         description="Shift the sections along the ship until it is as wanted; else it is as it "
         "comes with the dimensions",
         options={"SKIP_SAVE"},
@@ -106,13 +106,13 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
         max=new_hulls.POINTS[1],
         options={"SKIP_SAVE"},
     )
-    use_block: _asked("Cb")
+    use_block: _asked("block")
     block: asked_number("Block coefficient", "On length, beam and draft", 4, 0.1)
-    use_lcb_percent: _asked("LCB")
+    use_lcb_percent: _asked("lcb_percent")
     lcb_percent: asked_number(
         "LCB in % of Lpp", "Centre of buoyancy, forward of midship", 3, 1, minimum=-50.0
     )
-    use_parallel: _asked("Parallel body")
+    use_parallel: _asked("parallel")
     parallel: asked_length("Length of it", "Of the parallel middle body", minimum=0.0)
 
     needs = (native_is_there, in_object_mode)
@@ -164,7 +164,7 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
             for name in names:
                 column.prop(self, name)
         for name in _FORM if is_after_ship else ():
-            row = layout.row(heading=self.bl_rna.properties[f"use_{name}"].name)
+            row = layout.row(heading=_FORM[name])
             row.prop(self, f"use_{name}", text="")
             field = row.row()
             field.active = getattr(self, f"use_{name}")
