@@ -19,7 +19,8 @@ def _beside(name, *wanted):
 hull_native = _beside("hull_native")
 smooth_curve = hull_native.smooth_curve
 GirthLines, *_ = _beside("hull_native.girth_lines", "GirthLines")
-GridFit, extreme_flats = _beside("hull_native.grid_fit", "GridFit", "extreme_flats")
+extreme_flats, *_ = _beside("hull_native.extreme_flats", "extreme_flats")
+GridFit, *_ = _beside("hull_native.grid_fit", "GridFit")
 RowsAndColumns, *_ = _beside("hull_native.grid_refinement", "RowsAndColumns")
 keel_range, laid_grid = _beside("hull_native.hull_grid", "keel_range", "laid_grid")
 HullOutline, find_ends = _beside("hull_native.hull_outline", "HullOutline", "find_ends")

@@ -10,8 +10,9 @@ import numpy as np
 
 from ._core import SurfaceTree
 from .curve_bends import network_bends
+from .extreme_flats import extreme_flats
 from .girth_lines import GirthLines
-from .grid_fit import GridFit, extreme_flats
+from .grid_fit import GridFit
 from .grid_refinement import RowsAndColumns
 from .hull_grid import best_places, laid_grid
 from .hull_outline import hull_outline
