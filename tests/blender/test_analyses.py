@@ -56,6 +56,7 @@ ALL = (
     "cross_curves",
     "criteria",
     "load_cases",
+    "weights",
     "resistance_curves",
     "offset_table",
     "knuckle_angles",

@@ -78,6 +78,14 @@ def test_an_ending_is_added(box, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["box.hll"]
 
 
+def test_an_ending_that_names_no_program_is_refused(box, tmp_path):
+    sections = part("features.exchange.program_files").export_sections
+    for name in ("box.pdf", ".gf"):
+        with pytest.raises(ValueError, match=r"does not say for which program .* \.gf, \.hll"):
+            sections(box, bpy.context.scene, tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_sides_that_differ_are_refused(tmp_path):
     hull = sample("coaster")
     assert bpy.ops.hull.make_whole() == {"FINISHED"}

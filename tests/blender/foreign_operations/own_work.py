@@ -9,6 +9,7 @@ from . import operators, own_settings
 
 # What is left out, by reason.
 _NEEDS_A_FILE = {
+    "hull.export_freeship",
     "hull.export_hull",
     "hull.export_iges",
     "hull.export_lines",
@@ -16,6 +17,7 @@ _NEEDS_A_FILE = {
     "hull.export_panels",
     "hull.export_plot",
     "hull.export_report",
+    "hull.export_sections",
     "hull.export_series",
     "hull.export_series_table",
     "hull.export_step",

@@ -36,11 +36,17 @@ def export_sections(obj, scene, path):
     """Writes the stations of Object.hull.lines, or for Michlet half-breadths below the water; the
     file's ending says for which program. ValueError and HullFileError with the reason."""
     path = Path(path)
+    ending = path.suffix.lower()
+    if ending not in _TEXTS:
+        raise ValueError(
+            f'"{path.name}" does not say for which program it is: give it a name that ends in '
+            + ", ".join(_TEXTS)
+        )
     state = hull_state.up_to_date(obj, scene)
     _refuse_one_sided(state.ship.body, path.name)
     scale = units.metres_per_unit(scene)
-    write = _TEXTS[path.suffix.lower()]
-    encoding = "utf-8" if path.suffix.lower() == ".hll" else "ascii"
+    write = _TEXTS[ending]
+    encoding = "utf-8" if ending == ".hll" else "ascii"
     write_bytes(path, write(obj, scene, state, scale).encode(encoding))
 
 
