@@ -72,8 +72,12 @@ _NO_MESHES = {
     "object.text_add",
     "object.volume_add",
 }
-# The second one without a window, writing where other things are.
-_BRINGS_BLENDER_DOWN = {"sculpt.set_persistent_base", "sculpt.face_sets_create"}
+# The last two without a window: one writes where other things are, the other one wants a GPU.
+_BRINGS_BLENDER_DOWN = {
+    "sculpt.set_persistent_base",
+    "sculpt.face_sets_create",
+    "object.lightprobe_cache_bake",
+}
 # These change a mesh that is edited and forget to say so to anybody, Blender's own view included.
 TELL_NOBODY = {"mesh.bridge_edge_loops"}
 _LEFT_OUT = (
