@@ -15,38 +15,28 @@ NAME, STATIONS, WATERLINES = "container_ship", 19, 9
 CURVE_TOLERANCE, JOIN_TOLERANCE = 1e-5, 2e-5  # of the length
 REPEATS = 5
 MOST_MS, MOST_MOVED_MS, MOST_HULL_MS = 2000.0, 50.0, 20000.0
-# Curves that an edited network has, those that the sample gives being more; a station's move, m.
-MOVED_STATIONS, MOVED_WATERLINES, MOVE = 19, 9, 0.05
+MOVE = 0.05  # of a station, m
 BUDGET, SHOWN_PARTS = 176, 8
 
 
+def length_of(surface):
+    return float(np.ptp(np.asarray(surface.mesh.points)[:, 0]))
+
+
 def lines_of(surface):
-    points = np.asarray(surface.mesh.points)
-    low, high = points.min(axis=0), points.max(axis=0)
-    length = high[0] - low[0]
-    curves = hn.network_curves(
-        surface,
-        stations=np.linspace(low[0], high[0], STATIONS + 2)[1:-1],
-        waterlines=np.linspace(low[2], high[2], WATERLINES + 2)[1:-1],
-        flat_buttocks=np.linspace(0.0, high[1], WATERLINES + 2)[1:-1],
-        fading=True,
-        tolerance=CURVE_TOLERANCE * length,
-    )
-    return curves, JOIN_TOLERANCE * length
+    """Curves, and the tolerance that they are joined within, m."""
+    beam = np.asarray(surface.mesh.points)[:, 1].max()
+    curves = vessels.curves_of(
+        surface, STATIONS, WATERLINES, CURVE_TOLERANCE,
+        flat_buttocks=vessels.even(0.0, beam, WATERLINES), fading=True,
+    )  # fmt: skip
+    return curves, JOIN_TOLERANCE * length_of(surface)
 
 
 def edited_lines(surface):
     """About 40 curves of stations, waterlines, knuckles and borders."""
-    points = np.asarray(surface.mesh.points)
-    low, high = points.min(axis=0), points.max(axis=0)
-    length = high[0] - low[0]
-    curves = hn.network_curves(
-        surface,
-        stations=np.linspace(low[0], high[0], MOVED_STATIONS + 2)[1:-1],
-        waterlines=np.linspace(low[2], high[2], MOVED_WATERLINES + 2)[1:-1],
-        tolerance=CURVE_TOLERANCE * length,
-    )
-    return hn.CurveNetwork(curves, 1.5 * JOIN_TOLERANCE * length)
+    curves = vessels.curves_of(surface, STATIONS, WATERLINES, CURVE_TOLERANCE)
+    return hn.CurveNetwork(curves, 1.5 * JOIN_TOLERANCE * length_of(surface))
 
 
 def moved_station(surface, network):

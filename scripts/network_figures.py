@@ -32,15 +32,8 @@ COLOURS = {
 
 
 def network_of(surface):
-    points = np.asarray(surface.mesh.points)
-    low, high = points.min(axis=0), points.max(axis=0)
-    length = high[0] - low[0]
-    curves = hn.network_curves(
-        surface,
-        stations=np.linspace(low[0], high[0], STATIONS + 2)[1:-1],
-        waterlines=np.linspace(low[2], high[2], WATERLINES + 2)[1:-1],
-        tolerance=CURVE_TOLERANCE * length,
-    )
+    curves = vessels.curves_of(surface, STATIONS, WATERLINES, CURVE_TOLERANCE)
+    length = np.ptp(np.asarray(surface.mesh.points)[:, 0])
     return hn.CurveNetwork(curves, JOIN_TOLERANCE * length)
 
 

@@ -6,6 +6,7 @@ from functools import cached_property
 from pathlib import Path
 
 import hull_io
+import numpy as np
 import sources
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -24,6 +25,26 @@ def surface_of(data):
 
     shell = hull_io.shell_arrays(data)
     return hn.LimitSurface(hn.ControlMesh(*shell.arguments()), data.scheme)
+
+
+def curves_of(surface, stations, waterlines, tolerance, **more):
+    """The hull_native.NetworkCurves of so many stations and waterlines, evenly spaced, and of
+    borders and creases; tolerance: of the length. more: other arguments of network_curves."""
+    import hull_native as hn
+
+    low, high = surface.mesh.points.min(axis=0), surface.mesh.points.max(axis=0)
+    return hn.network_curves(
+        surface,
+        stations=even(low[0], high[0], stations),
+        waterlines=even(low[2], high[2], waterlines),
+        tolerance=tolerance * (high[0] - low[0]),
+        **more,
+    )
+
+
+def even(low, high, count):
+    """(count,) places between two, with equal distances, neither of them among them."""
+    return np.linspace(low, high, count + 2)[1:-1]
 
 
 @dataclass(frozen=True)

@@ -41,6 +41,10 @@ inline Eigen::Vector2d turned(int turn, double u, double v) {
   }
 }
 
+// The place `t` of the way along a side of the unit square; side 0 is v = 0, the next ones follow
+// round it as half-edges do.
+inline Eigen::Vector2d on_square_side(int side, double t) { return turned((4 - side) % 4, t, 0.0); }
+
 // Derivatives with respect to the square's own parameters from those seen from corner `turn`.
 inline void turn_back(int turn, SurfaceJet& jet) {
   if (turn == 1 || turn == 3) {

@@ -5,6 +5,7 @@
 
 #include "analysis/sections/border_edges.h"
 #include "surface/pieces/point_weights.h"
+#include "surface/place_in_cell.h"
 
 namespace hull::analysis {
 namespace {
@@ -23,19 +24,6 @@ constexpr double kBezierFromPlaces[4][4] = {{1.0, 0.0, 0.0, 0.0},
                                             {-5.0 / 6.0, 3.0, -1.5, 1.0 / 3.0},
                                             {1.0 / 3.0, -1.5, 3.0, -5.0 / 6.0},
                                             {0.0, 0.0, 0.0, 1.0}};
-
-Eigen::Vector2d on_side(int side, double t) {
-  switch (side) {
-    case 0:
-      return {t, 0.0};
-    case 1:
-      return {1.0, t};
-    case 2:
-      return {1.0 - t, 1.0};
-    default:
-      return {0.0, 1.0 - t};
-  }
-}
 
 // What fill_ghosts() does to points, run through backwards: derivatives by ghosts become those by
 // the points that they are reflections of.
@@ -68,7 +56,7 @@ SurfaceAdjoint::SurfaceAdjoint(const surface::LimitSurface& surface)
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (int place = 0; place < 4; ++place) {
       const int side = edges[i].half_edge % 4;
-      const Eigen::Vector2d uv = on_side(side, place == 3 ? 1.0 : place / 3.0);
+      const Eigen::Vector2d uv = surface::on_square_side(side, place == 3 ? 1.0 : place / 3.0);
       const auto row = weights.at(edges[i].half_edge / 4, uv.x(), uv.y());
       for (int k = 0; k < 4; ++k) {
         const double factor = kBezierFromPlaces[k][place];

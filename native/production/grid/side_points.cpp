@@ -26,17 +26,4 @@ Eigen::Vector2d SidePoints::uv(int cell, int i, int j) const {
   return {u, left + u * rise};
 }
 
-Eigen::Vector2d uv_on_side(int h, double t) {
-  switch (h % 4) {
-    case 0:
-      return {t, 0.0};
-    case 1:
-      return {1.0, t};
-    case 2:
-      return {1.0 - t, 1.0};
-    default:
-      return {0.0, 1.0 - t};
-  }
-}
-
 }  // namespace hull::production

@@ -32,7 +32,4 @@ class SidePoints {
   std::vector<std::vector<double>> parameters_;  // by edge; empty where parts are equal
 };
 
-// On the side of half-edge h, t in [0, 1] from its origin.
-Eigen::Vector2d uv_on_side(int h, double t);
-
 }  // namespace hull::production

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "surface/place_in_cell.h"
+
 namespace hull::production {
 namespace {
 
@@ -27,7 +29,7 @@ void check(const PanelSizes& sizes) {
 }
 
 Vector3d on_side(const surface::LimitSurface& surface, int h, double t) {
-  const Eigen::Vector2d uv = uv_on_side(h, t);
+  const Eigen::Vector2d uv = surface::on_square_side(h % 4, t);
   return surface.position(h / 4, uv.x(), uv.y());
 }
 

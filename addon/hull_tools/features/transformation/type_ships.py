@@ -61,17 +61,17 @@ def add(kind, lengths, form, scene, collection):
     data = as_new(_sample(kind), TYPE_SHIPS[kind].name, *lengths)
     obj = hull_creation.hull_object(data, scene, collection)
     try:
-        found = particulars.of_parent(parents.of_hull(obj, scene))
+        parent = parents.of_hull(obj, scene)
+        found = particulars.of_parent(parent)
         if form.is_wanted:
-            found = _shifted(obj, scene, form, found)
+            found = _shifted(obj, scene, form, found, parent.where.length_pp)
     except ValueError:
         _discard(obj)
         raise
     return obj, found
 
 
-def _shifted(obj, scene, form, before):
-    length = parents.of_hull(obj, scene).where.length_pp
+def _shifted(obj, scene, form, before, length):
     block = before.block if form.block is None else form.block
     percent = before.lcb_percent if form.lcb_percent is None else form.lcb_percent
     for part in _PARTS:
