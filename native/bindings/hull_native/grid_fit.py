@@ -6,6 +6,7 @@ import numpy as np
 from ._core import crease_curves, fit_surface
 from .bend_terms import bend_terms
 from .curve_bends import curve_bend_terms
+from .even_lines import even_lines
 from .grid_mesh import grid_mesh, line_named
 from .polylines import foot_on, lengths_along, points_at
 
@@ -25,7 +26,7 @@ _X, _Y, _Z = np.eye(3)
 class GridFit:
     """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
     rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness; bends:
-    what bend_terms() has. by_normals: whether the surface has to be turned as targets are where
+    what bend_terms() has, its fairness and that of changes. by_normals: whether the surface has to be turned as targets are where
     they count: at knuckles places of one side do not draw the other one. lines: CurveBends that
     the surface is to have, with what curve_bend_terms() has as fairness, or None; with them rows
     that stay may lean at the ends."""
@@ -37,7 +38,7 @@ class GridFit:
         flats,
         rows_stay=False,
         bending=0.0,
-        bends=0.0,
+        bends=(0.0, 0.0),
         by_normals=False,
         lines=None,
     ):
@@ -92,9 +93,10 @@ class GridFit:
 
     def run(self, evenness, fairness, most_steps, progress=None):
         """evenness: what a second difference of the moves along a row or column counts for, of
-        what a distance does; fairness: what a third difference of the places does."""
+        what a distance does; fairness: what a third difference of the places does, or with lines
+        that are to have bends what of it is along the girth."""
         # Bends are those of the surface at the start of a part.
-        is_changing = self._bends > 0.0 or self._lines is not None
+        is_changing = max(self._bends) > 0.0 or self._lines is not None
         part = _STEPS_OF_BENDS if is_changing else most_steps
         for done in range(0, most_steps, part):
             self._run(evenness, fairness, min(part, most_steps - done), progress)
@@ -116,7 +118,7 @@ class GridFit:
             tied_directions=np.array([way for _, way in tied]).reshape(-1, 3),
             sums=self._even_moves(evenness)
             + self._fair_lines(fairness)
-            + bend_terms(surface, self._bends)
+            + bend_terms(surface, *self._bends)
             + ([] if self._lines is None else curve_bend_terms(surface, *self._lines)),
             fairness=self._bending,
             draw_border=True,
@@ -213,6 +215,8 @@ class GridFit:
             )
 
         runs = [run for run in self._runs(4).tolist() if is_smooth(run)]
+        if self._lines is not None:
+            return even_lines(self.points, self.mesh.faces, runs, fairness)
         weights = fairness / np.sqrt(max(len(runs), 1)) * np.array([-1.0, 3.0, -3.0, 1.0])
         return [(run, weights, np.zeros(3)) for run in runs]
 
