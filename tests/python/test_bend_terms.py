@@ -70,3 +70,26 @@ def test_places_beside_irregular_points_are_looked_at():
     surface = sample_surface("coaster")
     assert len(bend_terms(surface, FAIRNESS)) > 0.9 * 8 * surface.cell_count
     assert bend_terms(surface, 0.0) == []
+
+
+def test_changes_are_those_of_the_second_fundamental_form():
+    # Of a shallow surface, whose normals turn little from place to place: bends are second
+    # derivatives in plan there.
+    surface = sheet(lambda x, y: 1e-4 * (x**3 - 2.0 * x * y**2 + 30.0 * np.sin(0.5 * y)))
+    at = np.array([(u, v) for u in (0.25, 0.75) for v in (0.25, 0.75)])
+    cells, uv = np.repeat(np.arange(surface.cell_count), 4), np.tile(at, (surface.cell_count, 1))
+    _, by_u, _, along, _, across = surface.evaluate(cells, uv, 2)
+    side, total = np.linalg.norm(by_u[0, :2]), 0.0
+    for bends in (along[:, 2] / side**2, across[:, 2] / side**2):
+        (a, b), (c, d) = bends.reshape(-1, 2, 2).transpose(1, 2, 0)
+        for change in (a - c, b - d, a - b, c - d):
+            total += np.sum((change / (0.5 * side)) ** 2) * side**2 / 4.0
+    wanted = (FAIRNESS * surface.mesh.size**2) ** 2 * total
+    assert energy(bend_terms(surface, 0.0, FAIRNESS), surface) == pytest.approx(wanted, rel=1e-2)
+
+
+def test_changes_keep_what_moves_along_a_plane():
+    surface = sheet(lambda x, y: 0.4 * x + 0.2 * y, moved=0.1)
+    terms = bend_terms(surface, 0.0, FAIRNESS)
+    assert len(terms) == 2 * 4 * surface.cell_count
+    assert energy(terms, surface) < 1e-20

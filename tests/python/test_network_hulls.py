@@ -51,10 +51,11 @@ IS_LONG = bool(os.environ.get("HULL_LONG_NETWORKS"))
 
 # Budgets are 1.3 times the samples' own 125 and 136 points. Rows that floated came to lie on one
 # another, with control points far outside of the hull: there were 849 and 981 marks. Where bends
-# were small, instead of those of the curves, there were 268 and 331; now there are 141 and 227.
+# were small, instead of those of the curves, there were 268 and 331; where points of a row were in
+# any order along the girth, 141 and 227; now there are 127 and 152.
 @pytest.mark.skipif(not IS_LONG, reason="HULL_LONG_NETWORKS is not set: takes half a minute")
 @pytest.mark.parametrize(
-    "name, budget, marks", [("bulk_carrier", 162, 180), ("container_ship", 176, 270)]
+    "name, budget, marks", [("bulk_carrier", 162, 140), ("container_ship", 176, 185)]
 )
 def test_hulls_with_posts_keep_their_rows(name, budget, marks):
     surface, _, length, hull = laid(name, budget)

@@ -26,10 +26,10 @@ _X, _Y, _Z = np.eye(3)
 class GridFit:
     """Fits a grid in stages; the grid's rows get the points. flats: as extreme_flats() has them.
     rows_stay: whether rows of one x keep that. bending: what fit_surface() has as fairness; bends:
-    what bend_terms() has, its fairness and that of changes. by_normals: whether the surface has to be turned as targets are where
-    they count: at knuckles places of one side do not draw the other one. lines: CurveBends that
-    the surface is to have, with what curve_bend_terms() has as fairness, or None; with them rows
-    that stay may lean at the ends."""
+    what bend_terms() has, its fairness and that of changes. by_normals: whether the surface has to
+    be turned as targets are where they count: at knuckles places of one side do not draw the other
+    one. lines: CurveBends that the surface is to have, with what curve_bend_terms() has as
+    fairness, or None; with them rows that stay may lean at the ends."""
 
     def __init__(
         self,
