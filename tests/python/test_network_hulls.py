@@ -191,3 +191,7 @@ def test_what_is_no_hull_is_refused():
         hn.hull_from_network(network, tolerance=0.0)
     with pytest.raises(ValueError, match="more than the budget of 20"):
         hn.hull_from_network(network, budget=20)
+    # With a post the fairest layout is not the simplest one.
+    network, _ = lines_of(sample_surface("container_ship"), 9, 4)
+    with pytest.raises(ValueError, match="simplest layout has 1[34]. control points.*of 100"):
+        hn.hull_from_network(network, budget=100)

@@ -133,12 +133,13 @@ def _places(network):
 
 
 def _laid(network, places, tolerance, budget, progress):
-    """The surface and its flats, of the first layout within the tolerance, or the best one."""
+    """The surface and its flats: of the first layout within the tolerance, or, where rows stay, near
+    enough in the mean; else of the best one."""
     outline = hull_outline(network)
     targets, flats = network_targets(network), extreme_flats(outline, places)
     girths, bends = GirthLines(outline), network_bends(network)
     ways = _WAYS if outline.arch is None else _WAYS_OF_POST
-    found, refused = [], None
+    found, refused = [], []
     for number, way in enumerate(ways):
         told = _Progress(progress, budget, number / len(ways), 1.0 / len(ways))
         columns = max(way.columns, len(outline.knuckles) + 3)
@@ -150,7 +151,7 @@ def _laid(network, places, tolerance, budget, progress):
             )
             fit = _grown(grid, targets, flats, way, additions, told, bends)
         except ValueError as error:
-            refused = refused or error
+            refused.append((way.columns * way.rows, number, error))
             continue
         distances = np.asarray(SurfaceTree(fit.surface).closest_points(places).distances)
         rms = float(np.sqrt(np.mean(distances**2)))
@@ -159,7 +160,7 @@ def _laid(network, places, tolerance, budget, progress):
         if is_near or distances.max() <= tolerance:
             return fit.surface, fit.flat_points()
     if not found:
-        raise refused
+        raise min(refused)[2]
     fit = min(found)[2]
     return fit.surface, fit.flat_points()
 
