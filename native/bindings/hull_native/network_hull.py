@@ -133,7 +133,7 @@ def _places(network):
 
 
 def _laid(network, places, tolerance, budget, progress):
-    """The surface and its flats: of the first layout within the tolerance, or, where rows stay, near
+    """The surface and its flats: of the first layout within the tolerance or, where rows stay, near
     enough in the mean; else of the best one."""
     outline = hull_outline(network)
     targets, flats = network_targets(network), extreme_flats(outline, places)
