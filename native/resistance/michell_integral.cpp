@@ -148,12 +148,16 @@ double MichellIntegral::wave_number(double speed) const {
   return gravity_ / (speed * speed);
 }
 
-WaveScales MichellIntegral::scales_for(const std::vector<double>& wave_numbers,
-                                       double shortest) const {
-  const auto [fastest, slowest] = std::minmax_element(wave_numbers.begin(), wave_numbers.end());
+WaveScales MichellIntegral::scales_for(const std::vector<WaveRange>& ranges) const {
+  WaveScales scales{0.0, 0.0, 0.0};
   const double reach = WaveSums::least_reach(length());
-  const double along = std::max(*slowest * shortest, reach);
-  return {*slowest, along, std::max(along * along / *slowest, reach * reach / *fastest)};
+  for (const auto& [nu, shortest] : ranges) {
+    const double along = std::max(nu * shortest, reach);
+    scales.slowest = std::max(scales.slowest, nu);
+    scales.along = std::max(scales.along, along);
+    scales.decay = std::max(scales.decay, along * along / nu);
+  }
+  return scales;
 }
 
 SourceGrid MichellIntegral::sources(const WaveScales& scales) const {
@@ -164,32 +168,31 @@ SourceGrid MichellIntegral::sources(const WaveScales& scales) const {
 }
 
 std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double>& speeds) const {
-  std::vector<double> wave_numbers;
-  for (double speed : speeds) wave_numbers.push_back(wave_number(speed));
+  std::vector<WaveRange> ranges;
+  for (double speed : speeds) ranges.push_back({wave_number(speed), kFirstShortest});
   std::vector<WaveResistance> results(speeds.size());
   std::vector<WaveIntegral> integrals(speeds.size());
   std::vector<std::size_t> open(speeds.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
-  for (double shortest = kFirstShortest, next = 0.0; !open.empty(); shortest = next) {
-    next = kLeastGrowth * shortest;
-    std::vector<double> own;
-    for (std::size_t i : open) own.push_back(wave_numbers[i]);
-    const SourceGrid grid = sources(scales_for(own, shortest));
+  while (!open.empty()) {
+    std::vector<WaveRange> own;
+    for (std::size_t i : open) own.push_back(ranges[i]);
+    const SourceGrid grid = sources(scales_for(own));
     WaveSums sums(grid);
     std::vector<std::size_t> unsettled;
     for (std::size_t i : open) {
-      const double nu = wave_numbers[i];
+      auto& [nu, shortest] = ranges[i];
       integrals[i] = sums.integral(nu, tolerance_, shortest, std::move(integrals[i]));
       const WaveIntegral& integral = integrals[i];
       const double factor = 4.0 * density_ * gravity_ * nu / std::numbers::pi;
       results[i] = {speeds[i], factor * integral.value, factor * integral.error, integral.shortest};
-      if (integral.settled || shortest >= kMostShortest) continue;
-      const double expected = expected_shortest(integral, tolerance_);
-      if (kLeastGrowth * shortest * nu * length() > kMostTurns) continue;
+      const double most = std::min(kMostShortest, kMostTurns / (nu * length()));
+      if (integral.settled || kLeastGrowth * shortest > most && shortest < kMostShortest) continue;
+      if (shortest >= kMostShortest) continue;
+      shortest = std::clamp(expected_shortest(integral, tolerance_), kLeastGrowth * shortest,
+                            std::min(kMostGrowth * shortest, most));
       unsettled.push_back(i);
-      next = std::max(next, std::min(expected, kMostTurns / (nu * length())));
     }
-    next = std::min({next, kMostGrowth * shortest, kMostShortest});
     open = std::move(unsettled);
   }
   return results;
@@ -199,7 +202,7 @@ analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& de
                                              double speed) const {
   const WaveResistance reached = resistance({speed})[0];
   const double nu = wave_number(speed);
-  const WaveScales scales = scales_for({nu}, reached.shortest * (1.0 + 1e-9));
+  const WaveScales scales = scales_for({{nu, reached.shortest * (1.0 + 1e-9)}});
   SourceGrid grid = sources(scales);
   const WaveIntegral integral =
       WaveSums(grid).integral(nu, tolerance_, reached.shortest * (1.0 + 1e-9));
@@ -241,7 +244,7 @@ std::vector<std::complex<double>> MichellIntegral::amplitudes(
     along.push_back(nu / std::cos(direction));
   }
   const double most = *std::max_element(along.begin(), along.end());
-  const SourceGrid grid = sources(scales_for({nu}, most / nu));
+  const SourceGrid grid = sources(scales_for({{nu, most / nu}}));
   std::vector<std::complex<double>> amplitudes = WaveSums(grid).amplitudes(nu, along);
   for (std::size_t i = 0; i < along.size(); ++i) {
     amplitudes[i] *= 2.0 * nu / std::numbers::pi * std::pow(along[i] / nu, 3);

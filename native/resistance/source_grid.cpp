@@ -2,6 +2,8 @@
 #include "resistance/source_grid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "resistance/chebyshev.h"
 
@@ -14,6 +16,43 @@ using Down = ChebyshevNodes<SourceGrid::kDown>;
 // How far the phase turns over a rectangle, and how many e-foldings the uppermost layer has:
 // interpolation at n nodes is off by at most 2 (phase / 4)^n / n! (Lagrange's remainder).
 constexpr double kPhase = 24.0, kFirstDecay = 2.0;
+constexpr double kInterpolated = 1e-12;
+
+// Of Chebyshev nodes of a range of k over which no phase turns by more than this.
+int nodes_for(double phase) {
+  double bound = 2.0;
+  for (int n = 1;; ++n) {
+    bound *= 0.25 * phase / n;
+    if (bound < kInterpolated) return n;
+  }
+}
+
+// Lagrange's polynomials of Chebyshev nodes (columns) at values (rows), as ChebyshevNodes has them.
+Eigen::MatrixXd lagrange(const Eigen::VectorXd& nodes, const Eigen::VectorXd& at) {
+  const Eigen::Index count = nodes.size();
+  Eigen::RowVectorXd weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double angle = std::numbers::pi * (static_cast<double>(i) + 0.5) / count;
+    weights[i] = (i % 2 ? -1.0 : 1.0) * std::sin(angle);
+  }
+  Eigen::MatrixXd values(at.size(), count);
+  for (Eigen::Index row = 0; row < at.size(); ++row) {
+    const Eigen::RowVectorXd distances = at[row] - nodes.transpose().array();
+    Eigen::Index same;
+    if (distances.cwiseAbs().minCoeff(&same) == 0.0) {
+      values.row(row) = Eigen::RowVectorXd::Unit(count, same);
+      continue;
+    }
+    values.row(row) = weights.cwiseQuotient(distances);
+    values.row(row) /= values.row(row).sum();
+  }
+  return values;
+}
+
+Eigen::VectorXd as_vector(std::span<const double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                           static_cast<Eigen::Index>(values.size()));
+}
 
 }  // namespace
 
@@ -58,32 +97,58 @@ void SourceGrid::add(double x, double depth, double strength) {
       (strength * at.along) * at.down.transpose();
 }
 
-SourceGrid::Phases SourceGrid::phases(const Layer& layer,
-                                      std::span<const double> wave_numbers) const {
-  const Eigen::Map<const Eigen::VectorXd> k(wave_numbers.data(),
-                                            static_cast<Eigen::Index>(wave_numbers.size()));
-  const Eigen::MatrixXd nodes = k * (layer.width * Along::get().nodes().transpose());
-  const Eigen::RowVectorXd sides =
-      Eigen::RowVectorXd::LinSpaced(layer.panels, 0.0, layer.panels - 1).array() * layer.width +
+SourceGrid::Waves SourceGrid::within(const Layer& layer, const Eigen::VectorXd& k) {
+  const Eigen::MatrixXd phases = k * (layer.width * (Along::get().nodes().array() - 0.5).matrix())
+                                         .transpose();
+  return {phases.array().cos(), phases.array().sin()};
+}
+
+SourceGrid::Waves SourceGrid::at_middles(const Layer& layer, const Eigen::VectorXd& k) const {
+  const Eigen::RowVectorXd middles =
+      (Eigen::RowVectorXd::LinSpaced(layer.panels, 0.0, layer.panels - 1).array() + 0.5) *
+          layer.width +
       aft_;
-  const Eigen::MatrixXd at_sides = k * sides;
-  return {nodes.array().cos(), nodes.array().sin(), at_sides.array().cos(), at_sides.array().sin()};
+  const Eigen::MatrixXd phases = k * middles;
+  return {phases.array().cos(), phases.array().sin()};
+}
+
+void SourceGrid::sum_rectangles(const Layer& layer, const Eigen::VectorXd& k,
+                                Eigen::MatrixXd& cosines, Eigen::MatrixXd& sines) {
+  const double low = k.minCoeff(), range = k.maxCoeff() - low;
+  const int nodes = nodes_for(0.5 * range * layer.width);
+  if (nodes >= k.size()) {
+    const Waves waves = within(layer, k);
+    cosines.noalias() = waves.cosines * layer.strengths;
+    sines.noalias() = waves.sines * layer.strengths;
+    return;
+  }
+  Eigen::VectorXd own(nodes);
+  for (int i = 0; i < nodes; ++i) {
+    own[i] = low + 0.5 * range * (1.0 - std::cos(std::numbers::pi * (i + 0.5) / nodes));
+  }
+  const Waves waves = within(layer, own);
+  const Eigen::MatrixXd polynomials = lagrange(own, k);
+  thread_local Eigen::MatrixXd at_nodes;
+  at_nodes.noalias() = waves.cosines * layer.strengths;
+  cosines.noalias() = polynomials * at_nodes;
+  at_nodes.noalias() = waves.sines * layer.strengths;
+  sines.noalias() = polynomials * at_nodes;
 }
 
 Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_numbers) const {
   const Layer& own = layers_[layer];
-  const Phases phase = phases(own, wave_numbers);
+  const Eigen::VectorXd k = as_vector(wave_numbers);
+  const Waves middles = at_middles(own, k);
   // Kept, for they are large and asked for again and again.
   thread_local Eigen::MatrixXd cosines, sines;
-  cosines.noalias() = phase.node_cos * own.strengths;
-  sines.noalias() = phase.node_sin * own.strengths;
-  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(phase.node_cos.rows(), kDown);
+  sum_rectangles(own, k, cosines, sines);
+  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(k.size(), kDown);
   for (int panel = 0; panel < own.panels; ++panel) {
     const auto c = cosines.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * panel).array(),
                s = sines.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * panel).array();
-    const Eigen::ArrayXd side_cos = phase.side_cos.col(panel), side_sin = phase.side_sin.col(panel);
-    sums.real().array() += c.colwise() * side_cos - s.colwise() * side_sin;
-    sums.imag().array() += c.colwise() * side_sin + s.colwise() * side_cos;
+    const Eigen::ArrayXd at_cos = middles.cosines.col(panel), at_sin = middles.sines.col(panel);
+    sums.real().array() += c.colwise() * at_cos - s.colwise() * at_sin;
+    sums.imag().array() += c.colwise() * at_sin + s.colwise() * at_cos;
   }
   return sums;
 }
@@ -91,16 +156,17 @@ Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_number
 void SourceGrid::add_back(int layer, std::span<const double> wave_numbers,
                           const Eigen::MatrixXcd& factors) {
   Layer& own = layers_[layer];
-  const Phases phase = phases(own, wave_numbers);
+  const Eigen::VectorXd k = as_vector(wave_numbers);
+  const Waves waves = within(own, k), middles = at_middles(own, k);
   Eigen::MatrixXd real(factors.rows(), own.strengths.cols()), imaginary(real.rows(), real.cols());
   const Eigen::ArrayXXd a = factors.real(), b = factors.imag();
   for (int panel = 0; panel < own.panels; ++panel) {
     const Eigen::Index first = static_cast<Eigen::Index>(kDown) * panel;
-    const Eigen::ArrayXd side_cos = phase.side_cos.col(panel), side_sin = phase.side_sin.col(panel);
-    real.middleCols<kDown>(first) = a.colwise() * side_cos - b.colwise() * side_sin;
-    imaginary.middleCols<kDown>(first) = a.colwise() * side_sin + b.colwise() * side_cos;
+    const Eigen::ArrayXd at_cos = middles.cosines.col(panel), at_sin = middles.sines.col(panel);
+    real.middleCols<kDown>(first) = a.colwise() * at_cos - b.colwise() * at_sin;
+    imaginary.middleCols<kDown>(first) = a.colwise() * at_sin + b.colwise() * at_cos;
   }
-  own.strengths += phase.node_cos.transpose() * real - phase.node_sin.transpose() * imaginary;
+  own.strengths += waves.cosines.transpose() * real - waves.sines.transpose() * imaginary;
 }
 
 void SourceGrid::differentiate() {

@@ -64,12 +64,18 @@ class SourceGrid {
     Eigen::Matrix<double, kDown, 1> down;
   };
   Place place(double x, double depth) const;
-  // Cosines and sines of k times the nodes' distance from their rectangle's after side, a row for
-  // each k; and of k times that side's x, panel by panel.
-  struct Phases {
-    Eigen::MatrixXd node_cos, node_sin, side_cos, side_sin;
+  // Cosines and sines of k times a distance, a row for each k: of the nodes from the middle of
+  // their rectangle, and of these middles.
+  struct Waves {
+    Eigen::MatrixXd cosines, sines;
   };
-  Phases phases(const Layer& layer, std::span<const double> wave_numbers) const;
+  static Waves within(const Layer& layer, const Eigen::VectorXd& k);
+  Waves at_middles(const Layer& layer, const Eigen::VectorXd& k) const;
+  // ∑ strength exp(i k x) over each rectangle's nodes of a depth, x from its middle. These sums
+  // vary little with k where rectangles are short: then few are taken, and those for all k
+  // interpolated.
+  static void sum_rectangles(const Layer& layer, const Eigen::VectorXd& k, Eigen::MatrixXd& cosines,
+                             Eigen::MatrixXd& sines);
 
   double aft_, length_;
   WaveScales scales_;

@@ -158,6 +158,15 @@ def stored_ties(mesh):
     ]
 
 
+def pairs(mesh):
+    """(k, 2) of the tied points of a Blender mesh: the point, one that it follows."""
+    ties = point_ties.read(mesh)
+    if ties is None:
+        return np.empty((0, 2), dtype=np.int64)
+    found = np.concatenate([np.stack([ties.points, ties.leaders[:, i]], axis=1) for i in range(2)])
+    return np.unique(found, axis=0)
+
+
 def store_ties(mesh, stored):
     """Ties points of a Blender mesh so, as they are: none is moved."""
     for kind in sorted({own[0] for own in stored}):
