@@ -24,6 +24,7 @@ constexpr double kFirstShortest = 16.0, kMostShortest = 128.0;  // λ
 // have fallen by a share, for it does so in waves.
 constexpr double kLeastGrowth = 1.25, kMostGrowth = 6.0, kBeyond = 1.05;
 constexpr double kLeastFall = 1.5, kMostFall = 4.0;
+constexpr double kRounded = 1.0 + 1e-9;  // of λ, so that an interval that ends there counts
 constexpr double kMostTurns = 2e4;  // the phase between the ship's ends of the shortest wave, rad
 constexpr double kSteepest = 89.0 / 180.0 * std::numbers::pi;
 
@@ -184,13 +185,13 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
       auto& [nu, shortest] = ranges[i];
       integrals[i] = sums.integral(nu, tolerance_, shortest, std::move(integrals[i]));
       const WaveIntegral& integral = integrals[i];
-      const double factor = 4.0 * density_ * gravity_ * nu / std::numbers::pi;
-      results[i] = {speeds[i], factor * integral.value, factor * integral.error, integral.shortest};
-      const double most = std::min(kMostShortest, kMostTurns / (nu * length()));
-      if (integral.settled || kLeastGrowth * shortest > most && shortest < kMostShortest) continue;
-      if (shortest >= kMostShortest) continue;
-      shortest = std::clamp(expected_shortest(integral, tolerance_), kLeastGrowth * shortest,
-                            std::min(kMostGrowth * shortest, most));
+      results[i] = {speeds[i], factor(nu) * integral.value, factor(nu) * integral.error,
+                    integral.shortest};
+      const double most = kMostTurns / (nu * length());
+      if (integral.settled || shortest >= kMostShortest || kLeastGrowth * shortest > most) continue;
+      const double next =
+          std::max(expected_shortest(integral, tolerance_), kLeastGrowth * shortest);
+      shortest = std::min({next, kMostGrowth * shortest, kMostShortest, most});
       unsettled.push_back(i);
     }
     open = std::move(unsettled);
@@ -198,16 +199,33 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
   return results;
 }
 
+double MichellIntegral::factor(double nu) const {
+  return 4.0 * density_ * gravity_ * nu / std::numbers::pi;
+}
+
+WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {
+  const double nu = wave_number(speed);
+  if (!(shortest > 1.0) || !std::isfinite(shortest) || nu * shortest * length() > kMostTurns) {
+    throw std::invalid_argument("The shortest wave's λ must be a number above 1, and not beyond " +
+                                std::to_string(kMostTurns / (nu * length())) + " at this speed.");
+  }
+  const SourceGrid grid = sources(scales_for({{nu, shortest * kRounded}}));
+  const WaveIntegral integral = WaveSums(grid).integral(nu, 0.0, shortest * kRounded);
+  return {speed, factor(nu) * integral.value, factor(nu) * integral.error, integral.shortest};
+}
+
 analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& derivatives,
                                              double speed) const {
-  const WaveResistance reached = resistance({speed})[0];
+  return gradient_to(derivatives, speed, resistance({speed})[0].shortest);
+}
+
+analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives& derivatives,
+                                                double speed, double shortest) const {
   const double nu = wave_number(speed);
-  const WaveScales scales = scales_for({{nu, reached.shortest * (1.0 + 1e-9)}});
+  const WaveScales scales = scales_for({{nu, shortest * kRounded}});
   SourceGrid grid = sources(scales);
-  const WaveIntegral integral =
-      WaveSums(grid).integral(nu, tolerance_, reached.shortest * (1.0 + 1e-9));
-  take_derivatives(integral, grid);
-  const double factor = side_factor() * 4.0 * density_ * gravity_ * nu / std::numbers::pi;
+  take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);
+  const double factor = side_factor() * this->factor(nu);
   const surface::LimitSurface& surface = body_->surface();
   const surface::SurfaceLayout& layout = surface.layout();
   analysis::SurfaceAdjoint::Sum sum(derivatives.adjoint(), 1);

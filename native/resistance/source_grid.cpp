@@ -50,8 +50,7 @@ Eigen::MatrixXd lagrange(const Eigen::VectorXd& nodes, const Eigen::VectorXd& at
 }
 
 Eigen::VectorXd as_vector(std::span<const double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                           static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 }  // namespace
@@ -98,8 +97,8 @@ void SourceGrid::add(double x, double depth, double strength) {
 }
 
 SourceGrid::Waves SourceGrid::within(const Layer& layer, const Eigen::VectorXd& k) {
-  const Eigen::MatrixXd phases = k * (layer.width * (Along::get().nodes().array() - 0.5).matrix())
-                                         .transpose();
+  const Eigen::MatrixXd phases =
+      k * (layer.width * (Along::get().nodes().array() - 0.5).matrix()).transpose();
   return {phases.array().cos(), phases.array().sin()};
 }
 

@@ -42,7 +42,7 @@ def test_a_point_stays_on_its_line(hull):
     assert bpy.ops.hull.tie_points(kind="LINE") == {"FINISHED"}
     assert stored(hull) == {at(2, 2): ("LINE", (at(1, 2), at(4, 2)))}
     assert misses(hull)["LINE"] <= 1e-12
-    (_, _, _, (share, _, _)),  = ties().stored_ties(hull.data)
+    ((_, _, _, (share, _, _)),) = ties().stored_ties(hull.data)
     move(hull, [at(4, 2)], (0.5, 0.25, 0.75))
     ends = points(hull)[[at(1, 2), at(4, 2)]].astype(float)
     wanted = (1 - share) * ends[0] + share * ends[1]
@@ -129,7 +129,8 @@ def test_circles_are_refused_by_name(hull):
     tie(hull, "ANCHOR", [at(3, 2)], at(4, 2))
     before = points(hull)
     with pytest.raises(
-        ValueError, match=f"Point {at(4, 2)} would follow itself, by points {at(2, 2)} and {at(3, 2)}"
+        ValueError,
+        match=f"Point {at(4, 2)} would follow itself, by points {at(2, 2)} and {at(3, 2)}",
     ):
         tie(hull, "ANCHOR", [at(4, 2)], at(2, 2))
     select_points(hull, [at(4, 2), at(2, 2)], active=at(2, 2))

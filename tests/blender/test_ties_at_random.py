@@ -70,9 +70,7 @@ class Edits:
         points = part("bridge.mesh.mesh_points").read(self.hull.data)
         place = points[self.random.integers(len(points))]
         near = np.linalg.norm(points - place, axis=1) < 0.1 * self.size
-        part("bridge.mesh.selection").select(
-            bpy.context, self.hull, "vertex", np.flatnonzero(near)
-        )
+        part("bridge.mesh.selection").select(bpy.context, self.hull, "vertex", np.flatnonzero(near))
         way = self.random.integers(3)
         if way == 0:
             bpy.ops.transform.translate(value=0.003 * self.size * self.random.normal(size=3))
@@ -114,9 +112,7 @@ class Edits:
         moved = surface.mesh.points + 0.0005 * self.size * self.random.normal(
             size=surface.mesh.points.shape
         ) * (np.abs(surface.mesh.points[:, 1:2]) > 1e-6)
-        target = shape_of(
-            native.LimitSurface(surface.mesh.with_points(moved), surface.scheme), n=3
-        )
+        target = shape_of(native.LimitSurface(surface.mesh.with_points(moved), surface.scheme), n=3)
         self.hull.hull.fit.target = target
         self._tried(bpy.ops.hull.fit)
         self.hull.hull.fit.target = None
@@ -185,7 +181,15 @@ def test_ties_hold_through_a_thousand_edits():
     assert len(ties().stored_ties(hull.data)) == count
     print(changed, worst, worst_stored)
     assert worst_stored <= SINGLE
-    assert all(done >= 0.5 * kinds for done, kinds in (
-        (changed["drag"], 600), (changed["transform"], 250), (changed["whole"], 25),
-        (changed["pull"], 60), (changed["field"], 12), (changed["fit"], 8), (changed["targets"], 12),
-    ))
+    assert all(
+        done >= 0.5 * kinds
+        for done, kinds in (
+            (changed["drag"], 600),
+            (changed["transform"], 250),
+            (changed["whole"], 25),
+            (changed["pull"], 60),
+            (changed["field"], 12),
+            (changed["fit"], 8),
+            (changed["targets"], 12),
+        )
+    )

@@ -115,7 +115,9 @@ def _to_go_along(data, memory, may_be_joined):
         going = np.isin(ties.kinds, _FREE_KINDS)
     elif memory.moved is not None:
         going = memory.moved[ties.points] & (ties.kinds == point_ties.LINE)
-    return np.flatnonzero(going & _are_off(ties, data.points)) if going.any() else going.nonzero()[0]
+    return (
+        np.flatnonzero(going & _are_off(ties, data.points)) if going.any() else going.nonzero()[0]
+    )
 
 
 def _released(obj, data, memory):
