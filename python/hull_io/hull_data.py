@@ -73,7 +73,7 @@ class Kept:
 
 @dataclass
 class Tie:
-    """A point, by index, that follows others, to, as hull_ties tells of each kind. distance in m."""
+    """A point, by index, that follows others, to, as hull_ties tells of each kind. distance: m."""
 
     kind: str
     point: int

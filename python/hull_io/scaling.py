@@ -85,7 +85,8 @@ STAYING = frozenset(
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
-    targets.rows.tolerance targets.rows.on targets.rows.speed_kn targets.moving targets.staying targets.length
+    targets.rows.tolerance targets.rows.on targets.rows.speed_kn targets.moving targets.staying
+    targets.length
     targets.beam targets.draft targets.fairness area_target.source variants units source
     fields.name fields.role fields.on fields.colour fields.base fields.axis fields.closed
     fields.falloff fields.axes fields.faces fields.end.falloff

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hulls with tied points, and whether their ties hold, reckoned apart from the add-on's formulas."""
+"""Hulls with tied points, and whether these are where they belong, by formulas of its own."""
 
 import bpy
 import numpy as np

@@ -4,8 +4,8 @@
 `lead` comes before flats and planes are kept: pairs that go together by either are led by the one
 that was dragged. `kept` comes last: tied points go where they belong, but for those whose flat,
 plane or centre plane would not have it, which counts. Distances and shares go along with all points
-of a hull that was moved or scaled as a whole, and on first sight of a hull; a point that was dragged
-along its line has its share of it anew.
+of a hull that was moved or scaled as a whole, and on first sight of a hull; a point that was
+dragged along its line has its share of it anew.
 """
 
 import dataclasses
@@ -172,7 +172,7 @@ def held_elsewhere(obj, indices, places, points):
 
 
 def held_planes(obj):
-    """{point of the mesh: planes (4,) that it is held in}: flats, stations, waterlines, buttocks."""
+    """{point of the mesh: planes (4,) that hold it}: flats, stations, waterlines, buttocks."""
     found = {}
     for part, plane in flats.flat_planes(obj):
         for index in np.asarray(part).tolist():

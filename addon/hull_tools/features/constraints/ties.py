@@ -77,8 +77,8 @@ def _check_held(obj, places, points, followers):
     stay = tie_keeping.held_elsewhere(obj, followers, places, points)
     if stay:
         raise ValueError(
-            f"{counted_are(len(stay), 'point')} kept in a flat, a plane or on the centre plane that "
-            "the tie would have them leave: release or free them first"
+            f"{counted_are(len(stay), 'point')} kept in a flat, a plane or on the centre plane "
+            "that the tie would have them leave: release or free them first"
         )
 
 
