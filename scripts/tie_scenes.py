@@ -9,8 +9,8 @@ from screenshot_panels import load
 
 
 def tied_points(window):
-    """A coaster's fore body in edit mode: points of a row between two others on a line, one that
-    is anchored, and points of a station as high as one of the next."""
+    """A coaster amidships in edit mode: points of the deck's edge on the line between two others, and
+    two at the bilge that go with one of them."""
     with window.in_view():
         bpy.ops.screen.screen_full_area()
     yield
@@ -18,9 +18,9 @@ def tied_points(window):
     window.space.show_region_toolbar = False
     window.open_sidebar()
     yield
-    window.look(hull, (68.0, 0.0, 150.0), is_perspective=True)
-    window.space.region_3d.view_location = (60.0, 6.0, 4.0)
-    window.space.region_3d.view_distance = 46.0
+    window.look(hull, (62.0, 0.0, 150.0), is_perspective=True)
+    window.space.region_3d.view_location = (40.0, 6.0, 4.0)
+    window.space.region_3d.view_distance = 44.0
     window.space.overlay.show_floor = False
     lines = hull.hull.lines
     lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
@@ -39,9 +39,14 @@ def _tie(hull):
     def nearest(*place):
         return int(np.abs(points - place).sum(axis=1).argmin())
 
-    row = list(dict.fromkeys(nearest(x, 6.3, 6.5) for x in (48.0, 52.0, 56.0, 60.0, 64.0, 68.0)))
+    deck = np.flatnonzero((points[:, 2] > 7.0) & (points[:, 1] > 6.0))
+    row = deck[np.argsort(points[deck, 0])]
+    row = row[(points[row, 0] > 18.0) & (points[row, 0] < 56.0)]
     ends = [(row[0], row[-1])] * (len(row) - 2)
-    ties.tie_points(hull, kinds.index("LINE"), np.array(row[1:-1]), np.array(ends))
-    foot, head = nearest(60.0, 5.0, 1.0), nearest(64.0, 5.0, 3.0)
-    if foot != head:
-        ties.tie_points(hull, kinds.index("ANCHOR"), np.array([foot]), np.array([(head, head)]))
+    ties.tie_points(hull, kinds.index("LINE"), row[1:-1], np.array(ends))
+    head = nearest(*(points[row[-1]] - (0.0, 0.0, 3.5)))
+    feet = [nearest(*(points[row[-1]] - (0.0, low, 6.0))) for low in (0.3, 1.5)]
+    feet = [foot for foot in dict.fromkeys(feet) if foot != head and foot not in row]
+    ties.tie_points(
+        hull, kinds.index("ANCHOR"), np.array(feet), np.array([(head, head)] * len(feet))
+    )
