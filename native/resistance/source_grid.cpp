@@ -17,6 +17,7 @@ using Down = ChebyshevNodes<SourceGrid::kDown>;
 // interpolation at n nodes is off by at most 2 (phase / 4)^n / n! (Lagrange's remainder).
 constexpr double kPhase = 24.0, kFirstDecay = 2.0;
 constexpr double kInterpolated = 1e-12;
+constexpr int kTurned = 32;  // panels along which a wave is turned on before it is computed anew
 
 // Of Chebyshev nodes of a range of k over which no phase turns by more than this.
 int nodes_for(double phase) {
@@ -47,6 +48,29 @@ Eigen::MatrixXd lagrange(const Eigen::VectorXd& nodes, const Eigen::VectorXd& at
     values.row(row) /= values.row(row).sum();
   }
   return values;
+}
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, SourceGrid::kDown>;
+constexpr int kBlock = 8;  // rows that are multiplied at once, and stay in registers
+
+// c = a b, where a has a multiple of kBlock rows. Eigen's own product lays large matrices out anew
+// for each few rows.
+template <class Columns>
+void multiply(const Eigen::MatrixXd& a, const Columns& b, Rows& c) {
+  using Block = Eigen::Matrix<double, kBlock, 1>;
+  c.resize(a.rows(), SourceGrid::kDown);
+  for (Eigen::Index row = 0; row < a.rows(); row += kBlock) {
+    for (int column = 0; column < SourceGrid::kDown; column += 2) {
+      Block first = Block::Zero(), second = Block::Zero();
+      for (Eigen::Index i = 0; i < a.cols(); ++i) {
+        const Block own = a.col(i).template segment<kBlock>(row);
+        first += own * b(i, column);
+        second += own * b(i, column + 1);
+      }
+      c.col(column).template segment<kBlock>(row) = first;
+      c.col(column + 1).template segment<kBlock>(row) = second;
+    }
+  }
 }
 
 Eigen::VectorXd as_vector(std::span<const double> values) {
@@ -111,44 +135,62 @@ SourceGrid::Waves SourceGrid::at_middles(const Layer& layer, const Eigen::Vector
   return {phases.array().cos(), phases.array().sin()};
 }
 
-void SourceGrid::sum_rectangles(const Layer& layer, const Eigen::VectorXd& k,
-                                Eigen::MatrixXd& cosines, Eigen::MatrixXd& sines) {
+SourceGrid::Interpolation SourceGrid::interpolation(const Layer& layer, const Eigen::VectorXd& k) {
   const double low = k.minCoeff(), range = k.maxCoeff() - low;
   const int nodes = nodes_for(0.5 * range * layer.width);
   if (nodes >= k.size()) {
-    const Waves waves = within(layer, k);
-    cosines.noalias() = waves.cosines * layer.strengths;
-    sines.noalias() = waves.sines * layer.strengths;
-    return;
+    return padded({within(layer, k), Eigen::MatrixXd::Identity(k.size(), k.size())});
   }
   Eigen::VectorXd own(nodes);
   for (int i = 0; i < nodes; ++i) {
     own[i] = low + 0.5 * range * (1.0 - std::cos(std::numbers::pi * (i + 0.5) / nodes));
   }
-  const Waves waves = within(layer, own);
-  const Eigen::MatrixXd polynomials = lagrange(own, k);
-  thread_local Eigen::MatrixXd at_nodes;
-  at_nodes.noalias() = waves.cosines * layer.strengths;
-  cosines.noalias() = polynomials * at_nodes;
-  at_nodes.noalias() = waves.sines * layer.strengths;
-  sines.noalias() = polynomials * at_nodes;
+  return padded({within(layer, own), lagrange(own, k)});
+}
+
+SourceGrid::Interpolation SourceGrid::padded(const Interpolation& by) {
+  const auto up = [](Eigen::Index count) { return (count + kBlock - 1) / kBlock * kBlock; };
+  const Eigen::Index nodes = by.polynomials.cols(), rows = by.polynomials.rows();
+  Interpolation found{
+      {Eigen::MatrixXd::Zero(up(nodes), kAlong), Eigen::MatrixXd::Zero(up(nodes), kAlong)},
+      Eigen::MatrixXd::Zero(up(rows), up(nodes))};
+  found.waves.cosines.topRows(nodes) = by.waves.cosines;
+  found.waves.sines.topRows(nodes) = by.waves.sines;
+  found.polynomials.topLeftCorner(rows, nodes) = by.polynomials;
+  return found;
 }
 
 Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_numbers) const {
   const Layer& own = layers_[layer];
-  const Eigen::VectorXd k = as_vector(wave_numbers);
-  const Waves middles = at_middles(own, k);
-  // Kept, for they are large and asked for again and again.
-  thread_local Eigen::MatrixXd cosines, sines;
-  sum_rectangles(own, k, cosines, sines);
-  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(k.size(), kDown);
+  const auto count = static_cast<Eigen::Index>(wave_numbers.size());
+  const Interpolation by = interpolation(own, as_vector(wave_numbers));
+  Eigen::ArrayXd k = Eigen::ArrayXd::Zero(by.polynomials.rows());
+  k.head(count) = as_vector(wave_numbers).array();
+  const Eigen::ArrayXd step_cos = (k * own.width).cos(), step_sin = (k * own.width).sin();
+  Eigen::ArrayXd middle_cos, middle_sin, last;
+  Rows at_nodes, cosines, sines, real = Rows::Zero(k.size(), kDown), imaginary = real;
   for (int panel = 0; panel < own.panels; ++panel) {
-    const auto c = cosines.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * panel).array(),
-               s = sines.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * panel).array();
-    const Eigen::ArrayXd at_cos = middles.cosines.col(panel), at_sin = middles.sines.col(panel);
-    sums.real().array() += c.colwise() * at_cos - s.colwise() * at_sin;
-    sums.imag().array() += c.colwise() * at_sin + s.colwise() * at_cos;
+    if (panel % kTurned == 0) {
+      const Eigen::ArrayXd phases = k * (aft_ + (panel + 0.5) * own.width);
+      middle_cos = phases.cos();
+      middle_sin = phases.sin();
+    }
+    const auto strengths =
+        own.strengths.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * panel);
+    multiply(by.waves.cosines, strengths, at_nodes);
+    multiply(by.polynomials, at_nodes, cosines);
+    multiply(by.waves.sines, strengths, at_nodes);
+    multiply(by.polynomials, at_nodes, sines);
+    real.array() += cosines.array().colwise() * middle_cos - sines.array().colwise() * middle_sin;
+    imaginary.array() +=
+        cosines.array().colwise() * middle_sin + sines.array().colwise() * middle_cos;
+    last = middle_cos;
+    middle_cos = middle_cos * step_cos - middle_sin * step_sin;
+    middle_sin = last * step_sin + middle_sin * step_cos;
   }
+  Eigen::MatrixXcd sums(count, kDown);
+  sums.real() = real.topRows(count);
+  sums.imag() = imaginary.topRows(count);
   return sums;
 }
 

@@ -71,11 +71,16 @@ class SourceGrid {
   };
   static Waves within(const Layer& layer, const Eigen::VectorXd& k);
   Waves at_middles(const Layer& layer, const Eigen::VectorXd& k) const;
-  // ∑ strength exp(i k x) over each rectangle's nodes of a depth, x from its middle. These sums
-  // vary little with k where rectangles are short: then few are taken, and those for all k
-  // interpolated.
-  static void sum_rectangles(const Layer& layer, const Eigen::VectorXd& k, Eigen::MatrixXd& cosines,
-                             Eigen::MatrixXd& sines);
+  // Of ∑ strength exp(i k x) over a rectangle's nodes, x from its middle: the waves of few k, and
+  // the polynomials by which the sums for all k (a row each) follow from theirs. They vary little
+  // with k where rectangles are short.
+  struct Interpolation {
+    Waves waves;
+    Eigen::MatrixXd polynomials;
+  };
+  static Interpolation interpolation(const Layer& layer, const Eigen::VectorXd& k);
+  // With zeros to whole blocks of rows, and of polynomials.
+  static Interpolation padded(const Interpolation& by);
 
   double aft_, length_;
   WaveScales scales_;

@@ -59,6 +59,9 @@ def limits_of(sample):
     border = np.unique(np.asarray(sample.mesh.border_edges))
     stays = np.union1d(on_centre, border)
     held = [(np.tile(stays, 3), np.repeat(np.eye(3), len(stays), axis=0))]
+    far = np.abs(sample.mesh.points[:, 1])
+    widest = np.flatnonzero(far >= 0.999 * far.max())
+    held.append((widest, np.tile((0.0, 1.0, 0.0), (len(widest), 1))))
     for points, normal in sample.flats:
         held.append((points, np.tile(normal, (len(points), 1))))
     return {
