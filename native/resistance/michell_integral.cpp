@@ -22,7 +22,7 @@ constexpr double kLeastFroude = 0.05, kMostFroude = 5.0;
 constexpr double kFirstShortest = 16.0, kMostShortest = 128.0;  // λ
 // From one grid of sources to a finer one λ grows by so much; beyond where the error is expected to
 // have fallen by a share, for it does so in waves.
-constexpr double kLeastGrowth = 1.25, kMostGrowth = 6.0, kBeyond = 1.05;
+constexpr double kLeastGrowth = 1.25, kMostGrowth = 8.0, kBeyond = 1.12;
 constexpr double kLeastFall = 1.5, kMostFall = 4.0;
 constexpr double kRounded = 1.0 + 1e-9;  // of λ, so that an interval that ends there counts
 constexpr double kMostTurns = 2e4;  // the phase between the ship's ends of the shortest wave, rad
@@ -165,6 +165,7 @@ SourceGrid MichellIntegral::sources(const WaveScales& scales) const {
   SourceGrid grid(aft_, forward_, deepest_, scales);
   Spreading spreading(frame_, side_factor(), grid);
   visit_shell(*body_, frame_, scales, spreading);
+  grid.take_all();
   return grid;
 }
 

@@ -16,7 +16,7 @@ using Down = ChebyshevNodes<SourceGrid::kDown>;
 // How far the phase turns over a rectangle, and how many e-foldings the uppermost layer has:
 // interpolation at n nodes is off by at most 2 (phase / 4)^n / n! (Lagrange's remainder).
 constexpr double kPhase = 24.0, kFirstDecay = 2.0;
-constexpr double kInterpolated = 1e-12;
+constexpr double kInterpolated = 1e-11;
 constexpr int kTurned = 32;  // panels along which a wave is turned on before it is computed anew
 
 // Of Chebyshev nodes of a range of k over which no phase turns by more than this.
@@ -51,24 +51,26 @@ Eigen::MatrixXd lagrange(const Eigen::VectorXd& nodes, const Eigen::VectorXd& at
 }
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, SourceGrid::kDown>;
-constexpr int kBlock = 8;  // rows that are multiplied at once, and stay in registers
+constexpr int kBlock = 2, kColumns = 6;  // rows and columns of a product that stay in registers
 
 // c = a b, where a has a multiple of kBlock rows. Eigen's own product lays large matrices out anew
 // for each few rows.
-template <class Columns>
-void multiply(const Eigen::MatrixXd& a, const Columns& b, Rows& c) {
+template <class Factor, class Columns>
+void multiply(const Factor& a, const Columns& b, Rows& c) {
   using Block = Eigen::Matrix<double, kBlock, 1>;
+  static_assert(SourceGrid::kDown % kColumns == 0);
   c.resize(a.rows(), SourceGrid::kDown);
   for (Eigen::Index row = 0; row < a.rows(); row += kBlock) {
-    for (int column = 0; column < SourceGrid::kDown; column += 2) {
-      Block first = Block::Zero(), second = Block::Zero();
+    for (int column = 0; column < SourceGrid::kDown; column += kColumns) {
+      std::array<Block, kColumns> sums;
+      sums.fill(Block::Zero());
       for (Eigen::Index i = 0; i < a.cols(); ++i) {
         const Block own = a.col(i).template segment<kBlock>(row);
-        first += own * b(i, column);
-        second += own * b(i, column + 1);
+        for (int k = 0; k < kColumns; ++k) sums[k] += own * b(i, column + k);
       }
-      c.col(column).template segment<kBlock>(row) = first;
-      c.col(column + 1).template segment<kBlock>(row) = second;
+      for (int k = 0; k < kColumns; ++k) {
+        c.col(column + k).template segment<kBlock>(row) = sums[k];
+      }
     }
   }
 }
@@ -116,8 +118,34 @@ SourceGrid::Place SourceGrid::place(double x, double depth) const {
 
 void SourceGrid::add(double x, double depth, double strength) {
   const Place at = place(x, depth);
-  layers_[at.layer].strengths.middleCols<kDown>(static_cast<Eigen::Index>(kDown) * at.panel) +=
-      (strength * at.along) * at.down.transpose();
+  auto own = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& one) {
+    return one.layer == at.layer && one.panel == at.panel;
+  });
+  if (own == waiting_.end()) {
+    own = waiting_.begin() + next_;
+    next_ = (next_ + 1) % static_cast<int>(waiting_.size());
+    take(*own);
+    own->layer = at.layer;
+    own->panel = at.panel;
+  }
+  own->along.col(own->count) = strength * at.along;
+  own->down.row(own->count) = at.down.transpose();
+  if (++own->count == kAtOnce) take(*own);
+}
+
+void SourceGrid::take(Waiting& waiting) {
+  if (waiting.count == 0) return;
+  waiting.along.rightCols(kAtOnce - waiting.count).setZero();
+  waiting.down.bottomRows(kAtOnce - waiting.count).setZero();
+  Rows sum;
+  multiply(waiting.along, waiting.down, sum);
+  layers_[waiting.layer].strengths.middleCols<kDown>(static_cast<Eigen::Index>(kDown) *
+                                                     waiting.panel) += sum;
+  waiting.count = 0;
+}
+
+void SourceGrid::take_all() {
+  for (Waiting& waiting : waiting_) take(waiting);
 }
 
 SourceGrid::Waves SourceGrid::within(const Layer& layer, const Eigen::VectorXd& k) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,9 @@ class SourceGrid {
   const Eigen::Array<double, 1, kDown>& depths(int layer) const { return layers_[layer].depths; }
   double top(int layer) const { return layers_[layer].top; }
 
+  // After the last one take_all() is to be called: sources wait, to be added several at once.
   void add(double x, double depth, double strength);
+  void take_all();
   void set_zero();
 
   // For each wave number (a row) and each node's depth (a column): ∑ strength exp(i k x) of the
@@ -64,6 +67,14 @@ class SourceGrid {
     Eigen::Matrix<double, kDown, 1> down;
   };
   Place place(double x, double depth) const;
+  static constexpr int kAtOnce = 16;
+  // Sources of one rectangle.
+  struct Waiting {
+    int layer = -1, panel = -1, count = 0;
+    Eigen::Matrix<double, kAlong, kAtOnce> along;
+    Eigen::Matrix<double, kAtOnce, kDown> down;
+  };
+  void take(Waiting& waiting);
   // Cosines and sines of k times a distance, a row for each k: of the nodes from the middle of
   // their rectangle, and of these middles.
   struct Waves {
@@ -85,6 +96,8 @@ class SourceGrid {
   double aft_, length_;
   WaveScales scales_;
   std::vector<Layer> layers_;
+  std::array<Waiting, 4> waiting_;
+  int next_ = 0;  // of these, to be taken when another is needed
 };
 
 }  // namespace hull::resistance
