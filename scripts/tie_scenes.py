@@ -9,8 +9,8 @@ from screenshot_panels import load
 
 
 def tied_points(window):
-    """A coaster amidships in edit mode: points of the deck's edge on the line between two others, and
-    two at the bilge that go with one of them."""
+    """A coaster amidships in edit mode: points of the deck's edge on the line between two others,
+    and two at the bilge that go with one of them."""
     with window.in_view():
         bpy.ops.screen.screen_full_area()
     yield
