@@ -216,7 +216,8 @@ def test_the_wave_resistance_is_lowered_and_told():
     found = part("features.targets.rows")
     before = found.present(row, hull, bpy.context.scene)
     assert before > 0.0 and row.value == pytest.approx(before, rel=1e-6)
-    row.value, row.sense = 0.93 * before, "at most"
+    row.value, row.sense = 0.95 * before, "at most"
+    hull.hull.targets.stiffness = 0.2
     values = values_of(hull)
     add(hull, "VOLUME", values.displaced_volume)  # profile and greatest beam stay by default
     assert bpy.ops.hull.solve_targets() == {"FINISHED"}
@@ -228,7 +229,7 @@ def test_the_wave_resistance_is_lowered_and_told():
     reports = part("features.targets.reports")
     told = dict(reports.told(report, bpy.context.scene))
     (text,) = (value for name, value in told.items() if name.startswith("Rw"))
-    assert text.endswith("-7.00 %") and "-7.00 %" in reports.summary(report, bpy.context.scene)
+    assert text.endswith("-5.00 %") and "-5.00 %" in reports.summary(report, bpy.context.scene)
     # As fair as it was: no more marks are new than are gone.
     bpy.ops.hull.count_marks(compare=True)
     marks, is_current = part("features.fairing.seen_marks").last_report(hull)
@@ -237,7 +238,7 @@ def test_the_wave_resistance_is_lowered_and_told():
     # Known no longer of the hull as it is, until it is taken.
     assert found.present(row, hull, bpy.context.scene) is None
     found.take_present(row, hull, bpy.context.scene)
-    assert row.value == pytest.approx(0.93 * before, rel=1e-5)
+    assert row.value == pytest.approx(0.95 * before, rel=1e-5)
     row.speed_kn = 0.5  # too slow for the integral
     with pytest.raises(RuntimeError, match="no speed for Michell's integral"):
         bpy.ops.hull.solve_targets()
