@@ -2,6 +2,7 @@
 #include "resistance/source_grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -189,6 +190,7 @@ SourceGrid::Interpolation SourceGrid::padded(const Interpolation& by) {
 }
 
 Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_numbers) const {
+  assert(std::all_of(waiting_.begin(), waiting_.end(), [](const Waiting& w) { return !w.count; }));
   const Layer& own = layers_[layer];
   const auto count = static_cast<Eigen::Index>(wave_numbers.size());
   const Interpolation by = interpolation(own, as_vector(wave_numbers));
