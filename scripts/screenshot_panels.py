@@ -226,7 +226,7 @@ PANELS = {
     "panels/hull-of-mesh": PanelShot(hull_panels("hull", "made_of"), _of_a_mesh),
     "panels/surface": PanelShot(hull_panels("surface")),
     "panels/edges-and-points": PanelShot(
-        hull_panels("tags", "select", "shown_tags"), in_edit_mode=True
+        hull_panels("tags", "select", "point_groups", "shown_tags"), in_edit_mode=True
     ),
     "panels/shape": PanelShot(hull_panels("shape"), in_edit_mode=True),
     "panels/pull": PanelShot(hull_panels("pull"), in_edit_mode=True),

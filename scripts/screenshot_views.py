@@ -9,6 +9,7 @@ import bpy
 import field_scenes
 import network_scenes
 import numpy as np
+import tie_scenes
 from addon_under_test import part
 from editing import select
 from expect import edited_points
@@ -406,6 +407,7 @@ VIEWS = {
     "morphing/vessels": View(_members("research_vessel", "naval_vessel", distance=0.9), ()),
     "morphing/pairs": View(_pairs, hull_panels("morph", "morph_pairs")),
     "transformation/area-curve": View(_area_curve, hull_panels("transform", "area_curve")),
+    "tied-points": View(tie_scenes.tied_points, hull_panels("hull", "tags", "point_groups")),
     "variants/ghost": View(_ghost, hull_panels("variants", "comparison")),
     "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),
     "first-hull/measured": View(_measured, (*_NUMBERS, "HULL_PT_plots")),

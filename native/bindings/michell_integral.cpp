@@ -70,6 +70,15 @@ void bind_michell_integral(py::module_& module) {
           "(n,) m/s: a list of WaveResistance. ValueError for speeds whose Froude number is below "
           "0.05 or above 5.")
       .def(
+          "resistance_to",
+          [](const MichellIntegral& integral, double speed, double shortest) {
+            const py::gil_scoped_release release;
+            return integral.resistance_to(speed, shortest);
+          },
+          py::arg("speed"), py::arg("shortest"),
+          "The WaveResistance at a speed, m/s, of waves up to this λ, whatever is left then: "
+          "smooth in the hull's form. ValueError where shortest is not above 1.")
+      .def(
           "gradient",
           [](const MichellIntegral& integral, const analysis::BodyDerivatives& derivatives,
              double speed) {

@@ -23,7 +23,8 @@ using modelling::TargetsReached;
 using Place = std::tuple<int, double, double>;
 
 FormTarget target_of(const std::string& name, std::optional<double> station,
-                     const std::optional<Place>& place, const std::array<double, 3>& direction) {
+                     std::optional<double> speed, const std::optional<Place>& place,
+                     const std::array<double, 3>& direction) {
   FormTarget target;
   target.is_section = name == "section_area";
   if (target.is_section != station.has_value()) {
@@ -32,7 +33,12 @@ FormTarget target_of(const std::string& name, std::optional<double> station,
   if ((name == "coordinate") != place.has_value()) {
     throw std::invalid_argument("A place is given with \"coordinate\", and with it only.");
   }
-  if (target.is_section) {
+  if ((name == "wave_resistance") != speed.has_value()) {
+    throw std::invalid_argument("A speed is given with \"wave_resistance\", and with it only.");
+  }
+  if (speed) {
+    target.wave_speed = speed;
+  } else if (target.is_section) {
     target.station = *station;
   } else if (place) {
     const auto& [cell, u, v] = *place;
@@ -45,9 +51,9 @@ FormTarget target_of(const std::string& name, std::optional<double> station,
 
 FormTarget target_from(const std::string& name, double value, double tolerance,
                        const std::string& sense, std::optional<double> station,
-                       const std::optional<Place>& place, const std::array<double, 3>& direction,
-                       double weight) {
-  FormTarget target = target_of(name, station, place, direction);
+                       std::optional<double> speed, const std::optional<Place>& place,
+                       const std::array<double, 3>& direction, double weight) {
+  FormTarget target = target_of(name, station, speed, place, direction);
   if (!std::isfinite(value) || !(tolerance >= 0.0) || !std::isfinite(tolerance)) {
     throw std::invalid_argument("The wanted value of " + name +
                                 " must be a number, and its tolerance 0 or more.");
@@ -90,9 +96,10 @@ void bind_target(py::module_& module) {
   py::class_<FormTarget>(module, "FormTarget", "A number of a hull's form and what it is to be.")
       .def(py::init(&target_from), py::arg("name"), py::arg("value"), py::kw_only(),
            py::arg("tolerance") = 0.0, py::arg("sense") = "equal", py::arg("station") = py::none(),
-           py::arg("place") = py::none(),
+           py::arg("speed") = py::none(), py::arg("place") = py::none(),
            py::arg("direction") = std::array<double, 3>{0.0, 1.0, 0.0}, py::arg("weight") = 1.0,
-           "name: one of FORM_NUMBERS, \"section_area\" of the station at x = station, or "
+           "name: one of FORM_NUMBERS, \"section_area\" of the station at x = station, "
+           "\"wave_resistance\" by Michell's integral at a speed in m/s, kN, or "
            "\"coordinate\" of the surface along a direction at place = (cell, u, v), before "
            "dimensions are scaled. sense: \"equal\", \"at least\" or \"at most\" the value, by the "
            "tolerance more or less. "

@@ -16,17 +16,39 @@ using analysis::CutSquare;
 using analysis::GaussRule;
 using analysis::SpanNode;
 
-constexpr double kMostPhase = 8.0;       // over a rectangle of kFull nodes …
-constexpr double kLittlePhase = 1.5;     // … and of kFew, which are exact for the shell alone
-constexpr double kLittleDecay = 0.5;     // of depths, of the least one
+constexpr double kLinePhase = 8.0;  // over an interval of the waterline, of kOnLine nodes
+constexpr int kOnLine = 10;
 constexpr double kFirstDecays = 4.0;     // of the shortest waves, from the water down
-constexpr int kFull = 10, kFew = 6;      // nodes in each direction
 constexpr int kMostHalvings = 60;        // of a rectangle, in both directions together
 constexpr double kSmallestWhole = 1e-6;  // of the size: of squares around a corner
 
-const GaussRule& wave_rule(int nodes) {
-  static const GaussRule full = analysis::gauss_rule(kFull), few = analysis::gauss_rule(kFew);
-  return nodes == kFull ? full : few;
+// Nodes of a direction of a rectangle, and the largest |ω| of exp(ω t), t in [0, 1], for which
+// Gauss's rule of so many is off by less than 1e-12, by its remainder
+// (n!)⁴ / ((2n + 1) (2n)!³) |ω|²ⁿ. The first is exact for the shell alone.
+struct WaveRule {
+  double most;
+  GaussRule rule;
+};
+
+const std::array<WaveRule, 8>& wave_rules() {
+  static const std::array<WaveRule, 8> rules = {{{2.0, analysis::gauss_rule(6)},
+                                                 {3.2, analysis::gauss_rule(7)},
+                                                 {4.7, analysis::gauss_rule(8)},
+                                                 {6.3, analysis::gauss_rule(9)},
+                                                 {8.2, analysis::gauss_rule(10)},
+                                                 {12.2, analysis::gauss_rule(12)},
+                                                 {16.6, analysis::gauss_rule(14)},
+                                                 {21.0, analysis::gauss_rule(16)}}};
+  return rules;
+}
+
+constexpr double kMostPhase = 20.0;  // in a direction of a rectangle, with kFirstDecays below 21
+
+const GaussRule& wave_rule(double omega) {
+  for (const WaveRule& own : wave_rules()) {
+    if (omega <= own.most) return own.rule;
+  }
+  return wave_rules().back().rule;
 }
 
 // Part of a span by two parameters in [0, 1].
@@ -40,17 +62,27 @@ struct SpanSheet {
   const surface::BicubicPoints& points;
   const CutSquare& square;
 
-  // All of the square, or what is below the water of one that is cut; there t runs from the water's
-  // surface across it.
-  Place at(double s, double t) const {
+  // Of one s: all of the square, or what is below the water of one that is cut; there t runs from
+  // the water's surface across it.
+  struct Column {
+    double s, begin = 0.0, end = 1.0, scale;
+  };
+
+  Column column(double s) const {
     const double area = square.size * square.size;
-    if (square.side == CutSquare::Side::kBelow) {
-      return {SpanNode(points, square.u + square.size * s, square.v + square.size * t), area};
-    }
+    if (square.side == CutSquare::Side::kBelow) return {s, 0.0, 1.0, area};
     const analysis::WetColumn wet(square, s);
     const double begin = wet.to < 1.0 ? wet.to : wet.from, end = wet.to < 1.0 ? wet.from : wet.to;
-    return {analysis::node_of(points, square, s, begin + (end - begin) * t),
-            wet.any ? area * std::abs(end - begin) : 0.0};
+    return {s, begin, end, wet.any ? area * std::abs(end - begin) : 0.0};
+  }
+
+  Place at(const Column& column, double t) const {
+    const double across = column.begin + (column.end - column.begin) * t;
+    if (square.side == CutSquare::Side::kBelow) {
+      return {SpanNode(points, square.u + square.size * column.s, square.v + square.size * across),
+              column.scale};
+    }
+    return {analysis::node_of(points, square, column.s, across), column.scale};
   }
 };
 
@@ -66,15 +98,16 @@ class SheetIntegrator {
 
   void add(const Rectangle& rectangle, int halvings = 0) {
     const Spread spread = spread_of(rectangle);
-    const double phase = scales_.along_at(spread.top) * (spread.x_by_s + spread.x_by_t);
-    const double decay = (spread.depth_by_s + spread.depth_by_t) /
-                         std::max(spread.top, kFirstDecays / scales_.decay);
-    if (halvings < kMostHalvings && (phase > kMostPhase || decay > 1.0)) {
-      const bool along_s = phase > kMostPhase ? spread.x_by_s >= spread.x_by_t
-                                              : spread.depth_by_s >= spread.depth_by_t;
-      return halve(rectangle, along_s, halvings);
+    const double along = scales_.along_at(spread.top);
+    const double phase_s = along * spread.x_by_s, phase_t = along * spread.x_by_t;
+    const double shallow = std::max(spread.top, kFirstDecays / scales_.decay);
+    const double decay_s = spread.depth_by_s / shallow, decay_t = spread.depth_by_t / shallow;
+    const bool turns = std::max(phase_s, phase_t) > kMostPhase;
+    if (halvings < kMostHalvings && (turns || decay_s + decay_t > 1.0)) {
+      return halve(rectangle, turns ? phase_s >= phase_t : decay_s >= decay_t, halvings);
     }
-    add_nodes(rectangle, phase < kLittlePhase && decay < kLittleDecay ? kFew : kFull);
+    add_nodes(rectangle, wave_rule(std::hypot(phase_s, kFirstDecays * decay_s)),
+              wave_rule(std::hypot(phase_t, kFirstDecays * decay_t)));
   }
 
  private:
@@ -86,8 +119,9 @@ class SheetIntegrator {
   Spread spread_of(const Rectangle& r) const {
     std::array<std::array<double, 3>, 3> x, depth;
     for (int i = 0; i < 3; ++i) {
+      const SpanSheet::Column column = sheet_.column(r.s + 0.5 * i * r.width);
       for (int j = 0; j < 3; ++j) {
-        const Vector3d p = sheet_.at(r.s + 0.5 * i * r.width, r.t + 0.5 * j * r.height).node.point;
+        const Vector3d p = sheet_.at(column, r.t + 0.5 * j * r.height).node.point;
         x[i][j] = frame_.x(p);
         depth[i][j] = frame_.depth(p);
       }
@@ -113,13 +147,13 @@ class SheetIntegrator {
     add({along_s ? r.s + width : r.s, along_s ? r.t : r.t + height, width, height}, halvings + 1);
   }
 
-  void add_nodes(const Rectangle& r, int count) {
-    const GaussRule& rule = wave_rule(count);
-    for (int i = 0; i < count; ++i) {
-      for (int j = 0; j < count; ++j) {
-        const SpanSheet::Place place =
-            sheet_.at(r.s + r.width * rule.nodes[i], r.t + r.height * rule.nodes[j]);
-        const double weight = place.scale * r.width * r.height * rule.weights[i] * rule.weights[j];
+  void add_nodes(const Rectangle& r, const GaussRule& by_s, const GaussRule& by_t) {
+    for (std::size_t i = 0; i < by_s.nodes.size(); ++i) {
+      const SpanSheet::Column column = sheet_.column(r.s + r.width * by_s.nodes[i]);
+      if (column.scale == 0.0) continue;
+      for (std::size_t j = 0; j < by_t.nodes.size(); ++j) {
+        const SpanSheet::Place place = sheet_.at(column, r.t + r.height * by_t.nodes[j]);
+        const double weight = place.scale * r.width * r.height * by_s.weights[i] * by_t.weights[j];
         if (weight != 0.0) visitor_.at_node(place.node, weight);
       }
     }
@@ -139,16 +173,16 @@ class LineIntegrator {
       : sheet_(sheet), frame_(frame), scales_(scales), visitor_(visitor) {}
 
   void add(double begin, double width, int halvings = 0) {
-    const auto x = [&](double s) { return frame_.x(sheet_.at(s, 0.0).node.point); };
+    const auto x = [&](double s) { return frame_.x(sheet_.at(sheet_.column(s), 0.0).node.point); };
     const double middle = begin + 0.5 * width;
     const double reach = std::abs(x(begin) - x(middle)) + std::abs(x(middle) - x(begin + width));
-    if (halvings < kMostHalvings && scales_.along * reach > kMostPhase) {
+    if (halvings < kMostHalvings && scales_.along * reach > kLinePhase) {
       add(begin, 0.5 * width, halvings + 1);
       add(middle, 0.5 * width, halvings + 1);
       return;
     }
-    const GaussRule& rule = wave_rule(kFull);
-    for (int i = 0; i < kFull; ++i) {
+    static const GaussRule rule = analysis::gauss_rule(kOnLine);
+    for (int i = 0; i < kOnLine; ++i) {
       const double s = begin + width * rule.nodes[i];
       const analysis::WetColumn wet(sheet_.square, s);
       if (!wet.crosses) continue;

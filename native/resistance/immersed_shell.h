@@ -31,8 +31,8 @@ class ShellVisitor {
 // Visits nodes by which functions exp(i k x - K d) of the given scales, times the oriented area,
 // are integrated over what is below the water of a span: between the exact crossings of the water,
 // in rectangles that are halved until the phase turns little over them, and until depths no more
-// than double or the shortest waves do not fall off. Gauss's rule of 10 nodes is then off by less
-// than 1e-10 of the rectangle's area.
+// than double or the shortest waves do not fall off. Each direction of a rectangle has as many of
+// Gauss's nodes as its phase and decay ask for to be off by less than 1e-12.
 void visit_span(const surface::BicubicPoints& points, const WayFrame& frame,
                 const WaveScales& scales, ShellVisitor& visitor);
 

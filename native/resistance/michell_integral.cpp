@@ -22,8 +22,9 @@ constexpr double kLeastFroude = 0.05, kMostFroude = 5.0;
 constexpr double kFirstShortest = 16.0, kMostShortest = 128.0;  // λ
 // From one grid of sources to a finer one λ grows by so much; beyond where the error is expected to
 // have fallen by a share, for it does so in waves.
-constexpr double kLeastGrowth = 1.25, kMostGrowth = 6.0, kBeyond = 1.05;
+constexpr double kLeastGrowth = 1.25, kMostGrowth = 8.0, kBeyond = 1.12;
 constexpr double kLeastFall = 1.5, kMostFall = 4.0;
+constexpr double kRounded = 1.0 + 1e-9;  // of λ, so that an interval that ends there counts
 constexpr double kMostTurns = 2e4;  // the phase between the ship's ends of the shortest wave, rad
 constexpr double kSteepest = 89.0 / 180.0 * std::numbers::pi;
 
@@ -148,63 +149,84 @@ double MichellIntegral::wave_number(double speed) const {
   return gravity_ / (speed * speed);
 }
 
-WaveScales MichellIntegral::scales_for(const std::vector<double>& wave_numbers,
-                                       double shortest) const {
-  const auto [fastest, slowest] = std::minmax_element(wave_numbers.begin(), wave_numbers.end());
+WaveScales MichellIntegral::scales_for(const std::vector<WaveRange>& ranges) const {
+  WaveScales scales{0.0, 0.0, 0.0};
   const double reach = WaveSums::least_reach(length());
-  const double along = std::max(*slowest * shortest, reach);
-  return {*slowest, along, std::max(along * along / *slowest, reach * reach / *fastest)};
+  for (const auto& [nu, shortest] : ranges) {
+    const double along = std::max(nu * shortest, reach);
+    scales.slowest = std::max(scales.slowest, nu);
+    scales.along = std::max(scales.along, along);
+    scales.decay = std::max(scales.decay, along * along / nu);
+  }
+  return scales;
 }
 
 SourceGrid MichellIntegral::sources(const WaveScales& scales) const {
   SourceGrid grid(aft_, forward_, deepest_, scales);
   Spreading spreading(frame_, side_factor(), grid);
   visit_shell(*body_, frame_, scales, spreading);
+  grid.take_all();
   return grid;
 }
 
 std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double>& speeds) const {
-  std::vector<double> wave_numbers;
-  for (double speed : speeds) wave_numbers.push_back(wave_number(speed));
+  std::vector<WaveRange> ranges;
+  for (double speed : speeds) ranges.push_back({wave_number(speed), kFirstShortest});
   std::vector<WaveResistance> results(speeds.size());
   std::vector<WaveIntegral> integrals(speeds.size());
   std::vector<std::size_t> open(speeds.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
-  for (double shortest = kFirstShortest, next = 0.0; !open.empty(); shortest = next) {
-    next = kLeastGrowth * shortest;
-    std::vector<double> own;
-    for (std::size_t i : open) own.push_back(wave_numbers[i]);
-    const SourceGrid grid = sources(scales_for(own, shortest));
+  while (!open.empty()) {
+    std::vector<WaveRange> own;
+    for (std::size_t i : open) own.push_back(ranges[i]);
+    const SourceGrid grid = sources(scales_for(own));
     WaveSums sums(grid);
     std::vector<std::size_t> unsettled;
     for (std::size_t i : open) {
-      const double nu = wave_numbers[i];
+      auto& [nu, shortest] = ranges[i];
       integrals[i] = sums.integral(nu, tolerance_, shortest, std::move(integrals[i]));
       const WaveIntegral& integral = integrals[i];
-      const double factor = 4.0 * density_ * gravity_ * nu / std::numbers::pi;
-      results[i] = {speeds[i], factor * integral.value, factor * integral.error, integral.shortest};
-      if (integral.settled || shortest >= kMostShortest) continue;
-      const double expected = expected_shortest(integral, tolerance_);
-      if (kLeastGrowth * shortest * nu * length() > kMostTurns) continue;
+      results[i] = {speeds[i], factor(nu) * integral.value, factor(nu) * integral.error,
+                    integral.shortest};
+      const double most = kMostTurns / (nu * length());
+      if (integral.settled || shortest >= kMostShortest || kLeastGrowth * shortest > most) continue;
+      const double next =
+          std::max(expected_shortest(integral, tolerance_), kLeastGrowth * shortest);
+      shortest = std::min({next, kMostGrowth * shortest, kMostShortest, most});
       unsettled.push_back(i);
-      next = std::max(next, std::min(expected, kMostTurns / (nu * length())));
     }
-    next = std::min({next, kMostGrowth * shortest, kMostShortest});
     open = std::move(unsettled);
   }
   return results;
 }
 
+double MichellIntegral::factor(double nu) const {
+  return 4.0 * density_ * gravity_ * nu / std::numbers::pi;
+}
+
+WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {
+  const double nu = wave_number(speed);
+  if (!(shortest > 1.0) || !std::isfinite(shortest) || nu * shortest * length() > kMostTurns) {
+    throw std::invalid_argument("The shortest wave's λ must be a number above 1, and not beyond " +
+                                std::to_string(kMostTurns / (nu * length())) + " at this speed.");
+  }
+  const SourceGrid grid = sources(scales_for({{nu, shortest * kRounded}}));
+  const WaveIntegral integral = WaveSums(grid).integral(nu, 0.0, shortest * kRounded);
+  return {speed, factor(nu) * integral.value, factor(nu) * integral.error, integral.shortest};
+}
+
 analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& derivatives,
                                              double speed) const {
-  const WaveResistance reached = resistance({speed})[0];
+  return gradient_to(derivatives, speed, resistance({speed})[0].shortest);
+}
+
+analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives& derivatives,
+                                                double speed, double shortest) const {
   const double nu = wave_number(speed);
-  const WaveScales scales = scales_for({nu}, reached.shortest * (1.0 + 1e-9));
+  const WaveScales scales = scales_for({{nu, shortest * kRounded}});
   SourceGrid grid = sources(scales);
-  const WaveIntegral integral =
-      WaveSums(grid).integral(nu, tolerance_, reached.shortest * (1.0 + 1e-9));
-  take_derivatives(integral, grid);
-  const double factor = side_factor() * 4.0 * density_ * gravity_ * nu / std::numbers::pi;
+  take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);
+  const double factor = side_factor() * this->factor(nu);
   const surface::LimitSurface& surface = body_->surface();
   const surface::SurfaceLayout& layout = surface.layout();
   analysis::SurfaceAdjoint::Sum sum(derivatives.adjoint(), 1);
@@ -241,7 +263,7 @@ std::vector<std::complex<double>> MichellIntegral::amplitudes(
     along.push_back(nu / std::cos(direction));
   }
   const double most = *std::max_element(along.begin(), along.end());
-  const SourceGrid grid = sources(scales_for({nu}, most / nu));
+  const SourceGrid grid = sources(scales_for({{nu, most / nu}}));
   std::vector<std::complex<double>> amplitudes = WaveSums(grid).amplitudes(nu, along);
   for (std::size_t i = 0; i < along.size(); ++i) {
     amplitudes[i] *= 2.0 * nu / std::numbers::pi * std::pow(along[i] / nu, 3);

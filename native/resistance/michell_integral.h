@@ -54,9 +54,17 @@ class MichellIntegral {
   // length is below 0.05 or above 5.
   std::vector<WaveResistance> resistance(const std::vector<double>& speeds) const;
 
+  // The same at one speed of waves up to λ = `shortest`, as nearly as whole intervals come to it,
+  // whatever is left then: it varies smoothly with the hull's form. Throws besides where `shortest`
+  // is not above 1.
+  WaveResistance resistance_to(double speed, double shortest) const;
+
   // Derivatives of the resistance by the control points, kN/m, the water and the shortest wave
-  // staying as they are. `derivatives`: of the body. Of a mirrored body both sides count.
+  // staying as they are: that at which resistance() ends, or that of resistance_to().
+  // `derivatives`: of the body. Of a mirrored body both sides count.
   analysis::Gradient gradient(const analysis::BodyDerivatives& derivatives, double speed) const;
+  analysis::Gradient gradient_to(const analysis::BodyDerivatives& derivatives, double speed,
+                                 double shortest) const;
 
   // The free-wave spectrum A(θ) = (2 ν / π) I(1 / cos θ) / cos³ θ, m, of directions θ in rad, below
   // 89°: far behind the ship the water is at
@@ -70,9 +78,14 @@ class MichellIntegral {
  private:
   // ν, checked.
   double wave_number(double speed) const;
-  // Of waves up to λ = `shortest` of ships that run with these ν.
-  WaveScales scales_for(const std::vector<double>& wave_numbers, double shortest) const;
+  // Of the waves up to λ = shortest of a ship that runs with ν.
+  struct WaveRange {
+    double nu, shortest;
+  };
+  WaveScales scales_for(const std::vector<WaveRange>& ranges) const;
   SourceGrid sources(const WaveScales& scales) const;
+  // kN of the integral for ν.
+  double factor(double nu) const;
   double side_factor() const { return body_->mirrored() ? 1.0 : 0.5; }
 
   const analysis::HullBody* body_;

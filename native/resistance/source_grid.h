@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,9 @@ class SourceGrid {
   const Eigen::Array<double, 1, kDown>& depths(int layer) const { return layers_[layer].depths; }
   double top(int layer) const { return layers_[layer].top; }
 
+  // After the last one take_all() is to be called: sources wait, to be added several at once.
   void add(double x, double depth, double strength);
+  void take_all();
   void set_zero();
 
   // For each wave number (a row) and each node's depth (a column): ∑ strength exp(i k x) of the
@@ -64,16 +67,37 @@ class SourceGrid {
     Eigen::Matrix<double, kDown, 1> down;
   };
   Place place(double x, double depth) const;
-  // Cosines and sines of k times the nodes' distance from their rectangle's after side, a row for
-  // each k; and of k times that side's x, panel by panel.
-  struct Phases {
-    Eigen::MatrixXd node_cos, node_sin, side_cos, side_sin;
+  static constexpr int kAtOnce = 16;
+  // Sources of one rectangle.
+  struct Waiting {
+    int layer = -1, panel = -1, count = 0;
+    Eigen::Matrix<double, kAlong, kAtOnce> along;
+    Eigen::Matrix<double, kAtOnce, kDown> down;
   };
-  Phases phases(const Layer& layer, std::span<const double> wave_numbers) const;
+  void take(Waiting& waiting);
+  // Cosines and sines of k times a distance, a row for each k: of the nodes from the middle of
+  // their rectangle, and of these middles.
+  struct Waves {
+    Eigen::MatrixXd cosines, sines;
+  };
+  static Waves within(const Layer& layer, const Eigen::VectorXd& k);
+  Waves at_middles(const Layer& layer, const Eigen::VectorXd& k) const;
+  // Of ∑ strength exp(i k x) over a rectangle's nodes, x from its middle: the waves of few k, and
+  // the polynomials by which the sums for all k (a row each) follow from theirs. They vary little
+  // with k where rectangles are short.
+  struct Interpolation {
+    Waves waves;
+    Eigen::MatrixXd polynomials;
+  };
+  static Interpolation interpolation(const Layer& layer, const Eigen::VectorXd& k);
+  // With zeros to whole blocks of rows, and of polynomials.
+  static Interpolation padded(const Interpolation& by);
 
   double aft_, length_;
   WaveScales scales_;
   std::vector<Layer> layers_;
+  std::array<Waiting, 4> waiting_;
+  int next_ = 0;  // of these, to be taken when another is needed
 };
 
 }  // namespace hull::resistance

@@ -79,6 +79,8 @@ def _not_kept(data):
         ("the marked deck edge", data.deck_edge),
         ("flats", data.flats),
         ("points kept in planes", data.kept != Kept()),
+        ("tied points", data.ties),
+        ("groups of points", data.groups),
         ("load cases", data.load_cases),
         ("weights", data.weights != Weights()),
         ("openings", data.openings),

@@ -3,7 +3,15 @@
 
 import numpy as np
 
-from . import hull_flats, hull_lines, hull_loading, hull_points, hull_resistance, hull_weights
+from . import (
+    hull_flats,
+    hull_lines,
+    hull_loading,
+    hull_points,
+    hull_resistance,
+    hull_ties,
+    hull_weights,
+)
 from .checked_json import shown
 from .cleanup import creases_of_faces
 from .hull_data import HullData, Layer, Particulars, edge_key, face_edges
@@ -22,6 +30,7 @@ OPTIONAL = (
     "deck_edge",
     hull_flats.KEY,
     *hull_points.KEYS,
+    *hull_ties.KEYS,
     hull_lines.KEY,
     *hull_loading.KEYS,
     hull_weights.KEY,
@@ -53,6 +62,7 @@ def parsed(check, content, name):
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
         flats=hull_flats.parsed(check, content, len(faces)),
         **hull_points.parsed(check, content, len(points)),
+        **hull_ties.parsed(check, content, len(points)),
         lines=hull_lines.parsed(check, content),
         **hull_loading.parsed(check, content),
         weights=hull_weights.parsed(check, content),
@@ -184,6 +194,7 @@ def entries(data):
         "deck_edge": [[int(a), int(b)] for a, b in data.deck_edge],
         **hull_flats.entries(data),
         **hull_points.entries(data),
+        **hull_ties.entries(data),
         **hull_lines.entries(data),
         **hull_loading.entries(data),
         **hull_weights.entries(data),

@@ -71,6 +71,25 @@ class Kept:
     waterlines: list = field(default_factory=list)
 
 
+@dataclass
+class Tie:
+    """A point, by index, that follows others, to, as hull_ties tells of each kind. distance: m."""
+
+    kind: str
+    point: int
+    to: tuple
+    share: float = 0.0
+    distance: tuple = (0.0, 0.0, 0.0)
+
+
+@dataclass
+class PointGroup:
+    """Points, by index, that go by a name."""
+
+    name: str
+    points: list
+
+
 # The kinds of lines that can be shown, as hull files name them.
 LINE_KINDS = (
     "stations",
@@ -155,7 +174,8 @@ class HullData:
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
     creases, the edges that are marked so. flats: Flat, no face in two. locked: point indices that
-    tools do not move; kept: those that they move in a plane only. lines: a LineChoice, None where
+    tools do not move; kept: those that they move in a plane only; ties: Tie, one a point; groups:
+    PointGroup. lines: a LineChoice, None where
     the file does not say. targets: wanted.Targets; area_target: a wanted.AreaTarget, None without
     one. fields: ShapeField. variants: Variant, whose hulls have no variants, targets or fields of
     their own. units: the file's
@@ -177,6 +197,8 @@ class HullData:
     flats: list = field(default_factory=list)
     locked: list = field(default_factory=list)
     kept: Kept = field(default_factory=Kept)
+    ties: list = field(default_factory=list)
+    groups: list = field(default_factory=list)
     afloat: Afloat = field(default_factory=Afloat)
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)

@@ -9,7 +9,8 @@
      "face_layers": [layer, ...],
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
-     "locked" and "kept" as hull_points tells, "lines" as hull_lines tells,
+     "locked" and "kept" as hull_points, "ties" and "groups" as hull_ties, "lines" as hull_lines
+     tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind";
      "weights" as hull_weights and "resistance" as hull_resistance tells;
      "targets" and "area_target" as hull_targets tells, "fields" as hull_fields tells,

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a hull file tells of what is wanted of the hull: m, m², m³, t and percent.
+"""What a hull file tells of what is wanted of the hull: m, m², m³, t, kN and percent.
 
     "targets": {"rows": [{"quantity": "kmt", "sense": "at least", "value": 6.3, "tolerance": 0.0,
-                          "station": m, "on": true}, ...],
+                          "station": m, "speed_kn": kn, "on": true}, ...],
                 "moving": "all", "selected" or "none",
                 "staying": ["profile", "deck_edge", "greatest_beam"],
                 "length": {"free": false, "percent": 5.0}, "beam": ..., "draft": ...,
@@ -14,6 +14,7 @@ curve goes through its points; between them it is the base and what they have be
 """
 
 from .limits import (
+    FASTEST_KN,
     FURTHEST_POINT,
     GREATEST_DIMENSION_CHANGE,
     GREATEST_TARGET,
@@ -36,7 +37,7 @@ from .wanted import (
 )
 
 KEYS = ("targets", "area_target")
-_ROW = ("quantity", "sense", "value", "tolerance", "station", "on")
+_ROW = ("quantity", "sense", "value", "tolerance", "station", "speed_kn", "on")
 
 
 def parsed(check, content):
@@ -82,6 +83,7 @@ def _row(check, value, where):
         tolerance=number("tolerance", 0.0, GREATEST_TARGET),
         station=number("station", -FURTHEST_POINT, FURTHEST_POINT),
         on=check.flag(entries.get("on", True), f"{where}.on"),
+        speed_kn=number("speed_kn", 0.0, FASTEST_KN),
     )
 
 
@@ -140,6 +142,7 @@ def _targets_entry(targets):
                 "value": float(row.value),
                 "tolerance": float(row.tolerance),
                 "station": float(row.station),
+                **({"speed_kn": float(row.speed_kn)} if row.speed_kn else {}),
                 "on": bool(row.on),
             }
             for row in targets.rows

@@ -5,8 +5,11 @@ Each function changes a HullData in place, and adds a sentence to its notes wher
 anything: nothing is done unseen.
 """
 
+import numpy as np
+
 from .cleanup import listed
 from .hull_data import KEPT_IN, shell_face_indices
+from .hull_ties import renumbered
 from .orientation import turn_outwards
 from .splitting import split, standing_parts
 
@@ -37,6 +40,12 @@ def part_shell(data):
     data.locked = made.carried_points(data.locked)
     for name in KEPT_IN:
         setattr(data.kept, name, made.carried_points(getattr(data.kept, name)))
+    for group in data.groups:
+        group.points = made.carried_points(group.points)
+    first = {}
+    for index, origin in enumerate(np.asarray(made.origins).tolist()):
+        first.setdefault(origin, index)
+    data.ties = renumbered(data.ties, first)
 
 
 def _parted(data, made, standing):

@@ -4,6 +4,7 @@
 import numpy as np
 
 from .hull_data import KEPT_IN, edge_key, face_edges
+from .hull_ties import renumbered
 
 # Points nearer to the centre plane than this part of the hull's size, the diagonal of its box, are
 # shared by both sides: hull_native.tolerances.ON_CENTRE_PLANE.
@@ -63,6 +64,10 @@ def mirror_faces(data, face_indices):
     for group, name in ((data, "corners"), (data, "locked"), *((data.kept, k) for k in KEPT_IN)):
         points = getattr(group, name)
         setattr(group, name, sorted({*points, *(image[p] for p in points if p in image)}))
+    for group in data.groups:
+        group.points = sorted({*group.points, *(image[p] for p in group.points if p in image)})
+    of_other_side = [tie for tie in data.ties if image.get(tie.point, tie.point) != tie.point]
+    data.ties += renumbered(of_other_side, image, reflect=True)
     data.creases = sorted(creases)
     data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])
 

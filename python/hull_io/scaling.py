@@ -62,6 +62,7 @@ FOLLOWING = {
     "area_target.base.area": "section",
     "area_target.points.x": "at x",
     "area_target.points.area": "section",
+    "ties.distance": "vector",
     "fields.place": "point",
     "fields.extent": "x",
     "fields.shift": "vector",
@@ -79,11 +80,13 @@ STAYING = frozenset(
     resistance.stern resistance.appendage_factor resistance.twin_screw resistance.deadrise_deg
     resistance.shaft_angle_deg
     particulars.water_density scheme deck_edge flats.faces flats.offset locked kept.stations
-    kept.buttocks kept.waterlines afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
+    kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name groups.points
+    afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
-    targets.rows.tolerance targets.rows.on targets.moving targets.staying targets.length
+    targets.rows.tolerance targets.rows.on targets.rows.speed_kn targets.moving targets.staying
+    targets.length
     targets.beam targets.draft targets.fairness area_target.source variants units source
     fields.name fields.role fields.on fields.colour fields.base fields.axis fields.closed
     fields.falloff fields.axes fields.faces fields.end.falloff

@@ -27,6 +27,7 @@ QUANTITIES = (
     "section_area",
     "lwl",
     "bwl",
+    "wave_resistance",
 )
 SENSES = ("equal", "at least", "at most")
 MOVING = ("all", "selected", "none")
@@ -36,10 +37,10 @@ DIMENSIONS = ("length", "beam", "draft")
 
 @dataclass
 class Target:
-    """A number that is wanted: one of QUANTITIES, in m, m², m³, t or percent of Lpp.
+    """A number that is wanted: one of QUANTITIES, in m, m², m³, t, kN or percent of Lpp.
 
     sense: one of SENSES. tolerance: by how much the value may be missed. station: x in m of a
-    section_area. on: whether it counts.
+    section_area; speed_kn of a wave_resistance. on: whether it counts.
     """
 
     quantity: str
@@ -48,6 +49,7 @@ class Target:
     tolerance: float = 0.0
     station: float = 0.0
     on: bool = True
+    speed_kn: float = 0.0
 
 
 @dataclass

@@ -396,3 +396,16 @@ def test_sizes_are_those_of_the_preferences():
     finally:
         chosen.property_unset("tag_width")
     assert 2.0 * min(usual - wide) in wide
+
+
+def test_tied_points_have_diamonds_and_lines_to_what_they_follow():
+    hull = grid_hull()
+    edit(hull)
+    before = counts(drawing_of(hull))
+    select(hull, "vertex", [at(1, 1), at(2, 1), at(3, 1), at(4, 1)])
+    bpy.ops.hull.tie_points(kind="LINE")
+    after = counts(drawing_of(hull))
+    # Two points with four strokes, and two rails to each end.
+    assert after.pop("kept") - before.pop("kept", 0) == 2 * 4 + 4 * 2 and after == before
+    hull.hull.tags.show_kept = False
+    assert counts(drawing_of(hull)) == before

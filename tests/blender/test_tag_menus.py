@@ -92,6 +92,7 @@ def test_the_select_menu_offers_all_ways():
     assert set(check(menu.layout.noted)) == {
         "hull.select_creases", "hull.select_chains", "hull.select_points", "hull.select_odd_faces",
         "hull.select_flat", "hull.select_locked", "hull.select_problems", "hull.select_kept",
+        "hull.select_tied",
     }  # fmt: skip
 
 

@@ -206,3 +206,52 @@ def test_nonsense_is_refused():
     with pytest.raises(RuntimeError, match="upright"):
         bpy.ops.hull.solve_targets()
     assert np.array_equal(points_of(hull), before)
+
+
+def test_the_wave_resistance_is_lowered_and_told():
+    """At kept displacement, length and beam; the surface gets no more marks than it had."""
+    hull = sample()
+    row = add(hull, "WAVE_RESISTANCE", 0.0)
+    row.speed_kn = 12.5
+    found = part("features.targets.rows")
+    before = found.present(row, hull, bpy.context.scene)
+    assert before > 0.0 and row.value == pytest.approx(before, rel=1e-6)
+    row.value, row.sense = 0.95 * before, "at most"
+    hull.hull.targets.stiffness = 0.2
+    values = values_of(hull)
+    add(hull, "VOLUME", values.displaced_volume)  # profile and greatest beam stay by default
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    report, after = report_of(hull), values_of(hull)
+    assert report.is_met
+    assert after.displaced_volume == pytest.approx(values.displaced_volume, rel=SINGLE)
+    assert after.waterline_length == pytest.approx(values.waterline_length, rel=SINGLE)
+    assert after.waterline_beam == pytest.approx(values.waterline_beam, rel=SINGLE)
+    reports = part("features.targets.reports")
+    told = dict(reports.told(report, bpy.context.scene))
+    (text,) = (value for name, value in told.items() if name.startswith("Rw"))
+    assert text.endswith("-5.00 %") and "-5.00 %" in reports.summary(report, bpy.context.scene)
+    # As fair as it was: no more marks are new than are gone.
+    bpy.ops.hull.count_marks(compare=True)
+    marks, is_current = part("features.fairing.seen_marks").last_report(hull)
+    print(marks.new_count, "marks are new,", len(marks.change.gone), "gone")
+    assert is_current and marks.new_count <= len(marks.change.gone)
+    # Known no longer of the hull as it is, until it is taken.
+    assert found.present(row, hull, bpy.context.scene) is None
+    found.take_present(row, hull, bpy.context.scene)
+    assert row.value == pytest.approx(0.95 * before, rel=1e-5)
+    row.speed_kn = 0.5  # too slow for the integral
+    with pytest.raises(RuntimeError, match="no speed for Michell's integral"):
+        bpy.ops.hull.solve_targets()
+
+
+def test_a_wanted_wave_resistance_is_kept_in_hull_files(tmp_path):
+    hull = sample()
+    row = add(hull, "WAVE_RESISTANCE", 0.0)
+    row.speed_kn, row.sense = 11.25, "at most"
+    row.value = 42.5
+    path = str(tmp_path / "waves.hull.json")
+    bpy.ops.hull.export_hull(filepath=path)
+    bpy.ops.hull.import_hull(filepath=path)
+    again = bpy.context.object.hull.targets.rows[0]
+    assert (again.quantity, again.speed_kn, again.sense) == ("WAVE_RESISTANCE", 11.25, "at most")
+    assert again.value == 42.5

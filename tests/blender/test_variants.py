@@ -31,10 +31,11 @@ def geometry_of(hull):
     read = part("bridge.mesh.mesh_arrays").read_mesh(hull.data)
     marks = part("features.constraints.flat_marks").read(hull.data)
     locked = part("features.constraints.point_locks").locked_points(hull.data)
-    arrays = [getattr(read, name) for name in type(read).__dataclass_fields__]
+    arrays = [getattr(read, name) for name in type(read).__dataclass_fields__ if name != "ties"]
     flat = [] if marks is None else [marks.faces, marks.regions]
     materials = [slot.material.name for slot in hull.material_slots]
-    return [array.tobytes() for array in (*arrays, *flat, locked)] + [materials]
+    tied = part("features.constraints.ties").stored_ties(hull.data)
+    return [array.tobytes() for array in (*arrays, *flat, locked)] + [materials, tied]
 
 
 def planes_of(hull):

@@ -46,6 +46,7 @@ from . import (
     studio,
     tag_mesh,
     targets,
+    tie_points,
     transformation,
     variants,
 )
@@ -81,6 +82,7 @@ _CLASSES = (
     *network_surface.CLASSES,
     *lock_points.CLASSES,
     *keep_points.CLASSES,
+    *tie_points.CLASSES,
     *dimensions.CLASSES,
     *check_mesh.CLASSES,
     *mend.CLASSES,

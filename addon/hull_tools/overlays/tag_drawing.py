@@ -23,6 +23,7 @@ _POINTS = {
 _LOCKED = ("pins", 10.5, 2.2)
 # Of points kept in planes across x, y and z.
 _KEPT = (("station", 8.0, 2.2), ("buttock", 8.0, 2.2), ("waterline", 8.0, 2.2))
+_TIED = ("diamond", 8.0, 2.2)
 _PROBLEM = ("ring", 13.0, 2.5)
 _DIGIT_HEIGHT, _DIGIT_WIDTH = 14.0, 1.7
 _GAP = 3.0  # in dots at a scale of 1, at least between numbers, for their strokes and halo
@@ -91,6 +92,9 @@ def drawing_of(hull, state, scene, picture):
     if settings.show_kept:
         for kept, shape in zip(tags.kept_points_of(hull, known), _KEPT):
             pen.draw_points(kept, colours["kept"], *shape)
+        tied = tags.tied_points_of(hull, known)
+        pen.draw_edges(tied, colours["kept"], width=_FINE)
+        pen.draw_points(np.unique(tied[:, 0]), colours["kept"], *_TIED)
     if settings.show_problems:
         for problem in state.ship.check.problems:
             pen.draw_problem(bm, problem, colours["problem"])

@@ -65,6 +65,8 @@ def _draw_keeping(layout):
     layout.operator_menu_enum("hull.keep_points", "plane")
     layout.operator_menu_enum("hull.keep_all_points", "plane", text="Keep All Points")
     layout.operator("hull.free_points")
+    layout.operator_menu_enum("hull.tie_points", "kind")
+    layout.operator("hull.untie_points")
 
 
 class HULL_MT_select(bpy.types.Menu):
@@ -78,6 +80,7 @@ class HULL_MT_select(bpy.types.Menu):
         layout.operator("hull.select_chains")
         layout.operator_menu_enum("hull.select_points", "kind")
         layout.operator("hull.select_locked")
+        layout.operator("hull.select_tied")
         layout.operator_menu_enum("hull.select_kept", "plane")
         layout.operator("hull.select_odd_faces")
         layout.operator("hull.select_flat")

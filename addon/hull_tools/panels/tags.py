@@ -53,6 +53,10 @@ class HULL_PT_tags(HullTab, bpy.types.Panel):
         row = column.row(align=True)
         row.operator("hull.free_points", text="Free")
         row.operator("hull.select_kept", text="", icon="RESTRICT_SELECT_OFF")
+        row = self.layout.row(align=True)
+        row.operator_menu_enum("hull.tie_points", "kind", text="Tie", icon="CONSTRAINT")
+        row.operator("hull.untie_points")
+        row.operator("hull.select_tied", text="", icon="RESTRICT_SELECT_OFF")
 
 
 class TagSubpanel(HullTab):
@@ -75,6 +79,30 @@ class HULL_PT_select(TagSubpanel, bpy.types.Panel):
         column.operator_menu_enum("hull.select_points", "kind", text="Points")
         column.operator("hull.select_odd_faces", text="Not Quads")
         column.operator("hull.select_problems", text="Problems")
+
+
+class HULL_PT_point_groups(TagSubpanel, bpy.types.Panel):
+    """Points that go by a name: Blender's vertex groups"""
+
+    bl_label = "Groups"
+
+    def draw(self, context):
+        hull = hull_objects.hull_of(context.object)
+        row = self.layout.row()
+        row.template_list(
+            "MESH_UL_vgroups", "", hull, "vertex_groups", hull.vertex_groups, "active_index", rows=3
+        )
+        column = row.column(align=True)
+        column.operator("object.vertex_group_add", text="", icon="ADD")
+        column.operator("object.vertex_group_remove", text="", icon="REMOVE").all = False
+        if not hull.vertex_groups:
+            return
+        row = self.layout.row(align=True)
+        row.operator("object.vertex_group_assign", text="Add")
+        row.operator("object.vertex_group_remove_from", text="Take Out")
+        row = self.layout.row(align=True)
+        row.operator("object.vertex_group_select", text="Select")
+        row.operator("object.vertex_group_deselect", text="Deselect")
 
 
 class HULL_PT_shown_tags(TagSubpanel, bpy.types.Panel):
@@ -114,4 +142,4 @@ def _counts(hull):
     return counts
 
 
-CLASSES = (HULL_PT_tags, HULL_PT_select, HULL_PT_shown_tags)
+CLASSES = (HULL_PT_tags, HULL_PT_select, HULL_PT_point_groups, HULL_PT_shown_tags)

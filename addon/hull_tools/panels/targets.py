@@ -85,6 +85,8 @@ def draw_row(layout, row):
     text_field(layout, row, "quantity")
     if row.quantity == quantities.SECTION:
         layout.prop(row, "station")
+    if row.quantity == quantities.WAVES:
+        layout.prop(row, "speed_kn")
     line = layout.row(align=True)
     line.prop(row, "sense", expand=True)
     column = layout.column(align=True)

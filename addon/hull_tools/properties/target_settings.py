@@ -51,10 +51,21 @@ class HullTarget(bpy.types.PropertyGroup):
         update=_of_another_quantity,
     )
     station: length("Station x", "Where the section is whose area is wanted", minimum=None)
+    speed_kn: FloatProperty(
+        name="Speed kn",
+        description="At which the wave resistance is wanted, in knots",
+        default=12.0,
+        min=0.1,
+        max=limits.FASTEST,
+        precision=2,
+        step=10,
+        update=_of_another_quantity,
+    )
     sense: EnumProperty(name="Sense", description="How the value is meant", items=_SENSES)
     value: FloatProperty(
         name="Wanted",
-        description="In metres, square and cubic metres, tonnes or percent, as the present value",
+        description="In metres, square and cubic metres, tonnes, kN or percent, as the present "
+        "value",
         precision=5,
         step=1,
     )

@@ -15,6 +15,8 @@ struct FormTarget {
   analysis::FormNumber number = analysis::FormNumber::kDisplacedVolume;
   bool is_section = false;
   double station = 0.0;
+  // … or the wave resistance at a speed in m/s, kN, by Michell's integral …
+  std::optional<double> wave_speed;
   // … or how far the surface lies along a direction at a place, before dimensions are scaled: a sum
   // of control points, of which many may be bounded.
   struct Coordinate {

@@ -5,11 +5,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "resistance/michell_integral.h"
+
 namespace hull::modelling {
 namespace {
 
 std::string name_of(const FormTarget& target) {
   if (target.coordinate) return "coordinate";
+  if (target.wave_speed) return "wave_resistance";
   return target.is_section ? "section_area" : analysis::name_of(target.number);
 }
 
@@ -48,7 +51,9 @@ TargetProblem::TargetProblem(const surface::LimitSurface& surface, const TargetW
       family_(family),
       start_(surface.mesh().points()),
       body_(surface_, water.mirrored, water.openings),
-      derivatives_(body_) {
+      derivatives_(body_),
+      position_(water.position),
+      shortest_(targets.size(), 0.0) {
   check(targets, surface.cell_count());
   numbers_.emplace(derivatives_, water_.position, water_.project, water_.density);
 }
@@ -70,6 +75,7 @@ void TargetProblem::place(const HullChange& change) {
                                             water_.project.beam * scale_.y(),
                                             water_.project.draft * scale_.z()};
   by_moves_.reset();
+  position_ = position;
   numbers_.emplace(derivatives_, position, project, water_.density);
 }
 
@@ -82,18 +88,37 @@ int TargetProblem::first_fold() const {
 Eigen::VectorXd TargetProblem::values() {
   Eigen::VectorXd values(static_cast<Eigen::Index>(targets_.size()));
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    values[static_cast<Eigen::Index>(i)] = value(targets_[i]);
+    values[static_cast<Eigen::Index>(i)] = value(i);
   }
   return values;
 }
 
-double TargetProblem::value(const FormTarget& target) {
+double TargetProblem::wave_resistance(std::size_t row) {
+  const resistance::MichellIntegral integral(body_, position_, water_.density);
+  const double speed = *targets_[row].wave_speed;
+  if (shortest_[row] == 0.0) shortest_[row] = integral.resistance({speed})[0].shortest;
+  return integral.resistance_to(speed, shortest_[row]).resistance;
+}
+
+double TargetProblem::value(std::size_t row) {
+  const FormTarget& target = targets_[row];
+  if (target.wave_speed) return wave_resistance(row);
   if (target.coordinate) {
     const auto& [cell, uv, direction] = *target.coordinate;
     return direction.dot(surface_.position(cell, uv[0], uv[1]).cwiseQuotient(scale_));
   }
   if (target.is_section) return numbers_->section_area(target.station * scale_.x());
   return numbers_->value(target.number);
+}
+
+Vector3d TargetProblem::wave_scaling(const analysis::Gradient& gradient) const {
+  Vector3d sum = Vector3d::Zero();
+  const std::vector<Vector3d>& points = surface_.mesh().points();
+  for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
+    const Vector3d p = points[static_cast<std::size_t>(k)] - Vector3d(0.0, 0.0, position_.draft);
+    sum += gradient.row(k).transpose().cwiseProduct(p);
+  }
+  return sum;
 }
 
 Eigen::VectorXd TargetProblem::gradient(Eigen::Index row) {
@@ -105,13 +130,17 @@ Eigen::VectorXd TargetProblem::gradient(Eigen::Index row) {
     const auto& [cell, uv, direction] = *target.coordinate;
     by_points = derivatives_.adjoint().at(cell, uv, direction);
     scale.setOnes();
+  } else if (target.wave_speed) {
+    by_points = resistance::MichellIntegral(body_, position_, water_.density)
+                    .gradient_to(derivatives_, *target.wave_speed, shortest_[row]);
   } else if (target.is_section) {
     by_points = numbers_->section_area_gradient(station);
   } else {
     by_points = numbers_->gradient(target.number);
   }
   if (water_.position.trim == 0.0 && !target.coordinate) {
-    const Vector3d by_logarithm = target.is_section
+    const Vector3d by_logarithm = target.wave_speed ? wave_scaling(by_points)
+                                  : target.is_section
                                       ? numbers_->section_area_scaling(station, by_points)
                                       : numbers_->scaling(target.number, by_points);
     by_scale_.row(row) = by_logarithm.cwiseQuotient(scale_).transpose();

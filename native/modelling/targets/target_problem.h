@@ -52,7 +52,11 @@ class TargetProblem {
   Eigen::MatrixX3d by_scale();
 
  private:
-  double value(const FormTarget& target);
+  double value(std::size_t row);
+  double wave_resistance(std::size_t row);
+  // By the logarithms of factors, as FormNumbers::scaling(): what counts is where points are to the
+  // water, which goes along in height. REQUIRES: no trim.
+  Vector3d wave_scaling(const analysis::Gradient& gradient) const;
   // Of a row by control points that are not scaled yet; its scaling is noted in by_scale_.
   Eigen::VectorXd gradient(Eigen::Index row);
   void differentiate();
@@ -65,7 +69,10 @@ class TargetProblem {
   analysis::HullBody body_;
   analysis::BodyDerivatives derivatives_;
   Vector3d scale_ = Vector3d::Ones();
+  analysis::FloatingPosition position_;  // as the hull is now
   std::optional<analysis::FormNumbers> numbers_;
+  // Of each target the shortest wave that counts in its resistance: the same for all forms.
+  std::vector<double> shortest_;
   std::optional<Eigen::MatrixXd> by_moves_;
   Eigen::MatrixX3d by_scale_;
 };

@@ -9,6 +9,7 @@ namespace hull::modelling {
 namespace {
 
 constexpr double kMet = 1e-9;       // of a target's size
+constexpr double kWaveMet = 1e-7;   // of a wave resistance, which is computed less exactly
 constexpr double kMostPrice = 1e4;  // of the mesh's size: root mean square moves worth a miss
 constexpr int kMostSteps = 100;
 
@@ -113,7 +114,8 @@ void TargetDescent::prepare_rows(const Eigen::VectorXd& before) {
     // What a hundredth of the ship's size changes it by, where all of it is about zero.
     const double by_shift = 0.01 * size_ * std::sqrt(square);
     lengths_[i] = square > 0.0 ? std::sqrt(square) : std::max(wanted, 1.0) / size_;
-    met_[i] = kMet * std::max({wanted, std::min(by_shift, 1.0), 1e-12});
+    met_[i] =
+        (target.wave_speed ? kWaveMet : kMet) * std::max({wanted, std::min(by_shift, 1.0), 1e-12});
   }
 }
 

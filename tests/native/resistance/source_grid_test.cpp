@@ -37,6 +37,7 @@ TEST(SourceGridTest, SumsWavesAsTheSourcesThemselvesDo) {
     grid.add(source.x, source.depth, source.strength);
     size += std::abs(source.strength);
   }
+  grid.take_all();
   const WaveSums sums(grid);
   const std::vector<double> along{4.0, 4.7, 9.0, 20.0, 41.0, 63.9};
   const auto amplitudes = sums.amplitudes(4.0, along);
@@ -55,6 +56,7 @@ TEST(SourceGridTest, IntegralOfOneSourceIsThatOfItsDepth) {
   const double nu = 1.0, depth = 0.7;
   SourceGrid grid(-5.0, 5.0, 1.0, {nu, 64.0, 64.0 * 64.0});
   grid.add(1.3, depth, 1.0);
+  grid.take_all();
   const WaveIntegral integral = WaveSums(grid).integral(nu, 1e-9, 64.0);
   const double a = nu * depth;
   const double closed =
@@ -68,6 +70,7 @@ TEST(SourceGridTest, DerivativesOfTheIntegralAreItsDifferences) {
   const std::vector<Source> sources = some_sources(0.0, 10.0, 1.0);
   SourceGrid grid(0.0, 10.0, 1.0, scales);
   for (const Source& source : sources) grid.add(source.x, source.depth, source.strength);
+  grid.take_all();
   const WaveIntegral integral = WaveSums(grid).integral(2.0, 0.0, 16.0);
   SourceGrid derivatives = grid;
   take_derivatives(integral, derivatives);
@@ -75,6 +78,7 @@ TEST(SourceGridTest, DerivativesOfTheIntegralAreItsDifferences) {
   const auto value_with = [&](double at, double strength) {
     SourceGrid changed = grid;
     changed.add(at, depth, strength);
+    changed.take_all();
     return WaveSums(changed).integral(2.0, 0.0, 16.0).value;
   };
   const SourceGrid::Jet jet = derivatives.at(x, depth);

@@ -14,7 +14,7 @@ import bmesh
 import numpy as np
 
 from ..blender import blender_versions
-from . import deck_edge_marks
+from . import deck_edge_marks, point_ties
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,8 @@ class MeshData:
 
     points (n, 3) float32 in Blender's units; edges (e, 2); edge_creases (e,); vertex_creases (n,);
     face_sizes (f,); face_vertices (sum of face_sizes,); face_slots (f,) material slots;
-    deck_edges (e,) whether an edge is marked as deck edge.
+    deck_edges (e,) whether an edge is marked as deck edge. ties: point_ties.PointTies, None
+    without any.
     """
 
     points: np.ndarray
@@ -34,6 +35,15 @@ class MeshData:
     face_vertices: np.ndarray
     face_slots: np.ndarray
     deck_edges: np.ndarray
+    ties: object = None
+
+    def exact_points(self):
+        """(n, 3) double: the points, those that are tied where others say, of which Blender keeps
+        single precision."""
+        points = self.points.astype(np.float64)
+        if self.ties is None:
+            return points
+        return self.ties.exact(points, _SINGLE * np.abs(points).max(initial=0.0))
 
     def topology_digest(self):
         """Equal for meshes that differ by the places of their points, and by marks, only."""
@@ -50,6 +60,10 @@ class MeshData:
     def points_digest(self):
         """Equal for equal points."""
         return _digest(self.points)
+
+
+# Of the size: how far a point that Blender keeps may be from where it is tied.
+_SINGLE = 1e-6
 
 
 def _digest(*arrays):
@@ -107,6 +121,7 @@ def _read_stored_mesh(mesh):
         face_vertices,
         face_slots,
         deck_edge_marks.stored_marks(mesh),
+        point_ties.read(mesh),
     )
 
 
@@ -129,6 +144,7 @@ def _read_edit_mesh(mesh):
         np.fromiter(chain.from_iterable(face_loops), np.int32),
         np.array([face.material_index for face in bm.faces], dtype=np.int32),
         deck_edge_marks.edited_marks(bm),
+        point_ties.read(mesh),
     )
 
 
@@ -151,7 +167,7 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
     corner_ids = np.flatnonzero(data.vertex_creases >= 1.0)
     corners = new_index[corner_ids]
     return ControlArrays(
-        data.points[vertex_ids].astype(np.float64) * metres_per_unit,
+        data.exact_points()[vertex_ids] * metres_per_unit,
         face_sizes,
         new_index[face_vertices],
         on_shell(data.edges[data.edge_creases >= 1.0]),
@@ -164,7 +180,7 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
 
 def moved_arrays(control, data, metres_per_unit):
     """The ControlArrays `control` with the points of a mesh that differs by their places only."""
-    points = data.points[control.vertex_ids].astype(np.float64) * metres_per_unit
+    points = data.exact_points()[control.vertex_ids] * metres_per_unit
     return replace(control, points=points)
 
 

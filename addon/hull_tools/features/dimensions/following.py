@@ -80,7 +80,8 @@ STAYING = frozenset(
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top
     studio.antifouling fit.edge_angle fit.fairness fit.stiffness fit.reach
       transform.kept_group
-      targets.rows.value targets.rows.tolerance targets.length_change targets.beam_change
+      targets.rows.value targets.rows.tolerance targets.rows.speed_kn
+      targets.length_change targets.beam_change
       targets.draft_change targets.stiffness area_target.source fields.fields.colour
       fields.fields.falloff fields.fields.falloff_end""".split()
 )

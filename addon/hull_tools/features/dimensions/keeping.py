@@ -11,7 +11,7 @@ from ...bridge.blender import units
 from ...bridge.mesh import mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_mesh
-from ..constraints import flats, move_limits
+from ..constraints import flats, move_limits, ties
 from ..flotation import ship
 from ..lines import lines
 from . import following
@@ -86,7 +86,7 @@ def _flats(obj, control, scale):
 
 def _limits(obj, control, surface):
     size = lines.size_of(surface)
-    return move_limits.of_hull(obj, control.vertex_ids, control.points, size).arguments()
+    return move_limits.of_hull(obj, control.vertex_ids, control.points, size).of_planes()
 
 
 def apply(obj, scene, kept):
@@ -99,6 +99,7 @@ def apply(obj, scene, kept):
     points[vertex_ids] = kept.surface.points / scale
     regions = flats.regions(obj)
     mesh_points.write(obj.data, np.arange(len(points)), points)
+    ties.go_along(obj)
     following.follow(obj, in_units, kept.stretch)
     for region, (normal, offset) in zip(regions, kept.surface.planes):
         flats.store_plane(obj, region.number, (*normal, offset / scale))

@@ -122,9 +122,7 @@ class _Start:
             self.found.points_digest,
             self.scale,
             self.chosen.tobytes(),
-            held.locked.tobytes(),
-            held.held_points.tobytes(),
-            held.held_normals.tobytes(),
+            held.key(),
             (asked.energy, asked.keep_stations, asked.keep_creases, asked.along_normals),
             self.keeping and self.keeping.key,
         )

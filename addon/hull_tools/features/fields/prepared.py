@@ -65,8 +65,7 @@ def of_hull(obj, found, scale, before=None):
         _check(found, control)
     size = float(np.ptp(control.points, axis=0).max(initial=0.0))
     allowed = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
-    held = allowed.held_points.tobytes(), allowed.held_normals.tobytes()
-    key = (found.topology_key, found.points_digest, scale, allowed.locked.tobytes(), *held)
+    key = (found.topology_key, found.points_digest, scale, allowed.key())
     if has_faces_of_before:
         if before.key == key:
             return before

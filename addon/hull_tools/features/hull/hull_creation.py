@@ -12,7 +12,7 @@ from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
-from . import field_data, hull_state, wanted_data
+from . import field_data, hull_state, tie_data, wanted_data
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -70,6 +70,8 @@ def give_ship(obj, hull, scale, known=()):
     point_locks.write(mesh, hull.locked)
     for axis, name in enumerate(KEPT_IN):
         kept_points.set_axes(mesh, getattr(hull.kept, name), (axis,), True)
+    tie_data.give_ties(mesh, hull.ties, scale)
+    tie_data.give_groups(obj, hull.groups)
     _fill_particulars(obj)
 
 

@@ -11,7 +11,7 @@ from ...bridge.objects import hull_objects
 from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
-from . import field_data, wanted_data
+from . import field_data, tie_data, wanted_data
 
 
 def hull_data(obj, scene):
@@ -55,6 +55,8 @@ def ship_data(obj, scale):
         flats=_flats(obj, scale),
         locked=point_locks.locked_points(obj.data).tolist(),
         kept=_kept(obj.data),
+        ties=tie_data.take_ties(obj.data, scale),
+        groups=tie_data.take_groups(obj),
         source=settings.source,
         lines=line_data.take_lines(settings.lines, scale),
         **loading_data.take_loading(settings, scale),

@@ -10,7 +10,7 @@ from ...bridge import native
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays
 from ...bridge.objects import hull_objects
-from ..constraints import flat_marks, kept_points, point_locks
+from ..constraints import flat_marks, kept_points, point_locks, ties
 from . import hull_state
 
 EDGE_KINDS = ("knuckle", "border", "deck_edge")
@@ -107,6 +107,13 @@ def kept_points_of(obj, tags):
     found = kept_points.read(obj.data)
     points = (_control_points(found.along(axis), tags) for axis in range(3))
     return [part[part >= 0] for part in points]
+
+
+def tied_points_of(obj, tags):
+    """(k, 2) of points that are tied the control points of `tags`: the point, one it follows."""
+    found = ties.pairs(obj.data)
+    pairs = _control_points(found.reshape(-1), tags).reshape(-1, 2)
+    return pairs[(pairs >= 0).all(axis=1)]
 
 
 def _control_points(vertices, tags):

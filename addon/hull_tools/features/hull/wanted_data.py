@@ -23,6 +23,9 @@ def _give_targets(settings, targets, scale):
     for row in targets.rows:
         entry = settings.rows.add()
         entry.quantity, entry.sense, entry.use = row.quantity.upper(), row.sense, row.on
+        if row.speed_kn:
+            entry.speed_kn = row.speed_kn
+        # After what gives a row its present value.
         entry.value, entry.tolerance, entry.station = row.value, row.tolerance, row.station / scale
     settings.moving = targets.moving.upper()
     for name, own in _STAYING.items():
@@ -60,6 +63,7 @@ def _taken_targets(settings, scale):
                 as_stored(row.tolerance),
                 as_stored(row.station) * scale,
                 row.use,
+                as_stored(row.speed_kn) if row.quantity == "WAVE_RESISTANCE" else 0.0,
             )
             for row in settings.rows
         ],

@@ -19,7 +19,7 @@ from ...bridge.blender import blender_versions
 from ...bridge.counts import counted
 from ...bridge.mesh import mesh_check, mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user, editing
-from ..constraints import flat_marks, flats, kept_points, planes
+from ..constraints import flat_marks, flats, kept_points, planes, ties
 from ..hull import hull_state
 
 # Points of both sides that are nearer than this part of the hull's size are alike.
@@ -62,7 +62,8 @@ def to_whole(obj, scene):
                 f"{counted(astray, 'point')} of the half hull to starboard (y < 0): move to port"
             )
         numbers = _numbers_of_other_side(obj)
-        _add_other_side(bm, numbers)
+        image = _add_other_side(bm, numbers)
+    ties.mirror(obj.data, image)
     for number, (other, plane) in numbers.items():
         if other != number:
             flats.store_plane(obj, other, plane)
@@ -147,6 +148,7 @@ def _image(plane):
 
 
 def _add_other_side(bm, numbers):
+    """Returns {index of a vertex: that of its mirror image}."""
     edge_layer, _ = blender_versions.ensure_crease_layers(bm)
     faces = [face for face in bm.faces if not _is_on_centre_plane(face)]
     edges = {edge for face in faces for edge in face.edges}
@@ -169,6 +171,9 @@ def _add_other_side(bm, numbers):
     bmesh.ops.weld_verts(bm, targetmap={image[vertex]: vertex for vertex in shared})
     for pair in keel:
         bm.edges.get(pair)[edge_layer] = 1.0
+    bm.verts.index_update()
+    on_plane = set(shared)
+    return {v.index: v.index if v in on_plane else image[v].index for v in vertices}
 
 
 def _parts_of_other_side(bm, sign):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Quantity:
     """identifier: of the choice. label: in rows. title: in the menu. unit: as units.format_value
-    takes it. number: one of hull_native.FORM_NUMBERS, or "section_area"."""
+    takes it. number: one of hull_native.FORM_NUMBERS, or "section_area" or "wave_resistance"."""
 
     identifier: str
     label: str
@@ -17,6 +17,7 @@ class Quantity:
 
 
 SECTION = "SECTION_AREA"
+WAVES = "WAVE_RESISTANCE"
 # KMt less the KG of the stability panel.
 GM = "GM"
 
@@ -45,6 +46,7 @@ QUANTITIES = tuple(
         (SECTION, "Section", "Area of the section at x", "m2", "section_area"),
         ("LWL", "Lwl", "Length of the waterline", "m", "waterline_length"),
         ("BWL", "Bwl", "Beam of the waterline", "m", "waterline_beam"),
+        (WAVES, "Rw", "Wave resistance at a speed, by Michell's integral", "kN", "wave_resistance"),
     )
 )
 _BY_IDENTIFIER = {quantity.identifier: quantity for quantity in QUANTITIES}

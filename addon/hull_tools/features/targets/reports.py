@@ -14,10 +14,12 @@ _DIMENSIONS = ("length", "beam", "draft")
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """What came of one row, in the unit of its Quantity: before, and as it is reached; miss: how
-    far out of its bounds, 0 where met; binds: whether the cost depends on it."""
+    """What came of one row, in the unit of its Quantity: before, and as it is reached; number: the
+    Quantity's; miss: how far out of its bounds, 0 where met; binds: whether the cost depends on
+    it."""
 
     label: str
+    number: str
     unit: str
     wanted: str
     before: float
@@ -63,7 +65,14 @@ def _row(told, before, reached, miss, price, kg):
     shift = kg if quantity.identifier == quantities.GM else 0.0
     binds = abs(price) > _NO_PRICE
     return Reached(
-        quantity.label, quantity.unit, wanted, before - shift, reached - shift, miss, binds
+        quantity.label,
+        quantity.number,
+        quantity.unit,
+        wanted,
+        before - shift,
+        reached - shift,
+        miss,
+        binds,
     )
 
 
@@ -117,16 +126,23 @@ def summary(report, scene):
     """A Report as a sentence."""
     rms = units.format_mm(report.rms)
     if report.is_met:
-        return f"All targets met: the surface shifts by {rms} RMS"
+        waves = [row for row in report.rows if row.number == "wave_resistance"]
+        lowered = "".join(f", {row.label} {_reached(row, scene)}" for row in waves)
+        return f"All targets met: the surface shifts by {rms} RMS{lowered}"
     return f"{warning(report, scene)}. The surface shifts by {rms} RMS"
+
+
+def _reached(row, scene):
+    """As text; of a wave resistance with what it was changed by, for that is what counts."""
+    text = units.format_value(scene, row.reached, row.unit)
+    if row.number != "wave_resistance" or not row.before > 0.0:
+        return text
+    return f"{text}, {100.0 * (row.reached / row.before - 1.0):+.2f} %"
 
 
 def told(report, scene):
     """Pairs (name, value) of what a panel shows of a Report."""
-    pairs = [
-        (f"{row.label} {row.wanted}", units.format_value(scene, row.reached, row.unit))
-        for row in report.rows
-    ]
+    pairs = [(f"{row.label} {row.wanted}", _reached(row, scene)) for row in report.rows]
     names = ("Length", "Beam", "Draft")
     pairs += [
         (f"{name} times", f"{factor:.5f}")
