@@ -194,3 +194,23 @@ def test_a_surface_that_a_handler_made_stays_the_same_object_through_later_undos
         assert surface(found).name == name and surface(found).hide_get()
         assert len(bpy.data.objects) == 3
         finish("on")
+
+
+def test_nothing_is_given_while_an_undo_is_on_its_way(hull):
+    # Undo ends sculpt mode first, of which Blender tells the handlers. What these gave an object
+    # then went with the undo, and Blender crashed where the object still pointed to it.
+    unrecorded = part("bridge.objects.unrecorded")
+    shown = surface(hull)
+    finish("made")
+    unrecorded.before_undo()
+    try:
+        hull.data = shown.data
+        shown.parent = None
+        bpy.context.scene.frame_set(2)
+        bpy.context.view_layer.update()
+        assert hull.hull.surface_object == shown and len(bpy.data.objects) == 2
+        assert shown.data == hull.data and len(bpy.data.meshes) == 2
+    finally:
+        part("handlers.follow").after_undo()
+        part("handlers.upkeep_handlers").after_undo()
+    assert surface(hull) not in (None, shown) and surface(hull).data != hull.data

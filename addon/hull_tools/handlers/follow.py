@@ -72,6 +72,8 @@ def _updates_of_objects(depsgraph):
 
 @persistent
 def after_update(scene, depsgraph):
+    if unrecorded.is_undoing():
+        return  # after_undo() follows all
     unrecorded.after_update()
     updates = list(_updates_of_objects(depsgraph))
     changed = {
@@ -102,6 +104,8 @@ def after_update(scene, depsgraph):
 def after_frame(scene, depsgraph):
     """Another frame changes what is animated, which may be settings alone; another scene comes with
     a frame of its own."""
+    if unrecorded.is_undoing():
+        return
     changed = {update.id.original for update in _updates_of_objects(depsgraph)}
     _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
     networks.after_changes(changed, scene, has_other_members=False)

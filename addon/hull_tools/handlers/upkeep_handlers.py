@@ -7,7 +7,7 @@ These come after the handlers of `follow`: what they change is brought up to dat
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.objects import hull_objects, shown_objects, surface_upkeep
+from ..bridge.objects import hull_objects, shown_objects, surface_upkeep, unrecorded
 from ..features.hull import hull_state
 
 
@@ -20,6 +20,8 @@ def _refresh(hulls):
 
 @persistent
 def after_update(scene, depsgraph):
+    if unrecorded.is_undoing():
+        return  # after_undo() looks after all
     # Blender says that a scene has changed when objects come, go, or change collections, and when
     # units change; not while points move.
     if depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION"):

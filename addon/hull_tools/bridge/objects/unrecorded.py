@@ -74,6 +74,13 @@ def _local(all_of_a_kind, name):
 _made = []  # the last one last
 _to_give = []  # functions; what they are about is known by name, as undo makes all of it anew
 _to_hide = []  # names of objects
+_is_undoing = False
+
+
+def is_undoing():
+    """Whether an undo or redo is on its way: Blender may tell handlers of changes meanwhile, as
+    where a mode ends, and what they pointed objects to then would go with the undo, too."""
+    return _is_undoing
 
 
 def give_mesh(obj, mesh):
@@ -89,6 +96,8 @@ def has_new_surface(hull, before):
 
 def before_undo():
     """Before an undo or redo."""
+    global _is_undoing
+    _is_undoing = True
     _to_give.clear()
     _to_give.extend(one.put_back() for one in reversed(_made) if _is_there(one))
     _made.clear()
@@ -96,6 +105,8 @@ def before_undo():
 
 def after_undo():
     """First of all that is done after an undo or redo."""
+    global _is_undoing
+    _is_undoing = False
     for give in reversed(_to_give):
         give()
     _to_give.clear()
@@ -112,6 +123,8 @@ def after_update():
 
 def forget():
     """Before another file is read."""
+    global _is_undoing
+    _is_undoing = False
     for kept in (_made, _to_give, _to_hide):
         kept.clear()
 
