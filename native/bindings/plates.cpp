@@ -101,7 +101,8 @@ void bind_flat_plate(py::module_& module) {
           "sides", &flat_plate_sides,
           "Of the outline, counter-clockwise: a list of pairs, the name of the curve there (\"\" "
           "on the hull's border) and points (k, 2), m.")
-      .def_property_readonly("area", [](const OneFlatPlate& one) { return one.flat.area; }, "m².")
+      .def_property_readonly(
+          "area", [](const OneFlatPlate& one) { return one.flat.area; }, "m².")
       .def_property_readonly(
           "stretch",
           [](const OneFlatPlate& one) {
@@ -148,10 +149,10 @@ void bind_flat_plate(py::module_& module) {
 void bind_plate(py::module_& module) {
   py::class_<OnePlate>(module, "Plate", "A region of the exact surface between seams and butts.")
       .def_readonly("number", &OnePlate::number, "In its Plating, from aft forward.")
-      .def_property_readonly("area", [](const OnePlate& one) { return one.plate().area; },
-                             "m², of the exact surface.")
-      .def_property_readonly("centre", [](const OnePlate& one) { return one.plate().centre; },
-                             "(3,) of the area, m.")
+      .def_property_readonly(
+          "area", [](const OnePlate& one) { return one.plate().area; }, "m², of the exact surface.")
+      .def_property_readonly(
+          "centre", [](const OnePlate& one) { return one.plate().centre; }, "(3,) of the area, m.")
       .def_property_readonly(
           "box",
           [](const OnePlate& one) {
@@ -187,8 +188,7 @@ void bind_plates(py::module_& module) {
         std::shared_ptr<const Plating> plating;
         {
           const py::gil_scoped_release release;
-          plating = std::make_shared<const Plating>(
-              production::plating(surface, curves, options));
+          plating = std::make_shared<const Plating>(production::plating(surface, curves, options));
         }
         std::vector<OnePlate> all;
         for (int i = 0; i < static_cast<int>(plating->plates.size()); ++i) {

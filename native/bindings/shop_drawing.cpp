@@ -50,8 +50,7 @@ std::vector<Eigen::Vector2d> plane_points(const DoubleArray& array, const char* 
 void bind_shop_drawing(py::module_& module) {
   py::class_<ShopDrawing>(module, "ShopDrawing",
                           "A drawing for the shop at true size: plates, templates, frames.")
-      .def(py::init([](std::string title,
-                       std::vector<std::pair<std::string, std::string>> rows) {
+      .def(py::init([](std::string title, std::vector<std::pair<std::string, std::string>> rows) {
              return ShopDrawing{std::move(title), std::move(rows), {}, {}};
            }),
            py::arg("title"), py::arg("rows") = py::list(),
@@ -79,6 +78,21 @@ void bind_shop_drawing(py::module_& module) {
           py::arg("angle") = 0.0,
           "Words around a position (2,), mm at true size; size in mm on paper, angle in rad.")
       .def(
+          "add",
+          [](ShopDrawing& self, const ShopDrawing& other, const Eigen::Vector2d& shift) {
+            if (!shift.allFinite()) throw std::invalid_argument("shift must be finite.");
+            for (drawing::ShopLine line : other.lines) {
+              for (Eigen::Vector2d& p : line.points) p += shift;
+              self.lines.push_back(std::move(line));
+            }
+            for (drawing::ShopText text : other.texts) {
+              text.position += shift;
+              self.texts.push_back(std::move(text));
+            }
+          },
+          py::arg("other"), py::arg("shift"),
+          "Lines and words of another drawing, shifted by (2,) mm.")
+      .def(
           "write",
           [](const ShopDrawing& self, const std::filesystem::path& path, const PaperChoice& paper,
              double scale) {
@@ -93,6 +107,18 @@ void bind_shop_drawing(py::module_& module) {
           "size whatever the scale. paper: \"A4\" to \"A0\" or (width, height) in mm. ValueError "
           "for another ending, for no lines, and for more than 400 sheets; OSError if the file "
           "can't be written.");
+  module.def(
+      "write_shop_booklet",
+      [](const std::vector<ShopDrawing>& drawings, const std::filesystem::path& path,
+         const PaperChoice& paper) {
+        const drawing::PaperSize size = paper_choice(paper);
+        const py::gil_scoped_release release;
+        drawing::write_shop_booklet(drawings, size, path.string());
+      },
+      py::arg("drawings"), py::arg("path"), py::kw_only(), py::arg("paper") = "A3",
+      "Writes many ShopDrawings as the pages of one .pdf, each at the largest usual scale at which "
+      "it fits. paper: as ShopDrawing.write(). ValueError for no drawings, drawings without lines "
+      "and another ending; OSError if the file can't be written.");
 }
 
 }  // namespace hull::bindings

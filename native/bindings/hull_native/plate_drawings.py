@@ -6,7 +6,7 @@ from math import atan2, cos, degrees, isfinite, pi, sin
 import numpy as np
 
 from ._core import plane_across
-from ._drawing import ShopDrawing
+from ._drawing import ShopDrawing, write_shop_booklet
 
 _STRETCH_LINES = 6
 
@@ -197,3 +197,26 @@ def frame_marks(curves, table, low, high):
         except ValueError:
             continue
     return marks
+
+
+def write_plates(listed, path, *, marks=(), paper="A3", progress=None):
+    """Writes ListedPlates: to .pdf, a page each at the largest usual scale at which it fits; to .dxf,
+    all of them side by side at true size, in mm. marks, as of plate_drawing(). progress: called
+    with the share done. ValueError for another ending, OSError if the file can't be written.
+    """
+    ending = str(path).lower().rpartition(".")[2]
+    if ending not in ("pdf", "dxf"):
+        raise ValueError(f'Plates can\'t be written to "{path}": the name must end in .pdf or .dxf.')
+    drawings = []
+    for k, one in enumerate(listed):
+        if progress:
+            progress(k / len(listed))
+        drawings.append(plate_drawing(one, marks=marks))
+    if ending == "pdf":
+        write_shop_booklet(drawings, path, paper=paper)
+        return
+    whole, at = ShopDrawing("Plates"), 0.0
+    for one, drawing in zip(listed, drawings):
+        whole.add(drawing, (0.0, at))
+        at += 1000.0 * one.extents[1] + 500.0
+    whole.write(path)

@@ -56,9 +56,17 @@ ShopLayer shop_layer(const std::string& name);
 // more than 400 sheets.
 std::vector<Sheet> shop_sheets(const ShopDrawing& drawing, const PaperSize& paper, double scale);
 
+// All of it on one sheet of this paper, as large as fits, by a usual scale.
+Sheet shop_page(const ShopDrawing& drawing, const PaperSize& paper);
+
 // All of it on one sheet as large as it takes, with a margin. Throws as shop_sheets(), and where a
 // side would be longer than `largest` mm.
 Sheet shop_sheet(const ShopDrawing& drawing, double scale, double largest);
+
+// The first sheets of many drawings as the pages of one `.pdf`, each drawing as large as fits.
+// Throws std::invalid_argument for another extension and for drawings without lines or no drawings.
+void write_shop_booklet(const std::vector<ShopDrawing>& drawings, const PaperSize& paper,
+                        const std::string& path);
 
 // Writes to `path`, completely or not at all: `.pdf`, the sheets above; `.svg`, one sheet as large
 // as it takes; `.dxf`, in mm at true size whatever the scale. Throws std::invalid_argument for

@@ -29,8 +29,8 @@ dxf::DxfDrawing shop_dxf(const ShopDrawing& drawing) {
     const auto found = std::find_if(file.layers.begin(), file.layers.end(),
                                     [&name](const auto& own) { return own.name == name; });
     if (found != file.layers.end()) return static_cast<int>(found - file.layers.begin());
-    const auto type = pen.pen.dashes == Dashes{} ? dxf::DxfLineType::kContinuous
-                                                 : dxf::DxfLineType::kCentre;
+    const auto type =
+        pen.pen.dashes == Dashes{} ? dxf::DxfLineType::kContinuous : dxf::DxfLineType::kCentre;
     file.layers.push_back({name, pen.colour, pen.pen.width, type});
     return static_cast<int>(file.layers.size()) - 1;
   };
@@ -66,6 +66,13 @@ void write_shop_drawing(const ShopDrawing& drawing, const PaperSize& paper, doub
                                 "\": the name must end in .pdf, .svg or .dxf.");
   }
   write_sheet(shop_sheet(drawing, scale, kLargestSheet), path);
+}
+
+void write_shop_booklet(const std::vector<ShopDrawing>& drawings, const PaperSize& paper,
+                        const std::string& path) {
+  std::vector<Sheet> sheets;
+  for (const ShopDrawing& drawing : drawings) sheets.push_back(shop_page(drawing, paper));
+  write_sheets(sheets, path);
 }
 
 }  // namespace hull::drawing

@@ -6,9 +6,9 @@
 namespace hull::drawing {
 namespace {
 
-constexpr ShopLayer kLayers[] = {ShopLayer::kOutline, ShopLayer::kFrames,  ShopLayer::kWaterlines,
-                                 ShopLayer::kButtocks, ShopLayer::kSeams,   ShopLayer::kRolling,
-                                 ShopLayer::kShell,   ShopLayer::kBase,    ShopLayer::kStretch};
+constexpr ShopLayer kLayers[] = {ShopLayer::kOutline,  ShopLayer::kFrames, ShopLayer::kWaterlines,
+                                 ShopLayer::kButtocks, ShopLayer::kSeams,  ShopLayer::kRolling,
+                                 ShopLayer::kShell,    ShopLayer::kBase,   ShopLayer::kStretch};
 
 }  // namespace
 
@@ -43,7 +43,8 @@ ShopLayer shop_layer(const std::string& name) {
     if (own == name) return layer;
     known += (known.empty() ? "" : ", ") + std::string(own);
   }
-  throw std::invalid_argument("A layer of shop drawings is one of " + known + ", not " + name + ".");
+  throw std::invalid_argument("A layer of shop drawings is one of " + known + ", not " + name +
+                              ".");
 }
 
 }  // namespace hull::drawing

@@ -15,10 +15,10 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kMargin = 10.0;   // mm, around sheets
-constexpr double kFoot = 9.0;      // below, for words
-constexpr double kBeyond = 5.0;    // that lines go on beyond trimming
-constexpr double kMark = 6.0;      // length of corner marks
+constexpr double kMargin = 10.0;  // mm, around sheets
+constexpr double kFoot = 9.0;     // below, for words
+constexpr double kBeyond = 5.0;   // that lines go on beyond trimming
+constexpr double kMark = 6.0;     // length of corner marks
 constexpr int kMostSheets = 400;
 constexpr double kHeading = 34.0;  // of the first sheet
 
@@ -71,8 +71,8 @@ std::vector<PagePath> clipped(const PagePath& path, const AlignedBox2d& box) {
   return parts;
 }
 
-void put(SheetBuilder& builder, const std::string& text, const TextStyle& style,
-         const Vector2d& at, Align align = Align::kCentre, double angle = 0.0) {
+void put(SheetBuilder& builder, const std::string& text, const TextStyle& style, const Vector2d& at,
+         Align align = Align::kCentre, double angle = 0.0) {
   builder.put_text(text, style, SheetBuilder::text_box(text, style, at, align, angle));
 }
 
@@ -166,8 +166,8 @@ void draw_check(SheetBuilder& builder, const Vector2d& right_end) {
     const Vector2d at = left + Vector2d(10.0 * i, 0.0);
     builder.draw(pens::kTable, {at, at - Vector2d(0.0, i % 5 == 0 ? 2.2 : 1.4)});
   }
-  put(builder, "100 mm on paper", {.size = 2.2, .ink = inks::kGrey},
-      left - Vector2d(2.0, 0.8), Align::kRight);
+  put(builder, "100 mm on paper", {.size = 2.2, .ink = inks::kGrey}, left - Vector2d(2.0, 0.8),
+      Align::kRight);
 }
 
 Sheet tile_sheet(const ShopDrawing& drawing, const Division& d, int row, int column) {
@@ -192,8 +192,8 @@ void draw_heading(SheetBuilder& builder, const ShopDrawing& drawing, const Divis
   const FittedText title = fit_text(drawing.title, 6.0, true, 0.6 * (right - left));
   put(builder, title.text, {.size = title.size, .bold = true}, {left, kMargin + 7.0}, Align::kLeft);
   const int count = d.columns * d.rows;
-  const std::string sheets = scale_words(d.scale) + " on " + std::to_string(count) +
-                             (count == 1 ? " sheet of " : " sheets of ") + d.paper.name;
+  const std::string many = count == 1 ? "" : std::to_string(count) + " sheets of ";
+  const std::string sheets = scale_words(d.scale) + " on " + many + d.paper.name;
   put(builder, sheets, {.size = 3.5, .bold = true}, {right, kMargin + 7.0}, Align::kRight);
   // Rows in columns of four.
   const double width = (right - left) / 4.0;
@@ -206,6 +206,11 @@ void draw_heading(SheetBuilder& builder, const ShopDrawing& drawing, const Divis
   }
 }
 
+// Room for the drawing below the heading.
+Vector2d room_on(const PaperSize& paper) {
+  return {paper.width - 2.0 * kMargin - 16.0, paper.height - 2.0 * kMargin - kHeading - 16.0};
+}
+
 Sheet overview(const ShopDrawing& drawing, const Division& d) {
   SheetBuilder builder(Sheet{drawing.title, d.paper.width, d.paper.height, {}, {}, {}, {}});
   const AlignedBox2d frame(Vector2d::Constant(kMargin),
@@ -214,24 +219,26 @@ Sheet overview(const ShopDrawing& drawing, const Division& d) {
   draw_heading(builder, drawing, d);
   const double top = kMargin + kHeading;
   builder.draw(pens::kTable, {{kMargin, top}, {frame.max().x(), top}});
-  const Vector2d room(frame.sizes().x() - 16.0, frame.max().y() - top - 16.0);
+  const Vector2d room = room_on(d.paper);
   const Vector2d whole = Vector2d(d.columns * d.tile.x(), d.rows * d.tile.y()) / d.scale;
   const double fit = room.cwiseQuotient(whole).minCoeff();
   const double scale = std::min(fit, d.scale);
   const Vector2d spare = room - scale * whole;
-  const PageMap map{scale, d.box.min(),
+  const PageMap map{scale,
+                    d.box.min(),
                     {kMargin + 8.0 + 0.5 * spare.x(), frame.max().y() - 8.0 - 0.5 * spare.y()}};
   const auto grid_point = [&](int column, int row) {
     return map(d.box.min() + Vector2d(column * d.tile.x(), row * d.tile.y()) / d.scale);
   };
-  for (int c = 0; c <= d.columns; ++c) {
+  const bool divided = d.columns * d.rows > 1;
+  for (int c = 0; divided && c <= d.columns; ++c) {
     builder.draw(pens::kGrid, {grid_point(c, 0), grid_point(c, d.rows)});
   }
-  for (int r = 0; r <= d.rows; ++r) {
+  for (int r = 0; divided && r <= d.rows; ++r) {
     builder.draw(pens::kGrid, {grid_point(0, r), grid_point(d.columns, r)});
   }
-  draw_content(builder, drawing, map, frame, std::clamp(3.0 * scale / d.scale, 0.25, 0.8));
-  for (int r = 0; r < d.rows; ++r) {
+  draw_content(builder, drawing, map, frame, std::clamp(3.0 * scale, 0.32, 0.8));
+  for (int r = 0; divided && r < d.rows; ++r) {
     for (int c = 0; c < d.columns; ++c) {
       const Vector2d at = grid_point(c, r + 1) + Vector2d(1.0, 2.5);
       put(builder, sheet_name(r, c), {.size = 2.4, .ink = inks::kGrey}, at, Align::kLeft);
@@ -254,9 +261,24 @@ Sheet shop_sheet(const ShopDrawing& drawing, double scale, double largest) {
                                 " m on paper: take a smaller scale, or PDF or DXF.");
   }
   SheetBuilder builder(Sheet{drawing.title, page.x(), page.y(), {}, {}, {}, {}});
-  draw_content(builder, drawing, {scale, box.min(), {0.0, page.y()}},
-               {Vector2d::Zero(), page}, 1.0);
+  draw_content(builder, drawing, {scale, box.min(), {0.0, page.y()}}, {Vector2d::Zero(), page},
+               1.0);
   return std::move(builder).finish();
+}
+
+Sheet shop_page(const ShopDrawing& drawing, const PaperSize& paper) {
+  check(drawing, 1.0);
+  const AlignedBox2d box = box_of(drawing);
+  const Vector2d size = box.sizes().cwiseMax(1e-9);
+  const double fit = room_on(paper).cwiseQuotient(size).minCoeff();
+  // 1, 2, 2.5 or 5 times a power of ten.
+  double scale = 1.0;
+  for (double power = 1.0; power < 1e9 && scale > fit; power *= 10.0) {
+    for (const double step : {1.0, 2.0, 2.5, 5.0}) {
+      if (scale > fit) scale = 1.0 / (power * step);
+    }
+  }
+  return overview(drawing, {paper, scale, box, scale * size, 1, 1});
 }
 
 std::vector<Sheet> shop_sheets(const ShopDrawing& drawing, const PaperSize& paper, double scale) {

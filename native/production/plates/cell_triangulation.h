@@ -21,8 +21,8 @@ class CellTriangulation {
     int tag;
   };
 
-  // `lengths` of the sides along u and v: triangles are well shaped when the square is so stretched.
-  // Points 0 to 3 are the corners (0, 0), (1, 0), (1, 1), (0, 1).
+  // `lengths` of the sides along u and v: triangles are well shaped when the square is so
+  // stretched. Points 0 to 3 are the corners (0, 0), (1, 0), (1, 1), (0, 1).
   explicit CellTriangulation(const Eigen::Vector2d& lengths);
 
   // The number of the point; of the one that is there already, if there is. REQUIRES: within the

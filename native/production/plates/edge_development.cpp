@@ -99,9 +99,8 @@ PlaneFrame rolled(const surface::LimitSurface& surface, const CurveStep& step,
     const Tangents t = tangents(jet, by_v);
     const Vector3d along = jet.du * way.x() + jet.dv * way.y();
     const Vector3d& side = by_v ? jet.dv : jet.du;
-    const Vector3d change =
-        by_v ? Vector3d(jet.duv * way.x() + jet.dvv * way.y())
-             : Vector3d(jet.duu * way.x() + jet.duv * way.y());
+    const Vector3d change = by_v ? Vector3d(jet.duv * way.x() + jet.dvv * way.y())
+                                 : Vector3d(jet.duu * way.x() + jet.duv * way.y());
     turn[i] = change.dot(t.e2) / side.norm();
     speed[i] = {along.dot(t.e1), along.dot(t.e2)};
   }

@@ -17,8 +17,9 @@ struct PlaneFrame {
 // The frame at the start of a step, of any orientation.
 PlaneFrame first_frame(const surface::LimitSurface& surface, const CurveStep& step);
 
-// The frame at the end of the step: the surface rolled onto the plane along it. With e1 and e2 = n x
-// e1 unit tangents, e1 along S_u (or S_v), the angle of e1 on the plane and the point there change by
+// The frame at the end of the step: the surface rolled onto the plane along it. With e1 and e2 = n
+// x e1 unit tangents, e1 along S_u (or S_v), the angle of e1 on the plane and the point there
+// change by
 //
 //   θ' = e1' · e2,   x' = R(θ) (S' · e1, S' · e2)
 //

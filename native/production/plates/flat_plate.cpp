@@ -58,8 +58,7 @@ void measure_stretch(FlatPlate& flat) {
   const auto principal = [&](const PlateMesh::Element& element, const Eigen::Vector3d& b) {
     const auto point = element_point(surface, flat.mesh.triangle(element), b);
     if (!point) return Vector2d(1.0, 1.0);
-    const Vector2d values =
-        plane_slopes(*point, element, flat.nodes).jacobiSvd().singularValues();
+    const Vector2d values = plane_slopes(*point, element, flat.nodes).jacobiSvd().singularValues();
     return Vector2d(1.0 / values[0], 1.0 / values[1]);
   };
   const Eigen::Matrix3d corners = Eigen::Matrix3d::Identity();
@@ -82,8 +81,8 @@ void measure_bending(FlatPlate& flat) {
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   double area = 0.0;
   for (const PlateMesh::Element& element : flat.mesh.elements) {
-    const auto point = element_point(flat.mesh.shell->surface, flat.mesh.triangle(element),
-                                     kMiddle, true);
+    const auto point =
+        element_point(flat.mesh.shell->surface, flat.mesh.triangle(element), kMiddle, true);
     if (!point) continue;
     const auto svd = plane_slopes(*point, element, flat.nodes)
                          .jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -145,9 +145,8 @@ std::optional<CellPlace> girth_point(const surface::LimitSurface& surface, const
       if (!pair) return std::nullopt;
       const auto& [a, b] = *pair;
       const Vector2d ua(a.u, a.v), ub(b.u, b.v);
-      const double length =
-          arc_length(from, walk.tangent_at(a.cell, ua + 1e-9 * (ub - ua), way), to,
-                     walk.tangent_at(b.cell, ub - 1e-9 * (ub - ua), way));
+      const double length = arc_length(from, walk.tangent_at(a.cell, ua + 1e-9 * (ub - ua), way),
+                                       to, walk.tangent_at(b.cell, ub - 1e-9 * (ub - ua), way));
       if (length >= left) return walk.along(a, b, left);
       left -= length;
     }

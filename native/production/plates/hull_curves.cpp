@@ -151,16 +151,14 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
   const Rule rule = [&](double t) -> Place {
     const auto k = std::min(static_cast<std::size_t>(t), base.steps.size() - 1);
     const CurveStep& step = base.steps[k];
-    const Eigen::Vector2d uv =
-        step.from + (t - static_cast<double>(k)) * (step.to - step.from);
+    const Eigen::Vector2d uv = step.from + (t - static_cast<double>(k)) * (step.to - step.from);
     return girth_point(surface_, {step.cell, uv.x(), uv.y()}, normal, side, girth,
                        0.1 * chord_tolerance_);
   };
   std::vector<SurfaceCurve> curves = sampled(rule, parameters, name);
   if (curves.empty()) {
-    throw std::invalid_argument("The hull does not reach " + std::to_string(girth) +
-                                " m from \"" + base.name + "\" anywhere: \"" + name +
-                                "\" is off the hull.");
+    throw std::invalid_argument("The hull does not reach " + std::to_string(girth) + " m from \"" +
+                                base.name + "\" anywhere: \"" + name + "\" is off the hull.");
   }
   return curves;
 }
@@ -191,7 +189,8 @@ std::vector<SurfaceCurve> HullCurves::along_rays(
   parameters.push_back(static_cast<double>(points.size() - 1));
   std::vector<SurfaceCurve> curves = sampled(rule, parameters, name);
   if (curves.empty()) {
-    throw std::invalid_argument("The line of \"" + name + "\" misses the hull: no ray from it meets it.");
+    throw std::invalid_argument("The line of \"" + name +
+                                "\" misses the hull: no ray from it meets it.");
   }
   return curves;
 }

@@ -62,11 +62,11 @@ ElementValues element_values(const Eigen::Vector3d& b) {
 
 Eigen::Matrix<double, 6, 2> element_slopes(const Eigen::Vector3d& b) {
   Eigen::Matrix<double, 6, 2> s;
-  s << 4.0 * b[0] - 1.0, 0.0,           //
-      0.0, 4.0 * b[1] - 1.0,            //
+  s << 4.0 * b[0] - 1.0, 0.0,              //
+      0.0, 4.0 * b[1] - 1.0,               //
       1.0 - 4.0 * b[2], 1.0 - 4.0 * b[2],  //
-      4.0 * b[1], 4.0 * b[0],           //
-      -4.0 * b[1], 4.0 * (b[2] - b[1]), //
+      4.0 * b[1], 4.0 * b[0],              //
+      -4.0 * b[1], 4.0 * (b[2] - b[1]),    //
       4.0 * (b[2] - b[0]), -4.0 * b[0];
   return s;
 }
@@ -75,9 +75,8 @@ std::optional<ElementPoint> element_point(const surface::LimitSurface& surface,
                                           const ShellTriangle& t, const Eigen::Vector3d& b,
                                           bool bending) {
   const Vector2d uv = b[0] * t.uv[0] + b[1] * t.uv[1] + b[2] * t.uv[2];
-  const auto jet =
-      surface.evaluate(t.cell, std::clamp(uv.x(), 0.0, 1.0), std::clamp(uv.y(), 0.0, 1.0),
-                       bending ? 2 : 1);
+  const auto jet = surface.evaluate(t.cell, std::clamp(uv.x(), 0.0, 1.0),
+                                    std::clamp(uv.y(), 0.0, 1.0), bending ? 2 : 1);
   const Vector3d normal = jet.du.cross(jet.dv);
   if (!(normal.norm() > 1e-12 * (jet.du.squaredNorm() + jet.dv.squaredNorm()))) {
     return std::nullopt;

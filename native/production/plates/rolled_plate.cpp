@@ -29,7 +29,9 @@ std::vector<Way> ways_of(const PlateMesh& mesh) {
       const int next = (k + 1) % 3;
       Way& way = ways[element.nodes[3 + k] - first];
       if (way.from >= 0) continue;
-      way = {element.nodes[k], element.nodes[next], element.nodes[3 + k],
+      way = {element.nodes[k],
+             element.nodes[next],
+             element.nodes[3 + k],
              {t.cell, t.uv[k], t.uv[next]}};
     }
   }
@@ -76,8 +78,7 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
   std::vector<char> used(ways.size(), 0);
   const int root = corner_near(mesh, middle);
   const Way& first = ways[at[root].front()];
-  plate.frames[root] =
-      first_frame(surface, first.from == root ? first.step : reversed(first.step));
+  plate.frames[root] = first_frame(surface, first.from == root ? first.step : reversed(first.step));
   reached[root] = 1;
   std::queue<int> open({root});
   while (!open.empty()) {

@@ -17,7 +17,6 @@ struct SeamPart {
 std::vector<SeamPart> noded(const std::vector<SeamPart>& parts);
 
 // With u and v stretched by `lengths`.
-double distance_to(const SeamPart& part, const Eigen::Vector2d& uv,
-                   const Eigen::Vector2d& lengths);
+double distance_to(const SeamPart& part, const Eigen::Vector2d& uv, const Eigen::Vector2d& lengths);
 
 }  // namespace hull::production

@@ -61,9 +61,8 @@ class Divider {
     check();
     measure();
     for (Plate& plate : plates_) plate.loops = loops_of(plate);
-    std::stable_sort(plates_.begin(), plates_.end(), [](const Plate& a, const Plate& b) {
-      return a.centre.x() < b.centre.x();
-    });
+    std::stable_sort(plates_.begin(), plates_.end(),
+                     [](const Plate& a, const Plate& b) { return a.centre.x() < b.centre.x(); });
     return std::move(plates_);
   }
 
@@ -111,8 +110,8 @@ void Divider::check() const {
     if (pair[1] < 0 || plate_of_[pair[0]] != plate_of_[pair[1]]) continue;
     if (const auto seam = mesh_.seams.find(key); seam != mesh_.seams.end()) {
       throw std::invalid_argument(
-          "The curve \"" + shell_.curves[seam->second].name + "\" has the same plate on both sides at " +
-          place_text(middle(key)) +
+          "The curve \"" + shell_.curves[seam->second].name +
+          "\" has the same plate on both sides at " + place_text(middle(key)) +
           ": let it end on other seams or butts, or on the hull's borders, or leave it out.");
     }
     const auto knuckle = mesh_.knuckles.find(key);
@@ -165,9 +164,8 @@ std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const 
     } while (loop.back() != loop.front());
     loops.push_back(sides_of(std::move(loop)));
   }
-  std::stable_sort(loops.begin(), loops.end(), [this](const auto& a, const auto& b) {
-    return length_of(a) > length_of(b);
-  });
+  std::stable_sort(loops.begin(), loops.end(),
+                   [this](const auto& a, const auto& b) { return length_of(a) > length_of(b); });
   return loops;
 }
 
@@ -183,9 +181,7 @@ double Divider::length_of(const std::vector<PlateSide>& loop) const {
 
 std::vector<PlateSide> Divider::sides_of(std::vector<int> loop) const {
   const auto n = static_cast<int>(loop.size()) - 1;
-  const auto curve = [&](int i) {
-    return sides_.curve(ShellMesh::pair_key(loop[i], loop[i + 1]));
-  };
+  const auto curve = [&](int i) { return sides_.curve(ShellMesh::pair_key(loop[i], loop[i + 1])); };
   int start = 0;
   while (start < n && curve(start) == curve((start + n - 1) % n)) ++start;
   if (start == n) start = 0;

@@ -32,8 +32,8 @@ struct Plate {
 };
 
 struct PlatingOptions {
-  double size;                // of triangles, m
-  double largest_knuckle;     // rad; plates may bend by so much along a line, but not more
+  double size;             // of triangles, m
+  double largest_knuckle;  // rad; plates may bend by so much along a line, but not more
   surface::Progress progress;
 };
 

@@ -55,8 +55,8 @@ class Sheet {
 
   double energy(const std::vector<Vector2d>& nodes) const {
     double sum = 0.0;
-    for (const StrainPoint& point : points_) sum += residuals(slopes(point, nodes), point.weight)
-                                                        .squaredNorm();
+    for (const StrainPoint& point : points_)
+      sum += residuals(slopes(point, nodes), point.weight).squaredNorm();
     return sum;
   }
 
@@ -117,8 +117,8 @@ std::vector<Vector2d> Sheet::step(const std::vector<Vector2d>& nodes, double dam
     for (int k = 0; k < 6; ++k) {
       const double d1 = point.slopes(k, 0), d2 = point.slopes(k, 1);
       for (int c = 0; c < 2; ++c) {
-        jacobian.col(2 * k + c) = weighted(d1 * f(c, 0), d2 * f(c, 1),
-                                           0.5 * (d1 * f(c, 1) + d2 * f(c, 0)), point.weight);
+        jacobian.col(2 * k + c) =
+            weighted(d1 * f(c, 0), d2 * f(c, 1), 0.5 * (d1 * f(c, 1) + d2 * f(c, 0)), point.weight);
       }
     }
     matrix += jacobian.transpose() * jacobian;
