@@ -21,7 +21,8 @@ struct Way {
 
 // Each side once.
 std::vector<Way> ways_of(const PlateMesh& mesh) {
-  std::vector<Way> ways(mesh.middle_of_side.size(), Way{-1, -1, -1, {}});
+  std::vector<Way> ways(mesh.middle_of_side.size(),
+                        Way{-1, -1, -1, {-1, Vector2d::Zero(), Vector2d::Zero()}});
   const auto first = static_cast<int>(mesh.corners.size());
   for (const PlateMesh::Element& element : mesh.elements) {
     const ShellTriangle& t = mesh.triangle(element);

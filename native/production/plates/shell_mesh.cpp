@@ -17,7 +17,6 @@ using Grid = CellTriangulation::Grid;
 
 namespace {
 
-constexpr std::int64_t kParts = CellTriangulation::kParts;
 constexpr int kMostParts = 64;
 // Points of the mesh's own keep this part of a triangle's side away from curves.
 constexpr double kClear = 0.35;
@@ -103,7 +102,8 @@ void Builder::mark_knuckle(int edge) {
   if (twin < 0 || !cells_.is_crease(h)) return;
   for (const EdgePoints::Part& part : edges_.parts(edge)) {
     const std::int64_t middle = part.from + (part.to - part.from) / 2;
-    const Vector2d one = on_half_edge(h, middle), other = on_half_edge(twin, kParts - middle);
+    const Vector2d one = on_half_edge(h, middle),
+                   other = on_half_edge(twin, CellTriangulation::kParts - middle);
     const double angle = surface::angle_between(surface_.normal(h / 4, one.x(), one.y()),
                                                 surface_.normal(twin / 4, other.x(), other.y()),
                                                 mesh_.points[part.last] - mesh_.points[part.first]);
@@ -160,7 +160,7 @@ void Builder::triangulate(int cell) {
   for (int side = 0; side < 4; ++side) {
     const bool front = cells_.is_edge_front(h + side);
     for (const auto& [at, point] : edges_.on_edge(cells_.edge(h + side))) {
-      add(net, on_half_edge(h + side, front ? at : kParts - at));
+      add(net, on_half_edge(h + side, front ? at : CellTriangulation::kParts - at));
     }
   }
   const std::vector<SeamPart> parts = noded(seams_[cell]);
