@@ -4,6 +4,7 @@ with the seams of their shells."""
 
 import hull_native as hn
 import numpy as np
+from transformation_hulls import grid_mesh
 
 
 def through(values):
@@ -17,15 +18,10 @@ def through(values):
 
 def grid_surface(points):
     """The LimitSurface of control points (m, n, 3), normals along d/di x d/dj."""
-    m, n = points.shape[:2]
-    number = np.arange(m * n).reshape(m, n)
-    faces = np.stack(
-        [number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1
-    ).reshape(-1, 4)
-    return hn.LimitSurface(hn.ControlMesh(points.reshape(-1, 3), faces.tolist()))
+    return hn.LimitSurface(grid_mesh(points.swapaxes(0, 1)))
 
 
-def sphere(radius=10.0, half=0.7, parts=40):
+def sphere(radius=10.0, half=0.7, parts=28):
     """Around the north pole of a sphere, off it by 1e-8 of the radius."""
     a = np.linspace(-half, half, parts + 1)
     x, y = np.meshgrid(a, a, indexing="ij")

@@ -13,7 +13,7 @@
 namespace hull::production {
 namespace {
 
-constexpr double kAreaTolerance = 1e-12;  // of the surface, in the mean over triangles
+constexpr double kAreaTolerance = 1e-11;  // of the surface, in the mean over triangles
 
 std::string place_text(const Vector3d& p) {
   char text[80];

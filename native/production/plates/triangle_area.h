@@ -17,9 +17,8 @@ struct AreaMoments {
   }
 };
 
-// Of the surface over a triangle of (u, v), by Gauss's quadrature on the triangle and its quarters,
-// which are quartered until that changes no more than `tolerance`, m²: as it does at once but
-// around irregular points.
+// Of the surface over a triangle of (u, v), by Gauss's quadrature on its parts in each piece of the
+// surface, which are quartered until that changes no more than `tolerance`, m².
 AreaMoments area_moments(const surface::LimitSurface& surface, const ShellTriangle& triangle,
                          double tolerance);
 
