@@ -9,6 +9,8 @@ from ._production import HullCurves
 # A strake beside the centre line has this part of the others' breadth at least, where the girth is
 # largest.
 _LAST_STRAKE = 0.4
+# Of the breadth of strakes.
+_SHORTEST_BUTT = 0.4
 _MOST_STRAKES, _MOST_BUTTS = 60, 400
 
 
@@ -41,7 +43,11 @@ def shell_seams(surface, *, strake, plate_length, tolerance=None):
         for curve in row:
             curve.name = f"Seam {_letters(k)}"
     seams = [curve for row in rows for curve in row] + knuckles
-    return curves, seams + _butts(curves, seams, surface, plate_length)
+    return curves, seams + _butts(curves, seams, surface, strake, plate_length)
+
+
+def _length(curve):
+    return float(np.linalg.norm(np.diff(curve.points, axis=0), axis=1).sum())
 
 
 def _letters(k):
@@ -67,7 +73,7 @@ def _girth_seams(curves, deck, strake):
     raise ValueError(f"Strakes of {strake:g} m are more than {_MOST_STRAKES}: make them broader.")
 
 
-def _butts(curves, seams, surface, plate_length):
+def _butts(curves, seams, surface, strake, plate_length):
     x = np.asarray(surface.mesh.points)[:, 0]
     low, high = float(x.min()), float(x.max())
     count = int((high - low) / plate_length)
@@ -83,5 +89,6 @@ def _butts(curves, seams, surface, plate_length):
             for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
                 pieces = curves.pieces(curve, seams)
                 pieces.sort(key=lambda c: -c.points[:, 2].max())
-                made += pieces[row::2]
+                # Not across the tips of strakes.
+                made += [p for p in pieces[row::2] if _length(p) > _SHORTEST_BUTT * strake]
     return made

@@ -14,8 +14,6 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr int kNodes = 8;
-// At irregular corners there are no derivatives: tangents are taken so far beside them.
-constexpr double kBeside = 1e-7;
 
 // Nodes, weights, and the integrals of the nodes' Lagrange polynomials up to each node.
 struct Collocation {
@@ -45,71 +43,63 @@ const Collocation& collocation() {
   return made;
 }
 
-struct Tangents {
-  Vector3d e1, e2, normal;
-};
-
-// e1 along S_u, or S_v where `by_v`.
-Tangents tangents(const surface::SurfaceJet& jet, bool by_v) {
-  Tangents t;
-  t.normal = jet.du.cross(jet.dv).normalized();
-  t.e1 = (by_v ? jet.dv : jet.du).normalized();
-  t.e2 = t.normal.cross(t.e1);
-  return t;
+// The normal at an end, where derivatives may not exist.
+Vector3d normal_at(const surface::LimitSurface& surface, int cell, const Vector2d& uv) {
+  return surface.normal(cell, uv.x(), uv.y());
 }
 
-bool is_along_v(const surface::LimitSurface& surface, const CurveStep& step) {
-  const Vector2d m = 0.5 * (step.from + step.to);
-  const auto jet = surface.evaluate(step.cell, m.x(), m.y(), 1);
-  return jet.dv.squaredNorm() > jet.du.squaredNorm();
-}
-
-Tangents at_end(const surface::LimitSurface& surface, const CurveStep& step, bool at_to,
-                bool by_v) {
-  Vector2d uv = at_to ? step.to : step.from;
-  if (surface.is_irregular_knot(step.cell, uv.x(), uv.y())) {
-    uv += kBeside * ((at_to ? step.from : step.to) - uv);
-  }
-  return tangents(surface.evaluate(step.cell, uv.x(), uv.y(), 1), by_v);
-}
-
-// Of b seen from a, both tangents, counter-clockwise.
-double angle_from(const Vector3d& a, const Vector3d& b, const Vector3d& normal) {
-  return std::atan2(normal.dot(a.cross(b)), a.dot(b));
+// The unit tangent nearest to a direction.
+Vector3d tangent_along(const Vector3d& direction, const Vector3d& normal) {
+  return (direction - direction.dot(normal) * normal).normalized();
 }
 
 }  // namespace
 
 PlaneFrame first_frame(const surface::LimitSurface& surface, const CurveStep& step) {
-  return {at_end(surface, step, false, is_along_v(surface, step)).e1, 0.0, Vector2d::Zero()};
+  const Vector3d chord = surface.position(step.cell, step.to.x(), step.to.y()) -
+                         surface.position(step.cell, step.from.x(), step.from.y());
+  return {tangent_along(chord, normal_at(surface, step.cell, step.from)), 0.0, Vector2d::Zero()};
 }
 
 PlaneFrame rolled(const surface::LimitSurface& surface, const CurveStep& step,
                   const PlaneFrame& start) {
   const Collocation& c = collocation();
-  const bool by_v = is_along_v(surface, step);
-  const Tangents begin = at_end(surface, step, false, by_v);
-  const double angle = start.angle + angle_from(start.along, begin.e1, begin.normal);
   const Vector2d way = step.to - step.from;
   Eigen::Matrix<double, kNodes, 1> turn;
-  std::array<Vector2d, kNodes> speed;
+  std::array<Vector3d, kNodes> speed, e1, e2;
   for (int i = 0; i < kNodes; ++i) {
     const Vector2d uv = step.from + c.rule.nodes[i] * way;
     const auto jet = surface.evaluate(step.cell, uv.x(), uv.y(), 2);
-    const Tangents t = tangents(jet, by_v);
-    const Vector3d along = jet.du * way.x() + jet.dv * way.y();
-    const Vector3d& side = by_v ? jet.dv : jet.du;
-    const Vector3d change = by_v ? Vector3d(jet.duv * way.x() + jet.dvv * way.y())
-                                 : Vector3d(jet.duu * way.x() + jet.duv * way.y());
-    turn[i] = change.dot(t.e2) / side.norm();
-    speed[i] = {along.dot(t.e1), along.dot(t.e2)};
+    const Vector3d across = jet.du.cross(jet.dv), n = across.normalized();
+    const Vector3d du = jet.duu * way.x() + jet.duv * way.y();
+    const Vector3d dv = jet.duv * way.x() + jet.dvv * way.y();
+    // But for a part along n, which is of no account below.
+    const Vector3d turning = (du.cross(jet.dv) + jet.du.cross(dv)) / across.norm();
+    const double off = start.along.dot(n);
+    const Vector3d flat = start.along - off * n;
+    e1[i] = flat.normalized();
+    e2[i] = n.cross(e1[i]);
+    turn[i] = -off * turning.dot(e2[i]) / flat.norm();
+    speed[i] = jet.du * way.x() + jet.dv * way.y();
   }
   const Eigen::Matrix<double, kNodes, 1> angles = c.up_to * turn;
-  PlaneFrame end{at_end(surface, step, true, by_v).e1, angle, start.at};
+  PlaneFrame end{tangent_along(start.along, normal_at(surface, step.cell, step.to)), start.angle,
+                 start.at};
+  // Across lines where pieces of the surface meet the rule is not exact: what it lacks of the chord
+  // is added.
+  Vector3d lacking = surface.position(step.cell, step.to.x(), step.to.y()) -
+                     surface.position(step.cell, step.from.x(), step.from.y());
+  const auto laid = [&](int i, const Vector3d& v) {
+    return Vector2d(Eigen::Rotation2Dd(start.angle + angles[i]) *
+                    Vector2d(v.dot(e1[i]), v.dot(e2[i])));
+  };
   for (int i = 0; i < kNodes; ++i) {
-    end.angle += c.rule.weights[i] * turn[i];
-    end.at += c.rule.weights[i] * (Eigen::Rotation2Dd(angle + angles[i]) * speed[i]);
+    const double weight = c.rule.weights[i];
+    end.angle += weight * turn[i];
+    end.at += weight * laid(i, speed[i]);
+    lacking -= weight * speed[i];
   }
+  end.at += laid(kNodes / 2, lacking);
   return end;
 }
 

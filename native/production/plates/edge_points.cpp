@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/plates/edge_points.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,23 +16,30 @@ constexpr std::int64_t kParts = CellTriangulation::kParts;
 // Places so near to one another are one: rounding of two ways to the same point.
 constexpr std::int64_t kSame = 12;
 
-double side_length(const surface::LimitSurface& surface, int h) {
-  double length = 0.0;
-  Vector3d last = Vector3d::Zero();
-  for (int i = 0; i <= 4; ++i) {
-    const Vector2d uv = on_square_side(h % 4, 0.25 * i);
-    const Vector3d next = surface.position(h / 4, uv.x(), uv.y());
-    if (i > 0) length += (next - last).norm();
-    last = next;
-  }
-  return length;
-}
-
 }  // namespace
 
 CellTriangulation::Grid on_grid(const Vector2d& uv) {
   const auto whole = [](double x) { return std::llround(x * static_cast<double>(kParts)); };
   return {whole(uv.x()), whole(uv.y())};
+}
+
+// By five points: what turns within the first and the last chord is taken for half of what turns
+// between chords.
+EdgePoints::Shape EdgePoints::shape_of(const surface::LimitSurface& surface, int h) {
+  Shape shape{0.0, 0.0};
+  Vector3d last = Vector3d::Zero(), chord = Vector3d::Zero();
+  for (int i = 0; i <= 4; ++i) {
+    const Vector2d uv = on_square_side(h % 4, 0.25 * i);
+    const Vector3d next = surface.position(h / 4, uv.x(), uv.y());
+    if (i > 0) {
+      const Vector3d step = next - last;
+      shape.length += step.norm();
+      if (i > 1) shape.turn += std::atan2(chord.cross(step).norm(), chord.dot(step)) * 4.0 / 3.0;
+      chord = step;
+    }
+    last = next;
+  }
+  return shape;
 }
 
 EdgePoints::EdgePoints(const surface::LimitSurface& surface, ShellMesh& mesh)
@@ -40,14 +48,14 @@ EdgePoints::EdgePoints(const surface::LimitSurface& surface, ShellMesh& mesh)
       mesh_(mesh),
       on_edge_(cells_.edge_count()),
       front_(cells_.edge_count(), -1),
-      lengths_(cells_.edge_count()) {
+      shapes_(cells_.edge_count()) {
   mesh_.points.resize(cells_.vertex_count());
   for (int h = 0; h < cells_.half_edge_count(); ++h) {
     const Vector2d uv = on_square_side(h % 4, 0.0);
     mesh_.points[cells_.origin(h)] = surface.position(h / 4, uv.x(), uv.y());
     if (cells_.is_edge_front(h)) front_[cells_.edge(h)] = h;
   }
-  for (int e = 0; e < cells_.edge_count(); ++e) lengths_[e] = side_length(surface, front_[e]);
+  for (int e = 0; e < cells_.edge_count(); ++e) shapes_[e] = shape_of(surface, front_[e]);
 }
 
 EdgePlace EdgePoints::on_side(int cell, int side, const CellTriangulation::Grid& at) const {

@@ -31,7 +31,8 @@ class EdgePoints {
   EdgePoints(const surface::LimitSurface& surface, ShellMesh& mesh);
 
   int front(int edge) const { return front_[edge]; }
-  double length(int edge) const { return lengths_[edge]; }  // about, m
+  double length(int edge) const { return shapes_[edge].length; }  // about, m
+  double turn(int edge) const { return shapes_[edge].turn; }      // from end to end, about, rad
 
   // Where on the side of a cell a place of the grid is; corners count to the side asked for.
   EdgePlace on_side(int cell, int side, const CellTriangulation::Grid& at) const;
@@ -67,7 +68,11 @@ class EdgePoints {
   ShellMesh& mesh_;
   std::vector<std::map<std::int64_t, int>> on_edge_;
   std::vector<int> front_;
-  std::vector<double> lengths_;
+  struct Shape {
+    double length, turn;
+  };
+  static Shape shape_of(const surface::LimitSurface& surface, int half_edge);
+  std::vector<Shape> shapes_;
 };
 
 }  // namespace hull::production

@@ -19,6 +19,9 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr double kDevelopable = 1e-9;  // of the plate's size; rad of a turn
+// Of the plate's size: triangles as thin as this between seams that all but meet show no stretch,
+// but rounding.
+constexpr double kThin = 1e-4;
 const Eigen::Vector3d kMiddle = Eigen::Vector3d::Constant(1.0 / 3.0);
 
 // Turned so that the box of least area around the outline lies along the axes, its longer side
@@ -51,6 +54,15 @@ void straighten(FlatPlate& flat) {
   }
 }
 
+// Of the triangle of the corners over its longest side.
+double height_of(const PlateMesh& mesh, const PlateMesh::Element& element) {
+  const auto& numbers = mesh.triangle(element).points;
+  const auto& points = mesh.shell->mesh.points;
+  const Vector3d a = points[numbers[0]], b = points[numbers[1]], c = points[numbers[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return (b - a).cross(c - a).norm() / longest;
+}
+
 void measure_stretch(FlatPlate& flat) {
   const surface::LimitSurface& surface = flat.mesh.shell->surface;
   flat.least_stretch = std::numeric_limits<double>::infinity();
@@ -62,8 +74,13 @@ void measure_stretch(FlatPlate& flat) {
     return Vector2d(1.0 / values[0], 1.0 / values[1]);
   };
   const Eigen::Matrix3d corners = Eigen::Matrix3d::Identity();
+  const double least_height = kThin * std::sqrt(std::abs(flat.area));
   for (const PlateMesh::Element& element : flat.mesh.elements) {
     flat.stretches.push_back(principal(element, kMiddle));
+    if (height_of(flat.mesh, element) < least_height) {
+      flat.stretches.back() = Vector2d(1.0, 1.0);
+      continue;
+    }
     for (int k = 0; k < 3; ++k) {
       for (const Eigen::Vector3d& b :
            {Eigen::Vector3d(corners.col(k)),

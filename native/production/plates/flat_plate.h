@@ -42,11 +42,11 @@ struct FlatPlate {
 // speak of (1e-9 of its size), otherwise so that the energy of an elastic sheet strained from the
 // plane to the surface is least,
 //
-//   W = ∫ (ε1² + ε2² + 2 ν ε1 ε2 + 2 (1 - ν) ε12²) dA,   ε = (FᵀF - I) / 2,
+//   W = ∫ (ε1² + ε2² + 2 ν ε1 ε2 + 2 (1 - ν) ε12²) dA,   ε = RᵀF - I,
 //
 // plane stress with Poisson's ratio ν (Timoshenko and Goodier 1951), F the derivative of the
-// plane's point by lengths on the exact surface, in quadratic elements, by Gauss and Newton's
-// method.
+// plane's point by lengths on the exact surface and R the nearest rotation, in quadratic elements,
+// by Gauss and Newton's method.
 //
 // Throws std::invalid_argument for a plate that is not a disc: with a hole, or closed around the
 // hull; and for a Poisson's ratio outside of [0, 0.5].

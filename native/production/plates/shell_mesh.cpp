@@ -18,6 +18,9 @@ using Grid = CellTriangulation::Grid;
 namespace {
 
 constexpr int kMostParts = 64;
+// Along a triangle's side the surface turns by about so much, rad: what quadratic elements follow
+// to some parts per thousand of their length.
+constexpr double kTurn = 0.1;
 // Points of the mesh's own keep this part of a triangle's side away from curves.
 constexpr double kClear = 0.35;
 
@@ -35,7 +38,7 @@ class Builder {
       for (const CurveStep& step : curves[k].steps) add_step(step, k);
     }
     for (int e = 0; e < cells_.edge_count(); ++e) {
-      edges_.divide(e, parts_of(edges_.length(e)), kClear);
+      edges_.divide(e, parts_of(edges_.length(e), edges_.turn(e)), kClear);
     }
     for (const Along& along : along_) mark_along(along);
     for (int e = 0; e < cells_.edge_count(); ++e) mark_knuckle(e);
@@ -54,17 +57,19 @@ class Builder {
     int curve;
   };
 
-  int parts_of(double length) const {
-    return std::clamp(static_cast<int>(std::ceil(length / size_)), 1, kMostParts);
+  int parts_of(double length, double turn) const {
+    const double parts = std::ceil(std::max(length / size_, turn / kTurn));
+    return static_cast<int>(std::clamp(parts, 1.0, 1.0 * kMostParts));
   }
   void add_step(const CurveStep& step, int curve);
   void mark_along(const Along& along);
   void mark_knuckle(int edge);
   void triangulate(int cell);
   Vector2d lengths_of(int cell) const;
+  Vector2d turns_of(int cell) const;
   int add(CellTriangulation& net, const Vector2d& uv);
-  void add_inner_points(const Vector2d& lengths, const std::vector<SeamPart>& parts,
-                        CellTriangulation& net);
+  void add_inner_points(const Vector2d& lengths, const Vector2d& turns,
+                        const std::vector<SeamPart>& parts, CellTriangulation& net);
   int point_of(int cell, int local);
 
   const surface::LimitSurface& surface_;
@@ -120,15 +125,23 @@ Vector2d Builder::lengths_of(int cell) const {
   return {longer(h, h + 2), longer(h + 1, h + 3)};
 }
 
+Vector2d Builder::turns_of(int cell) const {
+  const int h = 4 * cell;
+  const auto more = [&](int a, int b) {
+    return std::max(edges_.turn(cells_.edge(a)), edges_.turn(cells_.edge(b)));
+  };
+  return {more(h, h + 2), more(h + 1, h + 3)};
+}
+
 int Builder::add(CellTriangulation& net, const Vector2d& uv) {
   const int local = net.add(on_grid(uv));
   if (local == static_cast<int>(uv_.size())) uv_.push_back(uv);
   return local;
 }
 
-void Builder::add_inner_points(const Vector2d& lengths, const std::vector<SeamPart>& parts,
-                               CellTriangulation& net) {
-  const int nu = parts_of(lengths.x()), nv = parts_of(lengths.y());
+void Builder::add_inner_points(const Vector2d& lengths, const Vector2d& turns,
+                               const std::vector<SeamPart>& parts, CellTriangulation& net) {
+  const int nu = parts_of(lengths.x(), turns.x()), nv = parts_of(lengths.y(), turns.y());
   const double clear = kClear * std::min(lengths.x() / nu, lengths.y() / nv);
   for (int i = 1; i < nu; ++i) {
     for (int j = 1; j < nv; ++j) {
@@ -169,7 +182,7 @@ void Builder::triangulate(int cell) {
     const int a = add(net, part.from);
     ends.push_back({a, add(net, part.to)});
   }
-  add_inner_points(lengths, parts, net);
+  add_inner_points(lengths, turns_of(cell), parts, net);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     net.constrain(ends[i][0], ends[i][1], parts[i].curve);
   }

@@ -40,6 +40,11 @@ struct StrainPoint {
   double weight;  // m²
 };
 
+// The rotation nearest to f; never a reflection, so that triangles turned over cost energy.
+Eigen::Matrix2d nearest_turn(const Eigen::Matrix2d& f) {
+  return Eigen::Rotation2Dd(std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1))).toRotationMatrix();
+}
+
 class Sheet {
  public:
   Sheet(const PlateMesh& mesh, double poisson) : mesh_(mesh), poisson_(poisson) {
@@ -79,9 +84,12 @@ class Sheet {
                                                std::sqrt(2.0 * (1.0 - poisson_)) * e12);
   }
   Eigen::Vector3d residuals(const Slopes& f, double weight) const {
-    return weighted(0.5 * (f.col(0).squaredNorm() - 1.0), 0.5 * (f.col(1).squaredNorm() - 1.0),
-                    0.5 * f.col(0).dot(f.col(1)), weight);
+    const Slopes u = nearest_turn(f).transpose() * f;
+    return weighted(u(0, 0) - 1.0, u(1, 1) - 1.0, u(0, 1), weight);
   }
+
+  Eigen::Matrix<double, 3, 12> slopes_of_residuals(const StrainPoint& point, const Slopes& turned,
+                                                   const Slopes& f) const;
 
   const PlateMesh& mesh_;
   double poisson_;
@@ -89,6 +97,29 @@ class Sheet {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
   bool analysed_ = false;
 };
+
+// U = RᵀF changes by G + dRᵀ F, G = RᵀdF: with the turning rate ω of R that keeps U symmetric, (G21
+// - G12) / tr U, by ω U12 more in the first, less in the second stretch, and ω U22 more in the
+// shear. Where a triangle is turned over or next to it R is held.
+Eigen::Matrix<double, 3, 12> Sheet::slopes_of_residuals(const StrainPoint& point,
+                                                        const Slopes& turned,
+                                                        const Slopes& f) const {
+  const Slopes u = turned.transpose() * f;
+  const double trace = u.trace();
+  Eigen::Matrix<double, 3, 12> jacobian;
+  for (int k = 0; k < 6; ++k) {
+    const double d1 = point.slopes(k, 0), d2 = point.slopes(k, 1);
+    for (int c = 0; c < 2; ++c) {
+      const double along = turned(c, 0), across = turned(c, 1);
+      const double turning = trace > 0.5 ? (across * d1 - along * d2) / trace : 0.0;
+      const double shear =
+          trace > 0.5 ? along * d2 + turning * u(1, 1) : 0.5 * (along * d2 + across * d1);
+      jacobian.col(2 * k + c) = weighted(along * d1 + turning * u(0, 1),
+                                         across * d2 - turning * u(0, 1), shear, point.weight);
+    }
+  }
+  return jacobian;
+}
 
 std::vector<Vector2d> Sheet::step(const std::vector<Vector2d>& nodes, double damping) {
   const int n = 2 * mesh_.node_count;
@@ -111,16 +142,9 @@ std::vector<Vector2d> Sheet::step(const std::vector<Vector2d>& nodes, double dam
   };
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const StrainPoint& point = points_[p];
-    const Slopes f = slopes(point, nodes);
+    const Slopes f = slopes(point, nodes), turned = nearest_turn(f);
     const Eigen::Vector3d r = residuals(f, point.weight);
-    Eigen::Matrix<double, 3, 12> jacobian;
-    for (int k = 0; k < 6; ++k) {
-      const double d1 = point.slopes(k, 0), d2 = point.slopes(k, 1);
-      for (int c = 0; c < 2; ++c) {
-        jacobian.col(2 * k + c) =
-            weighted(d1 * f(c, 0), d2 * f(c, 1), 0.5 * (d1 * f(c, 1) + d2 * f(c, 0)), point.weight);
-      }
-    }
+    const Eigen::Matrix<double, 3, 12> jacobian = slopes_of_residuals(point, turned, f);
     matrix += jacobian.transpose() * jacobian;
     slope += jacobian.transpose() * r;
     if (p + 1 == points_.size() || points_[p + 1].element != point.element) flush(point.element);
