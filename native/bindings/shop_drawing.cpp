@@ -68,15 +68,17 @@ void bind_shop_drawing(py::module_& module) {
       .def(
           "add_text",
           [](ShopDrawing& self, const std::string& text, const Eigen::Vector2d& position,
-             double size, double angle) {
-            if (!position.allFinite() || !std::isfinite(angle) || !(size > 0.0)) {
+             double size, double angle, double lift) {
+            if (!position.allFinite() || !std::isfinite(angle) || !std::isfinite(lift) ||
+                !(size > 0.0)) {
               throw std::invalid_argument("A text needs a finite place and angle and a size.");
             }
-            self.texts.push_back({text, position, size, angle});
+            self.texts.push_back({text, position, size, angle, lift});
           },
           py::arg("text"), py::arg("position"), py::kw_only(), py::arg("size") = 5.0,
-          py::arg("angle") = 0.0,
-          "Words around a position (2,), mm at true size; size in mm on paper, angle in rad.")
+          py::arg("angle") = 0.0, py::arg("lift") = 0.0,
+          "Words around a position (2,), mm at true size; size in mm on paper, angle in rad, lift "
+          "by how much they are above it, mm on paper.")
       .def(
           "add",
           [](ShopDrawing& self, const ShopDrawing& other, const Eigen::Vector2d& shift) {

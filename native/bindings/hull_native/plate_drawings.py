@@ -67,7 +67,7 @@ def plate_drawing(one, *, marks=()):
             _put_mark_words(drawing, curve.name, line)
     if isfinite(radius):
         _put_rolling_line(drawing, flat, inner)
-    drawing.add_text(one.name, 1000.0 * inner, size=min(30.0, 100.0 * breadth))
+    drawing.add_text(one.name, 1000.0 * inner, size=16.0, lift=-20.0)
     return drawing
 
 
@@ -76,11 +76,11 @@ def _put_side_words(drawing, name, line, inner):
     if length < 0.15:
         return
     at, angle = _middle(line)
-    across = np.array([-sin(angle), cos(angle)])
-    if across @ (inner - at) < 0.0:
-        across = -across
+    angle = upright(angle)
+    inward = np.array([-sin(angle), cos(angle)]) @ (inner - at)
     text = f"{name}  {1000.0 * length:.0f}" if name else f"{1000.0 * length:.0f}"
-    drawing.add_text(text, 1000.0 * (at + 0.03 * across), size=8.0, angle=upright(angle))
+    # Outside, so that marks inside stay whole.
+    drawing.add_text(text, 1000.0 * at, size=8.0, angle=angle, lift=-7.0 if inward > 0.0 else 7.0)
 
 
 def _put_mark_words(drawing, name, line):
@@ -98,7 +98,7 @@ def _put_rolling_line(drawing, flat, middle):
     ends = middle + np.array([[-half], [half]]) * way
     drawing.add_line("ROLLING", 1000.0 * ends)
     at = middle + 0.6 * half * way
-    drawing.add_text("roll", 1000.0 * at, size=7.0, angle=upright(flat.rolling_angle))
+    drawing.add_text("roll", 1000.0 * at, size=7.0, angle=upright(flat.rolling_angle), lift=6.0)
 
 
 def stretch_drawing(one):

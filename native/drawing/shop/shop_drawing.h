@@ -36,6 +36,7 @@ struct ShopText {
   Eigen::Vector2d position;  // of its middle, mm at true size
   double size;               // of the em, mm on paper
   double angle = 0.0;        // rad, counter-clockwise
+  double lift = 0.0;         // mm on paper, by which the words are above their position
 };
 
 struct ShopDrawing {

@@ -42,7 +42,8 @@ dxf::DxfDrawing shop_dxf(const ShopDrawing& drawing) {
   for (const ShopText& text : drawing.texts) {
     const double height = kCapitals * text.size;
     const Vector2d up(-std::sin(text.angle), std::cos(text.angle));
-    file.texts.push_back({words, text.text, text.position - 0.5 * height * up, height, text.angle});
+    file.texts.push_back(
+        {words, text.text, text.position + (text.lift - 0.5 * height) * up, height, text.angle});
   }
   return file;
 }

@@ -87,7 +87,8 @@ void draw_content(SheetBuilder& builder, const ShopDrawing& drawing, const PageM
   for (const ShopText& text : drawing.texts) {
     const TextStyle style{.size = text_scale * text.size, .knockout = true};
     if (style.size < 0.9) continue;
-    const Vector2d at = map(text.position);
+    const Vector2d up(-std::sin(text.angle), -std::cos(text.angle));
+    const Vector2d at = map(text.position) + text_scale * text.lift * up;
     if (!window.contains(at)) continue;
     put(builder, text.text, style, at, Align::kCentre, -text.angle);
   }

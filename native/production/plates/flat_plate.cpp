@@ -19,9 +19,6 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr double kDevelopable = 1e-9;  // of the plate's size; rad of a turn
-// Of the plate's size: triangles as thin as this between seams that all but meet show no stretch,
-// but rounding.
-constexpr double kThin = 1e-4;
 const Eigen::Vector3d kMiddle = Eigen::Vector3d::Constant(1.0 / 3.0);
 
 // Turned so that the box of least area around the outline lies along the axes, its longer side
@@ -54,15 +51,6 @@ void straighten(FlatPlate& flat) {
   }
 }
 
-// Of the triangle of the corners over its longest side.
-double height_of(const PlateMesh& mesh, const PlateMesh::Element& element) {
-  const auto& numbers = mesh.triangle(element).points;
-  const auto& points = mesh.shell->mesh.points;
-  const Vector3d a = points[numbers[0]], b = points[numbers[1]], c = points[numbers[2]];
-  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return (b - a).cross(c - a).norm() / longest;
-}
-
 void measure_stretch(FlatPlate& flat) {
   const surface::LimitSurface& surface = flat.mesh.shell->surface;
   flat.least_stretch = std::numeric_limits<double>::infinity();
@@ -74,21 +62,20 @@ void measure_stretch(FlatPlate& flat) {
     return Vector2d(1.0 / values[0], 1.0 / values[1]);
   };
   const Eigen::Matrix3d corners = Eigen::Matrix3d::Identity();
-  const double least_height = kThin * std::sqrt(std::abs(flat.area));
+  const double least_height = thin_height(std::abs(flat.area));
   for (const PlateMesh::Element& element : flat.mesh.elements) {
     flat.stretches.push_back(principal(element, kMiddle));
     if (height_of(flat.mesh, element) < least_height) {
       flat.stretches.back() = Vector2d(1.0, 1.0);
       continue;
     }
-    for (int k = 0; k < 3; ++k) {
-      for (const Eigen::Vector3d& b :
-           {Eigen::Vector3d(corners.col(k)),
-            Eigen::Vector3d(0.5 * (corners.col(k) + corners.col((k + 1) % 3)))}) {
-        const Vector2d stretch = principal(element, b);
-        flat.least_stretch = std::min(flat.least_stretch, stretch[0]);
-        flat.largest_stretch = std::max(flat.largest_stretch, stretch[1]);
-      }
+    // In sides' middles and the triangle's own the slopes of quadratic elements are best.
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Vector3d b =
+          k == 3 ? kMiddle : Eigen::Vector3d(0.5 * (corners.col(k) + corners.col((k + 1) % 3)));
+      const Vector2d stretch = principal(element, b);
+      flat.least_stretch = std::min(flat.least_stretch, stretch[0]);
+      flat.largest_stretch = std::max(flat.largest_stretch, stretch[1]);
     }
   }
 }

@@ -25,7 +25,8 @@ struct FlatPlate {
   std::vector<Eigen::Vector2d> nodes;  // of the mesh, m; the box around them begins in (0, 0)
   std::vector<PlaneFrame> frames;      // of nodes that are corners, where it was developed
   double area;                         // m²
-  // Of all nodes and directions: length on the hull over length on the flat plate.
+  // In the middles of triangles and of their sides, of all directions: length on the hull over
+  // length on the flat plate. Triangles thinner than thin_height() are left out.
   double least_stretch, largest_stretch;
   // By triangle, in its middle: the two principal stretches, smaller first.
   std::vector<Eigen::Vector2d> stretches;

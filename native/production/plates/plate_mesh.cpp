@@ -3,12 +3,23 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace hull::production {
 
 using Eigen::Vector2d;
+
+double height_of(const PlateMesh& mesh, const PlateMesh::Element& element) {
+  const auto& numbers = mesh.triangle(element).points;
+  const auto& points = mesh.shell->mesh.points;
+  const Vector3d a = points[numbers[0]], b = points[numbers[1]], c = points[numbers[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return (b - a).cross(c - a).norm() / longest;
+}
+
+double thin_height(double area) { return 0.02 * std::sqrt(area); }
 
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate) {
   PlateMesh mesh;

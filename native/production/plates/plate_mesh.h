@@ -29,6 +29,12 @@ struct PlateMesh {
   }
 };
 
+// Of an element's corners, the height over their longest side, m.
+double height_of(const PlateMesh& mesh, const PlateMesh::Element& element);
+// About the height, m, below which an element is thin: curves that pass close to one another, or to
+// corners of cells, leave such. Their strain is rounding for the most part.
+double thin_height(double area);
+
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate);
 
 // In barycentric coordinates of (u, v) in a triangle; they sum to one.

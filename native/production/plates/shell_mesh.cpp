@@ -20,7 +20,7 @@ namespace {
 constexpr int kMostParts = 64;
 // Along a triangle's side the surface turns by about so much, rad: what quadratic elements follow
 // to some parts per thousand of their length.
-constexpr double kTurn = 0.1;
+constexpr double kTurn = 0.07;
 // Points of the mesh's own keep this part of a triangle's side away from curves.
 constexpr double kClear = 0.35;
 

@@ -14,6 +14,8 @@ namespace {
 constexpr int kMostIterations = 60;
 // Steps below this part of the plate's size end the search.
 constexpr double kSmallStep = 1e-11;
+// So do steps that gain less than this part of the energy: stretches change by half of it.
+constexpr double kSmallGain = 1e-9;
 
 // Six points, exact for polynomials of degree 4 (Dunavant 1985); weights sum to ½.
 struct PlateRule {
@@ -49,12 +51,21 @@ class Sheet {
  public:
   Sheet(const PlateMesh& mesh, double poisson) : mesh_(mesh), poisson_(poisson) {
     static const PlateRule rule;
+    double area = 0.0;
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
       for (std::size_t k = 0; k < rule.at.size(); ++k) {
         const auto point =
             element_point(mesh.shell->surface, mesh.triangle(mesh.elements[e]), rule.at[k]);
-        if (point) points_.push_back({e, point->slopes, rule.weights[k] * point->area});
+        if (!point) continue;
+        points_.push_back({e, point->slopes, rule.weights[k] * point->area});
+        area += points_.back().weight;
       }
+    }
+    // Thin elements would be as stiff as they are thin, and hold what they were turned over by in
+    // the start. They have next to no area: their neighbours are to decide.
+    for (StrainPoint& point : points_) {
+      const double thin = height_of(mesh, mesh.elements[point.element]) / thin_height(area);
+      point.weight *= std::min(1.0, std::max(thin * thin, 1e-12));
     }
   }
 
@@ -193,13 +204,13 @@ LeastEnergy least_energy(const PlateMesh& mesh, std::vector<Vector2d> nodes, dou
     for (std::size_t i = 0; i < tried.size(); ++i) tried[i] += steps[i];
     const double energy = sheet.energy(tried);
     if (energy <= found.energy) {
-      found.converged = found.energy - energy <= 1e-15 * found.energy;
+      found.converged = found.energy - energy <= kSmallGain * found.energy;
       found.energy = energy;
       found.nodes = std::move(tried);
       damping *= 0.1;
       if (damping < 1e-8) damping = 0.0;
       if (found.converged) break;
-    } else if (energy - found.energy <= 1e-12 * found.energy) {
+    } else if (energy - found.energy <= kSmallGain * found.energy) {
       found.converged = true;
       break;
     } else {
