@@ -66,9 +66,9 @@ def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
 def frame_drawing(
     surface, x, *, name, mirrored, thickness=0.0, waterlines=(), marks=(), tolerance=2e-4, tree=None
 ):
-    """The ShopDrawing of the frame at x (m), named `name`, seen from aft, port to the left: the inner side
-    of the shell where it has a thickness (m) as the frame's outline, the section itself, base line
-    and centre line. mirrored: the surface is the port half, and both sides are drawn.
+    """The ShopDrawing of the frame at x (m), seen from aft, port to the left: the inner side of the
+    shell where it has a thickness (m) as the frame's outline, the section itself, base line and
+    centre line. mirrored: the surface is the port half, and both sides are drawn.
 
     waterlines: heights (m) that are drawn across. marks: curves (SurfaceCurve) such as seams,
     drawn where they cross the frame. tolerance: how far chords may be from the curves, m.

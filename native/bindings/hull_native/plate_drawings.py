@@ -172,7 +172,10 @@ def _level_lines(flat, values, level):
 
 def nesting_drawing(stock, name):
     """The ShopDrawing of a StockPlate with the plates on it."""
-    rows = [("Thickness", f"{1000.0 * stock.thickness:g} mm"), ("Used", f"{100 * stock.used:.1f} %")]
+    rows = [
+        ("Thickness", f"{1000.0 * stock.thickness:g} mm"),
+        ("Used", f"{100 * stock.used:.1f} %"),
+    ]
     drawing = ShopDrawing(f"Stock plate {name}", rows)
     a, b = 1000.0 * stock.length, 1000.0 * stock.breadth
     drawing.add_line("BASE", [(0, 0), (a, 0), (a, b), (0, b), (0, 0)])
@@ -200,13 +203,13 @@ def frame_marks(curves, table, low, high):
 
 
 def write_plates(listed, path, *, marks=(), paper="A3", progress=None):
-    """Writes ListedPlates: to .pdf, a page each at the largest usual scale at which it fits; to .dxf,
-    all of them side by side at true size, in mm. marks, as of plate_drawing(). progress: called
-    with the share done. ValueError for another ending, OSError if the file can't be written.
+    """Writes ListedPlates: to .pdf, a page each at the largest usual scale at which it fits; to
+    .dxf, all of them side by side at true size, in mm. marks: as of plate_drawing(). progress:
+    called with the share done. ValueError for another ending, OSError if the file can't be written.
     """
     ending = str(path).lower().rpartition(".")[2]
     if ending not in ("pdf", "dxf"):
-        raise ValueError(f'Plates can\'t be written to "{path}": the name must end in .pdf or .dxf.')
+        raise ValueError(f"Plates can't be written to {path}: the name must end in .pdf or .dxf.")
     drawings = []
     for k, one in enumerate(listed):
         if progress:

@@ -62,7 +62,7 @@ void measure_stretch(FlatPlate& flat) {
     return Vector2d(1.0 / values[0], 1.0 / values[1]);
   };
   const Eigen::Matrix3d corners = Eigen::Matrix3d::Identity();
-  const double least_height = thin_height(std::abs(flat.area));
+  const double least_height = thin_height(flat.mesh, std::abs(flat.area));
   for (const PlateMesh::Element& element : flat.mesh.elements) {
     flat.stretches.push_back(principal(element, kMiddle));
     if (height_of(flat.mesh, element) < least_height) {

@@ -19,7 +19,9 @@ double height_of(const PlateMesh& mesh, const PlateMesh::Element& element) {
   return (b - a).cross(c - a).norm() / longest;
 }
 
-double thin_height(double area) { return 0.02 * std::sqrt(area); }
+double thin_height(const PlateMesh& mesh, double area) {
+  return 0.25 * std::sqrt(2.0 * area / static_cast<double>(mesh.elements.size()));
+}
 
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate) {
   PlateMesh mesh;

@@ -31,9 +31,10 @@ struct PlateMesh {
 
 // Of an element's corners, the height over their longest side, m.
 double height_of(const PlateMesh& mesh, const PlateMesh::Element& element);
-// About the height, m, below which an element is thin: curves that pass close to one another, or to
-// corners of cells, leave such. Their strain is rounding for the most part.
-double thin_height(double area);
+// The height, m, below which an element is thin, a quarter of what the elements of the plate's area
+// have in the mean: curves that pass close to one another, or to corners of cells, leave such.
+// Their strain is rounding for the most part.
+double thin_height(const PlateMesh& mesh, double area);
 
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate);
 

@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr int kMostIterations = 60;
+constexpr int kMostIterations = 150;
 // Steps below this part of the plate's size end the search.
 constexpr double kSmallStep = 1e-11;
 // So do steps that gain less than this part of the energy: stretches change by half of it.
@@ -64,7 +64,7 @@ class Sheet {
     // Thin elements would be as stiff as they are thin, and hold what they were turned over by in
     // the start. They have next to no area: their neighbours are to decide.
     for (StrainPoint& point : points_) {
-      const double thin = height_of(mesh, mesh.elements[point.element]) / thin_height(area);
+      const double thin = height_of(mesh, mesh.elements[point.element]) / thin_height(mesh, area);
       point.weight *= std::min(1.0, std::max(thin * thin, 1e-12));
     }
   }

@@ -95,7 +95,7 @@ def plate_rows(listed):
 
 
 def rows_csv(rows):
-    """The text of rows as comma-separated values, numbers with seven digits. ValueError for none."""
+    """Rows as comma-separated values, numbers with seven digits. ValueError for none."""
     if not rows:
         raise ValueError("There is nothing to list.")
     text = io.StringIO()

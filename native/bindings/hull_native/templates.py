@@ -36,7 +36,9 @@ def plate_templates(listed, curves, marks, *, height=0.15):
         if np.linalg.norm(hull[-1] - hull[0]) > 0.05
     ]
     if not on_plate:
-        raise ValueError(f"No mark crosses plate {listed.name}: there is nothing to make templates at.")
+        raise ValueError(
+            f"No mark crosses plate {listed.name}: there is nothing to make templates at."
+        )
     normal, centre = mean_normal(listed.plate)
     cuts = []
     for name, begin, end in on_plate:
@@ -70,9 +72,7 @@ def mean_normal(plate):
 def template_drawing(listed, templates):
     """The ShopDrawing of templates, one above the other on their base lines, with the sight line
     (x = 0) and heights at the ends."""
-    drawing = ShopDrawing(
-        f"Templates of plate {listed.name}", [("Templates", str(len(templates)))]
-    )
+    drawing = ShopDrawing(f"Templates of plate {listed.name}", [("Templates", str(len(templates)))])
     level = 0.0
     for template in templates:
         line = template.line + [0.0, level]
@@ -86,7 +86,10 @@ def template_drawing(listed, templates):
         drawing.add_text(template.name, (middle, 1000.0 * level + 40.0), size=10.0)
         for x, y in (template.line[0], template.line[-1]):
             drawing.add_text(
-                f"{1000.0 * y:.1f}", (1000.0 * x, 1000.0 * (level + 0.5 * y)), size=6.0, angle=np.pi / 2
+                f"{1000.0 * y:.1f}",
+                (1000.0 * x, 1000.0 * (level + 0.5 * y)),
+                size=6.0,
+                angle=np.pi / 2,
             )
         level += top + 0.1
     return drawing
