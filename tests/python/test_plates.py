@@ -63,8 +63,8 @@ def test_spherical_cap(alpha):
     least, largest = flat.stretch
     assert flat.converged and not flat.developed
     assert bound <= largest / least <= 1.02 * bound
-    # The excess itself: that of the elastic disc is 1 % above Milnor's for ν = 0.3; thin triangles at
-    # the rim add to what is told.
+    # The excess itself: that of the elastic disc is 1 % above Milnor's for ν = 0.3; thin triangles
+    # at the rim add to what is told.
     assert largest / least - 1.0 <= 1.3 * (bound - 1.0)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from ._core import plane_across
 from ._drawing import ShopDrawing, write_shop_booklet
+from .plate_lists import form_of
 
 _STRETCH_LINES = 6
 
@@ -48,7 +49,7 @@ def plate_drawing(one, *, marks=()):
         ("Area flat", f"{flat.area:.3f} m²"),
         ("Mass", f"{1000.0 * one.mass_t:.0f} kg"),
         ("Rectangle", f"{1000.0 * length:.0f} × {1000.0 * breadth:.0f} mm"),
-        ("Form", "developed" if flat.developed else "doubly curved"),
+        ("Form", form_of(flat)),
         ("Least stretch", f"{100.0 * (least - 1.0):+.3f} %"),
         ("Largest stretch", f"{100.0 * (largest - 1.0):+.3f} %"),
         ("Rolling radius", f"{radius:.2f} m" if isfinite(radius) else "plane"),

@@ -61,6 +61,13 @@ def plate_list(
     return listed
 
 
+def form_of(flat):
+    """How a FlatPlate was laid out, in words for lists and drawings."""
+    if flat.developed:
+        return "developed"
+    return "doubly curved" if flat.converged else "doubly curved, not settled"
+
+
 def plate_rows(listed):
     """Rows of ListedPlates for a list. Stretches are lengths on the hull over those on the flat
     plate; areas are the exact surface's and the flat plate's."""
@@ -79,7 +86,7 @@ def plate_rows(listed):
                 "length_m": length,
                 "breadth_m": breadth,
                 "of_rectangle": flat.area / (length * breadth),
-                "form": "developed" if flat.developed else "doubly curved",
+                "form": form_of(flat),
                 "least_stretch": least,
                 "largest_stretch": largest,
                 "rolling_radius_m": flat.rolling_radius,

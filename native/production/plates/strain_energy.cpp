@@ -65,7 +65,7 @@ class Sheet {
     // the start. They have next to no area: their neighbours are to decide.
     for (StrainPoint& point : points_) {
       const double thin = height_of(mesh, mesh.elements[point.element]) / thin_height(mesh, area);
-      point.weight *= std::min(1.0, std::max(thin, 1e-9));
+      point.weight *= std::min(1.0, std::max(thin * thin, 1e-12));
     }
   }
 
