@@ -16,6 +16,7 @@
 #include "bindings/paper_names.h"
 #include "bindings/plot.h"
 #include "bindings/progress.h"
+#include "bindings/shop_drawing.h"
 #include "bindings/unmade_instances.h"
 #include "drawing/lines_plan/collect_lines.h"
 
@@ -58,6 +59,7 @@ PYBIND11_MODULE(_drawing, module) {
   module.doc() = "Drawings on paper, by way of Cairo.";
   join_core(module);
   bind_plot(module);
+  bind_shop_drawing(module);
 
   module.def(
       "write_lines_plan",

@@ -22,6 +22,8 @@ MOST_SHOWN_FACES = 200_000
 MOST_SAMPLES = 32
 # Of a model that is written: half a gigabyte while it is made.
 MOST_MODEL_TRIANGLES = 4_000_000
+# Plates that one file has; frames drawn on them.
+MOST_PLATES = 600
 # Faces of a control mesh that was subdivided, which takes Blender 0.1 ms for each.
 MOST_CONTROL_FACES = 16_000
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models for printers and mills, panels for programs that compute waves and motions."""
+"""Models for printers and mills, panels for programs that compute waves and motions, plates."""
 
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from ..features.exchange import production_files
+from ..features.exchange import plate_files, production_files
 from .export_hull import ExportByTask, ExportDrawing
 
 
@@ -123,4 +123,67 @@ class HULL_OT_export_panels(bpy.types.Operator, ExportWithNumbers):
         )
 
 
-CLASSES = (HULL_OT_export_model, HULL_OT_export_panels)
+class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
+    """Divide the half hull's shell into plates by seams at girths from the deck edge and staggered
+    butts, lay them out flat, and write them: drawings with frames, or the list with weights"""
+
+    bl_idname = "hull.export_plates"
+    bl_label = "Export Plates"
+
+    filename_ext = ".pdf"
+    filter_glob: StringProperty(default="*.pdf;*.dxf;*.csv", options={"HIDDEN"})
+    format: EnumProperty(
+        name="Format",
+        description="What the file is; the name's ending says the same",
+        items=[
+            (".pdf", "PDF", "A page for each plate"),
+            (".dxf", "DXF", "All plates at true size, in mm"),
+            (".csv", "CSV", "The list: sizes, weights, stretch"),
+        ],
+        options={"SKIP_SAVE"},
+    )
+    strake: FloatProperty(
+        name="Strakes m",
+        description="Girth from seam to seam, along frames from the deck edge, in metres",
+        default=2.4,
+        min=0.05,
+        max=100.0,
+    )
+    plate_length: FloatProperty(
+        name="Plates m",
+        description="Distance of a strake's butts, in metres",
+        default=10.0,
+        min=0.1,
+        max=1000.0,
+    )
+    thickness: FloatProperty(
+        name="Thickness mm",
+        description="Of the plates, for their weights",
+        default=10.0,
+        min=0.01,
+        max=1000.0,
+    )
+    frame_spacing: FloatProperty(
+        name="Frames m",
+        description="Spacing of frames marked on the plates, from x = 0, in metres; 0: none",
+        default=0.6,
+        min=0.0,
+        max=100.0,
+    )
+
+    def numbers(self):
+        return ("strake", "plate_length", "thickness", "frame_spacing")
+
+    def begin(self, hull, scene):
+        return plate_files.PlateFile(
+            hull,
+            scene,
+            self.filepath,
+            strake=self.strake,
+            plate_length=self.plate_length,
+            thickness=self.thickness / 1000.0,
+            frame_spacing=self.frame_spacing,
+        )
+
+
+CLASSES = (HULL_OT_export_model, HULL_OT_export_panels, HULL_OT_export_plates)

@@ -175,4 +175,26 @@ void write_sheet(const Sheet& sheet, const std::string& path) {
   files::write_file_atomically(path, bytes);
 }
 
+void write_sheets(const std::vector<Sheet>& sheets, const std::string& path) {
+  if (sheets.empty() || kind_of(path) != FileKind::kPdf) {
+    throw std::invalid_argument("Several sheets can only be written to a .pdf, not to \"" + path +
+                                "\"");
+  }
+  std::string bytes;
+  const CairoSurface surface = make_surface(sheets.front(), FileKind::kPdf, bytes);
+  check(cairo_surface_status(surface.get()), path);
+  for (const Sheet& sheet : sheets) {
+    cairo_pdf_surface_set_size(surface.get(), sheet.width * kPointsPerMm,
+                               sheet.height * kPointsPerMm);
+    const CairoContext context(cairo_create(surface.get()));
+    cairo_scale(context.get(), kPointsPerMm, kPointsPerMm);
+    draw_sheet(context.get(), sheet);
+    cairo_show_page(context.get());
+    check(cairo_status(context.get()), path);
+  }
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()), path);
+  files::write_file_atomically(path, bytes);
+}
+
 }  // namespace hull::drawing

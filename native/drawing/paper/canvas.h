@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "drawing/paper/sheet.h"
 
@@ -17,6 +18,10 @@ namespace hull::drawing {
 // Throws std::invalid_argument for another extension, std::runtime_error when the folder is
 // missing, not writable or full.
 void write_sheet(const Sheet& sheet, const std::string& path);
+
+// Writes sheets as the pages of one `.pdf`, in the same way; each has its own size. Throws as
+// write_sheet(), and std::invalid_argument for another extension and for no sheets.
+void write_sheets(const std::vector<Sheet>& sheets, const std::string& path);
 
 // Throws std::invalid_argument unless the extension of `path` is one of the above. For callers that
 // would rather know before a long computation.

@@ -15,6 +15,7 @@ _NEEDS_A_FILE = {
     "hull.export_lines",
     "hull.export_model",
     "hull.export_panels",
+    "hull.export_plates",
     "hull.export_plot",
     "hull.export_report",
     "hull.export_sections",

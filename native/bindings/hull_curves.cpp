@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/plates/hull_curves.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <stdexcept>
+
+#include "bindings/arrays.h"
+#include "bindings/planes.h"
+#include "bindings/production_classes.h"
+
+namespace hull::bindings {
+
+using production::HullCurves;
+using production::SurfaceCurve;
+
+namespace {
+
+constexpr double kLeastKnuckle = 0.5 * 0.017453292519943295;
+
+std::vector<SurfaceCurve> in_plane(const HullCurves& curves, const DoubleArray& plane,
+                                   const std::string& name) {
+  return curves.in_plane(plane_from(plane, "plane"), name);
+}
+
+void bind_surface_curve(py::module_& module) {
+  py::class_<SurfaceCurve>(module, "SurfaceCurve",
+                           "A curve on a LimitSurface: steps within single cells, each what the "
+                           "surface makes of a straight line in (u, v). It lies on the surface "
+                           "all along.")
+      .def_readwrite("name", &SurfaceCurve::name, "As it is called in lists and drawings.")
+      .def_property_readonly(
+          "points", [](const SurfaceCurve& c) { return to_array(c.points); },
+          "(k + 1, 3), m, in order; a closed curve's first is repeated at the end.")
+      .def_property_readonly(
+          "cells",
+          [](const SurfaceCurve& c) {
+            std::vector<int> cells;
+            for (const auto& step : c.steps) cells.push_back(step.cell);
+            return to_array(cells);
+          },
+          "(k,) of the steps between points.")
+      .def_property_readonly(
+          "starts",
+          [](const SurfaceCurve& c) {
+            std::vector<Eigen::Vector2d> uv;
+            for (const auto& step : c.steps) uv.push_back(step.from);
+            return to_array(uv);
+          },
+          "(k, 2): (u, v) in its cell where each step begins …")
+      .def_property_readonly(
+          "ends",
+          [](const SurfaceCurve& c) {
+            std::vector<Eigen::Vector2d> uv;
+            for (const auto& step : c.steps) uv.push_back(step.to);
+            return to_array(uv);
+          },
+          "(k, 2): … and where it ends.");
+}
+
+}  // namespace
+
+void bind_hull_curves(py::module_& module) {
+  bind_surface_curve(module);
+  py::class_<HullCurves>(module, "HullCurves", "Makes curves on a hull: seams, butts, marks.")
+      .def(py::init([](const surface::LimitSurface& surface, std::optional<double> tolerance) {
+             return HullCurves(surface, tolerance.value_or(1e-5 * surface.mesh().size()));
+           }),
+           py::arg("surface"), py::arg("chord_tolerance") = py::none(), py::keep_alive<1, 2>(),
+           "chord_tolerance (m; default 1e-5 of the mesh's size): no chord between a curve's "
+           "points is further from it. ValueError unless it is positive.")
+      .def("in_plane", &in_plane, py::arg("plane"), py::arg("name") = "",
+           "The curves in a plane (4,), its normal and offset, as plane_across() gives it: a list "
+           "of SurfaceCurve, one a branch. ValueError for a plane that does not meet the hull.")
+      .def(
+          "at_girth",
+          [](const HullCurves& curves, const SurfaceCurve& base, double girth,
+             const DoubleArray& towards, const DoubleArray& across, const std::string& name) {
+            const Vector3d side = point_from(towards, "towards");
+            const Vector3d normal = point_from(across, "across");
+            const py::gil_scoped_release release;
+            return curves.at_girth(base, girth, side, normal, name);
+          },
+          py::arg("base"), py::arg("girth"), py::kw_only(), py::arg("towards"),
+          py::arg("across") = py::make_tuple(1.0, 0.0, 0.0), py::arg("name") = "",
+          "The curves at a girth (m) from a SurfaceCurve: from each of its points so far along the "
+          "hull, in the plane through the point across the direction `across` (3,), by default "
+          "the frame there, on the side that lies towards (3,). A list: one for each part of the "
+          "base from which the hull reaches so far; ends are on its border. ValueError where no "
+          "part does, for a girth that is not positive, and for a base in such planes.")
+      .def(
+          "projected",
+          [](const HullCurves& curves, const DoubleArray& points, const DoubleArray& direction,
+             const std::string& name) {
+            return curves.projected(points_from(points, "points"),
+                                    point_from(direction, "direction"), name);
+          },
+          py::arg("points"), py::kw_only(), py::arg("direction"), py::arg("name") = "",
+          "A polyline (k, 3) projected onto the hull along a direction (3,): the first point that "
+          "each ray from it meets. A list of SurfaceCurve, one for each part of the line that "
+          "meets the hull. ValueError where none does.")
+      .def(
+          "projected_from",
+          [](const HullCurves& curves, const DoubleArray& points, const DoubleArray& centre,
+             const std::string& name) {
+            return curves.projected_from(points_from(points, "points"),
+                                         point_from(centre, "centre"), name);
+          },
+          py::arg("points"), py::kw_only(), py::arg("centre"), py::arg("name") = "",
+          "The same with rays from a centre (3,) through the polyline's points.")
+      .def("borders", &HullCurves::borders,
+           "The surface's borders from corner to corner, as a list of SurfaceCurve named "
+           "\"border\".")
+      .def("knuckles", &HullCurves::knuckles, py::arg("least_angle") = kLeastKnuckle,
+           "The knuckles whose angle exceeds least_angle (rad; default 0.5°) anywhere, as a list "
+           "of SurfaceCurve named \"knuckle\".")
+      .def(
+          "pieces",
+          [](const HullCurves& curves, const SurfaceCurve& curve,
+             const std::vector<SurfaceCurve>& by) {
+            return production::pieces_between(curves.surface(), curve, by);
+          },
+          py::arg("curve"), py::arg("by"),
+          "A curve cut where it crosses others: a list of SurfaceCurve, in order.");
+}
+
+}  // namespace hull::bindings

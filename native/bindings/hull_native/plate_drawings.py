@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drawings of flat plates with marks, of what lies on stock plates, and of templates."""
+
+from math import atan2, cos, degrees, isfinite, pi, sin
+
+import numpy as np
+
+from ._core import plane_across
+from ._drawing import ShopDrawing, write_shop_booklet
+from .plate_lists import form_of
+
+_STRETCH_LINES = 6
+
+
+def length_of(line):
+    """Of a polyline (k, d)."""
+    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+
+
+def upright(angle):
+    """The angle of words along a line, so that they are not upside down."""
+    return angle - pi * round(angle / pi)
+
+
+def _middle(line):
+    """(point, direction angle) in the middle of a polyline."""
+    steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
+    along = np.concatenate([[0.0], np.cumsum(steps)])
+    k = min(int(np.searchsorted(along, 0.5 * along[-1])), len(line) - 1)
+    k = max(k, 1)
+    share = (0.5 * along[-1] - along[k - 1]) / max(steps[k - 1], 1e-300)
+    way = line[k] - line[k - 1]
+    return line[k - 1] + share * way, atan2(way[1], way[0])
+
+
+def plate_drawing(one, *, marks=()):
+    """The ShopDrawing of a ListedPlate: outline with the names of the curves there and the lengths
+    of sides, marks, rolling line, seen from the water.
+
+    marks: (layer, curve) pairs, a SurfaceCurve drawn on a layer such as "FRAMES" with its name.
+    """
+    flat = one.flat
+    length, breadth = one.extents
+    least, largest = flat.stretch
+    radius = flat.rolling_radius
+    rows = [
+        ("Thickness", f"{1000.0 * one.thickness:g} mm"),
+        ("Area on the hull", f"{one.plate.area:.3f} m²"),
+        ("Area flat", f"{flat.area:.3f} m²"),
+        ("Mass", f"{1000.0 * one.mass_t:.0f} kg"),
+        ("Rectangle", f"{1000.0 * length:.0f} × {1000.0 * breadth:.0f} mm"),
+        ("Form", form_of(flat)),
+        ("Least stretch", f"{100.0 * (least - 1.0):+.3f} %"),
+        ("Largest stretch", f"{100.0 * (largest - 1.0):+.3f} %"),
+        ("Rolling radius", f"{radius:.2f} m" if isfinite(radius) else "plane"),
+        ("Roll from length", f"{degrees(flat.rolling_angle):.1f}°" if isfinite(radius) else "–"),
+        ("Seen from", "outside"),
+        ("From x", f"{one.plate.box[0][0]:.2f} to {one.plate.box[1][0]:.2f} m"),
+    ]
+    drawing = ShopDrawing(f"Plate {one.name}", rows)
+    inner = 0.5 * (flat.points.min(axis=0) + flat.points.max(axis=0))
+    for name, line in flat.sides:
+        drawing.add_line("OUTLINE", 1000.0 * line)
+        _put_side_words(drawing, name, line, inner)
+    for layer, curve in marks:
+        for line, _ in flat.marks(curve):
+            drawing.add_line(layer, 1000.0 * line)
+            _put_mark_words(drawing, curve.name, line)
+    if isfinite(radius):
+        _put_rolling_line(drawing, flat, inner)
+    drawing.add_text(one.name, 1000.0 * inner, size=16.0, lift=-20.0)
+    return drawing
+
+
+def _put_side_words(drawing, name, line, inner):
+    length = length_of(line)
+    if length < 0.15:
+        return
+    at, angle = _middle(line)
+    angle = upright(angle)
+    inward = np.array([-sin(angle), cos(angle)]) @ (inner - at)
+    text = f"{name}  {1000.0 * length:.0f}" if name else f"{1000.0 * length:.0f}"
+    # Outside, so that marks inside stay whole.
+    drawing.add_text(text, 1000.0 * at, size=8.0, angle=angle, lift=-7.0 if inward > 0.0 else 7.0)
+
+
+def _put_mark_words(drawing, name, line):
+    if not name or length_of(line) < 0.2:
+        return
+    at, angle = _middle(line)
+    drawing.add_text(name, 1000.0 * at, size=7.0, angle=upright(angle))
+
+
+def _put_rolling_line(drawing, flat, middle):
+    """Through the middle, as long as half the plate, with its words."""
+    way = np.array([cos(flat.rolling_angle), sin(flat.rolling_angle)])
+    sizes = flat.points.max(axis=0)
+    half = 0.25 * min(sizes[0] / max(abs(way[0]), 1e-9), sizes[1] / max(abs(way[1]), 1e-9))
+    ends = middle + np.array([[-half], [half]]) * way
+    drawing.add_line("ROLLING", 1000.0 * ends)
+    at = middle + 0.6 * half * way
+    drawing.add_text("roll", 1000.0 * at, size=7.0, angle=upright(flat.rolling_angle), lift=6.0)
+
+
+def stretch_drawing(one):
+    """The ShopDrawing of the map of stretch of a ListedPlate: lines of equal stretch of area, in
+    parts per thousand, from that of the flat plate. ValueError for a developed one, which has
+    none."""
+    flat = one.flat
+    if flat.developed:
+        raise ValueError(f"Plate {one.name} was developed: it has no stretch to be drawn.")
+    drawing = ShopDrawing(f"Plate {one.name}: stretch of area, ‰", [("Seen from", "outside")])
+    for _, line in flat.sides:
+        drawing.add_line("OUTLINE", 1000.0 * line)
+    at_nodes = _at_nodes(flat)
+    low, high = np.nanmin(at_nodes), np.nanmax(at_nodes)
+    for value in np.linspace(low, high, _STRETCH_LINES + 2)[1:-1]:
+        for k, line in enumerate(_level_lines(flat, at_nodes, value)):
+            drawing.add_line("STRETCH", 1000.0 * line)
+            if length_of(line) > 0.2:
+                at, angle = _middle(line)
+                drawing.add_text(
+                    f"{1000.0 * value:+.2f}", 1000.0 * at, size=7.0, angle=upright(angle)
+                )
+    return drawing
+
+
+def _at_nodes(flat):
+    """Stretch of area less one, at corners of triangles: the mean of those around."""
+    area = flat.stretches[:, 0] * flat.stretches[:, 1] - 1.0
+    sums, counts = np.zeros(len(flat.points)), np.zeros(len(flat.points))
+    for k in range(3):
+        np.add.at(sums, flat.triangles[:, k], area)
+        np.add.at(counts, flat.triangles[:, k], 1.0)
+    with np.errstate(invalid="ignore"):
+        return sums / counts
+
+
+def _level_lines(flat, values, level):
+    """Polylines where a function that is linear in triangles has a value."""
+    pieces = {}
+    for triangle in flat.triangles:
+        ends = []
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            i, j = sorted((int(triangle[a]), int(triangle[b])))
+            if (values[i] < level) != (values[j] < level):
+                ends.append((i, j))
+        if len(ends) == 2:
+            pieces.setdefault(ends[0], []).append(ends[1])
+            pieces.setdefault(ends[1], []).append(ends[0])
+
+    def point(side):
+        i, j = side
+        t = (level - values[i]) / (values[j] - values[i])
+        return flat.points[i] + t * (flat.points[j] - flat.points[i])
+
+    lines = []
+    while pieces:
+        start = next((s for s, beyond in pieces.items() if len(beyond) == 1), next(iter(pieces)))
+        line, at = [start], start
+        while pieces.get(at):
+            following = pieces[at].pop()
+            if not pieces[at]:
+                del pieces[at]
+            pieces[following].remove(at)
+            if not pieces[following]:
+                del pieces[following]
+            line.append(following)
+            at = following
+        lines.append(np.array([point(side) for side in line]))
+    return lines
+
+
+def nesting_drawing(stock, name):
+    """The ShopDrawing of a StockPlate with the plates on it."""
+    rows = [
+        ("Thickness", f"{1000.0 * stock.thickness:g} mm"),
+        ("Used", f"{100 * stock.used:.1f} %"),
+    ]
+    drawing = ShopDrawing(f"Stock plate {name}", rows)
+    a, b = 1000.0 * stock.length, 1000.0 * stock.breadth
+    drawing.add_line("BASE", [(0, 0), (a, 0), (a, b), (0, b), (0, 0)])
+    for one, x, y in stock.laid:
+        shift = np.array([x, y])
+        for _, line in one.flat.sides:
+            drawing.add_line("OUTLINE", 1000.0 * (line + shift))
+        middle = 0.5 * one.flat.points.max(axis=0) + shift
+        drawing.add_text(one.name, 1000.0 * middle, size=20.0)
+    return drawing
+
+
+def frame_marks(curves, table, low, high):
+    """SurfaceCurves of the frames of a FrameTable from x = low to high, named "Fr …", made by
+    HullCurves; frames that do not meet the hull are left out."""
+    marks = []
+    for number in table.within(low, high):
+        k = int(np.flatnonzero(table.numbers == number)[0])
+        try:
+            plane = plane_across("x", table.positions[k])
+            marks += curves.in_plane(plane, f"Fr {table.names[k]}")
+        except ValueError:
+            continue
+    return marks
+
+
+def write_plates(listed, path, *, marks=(), paper="A3", progress=None):
+    """Writes ListedPlates: to .pdf, a page each at the largest usual scale at which it fits; to
+    .dxf, all of them side by side at true size, in mm. marks: as of plate_drawing(). progress:
+    called with the share done. ValueError for another ending, OSError if the file can't be written.
+    """
+    ending = str(path).lower().rpartition(".")[2]
+    if ending not in ("pdf", "dxf"):
+        raise ValueError(f"Plates can't be written to {path}: the name must end in .pdf or .dxf.")
+    drawings = []
+    for k, one in enumerate(listed):
+        if progress:
+            progress(k / len(listed))
+        drawings.append(plate_drawing(one, marks=marks))
+    if ending == "pdf":
+        write_shop_booklet(drawings, path, paper=paper)
+        return
+    whole, at = ShopDrawing("Plates"), 0.0
+    for one, drawing in zip(listed, drawings):
+        whole.add(drawing, (0.0, at))
+        at += 1000.0 * one.extents[1] + 500.0
+    whole.write(path)

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <stdexcept>
+
+#include "bindings/arrays.h"
+#include "bindings/production_classes.h"
+#include "bindings/progress.h"
+#include "bindings/rows.h"
+#include "production/plates/flat_plate.h"
+
+namespace hull::bindings {
+
+using production::FlatPlate;
+using production::Plating;
+using production::SurfaceCurve;
+
+namespace {
+
+constexpr double kLargestKnuckle = 0.5 * 0.017453292519943295;
+
+// A plate with the plating that it is of.
+struct OnePlate {
+  std::shared_ptr<const Plating> plating;
+  int number;
+  const production::Plate& plate() const { return plating->plates[number]; }
+  std::string name_of(int curve) const {
+    return curve < 0 ? "" : plating->shell->curves[curve].name;
+  }
+};
+
+struct OneFlatPlate {
+  OnePlate of;
+  FlatPlate flat;
+};
+
+py::list plate_sides(const OnePlate& one) {
+  py::list loops;
+  const auto& points = one.plating->shell->mesh.points;
+  for (const auto& loop : one.plate().loops) {
+    py::list sides;
+    for (const production::PlateSide& side : loop) {
+      std::vector<Vector3d> line;
+      for (const int p : side.points) line.push_back(points[p]);
+      sides.append(py::make_tuple(one.name_of(side.curve), to_array(line)));
+    }
+    loops.append(sides);
+  }
+  return loops;
+}
+
+py::list flat_plate_sides(const OneFlatPlate& one) {
+  py::list result;
+  const auto& loop = one.of.plate().loops.front();
+  const auto sides = production::flat_sides(one.flat, one.of.plate()).front();
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    result.append(py::make_tuple(one.of.name_of(loop[i].curve), to_array(sides[i])));
+  }
+  return result;
+}
+
+py::list marks_of(const OneFlatPlate& one, const SurfaceCurve& curve) {
+  py::list marks;
+  for (const production::FlatMark& mark : production::flat_marks(one.flat, curve)) {
+    marks.append(py::make_tuple(to_array(mark.points), to_array(mark.on_hull)));
+  }
+  return marks;
+}
+
+py::array_t<double> flat_places(const OneFlatPlate& one, const py::object& cells,
+                                const DoubleArray& uv) {
+  const std::vector<int> numbers = integers_from(cells, "cells");
+  const std::vector<Eigen::Vector2d> at = parameters_from(uv, "uv");
+  if (numbers.size() != at.size()) {
+    throw std::invalid_argument("cells and uv must be of equal length.");
+  }
+  std::vector<Eigen::Vector2d> places;
+  const int count = one.of.plating->shell->surface.cell_count();
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (numbers[i] < 0 || numbers[i] >= count) {
+      throw std::invalid_argument("cells[" + std::to_string(i) + "] is no cell of the surface.");
+    }
+    places.push_back(production::flat_place(one.flat, {numbers[i], at[i].x(), at[i].y()})
+                         .value_or(Eigen::Vector2d::Constant(std::nan(""))));
+  }
+  return to_array(places);
+}
+
+void bind_flat_plate(py::module_& module) {
+  py::class_<OneFlatPlate>(module, "FlatPlate",
+                           "A plate laid out on a plane, as seen from the water, its longer way "
+                           "along x, from (0, 0) on.")
+      .def_property_readonly(
+          "developed",
+          [](const OneFlatPlate& one) {
+            return one.flat.expansion == production::Expansion::kDeveloped;
+          },
+          "Whether it was developed without any strain; else it has the least energy of strain.")
+      .def_property_readonly(
+          "sides", &flat_plate_sides,
+          "Of the outline, counter-clockwise: a list of pairs, the name of the curve there (\"\" "
+          "on the hull's border) and points (k, 2), m.")
+      .def_property_readonly(
+          "area", [](const OneFlatPlate& one) { return one.flat.area; }, "m².")
+      .def_property_readonly(
+          "stretch",
+          [](const OneFlatPlate& one) {
+            return py::make_tuple(one.flat.least_stretch, one.flat.largest_stretch);
+          },
+          "(least, largest): length on the hull over length on the flat plate, of all places and "
+          "directions.")
+      .def_property_readonly(
+          "points", [](const OneFlatPlate& one) { return to_array(one.flat.nodes); },
+          "(n, 2), m: nodes of the map of stretch.")
+      .def_property_readonly(
+          "triangles",
+          [](const OneFlatPlate& one) {
+            std::vector<std::array<int, 3>> rows;
+            for (const auto& e : one.flat.mesh.elements) {
+              rows.push_back({e.nodes[0], e.nodes[1], e.nodes[2]});
+            }
+            return rows_of(rows);
+          },
+          "(k, 3) points.")
+      .def_property_readonly(
+          "stretches", [](const OneFlatPlate& one) { return to_array(one.flat.stretches); },
+          "(k, 2) in the middles of triangles: the principal stretches, smaller first.")
+      .def_property_readonly(
+          "rolling_angle", [](const OneFlatPlate& one) { return one.flat.rolling_angle; },
+          "rad from x: the direction of the roll by which the plate gets most of its bend.")
+      .def_property_readonly(
+          "rolling_radius", [](const OneFlatPlate& one) { return one.flat.rolling_radius; },
+          "m, of that bend in the mean; infinite for a plane.")
+      .def_property_readonly(
+          "iterations", [](const OneFlatPlate& one) { return one.flat.iterations; },
+          "Steps to the least energy.")
+      .def_property_readonly(
+          "converged", [](const OneFlatPlate& one) { return one.flat.converged; },
+          "Whether they went to rounding.")
+      .def("marks", &marks_of, py::arg("curve"),
+           "The parts of a SurfaceCurve on the plate: a list of pairs, points on the flat plate "
+           "(k, 2) and the same on the hull (k, 3), m.")
+      .def("places", &flat_places, py::arg("cells"), py::arg("uv"),
+           "Where places of the hull, cells (n,) and uv (n, 2), are on the flat plate: (n, 2), m; "
+           "NaN beside the plate.");
+}
+
+void bind_plate(py::module_& module) {
+  py::class_<OnePlate>(module, "Plate", "A region of the exact surface between seams and butts.")
+      .def_readonly("number", &OnePlate::number, "In its Plating, from aft forward.")
+      .def_property_readonly(
+          "area", [](const OnePlate& one) { return one.plate().area; }, "m², of the exact surface.")
+      .def_property_readonly(
+          "centre", [](const OnePlate& one) { return one.plate().centre; }, "(3,) of the area, m.")
+      .def_property_readonly(
+          "box",
+          [](const OnePlate& one) {
+            return to_array(std::vector<Vector3d>{one.plate().box.min(), one.plate().box.max()});
+          },
+          "(2, 3): least and largest x, y, z of the points of its triangles, m.")
+      .def_property_readonly(
+          "loops", &plate_sides,
+          "Its borders, the longest first, counter-clockwise seen from the water: lists of pairs, "
+          "the name of the curve there (\"\" on the hull's border) and points (k, 3), m.")
+      .def(
+          "flat",
+          [](const OnePlate& one, double poisson) {
+            return OneFlatPlate{one, production::flat_plate(*one.plating, one.plate(), poisson)};
+          },
+          py::arg("poisson") = 0.3, py::call_guard<py::gil_scoped_release>(),
+          "The FlatPlate: developed where the surface is developable, otherwise by the least "
+          "energy of strain of an elastic sheet with Poisson's ratio. ValueError for a plate with "
+          "a hole or closed around the hull, and for a ratio outside of [0, 0.5].");
+}
+
+}  // namespace
+
+void bind_plates(py::module_& module) {
+  bind_flat_plate(module);
+  bind_plate(module);
+  module.def(
+      "plates",
+      [](const surface::LimitSurface& surface, const std::vector<SurfaceCurve>& curves,
+         std::optional<double> size, double largest_knuckle, const py::object& progress) {
+        const production::PlatingOptions options{size.value_or(0.005 * surface.mesh().size()),
+                                                 largest_knuckle, progress_from(progress)};
+        std::shared_ptr<const Plating> plating;
+        {
+          const py::gil_scoped_release release;
+          plating = std::make_shared<const Plating>(production::plating(surface, curves, options));
+        }
+        std::vector<OnePlate> all;
+        for (int i = 0; i < static_cast<int>(plating->plates.size()); ++i) {
+          all.push_back({plating, i});
+        }
+        return all;
+      },
+      py::arg("surface"), py::arg("curves"), py::kw_only(), py::arg("size") = py::none(),
+      py::arg("largest_knuckle") = kLargestKnuckle, py::arg("progress") = py::none(),
+      "The plates of a LimitSurface between curves (SurfaceCurve) and the surface's borders: a "
+      "list of Plate, from aft forward. Their areas are those of the exact regions; they sum to "
+      "the surface's. size: of the triangles by which plates are laid out, m; by default 0.005 of "
+      "the mesh's size. largest_knuckle (rad; default 0.5°): what a plate may bend by along a "
+      "line. progress: called with the share done; what it raises ends the task. ValueError for a "
+      "plate over a knuckle, and for a curve with the same plate on both sides, as one that ends "
+      "within a plate.");
+}
+
+}  // namespace hull::bindings

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/plates/rolled_plate.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace hull::production {
+
+using Eigen::Vector2d;
+
+namespace {
+
+// A side of a triangle, from one corner.
+struct Way {
+  int from, to, middle;  // nodes
+  CurveStep step;
+};
+
+// Each side once.
+std::vector<Way> ways_of(const PlateMesh& mesh) {
+  std::vector<Way> ways(mesh.middle_of_side.size(),
+                        Way{-1, -1, -1, {-1, Vector2d::Zero(), Vector2d::Zero()}});
+  const auto first = static_cast<int>(mesh.corners.size());
+  for (const PlateMesh::Element& element : mesh.elements) {
+    const ShellTriangle& t = mesh.triangle(element);
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      Way& way = ways[element.nodes[3 + k] - first];
+      if (way.from >= 0) continue;
+      way = {element.nodes[k],
+             element.nodes[next],
+             element.nodes[3 + k],
+             {t.cell, t.uv[k], t.uv[next]}};
+    }
+  }
+  return ways;
+}
+
+CurveStep reversed(const CurveStep& step) { return {step.cell, step.to, step.from}; }
+CurveStep half(const CurveStep& step) {
+  return {step.cell, step.from, 0.5 * (step.from + step.to)};
+}
+
+int corner_near(const PlateMesh& mesh, const Vector3d& middle) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < static_cast<int>(mesh.corners.size()); ++i) {
+    const double off = (mesh.shell->mesh.points[mesh.corners[i]] - middle).squaredNorm();
+    if (off < least) {
+      least = off;
+      best = i;
+    }
+  }
+  return best;
+}
+
+double angle_between(const PlaneFrame& a, const PlaneFrame& b, const Vector3d& normal) {
+  const double seen = std::atan2(normal.dot(a.along.cross(b.along)), a.along.dot(b.along));
+  return std::remainder(b.angle - a.angle - seen, 2.0 * M_PI);
+}
+
+}  // namespace
+
+RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
+  const surface::LimitSurface& surface = mesh.shell->surface;
+  const std::vector<Way> ways = ways_of(mesh);
+  std::vector<std::vector<int>> at(mesh.corners.size());
+  for (int w = 0; w < static_cast<int>(ways.size()); ++w) {
+    at[ways[w].from].push_back(w);
+    at[ways[w].to].push_back(w);
+  }
+  RolledPlate plate;
+  plate.frames.resize(mesh.corners.size());
+  plate.nodes.resize(mesh.node_count, Vector2d::Zero());
+  std::vector<char> reached(mesh.corners.size(), 0);
+  std::vector<char> used(ways.size(), 0);
+  const int root = corner_near(mesh, middle);
+  const Way& first = ways[at[root].front()];
+  plate.frames[root] = first_frame(surface, first.from == root ? first.step : reversed(first.step));
+  reached[root] = 1;
+  std::queue<int> open({root});
+  while (!open.empty()) {
+    const int corner = open.front();
+    open.pop();
+    for (const int w : at[corner]) {
+      if (used[w]) continue;
+      const Way& way = ways[w];
+      const bool forward = way.from == corner;
+      const int end = forward ? way.to : way.from;
+      const CurveStep step = forward ? way.step : reversed(way.step);
+      const PlaneFrame there = rolled(surface, step, plate.frames[corner]);
+      used[w] = 1;
+      plate.nodes[way.middle] = rolled(surface, half(step), plate.frames[corner]).at;
+      if (!reached[end]) {
+        reached[end] = 1;
+        plate.frames[end] = there;
+        open.push(end);
+        continue;
+      }
+      const Vector3d normal = surface.normal(step.cell, step.to.x(), step.to.y());
+      plate.gap = std::max(plate.gap, (there.at - plate.frames[end].at).norm());
+      plate.turn = std::max(plate.turn, std::abs(angle_between(there, plate.frames[end], normal)));
+    }
+  }
+  for (std::size_t i = 0; i < plate.frames.size(); ++i) plate.nodes[i] = plate.frames[i].at;
+  return plate;
+}
+
+std::vector<Vector2d> evened(const PlateMesh& mesh, const RolledPlate& plate) {
+  const surface::LimitSurface& surface = mesh.shell->surface;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(mesh.node_count, 2);
+  // x(middle) - x(corner) = d.
+  const auto want = [&](int corner, int middle, const Vector2d& d) {
+    entries.emplace_back(corner, corner, 1.0);
+    entries.emplace_back(middle, middle, 1.0);
+    entries.emplace_back(corner, middle, -1.0);
+    entries.emplace_back(middle, corner, -1.0);
+    right.row(middle) += d.transpose();
+    right.row(corner) -= d.transpose();
+  };
+  for (const Way& way : ways_of(mesh)) {
+    for (const bool forward : {true, false}) {
+      const int corner = forward ? way.from : way.to;
+      const CurveStep step = half(forward ? way.step : reversed(way.step));
+      want(corner, way.middle,
+           rolled(surface, step, plate.frames[corner]).at - plate.frames[corner].at);
+    }
+  }
+  entries.emplace_back(0, 0, 1.0);  // where it lies means nothing
+  Eigen::SparseMatrix<double> matrix(mesh.node_count, mesh.node_count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::MatrixX2d solved = solver.solve(right);
+  std::vector<Vector2d> nodes;
+  for (int i = 0; i < mesh.node_count; ++i) nodes.emplace_back(solved(i, 0), solved(i, 1));
+  return nodes;
+}
+
+}  // namespace hull::production

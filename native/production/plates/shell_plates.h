@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "production/plates/shell_mesh.h"
+
+namespace hull::production {
+
+// The surface outside of which seams lie between its plates.
+struct Shell {
+  surface::LimitSurface surface;
+  std::vector<SurfaceCurve> curves;
+  ShellMesh mesh;
+};
+
+// A stretch of a plate's border along one curve, or along the surface's own border.
+struct PlateSide {
+  int curve;                // of the shell's curves; -1: a border of the surface
+  std::vector<int> points;  // of the mesh, in order, with the plate on the left
+};
+
+// A region of the exact surface between seams.
+struct Plate {
+  std::vector<int> triangles;  // of the mesh
+  double area = 0.0;           // m²
+  Vector3d centre;             // of the area, m
+  Eigen::AlignedBox3d box;     // around its triangles' points
+  // Closed loops, each as its sides; the first is the longest.
+  std::vector<std::vector<PlateSide>> loops;
+};
+
+struct PlatingOptions {
+  double size;             // of triangles, m
+  double largest_knuckle;  // rad; plates may bend by so much along a line, but not more
+  surface::Progress progress;
+};
+
+struct Plating {
+  std::shared_ptr<const Shell> shell;
+  std::vector<Plate> plates;  // from aft to forward by their centres
+};
+
+// The plates between curves, creases and borders. Their areas are those of the regions to 1e-12 of
+// the surface's.
+//
+// Throws std::invalid_argument for a size that is not positive; for a plate that goes over a
+// knuckle, naming the place; for a curve that has the same plate on both sides, as one that ends
+// within a plate.
+Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> curves,
+                const PlatingOptions& options);
+
+}  // namespace hull::production

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/plates/surface_curve.h"
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "surface/place_in_cell.h"
+#include "surface/queries/closest_point.h"
+
+namespace hull::production {
+
+using Eigen::Vector2d;
+using mesh::Topology;
+using surface::on_square_side;
+
+namespace {
+
+double snapped(double x) {
+  if (std::abs(x) <= kOnSide) return 0.0;
+  return std::abs(x - 1.0) <= kOnSide ? 1.0 : x;
+}
+
+// Number of the side of the square on which (u, v) lies, or -1.
+int side_at(const Vector2d& uv) {
+  if (uv.y() == 0.0) return 0;
+  if (uv.x() == 1.0) return 1;
+  if (uv.y() == 1.0) return 2;
+  return uv.x() == 0.0 ? 3 : -1;
+}
+
+double along_side(int side, const Vector2d& uv) {
+  const double t[] = {uv.x(), uv.y(), 1.0 - uv.x(), 1.0 - uv.y()};
+  return t[side];
+}
+
+void add_at_corner(std::vector<CellPlace>& places, int h) {
+  const Vector2d uv = on_square_side(h % 4, 0.0);
+  places.push_back({h / 4, uv.x(), uv.y()});
+}
+
+void add_around(const Topology& cells, int h, std::vector<CellPlace>& places) {
+  add_at_corner(places, h);
+  int g = cells.twin(cells.prev(h));
+  for (; g >= 0 && g != h; g = cells.twin(cells.prev(g))) add_at_corner(places, g);
+  if (g == h) return;
+  for (g = cells.twin(h); g >= 0; g = cells.twin(g)) {
+    g = cells.next(g);
+    add_at_corner(places, g);
+  }
+}
+
+struct Spot {
+  std::vector<CellPlace> places;
+  Vector3d point;
+};
+
+Spot spot_at(const surface::LimitSurface& surface, const CellPlace& place) {
+  Spot spot{places_of(surface.cells(), place), {}};
+  const CellPlace& first = spot.places.front();
+  spot.point = surface.position(first.cell, first.u, first.v);
+  return spot;
+}
+
+std::optional<CurveStep> common_step(const Spot& a, const Spot& b) {
+  for (const CellPlace& from : a.places) {
+    for (const CellPlace& to : b.places) {
+      if (from.cell == to.cell) return CurveStep{from.cell, {from.u, from.v}, {to.u, to.v}};
+    }
+  }
+  return std::nullopt;
+}
+
+class Joiner {
+ public:
+  Joiner(const surface::LimitSurface& surface, const surface::SurfaceTree& tree,
+         SurfaceCurve& curve)
+      : surface_(surface), tree_(tree), curve_(curve) {}
+
+  // Where two spots have no cell in common the point nearest to the middle of their chord comes
+  // between, until it lies on the side that is passed.
+  void join(const Spot& a, const Spot& b, int depth = 0) {
+    if ((a.point - b.point).norm() <= 1e-12 * tree_.error_size()) return;
+    if (const auto step = common_step(a, b)) {
+      curve_.steps.push_back(*step);
+      curve_.points.push_back(b.point);
+      return;
+    }
+    if (depth > 60) throw std::invalid_argument(lost(a.point));
+    const auto middle = surface::closest_point(tree_, 0.5 * (a.point + b.point));
+    const Spot m = spot_at(surface_, {middle.cell, middle.u, middle.v});
+    join(a, m, depth + 1);
+    join(m, b, depth + 1);
+  }
+
+ private:
+  std::string lost(const Vector3d& p) const {
+    return "The curve \"" + curve_.name + "\" can't be followed over the surface at (" +
+           std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
+           ") m: parts of the hull lie on one another there.";
+  }
+  const surface::LimitSurface& surface_;
+  const surface::SurfaceTree& tree_;
+  SurfaceCurve& curve_;
+};
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Where step a passes step b, as a's parameter.
+std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {
+  const Vector2d along = a.to - a.from, other = b.to - b.from, apart = b.from - a.from;
+  const double turn = cross(along, other);
+  if (std::abs(turn) <= 1e-12 * along.norm() * other.norm()) return std::nullopt;
+  const double t = cross(apart, other) / turn, s = cross(apart, along) / turn;
+  const double near_t = kOnSide / along.norm(), near_s = kOnSide / other.norm();
+  if (t < -near_t || t > 1.0 + near_t || s < -near_s || s > 1.0 + near_s) return std::nullopt;
+  return std::clamp(t, 0.0, 1.0);
+}
+
+}  // namespace
+
+std::vector<CellPlace> places_of(const Topology& cells, const CellPlace& place) {
+  const Vector2d uv(snapped(place.u), snapped(place.v));
+  const int side = side_at(uv);
+  std::vector<CellPlace> places;
+  if (side < 0) return {{place.cell, uv.x(), uv.y()}};
+  const double t = along_side(side, uv);
+  const int h = 4 * place.cell + side;
+  if (t == 0.0 || t == 1.0) {
+    add_around(cells, t == 0.0 ? h : cells.next(h), places);
+    return places;
+  }
+  places.push_back({place.cell, uv.x(), uv.y()});
+  if (const int twin = cells.twin(h); twin >= 0) {
+    const Vector2d beyond = on_square_side(twin % 4, 1.0 - t);
+    places.push_back({twin / 4, beyond.x(), beyond.y()});
+  }
+  return places;
+}
+
+std::vector<CurveStep> in_all_cells(const Topology& cells, const CurveStep& step) {
+  std::vector<CurveStep> steps{step};
+  for (int side = 0; side < 4; ++side) {
+    const Vector2d begin = on_square_side(side, 0.0), along = on_square_side(side, 1.0) - begin;
+    if (cross(step.from - begin, along) != 0.0 || cross(step.to - begin, along) != 0.0) continue;
+    const int twin = cells.twin(4 * step.cell + side);
+    if (twin < 0) continue;
+    steps.push_back({twin / 4, on_square_side(twin % 4, 1.0 - along_side(side, step.from)),
+                     on_square_side(twin % 4, 1.0 - along_side(side, step.to))});
+  }
+  return steps;
+}
+
+SurfaceCurve joined(const surface::LimitSurface& surface, const surface::SurfaceTree& tree,
+                    const std::vector<CellPlace>& places, std::string name) {
+  SurfaceCurve curve;
+  curve.name = std::move(name);
+  if (places.empty()) return curve;
+  Joiner joiner(surface, tree, curve);
+  Spot last = spot_at(surface, places.front());
+  curve.points.push_back(last.point);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    Spot next = spot_at(surface, places[i]);
+    joiner.join(last, next);
+    last = std::move(next);
+  }
+  return curve;
+}
+
+std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
+                                         const SurfaceCurve& curve,
+                                         const std::vector<SurfaceCurve>& others) {
+  std::vector<std::vector<CurveStep>> in_cell(surface.cell_count());
+  for (const SurfaceCurve& other : others) {
+    for (const CurveStep& step : other.steps) {
+      for (const CurveStep& seen : in_all_cells(surface.cells(), step)) {
+        in_cell[seen.cell].push_back(seen);
+      }
+    }
+  }
+  std::vector<SurfaceCurve> pieces(1);
+  const auto begin = [&](const Vector3d& p) {
+    if (!pieces.back().empty()) pieces.emplace_back();
+    pieces.back().name = curve.name;
+    pieces.back().points = {p};
+  };
+  if (!curve.points.empty()) begin(curve.points.front());
+  for (std::size_t k = 0; k < curve.steps.size(); ++k) {
+    const CurveStep& step = curve.steps[k];
+    std::vector<double> cuts;
+    for (const CurveStep& seen : in_all_cells(surface.cells(), step)) {
+      for (const CurveStep& other : in_cell[seen.cell]) {
+        if (const auto t = crossing(seen, other)) cuts.push_back(*t);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    cuts.push_back(2.0);
+    const double shortest = kOnSide / (step.to - step.from).norm();
+    double last = 0.0;
+    const auto at = [&step](double t) { return Vector2d(step.from + t * (step.to - step.from)); };
+    for (const double cut : cuts) {
+      const double end = std::min(cut, 1.0);
+      const Vector2d uv = end == 1.0 ? step.to : at(end);
+      const Vector3d p =
+          end == 1.0 ? curve.points[k + 1] : surface.position(step.cell, uv.x(), uv.y());
+      if (end - last > shortest) {
+        pieces.back().steps.push_back({step.cell, last == 0.0 ? step.from : at(last), uv});
+        pieces.back().points.push_back(p);
+        last = end;
+      }
+      if (cut <= 1.0) begin(p);
+    }
+  }
+  if (pieces.back().empty()) pieces.pop_back();
+  return pieces;
+}
+
+}  // namespace hull::production
