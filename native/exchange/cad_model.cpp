@@ -13,6 +13,7 @@
 #include "conversion/place_error.h"
 #include "exchange/cad_report.h"
 #include "exchange/face_integrals.h"
+#include "exchange/joined_solids.h"
 #include "exchange/regions.h"
 #include "mesh/tolerances.h"
 
@@ -172,9 +173,17 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
       options.solid ? conversion::closing_of(set) : conversion::Closing{};
   model.brep = make_brep_shape(set, closing);
   if (options.solid) check_solid(model.brep);
-  model.integrals = integrals_of(model.brep.shape);
-  for (const conversion::BSplinePatch& patch : set.patches) extend_box(model.box, patch);
   for (const conversion::Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
+  if (options.appendages.empty()) {
+    for (const conversion::BSplinePatch& patch : set.patches) extend_box(model.box, patch);
+  } else {
+    if (!options.mirrored && is_on_one_side(set)) {
+      throw std::invalid_argument("appendages are joined to both sides of the hull: mirror it");
+    }
+    join_appendages(model.brep, model.regions, options.appendages, options.progress);
+    model.box = box_of(model.brep.shape);
+  }
+  model.integrals = integrals_of(model.brep.shape);
   model.size = set.size();
   model.curves = curves_of(options, model.size);
   return model;
