@@ -42,6 +42,12 @@ def box_hull(**how):
     return box_body(((0, -BEAM / 2, 0), (LENGTH, BEAM / 2, DEPTH)), **how)
 
 
+def whole_volume(body):
+    """m³ of a body in water far above it."""
+    points = body.surface.mesh.points
+    return body.immersion(UP, points[:, 2].max() + np.ptp(points[:, 0])).volume
+
+
 RADIUS = 0.4
 TUNNEL = {"start": (7.0, -3.0, 1.2), "end": (7.0, 3.0, 1.2), "radius": RADIUS, "cut": True}
 
@@ -140,3 +146,25 @@ def test_surfaces_in_one_another_are_refused():
     with pytest.raises(ValueError, match="lie in one another"):
         body.join([hn.foil("0012", (6, 0, 0), (6, 0, -1), 2.0)])
     assert body.joined_volume is None
+
+
+def test_thruster_of_a_sample_by_rays():
+    """The coaster's tunnel: what it takes off is the integral of chords over the circle."""
+    sample = Sample("coaster")
+    x, z, radius = 0.93 * sample.ship.length_pp, 2.0, 0.7
+    tree = hn.SurfaceTree(sample.surface)
+    rule, weights = np.polynomial.legendre.leggauss(24)
+    around = (np.arange(48) + 0.5) * (2 * math.pi / 48)
+    total = 0.0
+    for node, weight in zip(rule, weights):
+        r = radius * 0.5 * (node + 1)
+        places = np.stack([x + r * np.cos(around), z + r * np.sin(around)], axis=-1)
+        # The port half, from the centre plane on.
+        widths = [tree.all_ray_hits((px, -1e-9, pz), (0, 1, 0)).distances[-1] for px, pz in places]
+        total += weight * 0.5 * radius * r * np.mean(widths) * 2 * math.pi
+    body = sample.body
+    before = whole_volume(body)
+    reach = 0.6 * sample.ship.beam
+    body.join([hn.cylinder((x, -reach, z), (x, reach, z), radius, cut=True)])
+    assert before - whole_volume(body) == pytest.approx(2 * total, rel=1e-6)
+    assert body.joined_volume == pytest.approx(whole_volume(body) - before, rel=1e-9)
