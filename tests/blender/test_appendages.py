@@ -34,7 +34,7 @@ def box():
 
 
 def test_tunnel(box):
-    """πr²B less; moved out of the hull it takes nothing off, deleted likewise, undone it is there."""
+    """πr²B less; moved out of the hull it takes nothing off, deleted likewise."""
     whole, hole = volume(box), math.pi * RADIUS**2 * 4.0
     tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
     assert tunnel.parent == box and tunnel.hull.appendage.is_cut

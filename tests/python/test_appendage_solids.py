@@ -37,9 +37,7 @@ def test_tunnel_through_box(tmp_path):
     exact = LENGTH * BEAM * DEPTH - math.pi * RADIUS**2 * BEAM
     assert report["volume"] == pytest.approx(exact, rel=1e-8)
     area = 2 * (LENGTH * BEAM + BEAM * DEPTH + DEPTH * LENGTH)
-    assert report["area"] == pytest.approx(
-        area + 2 * math.pi * RADIUS * (BEAM - RADIUS), rel=1e-8
-    )
+    assert report["area"] == pytest.approx(area + 2 * math.pi * RADIUS * (BEAM - RADIUS), rel=1e-8)
     assert "tunnel" in [region["name"] for region in report["regions"]]
 
 
@@ -68,9 +66,7 @@ def test_open_shell_is_refused(tmp_path):
             patches, tmp_path / "x.step", mirrored=True, appendages=[hn.cylinder(**TUNNEL)]
         )
     with pytest.raises(ValueError, match="mirror it"):
-        hn.write_step(
-            patches, tmp_path / "x.step", solid=True, appendages=[hn.cylinder(**TUNNEL)]
-        )
+        hn.write_step(patches, tmp_path / "x.step", solid=True, appendages=[hn.cylinder(**TUNNEL)])
     assert not list(tmp_path.iterdir())
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies joined to hulls and cut out of them: closed forms, sums of volumes, and rays as another way."""
+"""Bodies joined to hulls and cut out of them: closed forms, sums of volumes, and rays as another
+way."""
 
 import math
 
@@ -20,7 +21,10 @@ def boxes(*ends):
     for low, high in ends:
         first = len(points)
         points += [
-            (x, y, z) for z in (low[2], high[2]) for y in (low[1], high[1]) for x in (low[0], high[0])
+            (x, y, z)
+            for z in (low[2], high[2])
+            for y in (low[1], high[1])
+            for x in (low[0], high[0])
         ]
         faces += [tuple(first + i for i in face) for face in FACES]
     sides = {tuple(sorted(s)) for f in faces for s in zip(f, f[1:] + f[:1])}

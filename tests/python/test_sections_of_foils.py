@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""NACA sections against published ordinates: NACA Reports 460, 537 and 824, per cent of the chord."""
+"""NACA sections against published ordinates: NACA Reports 460, 537 and 824, per cent of the
+chord."""
 
 import hull_native as hn
 import numpy as np
@@ -83,7 +84,9 @@ def test_splines_follow_the_outline(name):
         assert height_at(form, x, lower) == pytest.approx(y, abs=1e-6), (i, x)
 
 
-@pytest.mark.parametrize("name", ["", "12", "0000", "0a12", "2012", "26012", "66-012", "63-112", "x"])
+@pytest.mark.parametrize(
+    "name", ["", "12", "0000", "0a12", "2012", "26012", "66-012", "63-112", "x"]
+)
 def test_unknown_names(name):
     with pytest.raises(ValueError, match="is no section that is known"):
         hn.SectionForm(name)

@@ -5,22 +5,30 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty, StringProperty
 
 from ..bridge.blender import units
-from ..bridge.objects import hull_objects
+from ..bridge.objects import appendages, hull_objects
 from ..features.hull import appendage_kinds
-from .shared import (
-    BaseOperator,
-    asked_length,
-    can_change,
-    has_hull,
-    in_object_mode,
-    make_active,
-    native_is_there,
-)
+from .shared import BaseOperator, asked_length, in_object_mode, make_active, native_is_there
+
+
+def _hull(context):
+    """The hull at hand, also while one of its appendages is the active object."""
+    return appendages.hull_of(context.object) or hull_objects.hull_of(context.object)
+
+
+def _has_hull(cls, context):
+    hull = _hull(context)
+    if hull is None:
+        cls.poll_message_set("Select the hull first that it belongs to")
+        return False
+    reason = hull_objects.refusal(hull) or hull_objects.locked(hull)
+    if reason:
+        cls.poll_message_set(reason)
+    return not reason
 
 
 def _take_kind(self, context):
     """Another kind comes with its own place and sizes."""
-    hull = hull_objects.hull_of(context.object)
+    hull = _hull(context)
     if hull is None:
         return
     usual = appendage_kinds.usual(self.kind, hull)
@@ -68,10 +76,10 @@ class HULL_OT_add_appendage(bpy.types.Operator, BaseOperator):
         options={"SKIP_SAVE"},
     )
 
-    needs = (native_is_there, in_object_mode, has_hull, can_change)
+    needs = (native_is_there, in_object_mode, _has_hull)
 
     def run(self, context):
-        hull = hull_objects.hull_of(context.object)
+        hull = _hull(context)
         usual = appendage_kinds.usual(self.kind, hull)
         for name, value in usual.items():
             if not self.properties.is_property_set(name):

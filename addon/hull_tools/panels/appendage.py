@@ -37,7 +37,9 @@ class HULL_PT_appendage(HullTab, bpy.types.Panel):
         hull = appendages.hull_of(context.object)
         state = None if hull is None else hull_state.state_of(hull)
         if hull is None:
-            label_wrapped(layout, context, "It has no hull: make it a hull's child (Ctrl P)", "ERROR")
+            label_wrapped(
+                layout, context, "It has no hull: make it a hull's child (Ctrl P)", "ERROR"
+            )
         elif state is not None and state.ship.not_joined:
             label_wrapped(layout, context, state.ship.not_joined, "ERROR")
 

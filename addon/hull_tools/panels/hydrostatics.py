@@ -50,7 +50,9 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
 
     def _draw_appendages(self, layout, context, hull, ship):
         if ship.not_joined:
-            label_wrapped(layout, context, f"Appendages not counted: {ship.not_joined}", icon="ERROR")
+            label_wrapped(
+                layout, context, f"Appendages not counted: {ship.not_joined}", icon="ERROR"
+            )
         elif ship.appendages_key:
             names = ", ".join(body.name for body in ship.appendages_key)
             label_wrapped(layout, context, f"With {names}")

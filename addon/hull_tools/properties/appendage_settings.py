@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Object.hull.appendage: the body that an appendage's object shows; of other objects it is unused."""
+"""Object.hull.appendage: the body that an appendage's object shows; of other objects it is
+unused."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
@@ -65,8 +66,8 @@ class HullAppendage(bpy.types.PropertyGroup):
     )
     section: StringProperty(
         name="Section",
-        description="NACA section: four digits (0012, 2412), five (23012), or 63-0, 64-0, 65-0 with "
-        "two digits of thickness (63-012)",
+        description="NACA section: four digits (0012, 2412), five (23012), or 63-0, 64-0, 65-0 "
+        "with two digits of thickness (63-012)",
         default="0012",
         update=_changed,
     )

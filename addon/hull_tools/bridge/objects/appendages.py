@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Appendages of a hull: mesh objects that are its children and show a body by its settings.
 
-The body is that of the settings, Object.hull.appendage, in the object's own axes, wherever the object
-is moved and turned to; the mesh only shows it. A scaled object's lengths are those of the mesh that
-is seen.
+The body is that of the settings, Object.hull.appendage, in the object's own axes, wherever the
+object is moved and turned to; the mesh only shows it. A scaled object's lengths are those of the
+mesh that is seen; one that is scaled unevenly is no such body.
 """
 
 from dataclasses import dataclass
@@ -15,8 +15,8 @@ from . import hull_objects
 
 @dataclass(frozen=True)
 class AppendageBody:
-    """name: of the object. shape: "CYLINDER", "FOIL" or "BULB". section: its name, "" for cylinders.
-    points, directions: of the shape, (x, y, z) each, in Blender's units; sizes: lengths, in these
+    """name: of the object. shape: "CYLINDER", "FOIL" or "BULB". section: its name, "" for
+    cylinders. points, directions: of the shape, (x, y, z) each, in Blender's units; sizes: lengths, in these
     too; ratios: thickness of the chord, zero for the section's own. See `described`."""
 
     name: str
@@ -28,6 +28,10 @@ class AppendageBody:
     ratios: tuple
     is_cut: bool
     is_mirrored: bool
+    is_uneven: bool = False
+
+
+_EVEN = 1e-5  # of the scale: single precision
 
 
 def is_appendage(obj):
@@ -49,21 +53,26 @@ def hull_of(obj):
 
 def read(hull):
     """AppendageBody of each appendage of a hull that counts, on the hull's axes."""
-    return tuple(described(obj, obj.matrix_parent_inverse @ obj.matrix_basis) for obj in of_hull(hull))
+    return tuple(
+        described(obj, obj.matrix_parent_inverse @ obj.matrix_basis) for obj in of_hull(hull)
+    )
 
 
 def described(obj, matrix=None):
     """AppendageBody of an appendage object, by default in its own axes.
 
-    Its axes: x forward, y to port, z up. A cylinder runs along z from the origin, `length` up; a foil
-    from the leading edge of its root at the origin to the tip `span` below, which is `sweep` aft, its
-    chord aft; a bulb from its nose at the origin aft.
+    Its axes: x forward, y to port, z up. A cylinder runs along z from the origin, `length` up; a
+    foil from the leading edge of its root at the origin to the tip `span` below, which is `sweep`
+    aft, its chord aft; a bulb from its nose at the origin aft.
     """
     own = obj.hull.appendage
     points, directions, sizes, ratios = _SHAPES[own.shape](own)
+    is_uneven = False
     if matrix is not None:
         turn = matrix.to_3x3()
-        factor = abs(turn.determinant()) ** (1.0 / 3.0)
+        scales = [column.length for column in turn.col]
+        factor = sum(scales) / 3.0
+        is_uneven = turn.determinant() <= 0.0 or max(scales) - min(scales) > _EVEN * factor
         points = [matrix @ Vector(point) for point in points]
         directions = [(turn @ Vector(direction)).normalized() for direction in directions]
         sizes = [factor * size for size in sizes]
@@ -77,6 +86,7 @@ def described(obj, matrix=None):
         tuple(ratios),
         own.is_cut,
         own.is_mirrored,
+        is_uneven,
     )
 
 

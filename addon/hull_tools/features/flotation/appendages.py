@@ -12,6 +12,10 @@ def native_bodies(bodies, scale):
 
 def native_body(body, scale):
     """The hull_native.Appendage of an AppendageBody."""
+    if body.is_uneven:
+        raise ValueError(
+            f"{body.name} is scaled unevenly or mirrored: clear its scale (Alt S), set its numbers"
+        )
     hull_native = native.require()
     how = {"name": body.name, "cut": body.is_cut, "mirrored": body.is_mirrored}
     points = [[scale * value for value in point] for point in body.points]

@@ -42,8 +42,8 @@ class Ship:
 class ShipSource:
     """All that a Ship is made of. It never changes: a thread may have it while the hull is edited.
 
-    openings: as hull_native.HullBody takes them. appendages: hull_native.Appendage that are joined to
-    its body.
+    openings: as hull_native.HullBody takes them. appendages: hull_native.Appendage that are joined
+    to its body.
     """
 
     control: ControlArrays
@@ -74,8 +74,8 @@ class ShipSource:
         return self.new_ship()
 
     def new_body(self, surface, **how):
-        """The hull_native.HullBody of a surface of these control points. ValueError where appendages
-        cannot be joined to it."""
+        """The hull_native.HullBody of a surface of these control points. ValueError where
+        appendages cannot be joined to it."""
         body = self.bare_body(surface, **how)
         if self.appendages:
             body.join(list(self.appendages))

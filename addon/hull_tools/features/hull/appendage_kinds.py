@@ -17,8 +17,8 @@ NUMBERS = (
 
 @dataclass(frozen=True)
 class Kind:
-    """asked: names of what it is made by; ratios: of Lpp (x, chords, lengths), of the draft (z, span,
-    overlap, radius) or of the beam (y), where nothing else is asked for."""
+    """asked: names of what it is made by; ratios: of Lpp (x, chords, lengths), of the draft (z,
+    span, overlap, radius) or of the beam (y), where nothing else is asked for."""
 
     name: str
     description: str
@@ -121,8 +121,8 @@ class _Maker:
 
 
 def _foil(make):
-    """From `overlap` within the hull to `span` below it; chord and sweep are those from the hull on,
-    the part within goes on straight."""
+    """From `overlap` within the hull to `span` below it; chord and sweep are those from the hull
+    on, the part within goes on straight."""
     share = make.overlap / make.span if make.span > 0.0 else 0.0
     tip = make.tip_chord or make.chord
     chord = make.chord + share * (make.chord - tip)
