@@ -14,7 +14,10 @@
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Solid.hxx>
+#include <array>
 #include <cmath>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
 #include <stdexcept>
 
 #include "exchange/occt_geometry.h"
@@ -144,8 +147,9 @@ TopoDS_Shape bulb_solid(const analysis::BulbShape& bulb) {
   };
   const conversion::BSplineCurve meridian =
       spline_of(outline, 0, outline.size(), backwards(form.knots()), at);
+  const Vector3d nose = at({0.0, 0.0}), tail = at({1.0, 0.0});
   const TopoDS_Face half =
-      plane_face({meridian, line_of(bulb.nose, bulb.tail), line_of(bulb.tail, meridian.points[0])});
+      plane_face({meridian, line_of(nose, tail), line_of(tail, meridian.points[0])});
   const gp_Ax1 axis(in_millimetres(bulb.nose), direction_of(along));
   return BRepPrimAPI_MakeRevol(half, axis).Shape();
 }

@@ -23,6 +23,7 @@ namespace {
 // A control point takes about so many bytes in a file, and ten times as many in Open CASCADE's
 // memory while the file is read back.
 constexpr double kBytesOfPoint = 100.0, kMostBytes = 2e9;
+constexpr double kJoined = 0.05;  // share of the time that appendages take
 
 // Before anything is made of them.
 void check_size(const conversion::PatchSet& patches, bool mirrored) {
@@ -180,7 +181,8 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
     if (!options.mirrored && is_on_one_side(set)) {
       throw std::invalid_argument("appendages are joined to both sides of the hull: mirror it");
     }
-    join_appendages(model.brep, model.regions, options.appendages, options.progress);
+    join_appendages(model.brep, model.regions, options.appendages,
+                    surface::part_of(options.progress, 0.0, kJoined));
     model.box = box_of(model.brep.shape);
   }
   model.integrals = integrals_of(model.brep.shape);

@@ -13,6 +13,7 @@
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 #include <stdexcept>
 #include <utility>

@@ -16,8 +16,8 @@ from . import hull_objects
 @dataclass(frozen=True)
 class AppendageBody:
     """name: of the object. shape: "CYLINDER", "FOIL" or "BULB". section: its name, "" for
-    cylinders. points, directions: of the shape, (x, y, z) each, in Blender's units; sizes: lengths, in these
-    too; ratios: thickness of the chord, zero for the section's own. See `described`."""
+    cylinders. points, directions: of the shape, (x, y, z) each, in Blender's units; sizes: lengths,
+    in these too; ratios: thickness of the chord, zero for the section's own. See `described`."""
 
     name: str
     shape: str
