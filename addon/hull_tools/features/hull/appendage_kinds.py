@@ -111,6 +111,16 @@ class _Maker:
     def base(self):
         return bottom(self.hull, self.x, self.y, self.scale)
 
+    def top(self, chord):
+        """The highest of the bottom's heights from x to the chord aft of it."""
+        found = [self.base]
+        for share in (0.25, 0.5, 0.75, 1.0):
+            try:
+                found.append(bottom(self.hull, self.x - share * chord, self.y, self.scale))
+            except ValueError:
+                break  # the hull ends there
+        return max(found)
+
     def made(self, name, place, **values):
         values.setdefault("is_mirrored", place[1] != 0.0)
         return appendage_meshes.add(self.hull, name, place, values, self.collection)
@@ -121,21 +131,18 @@ class _Maker:
 
 
 def _foil(make):
-    """From `overlap` within the hull to `span` below it; chord and sweep are those from the hull
-    on, the part within goes on straight."""
-    share = make.overlap / make.span if make.span > 0.0 else 0.0
-    tip = make.tip_chord or make.chord
-    chord = make.chord + share * (make.chord - tip)
-    place = (make.x + share * make.sweep, make.y, make.base + make.overlap)
+    """From `overlap` above the hull's bottom, where that is highest along the chord, to `span`
+    below it at the leading edge."""
+    root = make.top(make.chord) + make.overlap
     return make.made(
         make.name,
-        place,
+        (make.x, make.y, root),
         shape="FOIL",
         section=make.section,
-        span=make.span + make.overlap,
-        sweep=make.sweep * (1.0 + share),
-        chord=chord,
-        tip_chord=tip,
+        span=root - make.base + make.span,
+        sweep=make.sweep,
+        chord=make.chord,
+        tip_chord=make.tip_chord,
     )
 
 
@@ -147,7 +154,7 @@ def _bulb_keel(make):
     fin = _foil(make)
     middle = make.x - make.sweep - 0.5 * make.tip_chord
     # The fin ends within the bulb, on its axis.
-    place = (middle + 0.45 * make.length, make.y, fin.location.z - make.span - make.overlap)
+    place = (middle + 0.45 * make.length, make.y, make.base - make.span)
     bulb = make.made(
         "Bulb",
         place,
