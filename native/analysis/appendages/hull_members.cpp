@@ -14,7 +14,7 @@ constexpr double kSquare = 1e-7;  // of the mesh's size
 constexpr double kThickness =
     0.125;  // of the least side of a hull's box, what lines should not miss
 
-struct Patches {
+struct HullPatches {
   std::vector<surface::BezierPatch> patches;
   std::vector<bool> without_area;
 };
@@ -31,7 +31,7 @@ surface::BezierPatch mirror_image(const surface::BezierPatch& patch) {
   return image;
 }
 
-void add(Patches& all, const surface::BicubicPoints& points, bool is_closing, bool mirrored) {
+void add(HullPatches& all, const surface::BicubicPoints& points, bool is_closing, bool mirrored) {
   all.patches.push_back(surface::BezierPatch::from_bspline(points));
   all.without_area.push_back(is_closing);
   if (!mirrored) return;
@@ -44,10 +44,10 @@ void add(Patches& all, const surface::BicubicPoints& points, bool is_closing, bo
 std::vector<JoinedMember> hull_members(const HullBody& body) {
   const surface::LimitSurface& surface = body.surface();
   const Bodies& bodies = body.bodies();
-  std::vector<Patches> all(bodies.first_cell.size());
+  std::vector<HullPatches> all(bodies.first_cell.size());
   const double least = kSquare * surface.mesh().size();
   for (std::size_t cell = 0; cell < bodies.of_cell.size(); ++cell) {
-    Patches& own = all[bodies.of_cell[cell]];
+    HullPatches& own = all[bodies.of_cell[cell]];
     for_each_piece(
         surface, static_cast<int>(cell),
         [&](const surface::CornerSquare& square) { return square.extent() > least; },
@@ -59,7 +59,7 @@ std::vector<JoinedMember> hull_members(const HullBody& body) {
     add(all[bodies.of_cell[closing.cell]], closing.cap, true, body.mirrored());
   }
   std::vector<JoinedMember> members;
-  for (Patches& own : all) {
+  for (HullPatches& own : all) {
     Eigen::AlignedBox3d box;
     for (const surface::BezierPatch& patch : own.patches) box.extend(patch.box());
     ClosedShell shell(std::move(own.patches), kThickness * box.sizes().minCoeff());
