@@ -47,9 +47,13 @@ JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& or
       collect(patches[i], static_cast<int>(m), has_area, 0);
     }
   }
-  for (Piece& piece : pieces_) {
-    piece.moments = moments_of(piece, nullptr);
-    whole_ += piece.moments;
+  try {
+    for (Piece& piece : pieces_) {
+      piece.moments = moments_of(piece, nullptr);
+      whole_ += piece.moments;
+    }
+  } catch (const SurfacesInOneAnother&) {
+    refuse();
   }
   check_closed();
 }
@@ -147,7 +151,11 @@ ShellMoments JoinedShells::change(const Plane& water) const {
       highest = std::max(highest, height);
     }
     if (lowest >= 0.0) continue;
-    sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water);
+    try {
+      sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water);
+    } catch (const SurfacesInOneAnother&) {
+      refuse();
+    }
   }
   return sum;
 }
@@ -162,7 +170,10 @@ void JoinedShells::check_closed() const {
   const double open = std::max(whole_.normal.cwiseAbs().maxCoeff() / area_of(least),
                                (fluxes.maxCoeff() - fluxes.minCoeff()) /
                                    std::max(volume_of(least), std::abs(fluxes.mean())));
-  if (open <= kOpen) return;
+  if (open > kOpen) refuse();
+}
+
+void JoinedShells::refuse() const {
   std::string names;
   for (const JoinedMember& member : members_) {
     if (member.role != MemberRole::kHull) names += (names.empty() ? "" : ", ") + member.name;

@@ -15,8 +15,9 @@ namespace {
 constexpr int kNodes = 8;  // exact up to degree 15, of which 11 is needed
 constexpr int kAlong = 10;
 constexpr int kMostHalves = 26, kMostAreaHalves = 8;
-constexpr double kShort = 1e-13;  // of a line, or of what lines cover
-constexpr double kApart = 1e-9;   // crossings nearer to each other tell nothing of the way
+constexpr int kMostTouching = 40;  // lines of a piece along which another surface is touched
+constexpr double kShort = 1e-13;   // of a line, or of what lines cover
+constexpr double kApart = 1e-9;    // crossings nearer to each other tell nothing of the way
 
 // The line u -> S(u, v), and S_v along it.
 struct PatchLine {
@@ -152,7 +153,10 @@ class PieceIntegral {
       surfaces_[k]->find_crossings(line.arc, crossings_[k]);
       std::ranges::sort(crossings_[k], {}, &ArcCrossing::t);
       for (const ArcCrossing& crossing : crossings_[k]) breaks.push_back(crossing.t);
+      touched_ +=
+          std::ranges::any_of(crossings_[k], [](const ArcCrossing& c) { return c.way == 0; });
     }
+    if (touched_ > kMostTouching) throw SurfacesInOneAnother();
     add_water(line.arc, breaks);
     std::ranges::sort(breaks);
     ShellMoments sum;
@@ -200,6 +204,7 @@ class PieceIntegral {
   const Plane* water_;
   const PieceRule& rule_;
   std::vector<std::vector<ArcCrossing>> crossings_;
+  int touched_ = 0;
 };
 
 ShellMoments by_lines(const surface::BezierPatch& patch, const Vector3d& origin) {

@@ -10,6 +10,9 @@
 
 namespace hull::analysis {
 
+// Thrown where lines of a piece run along another surface, not across it.
+struct SurfacesInOneAnother {};
+
 struct PieceRule {
   Vector3d origin;      // moments are about it
   double volume, area;  // errors of an interval, m³ and m²

@@ -32,6 +32,7 @@ constexpr std::array<Series, 3> kSeries{
                   4.381, 3.743, 3.059, 2.345, 1.630, 0.947, 0.356, 0.0}}}};
 constexpr double kTableThickness = 0.12;
 constexpr int kParts = 48;
+constexpr double kMeeting = 1e-12;  // of the chord: where two mean lines meet
 
 const Series& series_of(int name) { return *std::ranges::find(kSeries, name, &Series::name); }
 
@@ -173,7 +174,8 @@ SectionForm::Point SectionForm::outline(double s, int side, double factor, bool 
   auto [half, rise] = thickness_and_slope(s);
   half *= side * factor;
   rise *= side * factor;
-  auto [slope, bend] = mean_slopes(x, behind);
+  const double past = x - camber_place_;
+  auto [slope, bend] = mean_slopes(x, std::abs(past) < kMeeting ? behind : past > 0.0);
   bend *= 2.0 * s;
   const double length = std::sqrt(1.0 + slope * slope), cube = length * length * length;
   return {{x - half * slope / length, mean_line(x) + half / length},
