@@ -8,7 +8,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr int kMostParts = 300;
+constexpr int kMostParts = 2000;
 constexpr int kMostSteps = 12;
 constexpr double kBeyond = 1e-9;  // of a parameter's range: roots at sides belong to both patches
 
