@@ -87,9 +87,7 @@ Areas measure(const TopoDS_Shape& shape, CadReport& report) {
   return areas;
 }
 
-}  // namespace
-
-Eigen::AlignedBox3d box_of(const TopoDS_Shape& shape) {
+void find_box(const TopoDS_Shape& shape, CadReport& report) {
   Eigen::AlignedBox3d box;
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -105,13 +103,6 @@ Eigen::AlignedBox3d box_of(const TopoDS_Shape& shape) {
       }
     }
   }
-  return box;
-}
-
-namespace {
-
-void find_box(const TopoDS_Shape& shape, CadReport& report) {
-  const Eigen::AlignedBox3d box = box_of(shape);
   if (box.isEmpty()) return;
   report.box_min = box.min();
   report.box_max = box.max();

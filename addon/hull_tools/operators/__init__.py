@@ -4,7 +4,6 @@
 import bpy
 
 from . import (
-    add_appendage,
     add_hull,
     area_curve,
     area_curve_drag,
@@ -53,7 +52,6 @@ from . import (
 
 _CLASSES = (
     *add_hull.CLASSES,
-    *add_appendage.CLASSES,
     *make_hull.CLASSES,
     *tag_mesh.CLASSES,
     *select_tags.CLASSES,

@@ -53,7 +53,7 @@ JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& or
       whole_ += piece.moments;
     }
   } catch (const SurfacesInOneAnother&) {
-    refuse(-1.0);
+    refuse();
   }
   check_closed();
 }
@@ -154,7 +154,7 @@ ShellMoments JoinedShells::change(const Plane& water) const {
     try {
       sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water);
     } catch (const SurfacesInOneAnother&) {
-      refuse(-2.0);
+      refuse();
     }
   }
   return sum;
@@ -170,10 +170,10 @@ void JoinedShells::check_closed() const {
   const double open = std::max(whole_.normal.cwiseAbs().maxCoeff() / area_of(least),
                                (fluxes.maxCoeff() - fluxes.minCoeff()) /
                                    std::max(volume_of(least), std::abs(fluxes.mean())));
-  if (open > kOpen) refuse(open);
+  if (open > kOpen) refuse();
 }
 
-void JoinedShells::refuse(double open) const {
+void JoinedShells::refuse() const {
   std::string names;
   for (const JoinedMember& member : members_) {
     if (member.role != MemberRole::kHull) names += (names.empty() ? "" : ", ") + member.name;
@@ -181,7 +181,7 @@ void JoinedShells::refuse(double open) const {
   throw std::invalid_argument(
       "The surfaces of the hull and of " + names +
       " lie in one another along an area, or are open: let them cross at an angle, as by an end "
-      "well within the hull. " + std::to_string(open));
+      "well within the hull.");
 }
 
 ShellMoments moments_of(const ClosedShell& shell) {

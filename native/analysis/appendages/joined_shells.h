@@ -65,7 +65,7 @@ class JoinedShells {
   bool is_taken(int member, const std::vector<bool>& inside) const;
   ShellMoments moments_of(const Piece& piece, const Plane* water) const;
   void check_closed() const;
-  [[noreturn]] void refuse(double open) const;
+  [[noreturn]] void refuse() const;
 
   std::vector<JoinedMember> members_;
   Vector3d origin_;

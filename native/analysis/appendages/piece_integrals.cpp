@@ -16,8 +16,8 @@ constexpr int kNodes = 8;  // exact up to degree 15, of which 11 is needed
 constexpr int kAlong = 10;
 constexpr int kMostHalves = 26, kMostAreaHalves = 8;
 constexpr int kMostTouching = 400;  // lines of a piece along which another surface is touched
-constexpr double kShort = 1e-13;   // of a line, or of what lines cover
-constexpr double kApart = 1e-9;    // crossings nearer to each other tell nothing of the way
+constexpr double kShort = 1e-13;    // of a line, or of what lines cover
+constexpr double kApart = 1e-9;     // crossings nearer to each other tell nothing of the way
 
 // The line u -> S(u, v), and S_v along it.
 struct PatchLine {

@@ -5,14 +5,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..mesh import mesh_arrays
-from . import appendages, hull_objects
+from . import hull_objects
 
 
 @dataclass(frozen=True, eq=False)
 class HullMesh:
     """data: mesh_arrays.MeshData; topology: its digest. excluded: material slots that do not belong
-    to the shell. openings: as hull_native.HullBody takes them. appendages: AppendageBody of each
-    that counts."""
+    to the shell. openings: as hull_native.HullBody takes them."""
 
     data: mesh_arrays.MeshData
     topology: bytes
@@ -20,7 +19,6 @@ class HullMesh:
     half: bool
     scheme: str
     openings: str
-    appendages: tuple = ()
 
     @property
     def topology_key(self):
@@ -51,5 +49,4 @@ def read(obj):
         settings.half,
         settings.scheme,
         "closed" if settings.deck_closed else "open",
-        appendages.read(obj),
     )
