@@ -20,7 +20,7 @@ struct CylinderShape {
 
 // A body of straight lines between two sections, root and tip: a keel, rudder, skeg, bracket. Both
 // lie in planes of the chord's and the thickness' directions. The outline of a section is a cubic
-// spline in √x, within 1e-7 of the chord of the form.
+// spline in √x, within 1e-6 of the chord of the form.
 struct FoilShape {
   std::string section;
   Vector3d root, tip;            // leading edges

@@ -41,7 +41,7 @@ class SectionForm {
     Eigen::Vector2d place, slope;
   };
   Point outline(double s, int side, double factor, bool behind) const;
-  // s from 0 to 1, between which cubics follow the outline within 1e-7 of the chord.
+  // s from 0 to 1, between which cubics follow the outline within 1e-6 of the chord.
   std::vector<double> knots() const;
 
  private:
