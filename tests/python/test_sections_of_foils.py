@@ -66,7 +66,7 @@ def test_tables_against_theory(name):
 
 @pytest.mark.parametrize("name", CAMBERED)
 def test_cambered_sections(name):
-    """Printed to 0.01 %, and computed by hand: 23012's lower side is 0.018 % off its own formula."""
+    """Printed to 0.01 %, computed by hand: 23012's lower side is 0.018 % off its own formula."""
     form = hn.SectionForm(name)
     for x, upper, lower in CAMBERED[name]:
         assert 100 * height_at(form, x / 100, False) == pytest.approx(upper, abs=0.02), x
