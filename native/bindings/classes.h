@@ -17,6 +17,7 @@ void bind_shown_points(pybind11::module_& module);
 void bind_move_watch(pybind11::module_& module);
 void bind_surface_tree(pybind11::module_& module);
 void bind_feature_curves(pybind11::module_& module);
+void bind_appendages(pybind11::module_& module);
 void bind_hull_body(pybind11::module_& module);
 void bind_hydrostatics(pybind11::module_& module);
 void bind_form_numbers(pybind11::module_& module);

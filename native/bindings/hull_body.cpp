@@ -2,10 +2,13 @@
 #include "analysis/immersion/hull_body.h"
 
 #include <pybind11/eigen.h>
+#include <pybind11/stl.h>
 
 #include <stdexcept>
 #include <string>
 
+#include "analysis/appendages/appendage.h"
+#include "analysis/appendages/joined_shells.h"
 #include "bindings/arrays.h"
 #include "bindings/openings.h"
 
@@ -67,6 +70,22 @@ void bind_hull_body(py::module_& module) {
            "To be called after surface.set_points(); until then whatever is asked of the body, "
            "also by hydrostatics() and its like, raises ValueError. Only what has moved is "
            "computed again.")
+      .def(
+          "join", &analysis::HullBody::join, py::arg("appendages"),
+          py::call_guard<py::gil_scoped_release>(),
+          "From now on the body is (its own bodies and appendages that are added) without those "
+          "that are cut out, each point of space counted once: in immersion(), hydrostatics(), "
+          "levers, equilibrium. Section areas, extents, offsets and form numbers stay those of the "
+          "hull. [] counts the hull's own bodies once where they overlap. ValueError where "
+          "surfaces "
+          "lie in one another.")
+      .def_property_readonly(
+          "joined_volume",
+          [](const analysis::HullBody& b) -> std::optional<double> {
+            if (!b.joined()) return std::nullopt;
+            return b.joined()->whole_change().first.trace() / 3.0;
+          },
+          "m³: by how much join() changes the whole body's volume; None without it.")
       .def_property_readonly("surface", &analysis::HullBody::surface,
                              py::return_value_policy::reference)
       .def_property_readonly("mirrored", &analysis::HullBody::mirrored)

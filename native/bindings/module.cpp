@@ -15,6 +15,7 @@ PYBIND11_MODULE(_core, module) {
   bind_move_watch(module);
   bind_surface_tree(module);
   bind_feature_curves(module);
+  bind_appendages(module);
   bind_hull_body(module);
   bind_hydrostatics(module);
   bind_section_areas(module);

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/appendages/appendage.h"
+#include "analysis/appendages/hull_members.h"
 #include "analysis/immersion/wedge_moments.h"
 #include "analysis/sections/port_side.h"
 #include "mesh/tolerances.h"
@@ -71,13 +73,26 @@ HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy,
       border_(body.border_),
       closings_(body.closings_),
       caps_(body.caps_),
-      inversion_(body.inversion_) {}
+      appendages_(body.appendages_),
+      joined_(body.joined_),
+      inversion_(body.inversion_) {
+  assert(!water || !joined_);
+}
 
 void HullBody::update() {
   parts_.update();
   boxes_.update(surface());
   close();
   stamp_.renew();
+  joined_ = nullptr;
+  if (appendages_) joined_ = joined_shells(*this, *appendages_);
+}
+
+void HullBody::join(std::vector<Appendage> appendages) {
+  current();
+  assert(!water_);
+  joined_ = joined_shells(*this, appendages);
+  appendages_ = std::make_shared<const std::vector<Appendage>>(std::move(appendages));
 }
 
 void HullBody::close() {
@@ -269,6 +284,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   }
   ShellMoments all = wet.shell;
   all += without_area(wet.caps);
+  if (joined_) all += joined_->change(water);
   // About a point in the water's surface, where heights do not cancel, or, where the water is far
   // off, in a plane that is just as far beyond the body.
   const double size = surface().mesh().size();

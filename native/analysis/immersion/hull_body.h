@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,9 @@
 #include "surface/surface_stamp.h"
 
 namespace hull::analysis {
+
+struct Appendage;
+class JoinedShells;
 
 // How the openings of a shell are taken (closings.h tells which are open at all): they let the
 // water in, or are covered, as by a weathertight deck.
@@ -46,14 +50,27 @@ class HullBody {
   // is not computed, and faces that come to be turned inwards are not noticed.
   HullBody(const HullBody& body, const surface::LimitSurface& copy, const Plane& water);
 
-  // To be called after surface.set_points(). Only what has moved is computed again.
+  // To be called after surface.set_points(). Only what has moved is computed again, but for what
+  // is joined to the body; where join() throws, so does this, and the body is the hull alone until
+  // the next time.
   void update();
+
+  // From now on immersion() and all that follows from it are those of the hull's bodies, each point
+  // of space counted once, with what is added to them and without what is cut out of them
+  // (appendages/joined_shells.h). None: of the hull alone, where bodies that overlap are counted
+  // once. Throws std::invalid_argument, and leaves the body as it was, as JoinedShells and
+  // shell_of() do, and if the body is for one water alone.
+  void join(std::vector<Appendage> appendages);
+  // Null without join().
+  const JoinedShells* joined() const { return joined_.get(); }
 
   const surface::LimitSurface& surface() const { return stamp_.surface(); }
   // LimitSurface::revision() of the points that the body was computed of.
   int revision() const { return stamp_.revision(); }
   bool mirrored() const { return mirrored_; }
   double tolerance() const { return tolerance_; }
+  // About which its integrals are kept.
+  const Vector3d& centre() const { return parts_.rules().centre; }
   Openings openings() const { return openings_; }
   // Which connected body (hull, rudder, demi-hull) each cell belongs to.
   const Bodies& bodies() const { return bodies_; }
@@ -117,6 +134,8 @@ class HullBody {
   std::vector<BorderEdge> border_;
   std::vector<ClosingPatch> closings_;
   std::vector<ShellPart> caps_;
+  std::shared_ptr<const std::vector<Appendage>> appendages_;
+  std::shared_ptr<const JoinedShells> joined_;
   std::string inversion_;  // what is wrong with the direction of faces; empty if nothing is
 };
 

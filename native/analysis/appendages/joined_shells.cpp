@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/appendages/joined_shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/appendages/piece_integrals.h"
+
+namespace hull::analysis {
+namespace {
+
+constexpr int kMostDivisions = 16;
+// Of the smaller body's box: what closed surfaces may be open by.
+constexpr double kOpen = 1e-5;
+
+double volume_of(const Eigen::AlignedBox3d& box) { return box.sizes().prod(); }
+double area_of(const Eigen::AlignedBox3d& box) {
+  const Vector3d s = box.sizes();
+  return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
+}
+
+double extent(const surface::BezierPatch& patch, int axis) {
+  const int step = axis == 0 ? 1 : 4, other = axis == 0 ? 4 : 1;
+  double longest = 0.0;
+  for (int j = 0; j < 4; ++j) {
+    double length = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      length +=
+          (patch.point(other * j + step * (i + 1)) - patch.point(other * j + step * i)).norm();
+    }
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
+}  // namespace
+
+JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& origin,
+                           double tolerance)
+    : members_(std::move(members)), origin_(origin), tolerance_(tolerance) {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const std::vector<surface::BezierPatch>& patches = members_[m].shell.patches();
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      const bool has_area = members_[m].without_area.empty() || !members_[m].without_area[i];
+      collect(patches[i], static_cast<int>(m), has_area, 0);
+    }
+  }
+  try {
+    for (Piece& piece : pieces_) {
+      piece.moments = moments_of(piece, nullptr);
+      whole_ += piece.moments;
+    }
+  } catch (const SurfacesInOneAnother&) {
+    refuse();
+  }
+  check_closed();
+}
+
+// Hulls' parts that count are those that are not there any more.
+bool JoinedShells::is_taken(int member, const std::vector<bool>& inside) const {
+  const MemberRole role = members_[member].role;
+  bool within_solid = false, within_cut = false;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    if (static_cast<int>(m) == member) continue;
+    bool& within = members_[m].role == MemberRole::kCut ? within_cut : within_solid;
+    within = within || inside[m];
+  }
+  if (role == MemberRole::kCut) return within_solid && !within_cut;
+  const bool is_gone = within_solid || within_cut;
+  return role == MemberRole::kHull ? is_gone : !is_gone;
+}
+
+void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool has_area,
+                           int depth) {
+  const Eigen::AlignedBox3d box = patch.box();
+  const MemberRole role = members_[member].role;
+  std::vector<int> near;
+  bool is_among = false;
+  double width = std::numeric_limits<double>::infinity(), volume = width, area = width;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const ClosedShell& other = members_[m].shell;
+    if (static_cast<int>(m) == member || !other.box().intersects(box)) continue;
+    is_among = true;
+    if (!other.comes_near(box)) continue;
+    near.push_back(static_cast<int>(m));
+    width = std::min(width, other.least_width());
+    volume = std::min(volume, volume_of(other.box()));
+    area = std::min(area, area_of(other.box()));
+  }
+  if (!is_among && role != MemberRole::kAdded) return;
+  const double u = extent(patch, 0), v = extent(patch, 1);
+  if (std::max(u, v) > width && depth < kMostDivisions) {
+    surface::BezierPatch low, high;
+    patch.split(u > v ? 0 : 1, low, high);
+    collect(low, member, has_area, depth + 1);
+    collect(high, member, has_area, depth + 1);
+    return;
+  }
+  surface::SurfaceJet jet;
+  surface::evaluate_first(patch, 0.5, 0.5, jet);
+  std::vector<bool> within(members_.size());
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    if (static_cast<int>(m) == member || std::ranges::count(near, static_cast<int>(m))) continue;
+    within[m] = members_[m].shell.is_inside(jet.point);
+  }
+  if (near.empty() && !is_taken(member, within)) return;
+  const double sign = role == MemberRole::kAdded ? 1.0 : -1.0;
+  const double sense = role == MemberRole::kHull ? -1.0 : 1.0;
+  const Eigen::AlignedBox3d& own = members_[member].shell.box();
+  pieces_.push_back({patch,
+                     member,
+                     sign,
+                     has_area ? sense : 0.0,
+                     near,
+                     within,
+                     {},
+                     tolerance_ * std::min(volume, volume_of(own)),
+                     10.0 * tolerance_ * std::min(area, area_of(own))});
+}
+
+ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water) const {
+  std::vector<const ClosedShell*> near;
+  for (int m : piece.near) near.push_back(&members_[m].shell);
+  std::vector<bool> within = piece.within;
+  const auto takes = [&](const std::vector<bool>& inside) {
+    for (std::size_t k = 0; k < piece.near.size(); ++k) within[piece.near[k]] = inside[k];
+    return is_taken(piece.member, within);
+  };
+  const PieceRule rule{origin_, piece.volume_tolerance, piece.area_tolerance};
+  ShellMoments moments = near.empty() && !water
+                             ? whole_patch_moments(piece.patch, rule)
+                             : cut_patch_moments(piece.patch, near, takes, water, rule);
+  const double area = piece.area * moments.area, error = std::abs(piece.area) * moments.area_error;
+  const double volume_error = moments.volume_error;
+  moments *= piece.flux;
+  moments.area = area;
+  moments.area_error = error;
+  moments.volume_error = volume_error;
+  return moments;
+}
+
+ShellMoments JoinedShells::change(const Plane& water) const {
+  ShellMoments sum;
+  for (const Piece& piece : pieces_) {
+    double lowest = water.height(piece.patch.point(0)), highest = lowest;
+    for (int i = 1; i < 16; ++i) {
+      const double height = water.height(piece.patch.point(i));
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+    if (lowest >= 0.0) continue;
+    try {
+      sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water);
+    } catch (const SurfacesInOneAnother&) {
+      refuse();
+    }
+  }
+  return sum;
+}
+
+// A closed surface has no ∫ n dS, and each of its three fluxes is its volume.
+void JoinedShells::check_closed() const {
+  Eigen::AlignedBox3d least = members_.front().shell.box();
+  for (const JoinedMember& member : members_) {
+    if (volume_of(member.shell.box()) < volume_of(least)) least = member.shell.box();
+  }
+  const Vector3d fluxes = whole_.first.diagonal();
+  const double open = std::max(whole_.normal.cwiseAbs().maxCoeff() / area_of(least),
+                               (fluxes.maxCoeff() - fluxes.minCoeff()) /
+                                   std::max(volume_of(least), std::abs(fluxes.mean())));
+  if (open > kOpen) refuse();
+}
+
+void JoinedShells::refuse() const {
+  std::string names;
+  for (const JoinedMember& member : members_) {
+    if (member.role != MemberRole::kHull) names += (names.empty() ? "" : ", ") + member.name;
+  }
+  throw std::invalid_argument(
+      "The surfaces of the hull and of " + names +
+      " lie in one another along an area, or are open: let them cross at an angle, as by an end "
+      "well within the hull.");
+}
+
+ShellMoments moments_of(const ClosedShell& shell) {
+  const PieceRule rule{shell.box().center(), 0.0, 1e-12 * area_of(shell.box())};
+  ShellMoments sum;
+  for (const surface::BezierPatch& patch : shell.patches()) {
+    sum += whole_patch_moments(patch, rule);
+  }
+  return moved(sum, rule.origin);
+}
+
+}  // namespace hull::analysis

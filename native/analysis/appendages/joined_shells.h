@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/appendages/closed_shell.h"
+#include "analysis/immersion/shell_moments.h"
+#include "analysis/sections/plane_cut.h"
+
+namespace hull::analysis {
+
+// What a body is to the ship: one of the hull's own, which is counted already, one that is added
+// to it, or one that is cut out of it.
+enum class MemberRole { kHull, kAdded, kCut };
+
+struct JoinedMember {
+  ClosedShell shell;
+  MemberRole role;
+  std::string name;                  // for messages
+  std::vector<bool> without_area{};  // patches that are no wetted surface; none: all are
+};
+
+// A ship's hull with bodies joined to it and others cut out: the boundary of
+//
+//   (hull ∪ added bodies) ∖ what is cut out,
+//
+// by what it has more than the hull's own surfaces: of a hull the part within other bodies less, of
+// an added body the part outside of all others more, of what is cut out the part within the rest,
+// turned round. So integrals over surfaces that meet are sums over parts of each, with the exact
+// curves where they meet as limits.
+//
+// Within a patch, lines u -> S(u, v) are divided at their crossings with the other surfaces and
+// with the water; on each part the integrands but the area's are polynomials, and Gauss' rule of
+// eight nodes is exact. Along v a rule tells its own error, and intervals, which begin and end
+// where crossings leave the patch, are halved until that is small.
+class JoinedShells {
+ public:
+  // `origin`: moments are about it. `tolerance`: of integrals, relative to the smaller body of a
+  // pair. Throws std::invalid_argument where surfaces lie in one another, as of a keel whose root
+  // is in the plane of a flat bottom.
+  JoinedShells(std::vector<JoinedMember> members, const Vector3d& origin, double tolerance);
+
+  // What the wet surface has more than that of the hulls alone, about the origin.
+  ShellMoments change(const Plane& water) const;
+  // The same without water.
+  const ShellMoments& whole_change() const { return whole_; }
+
+  const std::vector<JoinedMember>& members() const { return members_; }
+
+ private:
+  // A part of a patch that counts, all of it unless other surfaces are near.
+  struct Piece {
+    surface::BezierPatch patch;
+    int member;
+    double flux, area;         // factors of its integrals
+    std::vector<int> near;     // members whose surfaces may cross it
+    std::vector<bool> within;  // of each member; of near ones not told
+    ShellMoments moments;      // without water, factors included
+    double volume_tolerance, area_tolerance;
+  };
+
+  void collect(const surface::BezierPatch& patch, int member, bool has_area, int depth);
+  // Whether a point of a member's surface counts, by what it is inside of.
+  bool is_taken(int member, const std::vector<bool>& inside) const;
+  ShellMoments moments_of(const Piece& piece, const Plane* water) const;
+  void check_closed() const;
+  [[noreturn]] void refuse() const;
+
+  std::vector<JoinedMember> members_;
+  Vector3d origin_;
+  double tolerance_;
+  std::vector<Piece> pieces_;
+  ShellMoments whole_;
+};
+
+// Of a whole shell, about the origin.
+ShellMoments moments_of(const ClosedShell& shell);
+
+}  // namespace hull::analysis

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "analysis/appendages/appendage.h"
+#include "analysis/appendages/joined_shells.h"
+#include "bindings/arrays.h"
+#include "bindings/classes.h"
+
+namespace hull::bindings {
+namespace {
+
+using analysis::Appendage;
+using analysis::SectionForm;
+
+// Points of a grid on each patch of the shell, and its quadrilaterals.
+py::tuple grid_of(const Appendage& appendage, int divisions) {
+  if (divisions < 1 || divisions > 64) {
+    throw std::invalid_argument("divisions must be from 1 to 64.");
+  }
+  std::vector<Vector3d> points;
+  std::vector<int> corners;
+  const analysis::ClosedShell shell = analysis::shell_of(appendage.shape);
+  const int side = divisions + 1;
+  surface::SurfaceJet jet;
+  for (const surface::BezierPatch& patch : shell.patches()) {
+    const int first = static_cast<int>(points.size());
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        surface::evaluate_first(patch, static_cast<double>(i) / divisions,
+                                static_cast<double>(j) / divisions, jet);
+        points.push_back(jet.point);
+      }
+    }
+    for (int j = 0; j < divisions; ++j) {
+      for (int i = 0; i < divisions; ++i) {
+        const int at = first + j * side + i;
+        corners.insert(corners.end(), {at, at + 1, at + side + 1, at + side});
+      }
+    }
+  }
+  const auto count = static_cast<py::ssize_t>(corners.size() / 4);
+  return py::make_tuple(to_array(points), to_array(corners).reshape({count, py::ssize_t{4}}));
+}
+
+py::array_t<bool> inside_of(const Appendage& appendage, const DoubleArray& points) {
+  const std::vector<Vector3d> all = points_from(points, "points");
+  py::array_t<bool> inside(static_cast<py::ssize_t>(all.size()));
+  const analysis::ClosedShell shell = analysis::shell_of(appendage.shape);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    inside.mutable_at(static_cast<py::ssize_t>(i)) = shell.is_inside(all[i]);
+  }
+  return inside;
+}
+
+analysis::ShellMoments moments_of(const Appendage& appendage) {
+  return analysis::moments_of(analysis::shell_of(appendage.shape));
+}
+
+void bind_shapes(py::module_& module) {
+  module.def(
+      "cylinder",
+      [](const DoubleArray& start, const DoubleArray& end, double radius,
+         const std::optional<double>& end_radius, const std::string& name, bool cut,
+         bool mirrored) {
+        const analysis::CylinderShape shape{point_from(start, "start"), point_from(end, "end"),
+                                            radius, end_radius.value_or(radius)};
+        analysis::shell_of(shape);
+        return Appendage{name, shape, cut, mirrored};
+      },
+      py::arg("start"), py::arg("end"), py::arg("radius"), py::kw_only(),
+      py::arg("end_radius") = py::none(), py::arg("name") = "cylinder", py::arg("cut") = false,
+      py::arg("mirrored") = false,
+      "An Appendage: a circular cylinder between two points (3,), m, or a cone with its tip cut "
+      "off. cut: it is cut out of the hull, as a tunnel. mirrored: on the other side too. "
+      "ValueError for lengths that are not positive.");
+  module.def(
+      "foil",
+      [](const std::string& section, const DoubleArray& root, const DoubleArray& tip,
+         double root_chord, const std::optional<double>& tip_chord,
+         const DoubleArray& chord_direction, const DoubleArray& thickness_direction,
+         double root_thickness, double tip_thickness, const std::string& name, bool cut,
+         bool mirrored) {
+        const analysis::FoilShape shape{section,
+                                        point_from(root, "root"),
+                                        point_from(tip, "tip"),
+                                        point_from(chord_direction, "chord_direction"),
+                                        point_from(thickness_direction, "thickness_direction"),
+                                        root_chord,
+                                        tip_chord.value_or(root_chord),
+                                        root_thickness,
+                                        tip_thickness};
+        analysis::shell_of(shape);
+        return Appendage{name, shape, cut, mirrored};
+      },
+      py::arg("section"), py::arg("root"), py::arg("tip"), py::arg("root_chord"), py::kw_only(),
+      py::arg("tip_chord") = py::none(),
+      py::arg("chord_direction") = py::make_tuple(-1.0, 0.0, 0.0),
+      py::arg("thickness_direction") = py::make_tuple(0.0, 1.0, 0.0),
+      py::arg("root_thickness") = 0.0, py::arg("tip_thickness") = 0.0, py::arg("name") = "foil",
+      py::arg("cut") = false, py::arg("mirrored") = false,
+      "An Appendage: straight lines between two sections whose leading edges are root and tip "
+      "(3,), "
+      "m. section: as of SectionForm. chord_direction (3,): to the trailing edge. "
+      "root_thickness, tip_thickness: of the chord; 0: the section's own.");
+  module.def(
+      "bulb",
+      [](const std::string& section, const DoubleArray& nose, const DoubleArray& tail,
+         double diameter, const std::string& name, bool cut, bool mirrored) {
+        const analysis::BulbShape shape{section, point_from(nose, "nose"), point_from(tail, "tail"),
+                                        diameter};
+        analysis::shell_of(shape);
+        return Appendage{name, shape, cut, mirrored};
+      },
+      py::arg("section"), py::arg("nose"), py::arg("tail"), py::arg("diameter"), py::kw_only(),
+      py::arg("name") = "bulb", py::arg("cut") = false, py::arg("mirrored") = false,
+      "An Appendage: a body of revolution with a symmetric section's outline.");
+}
+
+}  // namespace
+
+void bind_appendages(py::module_& module) {
+  py::class_<SectionForm>(module, "SectionForm",
+                          "A section of unit chord of NACA's families: four digits (\"0012\", "
+                          "\"2412\"), five (\"23012\", "
+                          "mean lines 210 to 250), \"63-012\", \"64-012\", \"65-012\" and other "
+                          "thicknesses of these in "
+                          "proportion. ValueError for other names.")
+      .def(py::init<const std::string&>(), py::arg("name"))
+      .def_property_readonly("name", &SectionForm::name)
+      .def_property_readonly("thickness", &SectionForm::thickness, "Of the chord, by its name.")
+      .def_property_readonly("symmetric", &SectionForm::is_symmetric)
+      .def(
+          "half_thickness",
+          [](const SectionForm& form, double x) {
+            if (!(x >= 0.0 && x <= 1.0)) throw std::invalid_argument("x must be from 0 to 1.");
+            return form.half_thickness(x);
+          },
+          py::arg("x"), "Perpendicular to the mean line at x of it, of the chord.")
+      .def("mean_line", &SectionForm::mean_line, py::arg("x"), "y at x, of the chord.")
+      .def(
+          "point",
+          [](const SectionForm& form, double x, bool lower) {
+            if (!(x >= 0.0 && x <= 1.0)) throw std::invalid_argument("x must be from 0 to 1.");
+            return form.outline(std::sqrt(x), lower ? -1 : 1, 1.0, true).place;
+          },
+          py::arg("x"), py::kw_only(), py::arg("lower") = false,
+          "(2,): the outline's point at x of the mean line, of the chord.")
+      .def(
+          "spline",
+          [](const SectionForm& form) {
+            py::list parts;
+            for (const auto& part : analysis::outline_of(form, form.thickness(), false)) {
+              parts.append(to_array(std::vector<Eigen::Vector2d>(part.begin(), part.end())));
+            }
+            return parts;
+          },
+          "A list of arrays (4, 2): Bézier points of the cubics that bodies are made of, from the "
+          "trailing edge along the upper side, and back along the lower one.");
+  py::class_<Appendage>(module, "Appendage",
+                        "A body that HullBody.join() joins to a hull or cuts out of it: of "
+                        "cylinder(), foil() or bulb().")
+      .def_readonly("name", &Appendage::name)
+      .def_readonly("cut", &Appendage::is_cut)
+      .def_readonly("mirrored", &Appendage::mirrored, "Its image is one, too.")
+      .def_property_readonly(
+          "volume", [](const Appendage& a) { return moments_of(a).first.trace() / 3.0; },
+          "m³, of itself without its image.")
+      .def_property_readonly(
+          "area", [](const Appendage& a) { return moments_of(a).area; }, "m².")
+      .def_property_readonly(
+          "centre",
+          [](const Appendage& a) -> Vector3d {
+            const analysis::ShellMoments m = moments_of(a);
+            return m.second.topRows<3>().diagonal() * 1.5 / m.first.trace();
+          },
+          "(3,), m, of the volume.")
+      .def(
+          "grid", &grid_of, py::arg("divisions") = 1,
+          "(points (n, 3), quadrilaterals (m, 4)) on its surface, to be shown. Points at the sides "
+          "of patches are there more than once.")
+      .def("inside", &inside_of, py::arg("points"), "(n,) of bool: which points are within.");
+  bind_shapes(module);
+}
+
+}  // namespace hull::bindings
