@@ -50,6 +50,15 @@ std::vector<Vector3d> moved(const surface::LimitSurface& surface,
   return points;
 }
 
+// The form of the moves' bending, which is the same for all steps.
+Eigen::SparseMatrix<double> bending_of_moves(const surface::LimitSurface& surface,
+                                             const surface::PieceWeights& pieces,
+                                             const FitOptions& options) {
+  if (!(options.stiffness > 0.0)) return {};
+  const surface::LimitSurface& metric = options.metric ? *options.metric : surface;
+  return thin_plate_matrix(metric, pieces);
+}
+
 // The surface at some step, and all that its cost is made of.
 struct State {
   surface::LimitSurface surface;
@@ -74,7 +83,7 @@ class Fitting {
         bounds_(options.bounds, space_),
         size_(surface.mesh().size()),
         start_(surface),
-        metric_(options.metric ? *options.metric : surface),
+        bending_(bending_of_moves(surface, pieces_, options)),
         state_{surface, surface::SurfaceTree(surface), {}, {}, {}} {
     if (target.shape) shape_tree_.emplace(*target.shape);
     if (const auto within = bounds_.moves_within(surface.mesh().points())) {
@@ -126,7 +135,8 @@ class Fitting {
     }
     if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
     if (options_.stiffness > 0.0) {
-      state.move_energy = thin_plate_energy(metric_, pieces_, moves(state));
+      const Moves moves = moves_of(state);
+      state.move_energy = moves.cwiseProduct(bending_ * moves).sum();
     }
   }
 
@@ -134,9 +144,14 @@ class Fitting {
     return thin_plate_energy(surface, pieces_, surface.mesh().points());
   }
 
-  std::vector<Vector3d> moves(const State& state) const {
-    std::vector<Vector3d> moves = state.surface.mesh().points();
-    for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= start_.mesh().points()[i];
+  using Moves = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  Moves moves_of(const State& state) const {
+    const std::vector<Vector3d>&now = state.surface.mesh().points(),
+          &start = start_.mesh().points();
+    Moves moves(static_cast<Eigen::Index>(now.size()), 3);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      moves.row(static_cast<Eigen::Index>(i)) = (now[i] - start[i]).transpose();
+    }
     return moves;
   }
 
@@ -153,7 +168,8 @@ class Fitting {
                      factor(options_.fairness), equations);
     }
     if (options_.stiffness > 0.0) {
-      add_thin_plate(metric_, pieces_, moves(state_), factor(options_.stiffness), equations);
+      const double weight = factor(options_.stiffness);
+      equations.add_scalar(weight * bending_, -weight * (bending_ * moves_of(state_)));
     }
     return equations;
   }
@@ -195,7 +211,7 @@ class Fitting {
   MoveBounds bounds_;
   double size_;
   const surface::LimitSurface& start_;
-  const surface::LimitSurface& metric_;
+  const Eigen::SparseMatrix<double> bending_;  // of moves
   std::optional<surface::SurfaceTree> shape_tree_;
   State state_;
   double damping_ = kFirstDamping;

@@ -53,6 +53,19 @@ Eigen::SparseMatrix<double> FitEquations::hessian() const {
   return matrix.selfadjointView<Eigen::Lower>();
 }
 
+void FitEquations::add_scalar(const Eigen::SparseMatrix<double>& form,
+                              const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient) {
+  for (int column = 0; column < form.outerSize(); ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(form, column); entry; ++entry) {
+      const int row = static_cast<int>(entry.row());
+      if (row >= column) block(row, column).diagonal().array() += entry.value();
+    }
+  }
+  for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
+    gradient_.segment<3>(3 * k) += gradient.row(k).transpose();
+  }
+}
+
 std::optional<std::vector<Vector3d>> FitEquations::solve(const MoveSpace& space,
                                                          double damping) const {
   return solve(space, damping, MoveBounds({}, space), {});

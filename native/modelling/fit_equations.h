@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -27,6 +28,10 @@ class FitEquations {
            const Eigen::VectorXd& gradient);
   // The same of a quadratic form (k x k) that is the same for x, y and z.
   void add_scalar(const std::vector<int>& points, const Eigen::MatrixXd& form,
+                  const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient);
+
+  // The same of a form of all points, symmetric.
+  void add_scalar(const Eigen::SparseMatrix<double>& form,
                   const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient);
 
   // Moves of all points within the space, of (H + damping · m · 1) x = g in its basis, m the mean

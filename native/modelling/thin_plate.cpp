@@ -148,6 +148,9 @@ void visit_forms(const surface::LimitSurface& surface, const surface::PieceWeigh
   }
 }
 
+// Of a sparse matrix, before equal ones are summed: 32 MB.
+constexpr std::size_t kEntriesAtOnce = 2'000'000;
+
 }  // namespace
 
 Eigen::Matrix<double, 16, 16> thin_plate_of_span(const surface::BicubicPoints& points) {
@@ -202,6 +205,30 @@ void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWe
     equations.add_scalar(piece.points, factor * rows.transpose() * rows,
                          -factor * rows.transpose() * bent);
   }
+}
+
+Eigen::SparseMatrix<double> thin_plate_matrix(const surface::LimitSurface& surface,
+                                              const surface::PieceWeights& pieces) {
+  const int count = surface.mesh().topology().vertex_count();
+  Eigen::SparseMatrix<double> matrix(count, count);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add_entries = [&] {
+    Eigen::SparseMatrix<double> some(count, count);
+    some.setFromTriplets(entries.begin(), entries.end());
+    matrix += some;
+    entries.clear();
+  };
+  visit_thin_plate_forms(surface, pieces, 1.0,
+                         [&](const std::vector<int>& points, const Eigen::MatrixXd& form) {
+                           for (std::size_t a = 0; a < points.size(); ++a) {
+                             for (std::size_t b = 0; b < points.size(); ++b) {
+                               entries.emplace_back(points[a], points[b], form(a, b));
+                             }
+                           }
+                           if (entries.size() > kEntriesAtOnce) add_entries();
+                         });
+  add_entries();
+  return matrix;
 }
 
 }  // namespace hull::modelling

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <vector>
 
@@ -25,6 +26,11 @@ double thin_plate_energy(const surface::LimitSurface& surface, const surface::Pi
 // Adds `factor` times that energy to the equations for what is added to the values.
 void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWeights& pieces,
                     const std::vector<Vector3d>& values, double factor, FitEquations& equations);
+
+// The same energy as a form of all control points: of what they carry it is Σ valueᵀ · form ·
+// value, over x, y and z.
+Eigen::SparseMatrix<double> thin_plate_matrix(const surface::LimitSurface& surface,
+                                              const surface::PieceWeights& pieces);
 
 // The same energy of one piece, as a form of its 16 B-spline points.
 Eigen::Matrix<double, 16, 16> thin_plate_of_span(const surface::BicubicPoints& points);

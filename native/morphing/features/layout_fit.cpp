@@ -11,11 +11,21 @@
 #include "morphing/features/layout_fitting.h"
 #include "morphing/features/layout_shortfall.h"
 #include "morphing/features/layout_start.h"
+#include "morphing/features/layout_turns.h"
 #include "morphing/features/renumbering.h"
 #include "surface/refined_mesh.h"
 
 namespace hull::morphing {
 namespace {
+
+// Where, on the first hull, its layout is turned over on the second one; none: nowhere.
+std::optional<Vector3d> turn_of(const surface::LimitSurface& second, const LayoutFit& fit) {
+  const modelling::SurfacePlaces places(fit.first);
+  const std::vector<int> turned =
+      LayoutTurns(second).turned(modelling::SurfacePlaces(fit.second, places.weights()));
+  if (turned.empty()) return std::nullopt;
+  return places.position(turned.front());
+}
 
 void measure(const surface::LimitSurface& target, LayoutFit& fit) {
   const LayoutDistances there = layout_distances(target, fit.second);
@@ -27,6 +37,7 @@ void measure(const surface::LimitSurface& target, LayoutFit& fit) {
   fit.largest_back = back.largest;
   fit.largest_back_place = back.place;
   fit.fold = fold_between(fit.first, fit.second);
+  if (!fit.fold) fit.fold = turn_of(target, fit);
 }
 
 // The second hull with the numbers of the first, where both have one topology.
