@@ -24,7 +24,7 @@ from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
 from foreign_operations.view import in_view, open_sidebar  # noqa: E402
 
-# Of the clock: what hangs ends here; other work on the machine may slow a long job by several times.
+# Of the clock: what hangs ends here. Other work on the machine may slow long jobs down.
 LONGEST_STEP_SECONDS = 900
 LONGEST_WORK_SECONDS = 300  # of the processor
 SLOW_STEP_SECONDS = 1.0  # of the processor: told in the log
