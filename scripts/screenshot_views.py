@@ -11,6 +11,7 @@ import network_scenes
 import numpy as np
 import tie_scenes
 from addon_under_test import part
+from close_views import coaster_close_by
 from editing import select
 from expect import edited_points
 from mathutils import Vector
@@ -143,21 +144,8 @@ def _distances(window):
 
 def _rows(window):
     """A row along the coaster with its comb; in the fore body it has a dent."""
+    hull = yield from coaster_close_by(window, (30.0, 0.0, 160.0), (62.0, 7.0, 3.0), 42.0)
     with window.in_view():
-        bpy.ops.screen.screen_full_area()
-    yield
-    hull = load(window)
-    window.space.show_region_toolbar = False
-    window.open_sidebar()
-    yield
-    window.look(hull, (30.0, 0.0, 160.0), is_perspective=True)
-    window.space.region_3d.view_location = (62.0, 7.0, 3.0)
-    window.space.region_3d.view_distance = 42.0
-    window.space.overlay.show_floor = False
-    lines = hull.hull.lines
-    lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
-    with window.in_view():
-        bpy.ops.object.mode_set(mode="EDIT")
         points, mesh_points = edited_points(hull), part("bridge.mesh.mesh_points")
         dent = np.abs(points - (67.9, 6.1, 4.9)).sum(axis=1).argmin(keepdims=True)
         mesh_points.write(hull.data, dent, points[dent] - (0.0, 0.25, 0.0))

@@ -4,28 +4,15 @@
 import bpy
 import numpy as np
 from addon_under_test import part
+from close_views import coaster_close_by
 from expect import edited_points
-from screenshot_panels import load
 
 
 def tied_points(window):
     """A coaster amidships in edit mode: points of the deck's edge on the line between two others,
     and two at the bilge that go with one of them."""
+    hull = yield from coaster_close_by(window, (62.0, 0.0, 150.0), (40.0, 6.0, 4.0), 44.0)
     with window.in_view():
-        bpy.ops.screen.screen_full_area()
-    yield
-    hull = load(window)
-    window.space.show_region_toolbar = False
-    window.open_sidebar()
-    yield
-    window.look(hull, (62.0, 0.0, 150.0), is_perspective=True)
-    window.space.region_3d.view_location = (40.0, 6.0, 4.0)
-    window.space.region_3d.view_distance = 44.0
-    window.space.overlay.show_floor = False
-    lines = hull.hull.lines
-    lines.show_buttocks = lines.show_waterlines = lines.show_stations = False
-    with window.in_view():
-        bpy.ops.object.mode_set(mode="EDIT")
         _tie(hull)
         part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
         bpy.ops.mesh.select_all(action="DESELECT")

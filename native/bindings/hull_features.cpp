@@ -118,7 +118,8 @@ void bind_layout(py::module_& module) {
             if (!f.fold) return py::none();
             return py::array_t<double>(3, f.fold->data());
           },
-          "(3,), m: a place on `first` where a member between the two is folded; None: nowhere.")
+          "(3,), m: a place on `first` where a member between the two is folded, or the layout is "
+          "turned over on the hull; None: nowhere.")
       .def_property_readonly(
           "fold_ahead",
           [](const LayoutFit& f) -> py::object {

@@ -70,6 +70,7 @@ def test_the_papers_pair_ends_in_its_parents(ships, made):
     random = np.random.default_rng(SEED)
     for ship, fit, parent in zip(ships, made.fits, made.parents):
         length = length_of(ship.surface)
+        print(fit.rms / length, fit.rms_back / length, fit.largest, fit.largest_back)
         assert fit.rms <= MET * length and fit.rms_back <= MET * length
         assert distances_from(parent, ship.surface, random) <= MET * length
         assert distances_from(ship.surface, parent, random) <= MET * length
@@ -127,6 +128,7 @@ def test_members_between_are_sound(made):
     family = made.family
     length = length_of(made.parents[1])
     chains = len(hn.crease_curves(made.parents[0]))
+    assert common_flats(made)
     for t in np.linspace(0, 1, 11):
         surface = member(made, t)
         mesh = surface.mesh

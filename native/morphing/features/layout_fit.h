@@ -38,7 +38,7 @@ struct LayoutFit {
   double rms_back = 0.0, largest_back = 0.0;
   Vector3d largest_back_place = Vector3d::Zero();  // on `second`
   // Where, on `first`, a member between the two is folded (HullFamily::first_fold() at kFoldTrials
-  // members); none: nowhere.
+  // members), or the layout is turned over on the second hull (LayoutTurns); none: nowhere.
   std::optional<Vector3d> fold = std::nullopt;
   // Where a member would be folded by a step that was not taken for it; none: all were.
   std::optional<Vector3d> fold_ahead = std::nullopt;
@@ -58,7 +58,8 @@ inline constexpr int kFoldTrials = 9;
 // counterparts. Half hulls keep their points in the centre plane there and all others on their side
 // of it, and with them the surface; they are square to it where both hulls are; what is flat in
 // both stays flat. A step by which a member between the two would
-// be folded is not taken, and the fit ends before it: with a larger distance.
+// be folded is not taken, and the fit ends before it: with a larger distance. Of several ways the
+// one without a fold is taken, or the one that comes nearest.
 //
 // Throws std::invalid_argument, naming them, where bodies are not paired, as for a hull with a keel
 // beside one without, for a half hull beside one of both sides or of the other side, for schemes
