@@ -182,18 +182,22 @@ def loaded(*names):
     return hulls
 
 
-def morph_of_pair(*names):
-    """A morph of two samples, the first of which gives the layout; the active hull."""
-    first, second = loaded(*names)
+def morph_of_pair(first, second, layout=None):
+    """A morph of two samples by the layout of the first, or of another sample; the active hull."""
+    names = list(dict.fromkeys([first, second, layout or first]))
+    hulls = dict(zip(names, loaded(*names)))
+    parents = [hulls[first], hulls[second]]
     with bpy.context.temp_override(
-        object=first, active_object=first, selected_objects=[first, second]
+        object=parents[0], active_object=parents[0], selected_objects=parents
     ):
-        bpy.ops.hull.make_morph()
+        bpy.ops.hull.make_morph(layout=hulls[layout or first].name)
+    for name in names[2:]:
+        hulls[name].hide_set(True)
     return bpy.context.view_layer.objects.active
 
 
 def _with_morph(hull):
-    made = morph_of_pair("container_ship", "bulk_carrier")
+    made = morph_of_pair("container_ship", "bulk_carrier", layout="roro")
     made.hull.morph.parents[0].weight, made.hull.morph.active_parent = 0.3, 1
     with bpy.context.temp_override(object=made, active_object=made):
         bpy.ops.hull.add_field(base="PLANE")

@@ -171,7 +171,7 @@ def _family(window):
     space.show_region_toolbar, space.shading.color_type, space.lens = False, "MATERIAL", 90.0
     space.overlay.show_floor = space.overlay.show_extras = False
     with window.in_view():
-        made = morph_of_pair("container_ship", "bulk_carrier")
+        made = morph_of_pair("container_ship", "bulk_carrier", layout="roro")
     first, second = (entry.source for entry in made.hull.morph.parents)
     made.location.y, second.location.y = 60.0, 120.0
     for hull in (first, second, made):
@@ -210,7 +210,7 @@ def _pairs(window):
     yield
 
 
-def _members(*names, distance=0.78):
+def _members(*names, layout=None, distance=0.78):
     """The scene of two samples and three members between them, side by side."""
 
     def scene(window):
@@ -224,7 +224,7 @@ def _members(*names, distance=0.78):
         overlay.show_floor = overlay.show_axis_x = overlay.show_axis_y = False
         overlay.show_cursor = overlay.show_extras = False
         with window.in_view():
-            hulls = _spread(morph_of_pair(*names))
+            hulls = _spread(morph_of_pair(*names, layout=layout))
         for hull in hulls:
             _show_stations(hull)
         bpy.context.view_layer.update()
@@ -390,8 +390,8 @@ VIEWS = {
     "first-hull/pie": View(_pie, hull_panels("hull", "tags", "shape")),
     "first-hull/judged": View(_judged, hull_panels("fairness", "combs")),
     "morphing/weights": View(_weights, hull_panels("morph")),
-    "morphing/ships": View(_members("container_ship", "bulk_carrier"), ()),
-    "morphing/coasters": View(_members("coaster", "roro", distance=1.2), ()),
+    "morphing/ships": View(_members("container_ship", "bulk_carrier", layout="roro"), ()),
+    "morphing/coasters": View(_members("coaster", "roro", layout="roro", distance=1.2), ()),
     "morphing/vessels": View(_members("research_vessel", "naval_vessel", distance=0.9), ()),
     "morphing/pairs": View(_pairs, hull_panels("morph", "morph_pairs")),
     "transformation/area-curve": View(_area_curve, hull_panels("transform", "area_curve")),

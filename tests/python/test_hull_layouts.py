@@ -2,8 +2,7 @@
 """One hull's control mesh laid onto another: the paper's pair of ships in kind, members between, a
 hull onto itself in other layouts, and what is refused.
 
-HULL_ALL_MEMBERS: eleven members of the paper's pair are written and judged, instead of one; a
-coaster comes onto a catamaran's demihull, too.
+HULL_ALL_MEMBERS: eleven members of the paper's pair are written and judged, instead of one.
 """
 
 import os
@@ -11,9 +10,7 @@ import os
 import hull_native as hn
 import numpy as np
 import pytest
-import vessels
 from hull_fairness.lines import judged
-from hull_io.mirror import mirror_faces
 from test_form_numbers import Sample
 from test_hull_families import fuller, remade
 from test_hull_features import renumbered
@@ -26,13 +23,6 @@ ALL = bool(os.environ.get("HULL_ALL_MEMBERS"))
 
 def length_of(surface):
     return np.ptp(surface.mesh.points[:, 0])
-
-
-def whole(name):
-    """The whole of a sample, both sides, as one surface."""
-    data = vessels.vessel(name).data
-    mirror_faces(data, range(len(data.faces)))
-    return vessels.surface_of(data)
 
 
 def distances_from(surface, other, random, count=2000):
@@ -268,30 +258,6 @@ def test_bodies_without_counterpart_are_named():
         hn.fit_layout(coaster, yacht)
     with pytest.raises(ValueError, match="leave out of the first the body between"):
         hn.fit_layout(yacht, coaster)
-
-
-# The coaster has a bulb and a flat bottom, which the demihull has not.
-@pytest.mark.parametrize("name", ("planing_boat", "coaster") if ALL else ("planing_boat",))
-def test_a_half_is_no_demihull_but_its_whole_is(name):
-    demihull = Sample("catamaran").surface
-    half = Sample(name).surface
-    with pytest.raises(ValueError, match="The first hull is a half.*mirror the half"):
-        hn.fit_layout(half, demihull)
-    with pytest.raises(ValueError, match="The second hull is a half"):
-        hn.fit_layout(demihull, half)
-    fit = hn.fit_layout(whole(name), demihull)
-    print(fit.rms / length_of(demihull), fit.rms_back / length_of(demihull))
-    assert max(fit.rms, fit.rms_back) <= MET * length_of(demihull)
-    assert fit.fold is None and fit.shortfall == ""
-
-
-@pytest.mark.skipif(not ALL, reason="HULL_ALL_MEMBERS is not set")
-def test_where_the_demihull_s_own_layout_falls_short_it_is_said():
-    boat = whole("planing_boat")
-    fit = hn.fit_layout(Sample("catamaran").surface, boat)
-    assert max(fit.rms, fit.rms_back) > MET * length_of(boat)
-    assert "pair by hand the knuckle" in fit.shortfall
-    assert "take the layout of the other hull" in fit.shortfall
 
 
 def test_halves_of_two_sides_are_refused():

@@ -30,12 +30,22 @@ BARRED = ("container_ship", "research_vessel")
 # Of the length, both ways: the tolerance of fit_layout().
 MET = 1e-4
 MEMBERS = np.linspace(0.0, 1.0, 11)
-# Whose layouts do not come onto one another, and a third hull whose layout comes onto both.
+# Whose layouts do not come onto one another, or turn over there, and a third hull whose layout
+# comes onto both.
 BY_A_THIRD = (
-    ("FREE!ship demo 4", "bulk_carrier", "coaster"),
-    ("FREE!ship demo 4", "container_ship", "naval_vessel"),
+    ("coaster", "bulk_carrier", "roro"),
+    ("coaster", "FREE!ship demo 4", "naval_vessel"),
+    ("coaster", "FREE!ship demo 6", "naval_vessel"),
+    ("container_ship", "bulk_carrier", "research_vessel"),
+    ("container_ship", "FREE!ship demo 3", "naval_vessel"),
+    ("container_ship", "FREE!ship demo 4", "naval_vessel"),
+    ("container_ship", "FREE!ship demo 6", "naval_vessel"),
+    ("bulk_carrier", "naval_vessel", "roro"),
+    ("bulk_carrier", "FREE!ship demo 3", "roro"),
+    ("bulk_carrier", "FREE!ship demo 4", "roro"),
+    ("roro", "FREE!ship demo 6", "naval_vessel"),
     ("FREE!ship demo 3", "FREE!ship demo 4", "roro"),
-    ("FREE!ship demo 3", "FREE!ship demo 6", "coaster"),
+    ("FREE!ship demo 3", "FREE!ship demo 6", "naval_vessel"),
 )
 # What can be done.
 REMEDY = re.compile(

@@ -153,8 +153,9 @@ def _of_normals(mesh, fresh):
     shown, wanted = _corner_normals(mesh), fresh.normals.reshape(-1, 3)
     if fresh.seen_normals is not None and np.array_equal(shown, fresh.seen_normals):
         return []
-    # Where the surface has no normal it is as Blender has it.
-    exact = np.linalg.norm(wanted, axis=1) > 0.5
+    # Where the surface has no normal it is as Blender has it. Beside a side without length Blender
+    # may have none, and from time to time another one, as its threads come by.
+    exact = (np.linalg.norm(wanted, axis=1) > 0.5) & ~_beside_no_length(mesh, fresh.quads)
     apart = np.abs(shown - wanted).max(axis=1)
     if apart[exact].max(initial=0.0) > _NORMAL_TOLERANCE:
         apart = np.minimum(apart, np.abs(shown - _as_kept(mesh, fresh.normals)).max(axis=1))
@@ -163,6 +164,17 @@ def _of_normals(mesh, fresh):
         return [f"normals shown are off by {apart}"]
     fresh.seen_normals = shown
     return []
+
+
+def _beside_no_length(mesh, quads):
+    """Which corners (4 q,) of faces (q, 4) are on a face with a side that has no length in single
+    precision."""
+    points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
+    mesh.vertices.foreach_get("co", points.reshape(-1))
+    corners = points[quads]
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    least = np.finfo(np.float32).eps * np.abs(points).max(initial=0.0)
+    return np.repeat((sides <= least).any(axis=1), 4)
 
 
 def _as_kept(mesh, normals):
