@@ -31,10 +31,10 @@ def check_family(made):
 
 
 def test_two_hulls_of_freeship_by_the_layout_of_a_sample(freeship_folder):
-    (coaster,) = ships("coaster")
+    (vessel,) = ships("naval_vessel")
     demos = imported(freeship_folder, "FREE!ship demo 3", "FREE!ship demo 6")
     select(*demos)
-    assert bpy.ops.hull.make_morph(layout=coaster.name) == {"FINISHED"}
+    assert bpy.ops.hull.make_morph(layout=vessel.name) == {"FINISHED"}
     bpy.context.view_layer.update()
     made = bpy.context.object
     assert len(made.hull.morph.parents) == 2

@@ -73,7 +73,11 @@ def _fresh(hull, scene):
 def _inputs(hull, scene):
     """All that a Fresh is made of."""
     arrays, objects = part("bridge.mesh.mesh_arrays"), part("bridge.objects.hull_objects")
-    mesh = [array.tobytes() for array in vars(arrays.read_mesh(hull.data)).values()]
+    mesh = vars(arrays.read_mesh(hull.data))
+    ties = mesh.pop("ties")
+    mesh = [array.tobytes() for array in mesh.values()]
+    if ties is not None:
+        mesh += [array.tobytes() for array in (ties.points, ties.kinds, ties.leaders, ties.numbers)]
     scale = part("bridge.blender.units").metres_per_unit(scene)
     return mesh, scale, objects.refusal(hull), objects.excluded_slots(hull), _values(hull.hull)
 
