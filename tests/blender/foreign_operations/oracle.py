@@ -73,7 +73,7 @@ def _fresh(hull, scene):
 def _inputs(hull, scene):
     """All that a Fresh is made of."""
     arrays, objects = part("bridge.mesh.mesh_arrays"), part("bridge.objects.hull_objects")
-    mesh = vars(arrays.read_mesh(hull.data))
+    mesh = dict(vars(arrays.read_mesh(hull.data)))
     ties = mesh.pop("ties")
     mesh = [array.tobytes() for array in mesh.values()]
     if ties is not None:
