@@ -11,7 +11,7 @@ import network_scenes
 import numpy as np
 import tie_scenes
 from addon_under_test import part
-from close_views import coaster_close_by
+from close_views import coaster_close_by, coaster_in_window
 from editing import select
 from expect import edited_points
 from mathutils import Vector
@@ -354,13 +354,7 @@ def _plan(window, path):
 
 def _scaled(window):
     """A coaster that is made longer and broader, with the panel of the operation."""
-    with window.in_view():
-        bpy.ops.screen.screen_full_area()
-    yield
-    hull = load(window)
-    window.space.show_region_toolbar = False
-    window.open_sidebar()
-    yield
+    hull = yield from coaster_in_window(window)
     window.look(hull, _OVER_THE_BOW, is_perspective=True)
     window.space.region_3d.view_distance /= 1.1
     window.space.region_3d.view_location.z -= 0.12 * hull.dimensions.x

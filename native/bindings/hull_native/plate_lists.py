@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The list of a shell's plates: sizes, weights, stretch; and how they lie on stock plates."""
 
-import csv
-import io
 from dataclasses import dataclass, field
 from math import degrees, isfinite
+
+from .csv_rows import csv_text
 
 # t/m³
 STEEL = 7.85
@@ -105,12 +105,7 @@ def rows_csv(rows):
     """Rows as comma-separated values, numbers with seven digits. ValueError for none."""
     if not rows:
         raise ValueError("There is nothing to list.")
-    text = io.StringIO()
-    writer = csv.DictWriter(text, fieldnames=list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    for row in rows:
-        writer.writerow({k: f"{v:.7g}" if isinstance(v, float) else v for k, v in row.items()})
-    return text.getvalue()
+    return csv_text(rows, 7)
 
 
 @dataclass

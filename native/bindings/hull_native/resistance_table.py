@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Resistance of a hull over speeds, by Holtrop and Mennen or by Michell: rows, and their text."""
 
-import csv
-import io
 import math
 
 from . import _core
 from ._resistance import GRAVITY, MichellIntegral, ittc_1957
+from .csv_rows import csv_text
 from .holtrop_form import holtrop_ship
 from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
 from .planing import savitsky
@@ -133,9 +132,4 @@ def resistance_csv(rows):
     """The text of rows as comma-separated values, numbers with six digits. ValueError for none."""
     if not rows:
         raise ValueError("There are no speeds to write: give at least one.")
-    text = io.StringIO()
-    writer = csv.DictWriter(text, fieldnames=list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    for row in rows:
-        writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
-    return text.getvalue()
+    return csv_text(rows, 6)
