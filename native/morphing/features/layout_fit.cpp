@@ -18,18 +18,12 @@
 namespace hull::morphing {
 namespace {
 
-// Where, on the first hull, its layout is turned over on the second one; none: nowhere.
-std::optional<Vector3d> turn_of(const surface::LimitSurface& second, const LayoutFit& fit) {
-  const modelling::SurfacePlaces places(fit.first);
-  const std::vector<int> turned =
-      LayoutTurns(second).turned(modelling::SurfacePlaces(fit.second, places.weights()));
-  if (turned.empty()) return std::nullopt;
-  return places.position(turned.front());
-}
-
-void measure(const surface::LimitSurface& target, LayoutFit& fit) {
-  const LayoutDistances there = layout_distances(target, fit.second);
-  const LayoutDistances back = layout_distances(fit.second, target);
+// `turns`: against the second hull.
+void measure(const LayoutTurns& turns, LayoutFit& fit) {
+  const LayoutDistances there = layout_distances(turns.hull(), fit.second);
+  const modelling::SurfacePlaces places(fit.second);
+  const std::vector<surface::ClosestPoint> feet = turns.feet(places);
+  const LayoutDistances back = layout_distances(places, feet);
   fit.rms = there.rms;
   fit.largest = there.largest;
   fit.largest_place = there.place;
@@ -37,7 +31,10 @@ void measure(const surface::LimitSurface& target, LayoutFit& fit) {
   fit.largest_back = back.largest;
   fit.largest_back_place = back.place;
   fit.fold = fold_between(fit.first, fit.second);
-  if (!fit.fold) fit.fold = turn_of(target, fit);
+  if (fit.fold) return;
+  const std::vector<int> turned = turns.turned(places, feet);
+  if (turned.empty()) return;
+  fit.fold = modelling::SurfacePlaces(fit.first, places.weights()).position(turned.front());
 }
 
 // The second hull with the numbers of the first, where both have one topology.
@@ -131,15 +128,15 @@ void check_hulls(const surface::LimitSurface& first, const surface::LimitSurface
 }
 
 // From the hulls as they are, `start` being what is known of them.
-LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
-                 const FeatureGraph& other, const LayoutOptions& options, LayoutFit start,
-                 const LayoutWay& way) {
+LayoutFit fitted(const LayoutTurns& turns, const FeatureGraph& graph, const FeatureGraph& other,
+                 const LayoutOptions& options, LayoutFit start, const LayoutWay& way) {
+  const surface::LimitSurface& second = turns.hull();
   LayoutFit& found = start;
   found.second.set_points(
       points_near(found.first, graph, other, found.match, points_in_centre_plane(found.first)));
   found.fold_ahead = LayoutFitting(found.first, second, other, options, way)
                          .fit(found.second, graph, found.match, true, found.flats);
-  measure(second, found);
+  measure(turns, found);
   const double allowed = options.tolerance * (other.box.high.x() - other.box.low.x());
   while (std::max(found.rms, found.rms_back) > allowed &&
          found.subdivisions < options.most_subdivisions) {
@@ -150,7 +147,7 @@ LayoutFit fitted(const surface::LimitSurface& second, const FeatureGraph& graph,
     found.fold_ahead =
         LayoutFitting(found.first, second, other, options, way)
             .fit(found.second, feature_graph(found.first), found.match, false, found.flats);
-    measure(second, found);
+    measure(turns, found);
   }
   found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
   return found;
@@ -174,9 +171,10 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
   const FeatureGraph graph = feature_graph(first), other = feature_graph(second);
   check_hulls(first, second, graph, other, options);
   LayoutFit found{first, first};
+  const LayoutTurns turns(second);
   found.match = match_features(graph, other, options.pairs, options.apart);
   if (are_alike(second, found)) {
-    measure(second, found);
+    measure(turns, found);
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
@@ -184,7 +182,7 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
   if (has_bar_alone(graph, found.match)) ways.insert(ways.begin() + 1, {.holds_bar = true});
   std::optional<LayoutFit> best;
   for (const LayoutWay& way : ways) {
-    LayoutFit fit = fitted(second, graph, other, options, found, way);
+    LayoutFit fit = fitted(turns, graph, other, options, found, way);
     if (!best || is_better(fit, *best)) best = std::move(fit);
     if (best->shortfall.empty()) break;
   }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "morphing/features/layout_distances.h"
 #include "surface/creases/crease_curves.h"
-#include "surface/queries/closest_point.h"
 
 namespace hull::morphing {
 namespace {
@@ -50,18 +50,19 @@ bool LayoutTurns::is_beside_its_face(const Vector3d& place, const Vector3d& norm
   });
 }
 
-std::vector<int> LayoutTurns::turned(const modelling::SurfacePlaces& layout) const {
-  std::vector<Vector3d> places;
-  for (int k = 0; k < layout.count(); ++k) places.push_back(layout.position(k));
-  const std::vector<surface::ClosestPoint> feet =
-      surface::closest_points(tree_, places, kNearHull * tree_.size());
+std::vector<surface::ClosestPoint> LayoutTurns::feet(const modelling::SurfacePlaces& layout) const {
+  return layout_feet(layout, tree_);
+}
+
+std::vector<int> LayoutTurns::turned(const modelling::SurfacePlaces& layout,
+                                     const std::vector<surface::ClosestPoint>& feet) const {
   std::vector<int> found;
   for (int k = 0; k < layout.count(); ++k) {
     const Vector3d& normal = layout.normal(k);
-    if (feet[k].cell < 0 || normal.isZero(0.0)) continue;
+    if (!(feet[k].distance <= kNearHull * tree_.size()) || normal.isZero(0.0)) continue;
     const Vector3d there = hull_.normal(feet[k].cell, feet[k].u, feet[k].v);
     if (there.isZero(0.0) || normal.dot(there) > 0.0) continue;
-    if (!is_beside_its_face(places[k], normal, feet[k].distance)) found.push_back(k);
+    if (!is_beside_its_face(layout.position(k), normal, feet[k].distance)) found.push_back(k);
   }
   return found;
 }

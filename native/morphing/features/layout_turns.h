@@ -5,6 +5,7 @@
 
 #include "modelling/reshape/surface_places.h"
 #include "surface/limit_surface.h"
+#include "surface/queries/closest_point.h"
 #include "surface/queries/surface_tree.h"
 
 namespace hull::morphing {
@@ -18,9 +19,18 @@ class LayoutTurns {
   // `hull` must outlive it.
   explicit LayoutTurns(const surface::LimitSurface& hull);
 
-  // Such places of a layout, rising; those farther than kNearHull of the hull's size from it tell
-  // nothing.
-  std::vector<int> turned(const modelling::SurfacePlaces& layout) const;
+  const surface::LimitSurface& hull() const { return hull_; }
+
+  // The feet of a layout's places on the hull.
+  std::vector<surface::ClosestPoint> feet(const modelling::SurfacePlaces& layout) const;
+
+  // Such places of a layout, of which these are the feet(), rising; those farther than kNearHull of
+  // the hull's size from it tell nothing.
+  std::vector<int> turned(const modelling::SurfacePlaces& layout,
+                          const std::vector<surface::ClosestPoint>& feet) const;
+  std::vector<int> turned(const modelling::SurfacePlaces& layout) const {
+    return turned(layout, feet(layout));
+  }
   static constexpr double kNearHull = 5e-3;
 
  private:
