@@ -62,7 +62,7 @@ class Job:
 
 
 class JobTask:
-    """What is done by one Job, which a subclass sets as _job."""
+    """What is done by one Job, which a subclass sets as _job; it says what its result is."""
 
     @property
     def share(self):
@@ -73,6 +73,11 @@ class JobTask:
 
     def cancel(self):
         self._job.cancel()
+
+    def result(self):
+        """What the Job returned, which is waited for; raises what its work raised, ValueError and
+        OSError with the reason among that, or Cancelled."""
+        return self._job.result()
 
 
 def stop():

@@ -9,7 +9,7 @@ from . import dimensions
 
 
 class KeepingTask(jobs.JobTask):
-    """See conversion.conversions; asked: a dimensions.Asked."""
+    """See conversion.conversions; asked: a dimensions.Asked. result(): what write() takes."""
 
     text = "Scaling"
 
@@ -20,10 +20,6 @@ class KeepingTask(jobs.JobTask):
         self.state = self._before.state
         self._job = jobs.Job(self._start.find)
         conversions.watch(self)
-
-    def result(self):
-        """What write() takes, which is waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene):
         """Scales the hull; returns the dimensions.Brought. ValueError when it is no longer what it

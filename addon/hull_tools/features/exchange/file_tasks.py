@@ -34,11 +34,6 @@ class LinesDrawing(jobs.JobTask):
         )
         conversions.watch(self)
 
-    def result(self):
-        """Waits until the file is written; ValueError and OSError with the reason when it was not,
-        jobs.Cancelled when it was cancelled."""
-        return self._job.result()
-
 
 class AnalysisFile(jobs.JobTask):
     """A file of one of analyses.ANALYSES, which is computed where that was not done yet, and kept.
@@ -73,7 +68,7 @@ class AnalysisFile(jobs.JobTask):
         conversions.watch(self)
 
     def result(self):
-        """The same as of LinesDrawing."""
+        """Waits until the file is written, and keeps what was computed; raises as all JobTasks."""
         outcome = self._job.result()
         if not analyses.ANALYSES[self._name].IS_LIVE:
             analyses.store(self.state, self._name, self._key, outcome)

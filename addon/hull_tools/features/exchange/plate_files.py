@@ -14,7 +14,8 @@ class PlateFile(jobs.JobTask):
     """The plates of a half hull's shell, by the name's ending .pdf (one page a plate), .dxf (all on
     one drawing at true size) or .csv (the list).
 
-    strake, plate_length, frame_spacing, thickness: m; frame_spacing 0 draws no frames.
+    strake, plate_length, frame_spacing, thickness: m; frame_spacing 0 draws no frames. result(): a
+    text about the plates.
     """
 
     text = "Laying out plates"
@@ -62,11 +63,6 @@ class PlateFile(jobs.JobTask):
 
         self._job = jobs.Job(work)
         conversions.watch(self)
-
-    def result(self):
-        """A text about the plates, when they are written; ValueError and OSError with the reason
-        when they were not, jobs.Cancelled when it was cancelled."""
-        return self._job.result()
 
 
 def _frames(hull_native, curves, plates, spacing):

@@ -26,7 +26,7 @@ _MILLIMETRES = 1000.0
 class ModelFile(jobs.JobTask):
     """A closed model at 1 : `scale` in mm, by the name's ending .stl, .3mf, .obj; .cli: its layers.
 
-    tolerance, layer: of the model, in mm.
+    tolerance, layer: of the model, in mm. result(): a text about the model.
     """
 
     text = "Making the model"
@@ -65,17 +65,13 @@ class ModelFile(jobs.JobTask):
         self._job = jobs.Job(work)
         conversions.watch(self)
 
-    def result(self):
-        """A text about the model, when it is written; ValueError and OSError with the reason when
-        it was not, jobs.Cancelled when it was cancelled."""
-        return self._job.result()
-
 
 class PanelFile(jobs.JobTask):
     """Panels of the hull as it floats, by the name's ending .gdf, .dat (Nemoh) or .obj, in metres.
 
     along: how many of the largest panels the length has; grading: how large they are at the water
-    and at the ends, of that. The origin is amidships where Lpp is given, else at x = 0.
+    and at the ends, of that. The origin is amidships where Lpp is given, else at x = 0. result(): a
+    text about the panels.
     """
 
     text = "Making panels"
@@ -110,7 +106,3 @@ class PanelFile(jobs.JobTask):
 
         self._job = jobs.Job(work)
         conversions.watch(self)
-
-    def result(self):
-        """The same as of ModelFile."""
-        return self._job.result()

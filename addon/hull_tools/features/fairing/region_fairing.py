@@ -208,7 +208,7 @@ def fair_selected(obj, scene, asked):
 
 
 class Fairing(jobs.JobTask):
-    """The same as a task; see features.conversion.conversions."""
+    """The same as a task; see features.conversion.conversions. result(): what write() takes."""
 
     text = "Fairing"
 
@@ -219,10 +219,6 @@ class Fairing(jobs.JobTask):
         conversions.clear_way(obj)
         self._job = jobs.Job(self._start.solve)
         conversions.watch(self)
-
-    def result(self):
-        """What write() takes, which is waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene):
         """Moves the hull's control points; returns the Report. ValueError when the hull is no

@@ -83,7 +83,8 @@ class Known:
 
 class Judging(jobs.JobTask):
     """The task of judging a hull as it is now; see features.conversion.conversions. is_compared:
-    with what the form before has; ValueError where that is not known."""
+    with what the form before has; ValueError where that is not known. result():
+    ([hull_fairness.lines.Line], the MarkChange or None)."""
 
     text = "Counting marks"
 
@@ -100,11 +101,6 @@ class Judging(jobs.JobTask):
         wanted, surface = wanted_of(obj, scale, beam), source.new_surface()
         self._job = jobs.Job(lambda progress: _judged(surface, beam, wanted, form, progress))
         conversions.watch(self)
-
-    def result(self):
-        """([hull_fairness.lines.Line], the MarkChange or None), which are waited for; raises what
-        went wrong."""
-        return self._job.result()
 
     def keep(self, obj, scene):
         """Keeps what came of it for panels to show; returns the Report."""

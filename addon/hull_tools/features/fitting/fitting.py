@@ -56,7 +56,8 @@ class LastFit:
 
 
 class Fitting(jobs.JobTask):
-    """The task of fitting a hull as it is now; see features.conversion.conversions."""
+    """The task of fitting a hull as it is now; see features.conversion.conversions. result(): the
+    hull_native.Fit."""
 
     text = "Fitting"
 
@@ -77,10 +78,6 @@ class Fitting(jobs.JobTask):
             lambda progress: hull_native.fit_surface(surface, targets, progress=progress, **options)
         )
         conversions.watch(self)
-
-    def result(self):
-        """The hull_native.Fit, which is waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene):
         """Moves the hull's control points to where they fit; returns the Report. ValueError when

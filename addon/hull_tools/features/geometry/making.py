@@ -63,7 +63,7 @@ class MadeOf:
 
 class Making(jobs.JobTask):
     """Makes a hull of a sources.Source in a thread, as is Asked; `write` makes the object. text:
-    what is done."""
+    what is done. result(): the hull_fitting.MadeHull."""
 
     text = "Hull from geometry"
 
@@ -74,10 +74,6 @@ class Making(jobs.JobTask):
                 limits.within(value, f"{name} in m", 0.0, limits.LONGEST)
         self._source, self._asked = source, asked
         self._job = jobs.Job(lambda progress: _made(source, asked, progress))
-
-    def result(self):
-        """The hull_fitting.MadeHull, which is waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene, collection):
         """(the new hull, its Report). It stands upon a mesh object that has the same axes, else at

@@ -45,7 +45,8 @@ class Choice:
 
 class Morphing(jobs.JobTask):
     """The task of making hulls alike; see conversion.conversions. hulls: the parents, two or more;
-    layout: the hull whose control mesh they get, one of them or another one."""
+    layout: the hull whose control mesh they get, one of them or another one. result(): the
+    stored_parents.Alike."""
 
     text = "Fitting the layout"
 
@@ -64,10 +65,6 @@ class Morphing(jobs.JobTask):
         shape, taken = self._shape, self._taken
         self._job = jobs.Job(lambda progress: _made_alike(taken, shape, choice, progress))
         conversions.watch(self)
-
-    def result(self):
-        """The stored_parents.Alike, which is waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene):
         """A new hull that is the member of equal weights; returns it. ValueError where a parent was

@@ -31,7 +31,8 @@ _SHARE_OF_CONVERSION = 0.6  # of the time that a CAD file takes
 
 class SeriesTables(jobs.JobTask):
     """The task of writing the numbers of a series as CSV, one row a member, and beside it their
-    sectional areas, one row a station. A member that has no numbers has the reason in its row."""
+    sectional areas, one row a station. A member that has no numbers has the reason in its row.
+    result(): the paths that are written."""
 
     text = "Table of the series"
 
@@ -41,10 +42,6 @@ class SeriesTables(jobs.JobTask):
         conversions.clear_way(obj)
         self._job = jobs.Job(lambda progress: _write_tables(found, Path(path), progress))
         conversions.watch(self)
-
-    def result(self):
-        """The paths that are written, which are waited for; raises what went wrong."""
-        return self._job.result()
 
 
 def areas_path(path):
@@ -90,7 +87,7 @@ def _numbers(found, step):
 
 class SeriesFiles(jobs.JobTask):
     """The task of writing each member of a series to a file in a folder. ValueError where a member
-    is folded: no file is written then."""
+    is folded: no file is written then. result(): the paths that are written."""
 
     text = "Writing the series"
 
@@ -113,10 +110,6 @@ class SeriesFiles(jobs.JobTask):
             lambda progress: _write_all(found, names, write, Path(folder), progress)
         )
         conversions.watch(self)
-
-    def result(self):
-        """The paths that are written, which are waited for; raises what went wrong."""
-        return self._job.result()
 
 
 def _write_all(found, names, write, folder, progress):

@@ -19,7 +19,8 @@ _CHANGED = "The hull was changed meanwhile, and stays as it is: look for weights
 
 
 class Finding(jobs.JobTask):
-    """The task of finding them for a hull as it is now; see conversion.conversions."""
+    """The task of finding them for a hull as it is now; see conversion.conversions. result():
+    (weights, hull_native.TargetsReached)."""
 
     text = "Finding weights"
 
@@ -43,10 +44,6 @@ class Finding(jobs.JobTask):
             lambda progress: family.wanted_weights(start, targets, progress=progress, **options)
         )
         conversions.watch(self)
-
-    def result(self):
-        """(weights, hull_native.TargetsReached), which are waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene):
         """Makes the hull the member that was found, at the draft that it has; returns the

@@ -49,9 +49,6 @@ class Taking(jobs.JobTask):
         source = state.ship.source
         self._job = jobs.Job(lambda progress: _taken(source.new_surface(), own, progress))
 
-    def result(self):
-        return self._job.result()
-
     def write(self, scene):
         """Makes the network of the lines; returns it."""
         lines = self.result()

@@ -45,13 +45,11 @@ class Measuring(jobs.JobTask):
 
         self._job = jobs.Job(work)
 
-    def result(self):
-        return self._job.result()
-
 
 class Writing(jobs.JobTask):
     """Writes the surface as a STEP or IGES file, by what the path ends in, in metres of the ship.
-    is_whole: with the mirror image. ValueError where curves are not joined."""
+    is_whole: with the mirror image. ValueError where curves are not joined. result(): (what was
+    found in the file, sentences on regions and curves)."""
 
     def __init__(self, network, scene, path, is_whole):
         own = network_state.up_to_date(network, scene).network
@@ -77,7 +75,3 @@ class Writing(jobs.JobTask):
             return report, [problem.what for problem in made.problems]
 
         self._job = jobs.Job(work)
-
-    def result(self):
-        """(What was found in the file, sentences on regions and curves.)"""
-        return self._job.result()

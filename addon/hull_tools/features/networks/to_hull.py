@@ -50,7 +50,7 @@ class LaidOver:
 
 class Laying(jobs.JobTask):
     """Lays a control mesh over a network in a thread; `write` makes a hull of it. text: what is
-    done."""
+    done. result(): the hull_native.NetworkHull."""
 
     text = "Network to hull"
 
@@ -66,10 +66,6 @@ class Laying(jobs.JobTask):
         options = {"tolerance": self._tolerance, "budget": settings.hull_points}
         curves = state.network
         self._job = jobs.Job(lambda progress: _laid(curves, layout, options, progress))
-
-    def result(self):
-        """The hull_native.NetworkHull, which is waited for; raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene, collection):
         """(the new hull, in a collection that is no network, or else the scene's; its Report).

@@ -22,7 +22,8 @@ _ROUNDING = 1e-6
 
 
 class Solving(jobs.JobTask):
-    """The task of bringing a hull as it is now to its targets; see conversion.conversions."""
+    """The task of bringing a hull as it is now to its targets; see conversion.conversions.
+    result(): (hull_native.TargetsReached, whether the greatest beam binds)."""
 
     text = "Solving for targets"
 
@@ -42,11 +43,6 @@ class Solving(jobs.JobTask):
             lambda progress: solve(surface, self._targets, progress=progress, **options)
         )
         conversions.watch(self)
-
-    def result(self):
-        """(hull_native.TargetsReached, whether the greatest beam binds), which are waited for;
-        raises what went wrong."""
-        return self._job.result()
 
     def write(self, scene):
         """Moves the hull's control points to what is reached; returns the reports.Report.

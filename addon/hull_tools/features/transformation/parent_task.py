@@ -25,10 +25,6 @@ class ParentTask(jobs.JobTask):
         self._job = jobs.Job(work)
         conversions.watch(self)
 
-    def result(self):
-        """What the work returns, which is waited for; raises what went wrong."""
-        return self._job.result()
-
     def moved(self, scene, moves, known=None):
         """Moves the hull's control points; returns the HullState of what it is then. ValueError
         when the hull is no longer what it was. known: see Parent.write."""
