@@ -80,3 +80,15 @@ def test_what_is_missing_is_said():
     with pytest.raises(RuntimeError, match="Select an edge"):
         bpy.ops.hull.insert_row()
     bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_so_many_points_that_it_would_take_long_are_refused():
+    hull = new_hull()
+    bpy.ops.hull.subdivide_exactly()
+    before = part("bridge.mesh.mesh_points").read(hull.data).tobytes()
+    edit(hull, (False, True, False))
+    bpy.ops.mesh.select_all(action="SELECT")
+    with pytest.raises(RuntimeError, match="more than 200 points: .* Subdivide Exactly"):
+        bpy.ops.hull.insert_row()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert part("bridge.mesh.mesh_points").read(hull.data).tobytes() == before

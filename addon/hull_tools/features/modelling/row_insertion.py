@@ -20,6 +20,9 @@ from ..constraints import point_locks
 from ..hull import hull_state
 from . import row_refitting
 
+# A row of a large hull has less than a hundred; fitting many more takes longer than a press may.
+MOST_POINTS = 200
+
 
 @dataclass(frozen=True)
 class Inserted:
@@ -37,10 +40,31 @@ def insert_rows(obj, scene):
     across these alone, along the longest way through them. In edit mode; returns what came of it.
     Locked points stay, flats stay flat.
 
-    ValueError when nothing is selected, the mesh has errors, no ring leads through quads, or the
-    selected faces do not tell which way.
+    ValueError when nothing is selected, the mesh has errors, no ring leads through quads, the
+    selected faces do not tell which way, or more than MOST_POINTS would come.
     """
-    return _insert(obj, scene, lambda bm: _rings_of_faces(bm) or _rings_of_edges(bm))
+    return _insert(obj, scene, _rings_selected)
+
+
+def _rings_selected(bm):
+    rings = _rings_of_faces(bm)
+    if rings:
+        _refuse_many(rings)
+        return rings
+    _refuse_many(_rings_of_edges(bm))
+    # Cutting one makes edges that the next one crosses.
+    return _rings_of_edges(bm)
+
+
+def _refuse_many(rings):
+    edges = set()
+    for ring in rings:
+        edges.update(ring.edges)
+        if len(edges) > MOST_POINTS:
+            raise ValueError(
+                f"The rows would have more than {MOST_POINTS} points: select fewer edges, or use "
+                "Subdivide Exactly, which has the surface stay as it is"
+            )
 
 
 def insert_near(obj, scene, place):
