@@ -11,6 +11,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/planes.h"
+#include "surface/parallel_for.h"
 
 namespace hull::bindings {
 namespace {
@@ -186,7 +187,8 @@ void bind_curve_fairness(py::module_& module) {
                                             {step, count, noise, relative_noise, marks});
         }
         const analysis::SectionOptions sampling{
-            chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
+            chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance,
+            surface::kAllProcessors};
         const py::gil_scoped_release release;
         return analysis::section_fairness(surface, wanted, sampling,
                                           {step, count, noise, relative_noise, marks});

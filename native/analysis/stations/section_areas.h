@@ -26,10 +26,11 @@ struct SectionArea {
 // Where the area jumps, at a transom or another flat in the plane of the station, it is the larger
 // of the two areas on either side.
 //
-// Throws std::invalid_argument if a position is not finite, or if the body floods.
+// Stations are divided among `threads` (0: one for each processor). Throws std::invalid_argument if
+// a position is not finite, or if the body floods.
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const FloatingPosition& position);
+                                       const FloatingPosition& position, int threads = 1);
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const Plane& water);
+                                       const Plane& water, int threads = 1);
 
 }  // namespace hull::analysis
