@@ -11,7 +11,6 @@
 
 #include "bindings/arrays.h"
 #include "bindings/planes.h"
-#include "surface/parallel_for.h"
 
 namespace hull::bindings {
 namespace {
@@ -187,8 +186,7 @@ void bind_curve_fairness(py::module_& module) {
                                             {step, count, noise, relative_noise, marks});
         }
         const analysis::SectionOptions sampling{
-            chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance,
-            surface::kAllProcessors};
+            chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
         const py::gil_scoped_release release;
         return analysis::section_fairness(surface, wanted, sampling,
                                           {step, count, noise, relative_noise, marks});

@@ -4,8 +4,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "surface/parallel_for.h"
-
 namespace hull::bindings {
 
 namespace py = pybind11;
@@ -148,8 +146,7 @@ void bind_hydrostatics(py::module_& module) {
          std::optional<double> beam, std::optional<double> design_draft, double water_density) {
         const analysis::ProjectDimensions project = dimensions(length_pp, beam, design_draft);
         const double at = draft_at.value_or(0.5 * project.length_pp);
-        return analysis::hydrostatics(body, {draft, trim, heel, at}, project, water_density,
-                                      surface::kAllProcessors);
+        return analysis::hydrostatics(body, {draft, trim, heel, at}, project, water_density);
       },
       py::arg("body"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = py::none(), py::arg("length_pp") = py::none(),

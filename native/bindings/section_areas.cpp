@@ -5,7 +5,6 @@
 
 #include "analysis/stations/bonjean.h"
 #include "bindings/arrays.h"
-#include "surface/parallel_for.h"
 
 namespace hull::bindings {
 namespace {
@@ -82,8 +81,7 @@ void bind_section_areas(py::module_& module) {
       [](const analysis::HullBody& body, const std::vector<double>& positions, double draft,
          double trim, double heel, double draft_at) {
         return S{analysis::section_areas(body, positions,
-                                         analysis::FloatingPosition{draft, trim, heel, draft_at},
-                                         surface::kAllProcessors)};
+                                         analysis::FloatingPosition{draft, trim, heel, draft_at})};
       },
       py::arg("body"), py::arg("positions"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = 0.0, py::call_guard<py::gil_scoped_release>(),

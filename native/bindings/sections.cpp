@@ -10,7 +10,6 @@
 #include "analysis/sections/section_splines.h"
 #include "bindings/arrays.h"
 #include "bindings/planes.h"
-#include "surface/parallel_for.h"
 
 namespace hull::bindings {
 namespace {
@@ -25,8 +24,7 @@ analysis::Axis axis_from(const std::string& name) {
 analysis::SectionOptions options_from(const surface::LimitSurface& surface,
                                       const std::optional<double>& chord_tolerance,
                                       const std::optional<double>& flat_tolerance) {
-  return {chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance,
-          surface::kAllProcessors};
+  return {chord_tolerance.value_or(kChordTolerance * surface.mesh().size()), flat_tolerance};
 }
 
 std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& surface,

@@ -156,7 +156,7 @@ void take_profile(const StationCutter& cutter, const Plane& water, Hydrostatics&
 }
 
 // Extents, stations and profile. None of them reads what another one writes.
-void take_geometry(const StationCutter& cutter, const Plane& water, double length, int threads,
+void take_geometry(const StationCutter& cutter, const Plane& water, double length,
                    Hydrostatics& p) {
   const std::array<std::function<void()>, 3> parts{
       [&] { p.largest_section = largest_section(cutter, water); },
@@ -165,8 +165,9 @@ void take_geometry(const StationCutter& cutter, const Plane& water, double lengt
         if (length > 0.0) p.midship_section = immersed_station(cutter, 0.5 * length, water);
         take_profile(cutter, water, p);
       }};
+  constexpr int kAllProcessors = 0;
   surface::parallel_for(
-      parts.size(), threads,
+      parts.size(), kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) parts[i]();
       },
@@ -203,7 +204,7 @@ void check_hydrostatics(const FloatingPosition& position, const ProjectDimension
 }
 
 Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
-                          const ProjectDimensions& project, double water_density, int threads) {
+                          const ProjectDimensions& project, double water_density) {
   check_hydrostatics(position, project, water_density);
   Hydrostatics p;
   p.position = position;
@@ -216,7 +217,7 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
 
   const StationCutter cutter(body);
   const double length = project.length_pp;
-  take_geometry(cutter, water, length, threads, p);
+  take_geometry(cutter, water, length, p);
   if (length > 0.0) {
     if (p.displaced_volume > 0.0) p.lcb_percent = 100.0 * (p.lcb / length - 0.5);
     if (p.waterplane_area > 0.0) p.lcf_percent = 100.0 * (p.lcf / length - 0.5);

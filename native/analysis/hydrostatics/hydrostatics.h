@@ -83,11 +83,10 @@ struct Hydrostatics {
 };
 
 // Throws std::invalid_argument if a number is not finite, trim is 90° or more, a dimension is
-// negative or the density is not positive, and as HullBody::immersion() does. Up to three `threads`
-// find something to do (0: one for each processor).
+// negative or the density is not positive, and as HullBody::immersion() does.
 Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
-                          const ProjectDimensions& project, double water_density = kSeaWaterDensity,
-                          int threads = 1);
+                          const ProjectDimensions& project,
+                          double water_density = kSeaWaterDensity);
 
 // A table: one row per draft for the first trim, then for the next; drafts measured at the midship
 // of the project.

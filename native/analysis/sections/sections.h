@@ -54,7 +54,6 @@ struct SectionOptions {
   // What lies nearer to the plane lies in it, m: rounding, or the noise of coordinates in single
   // precision. By default 1e-10 of the mesh's size.
   std::optional<double> flat_tolerance;
-  int threads = 1;  // that planes are divided among; 0: one for each processor
 };
 
 // The intersection with a plane, branch by branch.

@@ -10,7 +10,7 @@
 namespace hull::analysis {
 
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const Plane& water, int threads) {
+                                       const Plane& water) {
   body.refuse_flooding(water);
   for (double position : positions) {
     if (!std::isfinite(position)) {
@@ -19,9 +19,10 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
   }
   const StationCutter cutter(body);
   std::vector<SectionArea> areas(positions.size());
+  constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a station takes some 50 microseconds
   surface::parallel_for(
-      positions.size(), threads,
+      positions.size(), kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           areas[i] = immersed_station(cutter, positions[i], water);
@@ -32,8 +33,8 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
 }
 
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const FloatingPosition& position, int threads) {
-  return section_areas(body, positions, water_plane(position), threads);
+                                       const FloatingPosition& position) {
+  return section_areas(body, positions, water_plane(position));
 }
 
 }  // namespace hull::analysis

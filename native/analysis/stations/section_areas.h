@@ -26,11 +26,10 @@ struct SectionArea {
 // Where the area jumps, at a transom or another flat in the plane of the station, it is the larger
 // of the two areas on either side.
 //
-// Stations are divided among `threads` (0: one for each processor). Throws std::invalid_argument if
-// a position is not finite, or if the body floods.
+// Throws std::invalid_argument if a position is not finite, or if the body floods.
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const FloatingPosition& position, int threads = 1);
+                                       const FloatingPosition& position);
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const Plane& water, int threads = 1);
+                                       const Plane& water);
 
 }  // namespace hull::analysis
