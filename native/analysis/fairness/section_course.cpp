@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostSteps = 20;
 constexpr double kConverged = 1e-14;  // of the mesh's size
-constexpr double kLastStep = 1e-7;    // in (u, v): what Newton's method still misses is its square
+constexpr double kLastStep = 1e-8;    // in (u, v): what Newton's method still misses is its square
 constexpr double kOnCurve = 1e-10;
 
 // Length of an arc by its chord and the curvatures at its ends.
@@ -23,8 +23,8 @@ double arc_length(double chord, double k0, double k1) {
   return chord * (1.0 + std::min(bend, 0.1));
 }
 
-template <class Vector>
-Vector hermite(const Vector& p0, const Vector& d0, const Vector& p1, const Vector& d1, double t) {
+Vector3d hermite(const Vector3d& p0, const Vector3d& d0, const Vector3d& p1, const Vector3d& d1,
+                 double t) {
   const double r = 1.0 - t;
   return r * r * (1.0 + 2.0 * t) * p0 + r * r * t * d0 - r * t * t * d1 +
          t * t * (1.0 + 2.0 * r) * p1;
@@ -72,49 +72,22 @@ SectionCourse::SectionCourse(const surface::LimitSurface& surface, const Plane& 
       plane_(plane),
       curve_(curve),
       stretch_(stretch) {
-  segments_.reserve(static_cast<std::size_t>(stretch.last - stretch.first));
   for (int i = stretch.first; i < stretch.last; ++i) {
     segments_.push_back(segment_between(i, i + 1));
-    const int k = i - stretch.first;
-    take_slopes(i, breaks_[k + 1] - breaks_[k], segments_.back());
   }
-}
-
-Eigen::Vector2d SectionCourse::Segment::about(double fraction) const {
-  return hermite(from, leaving, to, arriving, fraction).cwiseMax(0.0).cwiseMin(1.0);
-}
-
-// Where the surface has no tangent plane, as at an irregular knot, the slope is that of the chord.
-void SectionCourse::take_slopes(int first, double length, Segment& segment) const {
-  segment.leaving = segment.arriving = segment.to - segment.from;
-  if (segment.cell < 0 || segment.along_side) return;
-  const Eigen::Vector2d leaving = slope(segment.cell, segment.from, tangent_at(first));
-  const Eigen::Vector2d arriving = slope(segment.cell, segment.to, curve_.tangents[first + 1]);
-  if (leaving.allFinite()) segment.leaving = length * leaving;
-  if (arriving.allFinite()) segment.arriving = length * arriving;
-}
-
-// d(u, v) of a way along a unit vector in the tangent plane; not finite where there is none.
-Eigen::Vector2d SectionCourse::slope(int cell, const Eigen::Vector2d& uv,
-                                     const Vector3d& along) const {
-  surface::SurfaceJet jet;
-  surface_.evaluate(cell, uv.x(), uv.y(), 1, jet);
-  const double uu = jet.du.squaredNorm(), vv = jet.dv.squaredNorm(), cross = jet.du.dot(jet.dv);
-  const double u = jet.du.dot(along), v = jet.dv.dot(along);
-  return Eigen::Vector2d(vv * u - cross * v, uu * v - cross * u) / (uu * vv - cross * cross);
 }
 
 SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   const CellPlaces from = cell_places(surface_.cells(), curve_.cells[a], curve_.uv[a]);
   const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
-  Segment best{-1, {}, {}, false, {}, {}};
+  Segment best{-1, {}, {}, false};
   const bool is_inside = from.size() == 1 && to.size() == 1;
   double best_height = std::numeric_limits<double>::infinity();
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
       const bool along_side = p.u == q.u || p.v == q.v;
-      const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, along_side, {}, {}};
+      const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, along_side};
       if (is_inside && !along_side) return segment;  // there is no other, as for most
       const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
       const double height =
@@ -157,7 +130,7 @@ bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample
 bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vector3d& near,
                              const Vector3d& along, CurveSample& result) const {
   const double size = surface_.mesh().size();
-  Eigen::Vector2d uv = segment.about(fraction);
+  Eigen::Vector2d uv = segment.from + fraction * (segment.to - segment.from);
   surface::SurfaceJet jet;
   double off = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps && off > kConverged * size; ++step) {
@@ -194,7 +167,7 @@ CurveSample SectionCourse::at(double s) const {
   const double fraction = (s - breaks_[k]) / length;
   const Vector3d &a = curve_.points[first], &b = curve_.points[first + 1];
   const Vector3d &leaving = tangent_at(first), &arriving = curve_.tangents[first + 1];
-  const Vector3d near = hermite<Vector3d>(a, length * leaving, b, length * arriving, fraction);
+  const Vector3d near = hermite(a, length * leaving, b, length * arriving, fraction);
   const Segment& segment = segments_[k];
   CurveSample result;
   if (segment.cell >= 0) {

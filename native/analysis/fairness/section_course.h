@@ -28,14 +28,8 @@ class SectionCourse : public MeasuredCurve {
     int cell;
     Eigen::Vector2d from, to;
     bool along_side;  // on a line of constant u or v that lies in the plane
-    // d(u, v) at both ends, of the segment's whole length: where Newton's method begins.
-    Eigen::Vector2d leaving, arriving;
-
-    Eigen::Vector2d about(double fraction) const;
   };
   Segment segment_between(int a, int b) const;
-  void take_slopes(int first, double length, Segment& segment) const;
-  Eigen::Vector2d slope(int cell, const Eigen::Vector2d& uv, const Vector3d& along) const;
   CurveSample known(int index) const;
   const Vector3d& tangent_at(int index) const;
   CurveSample sample(const Vector3d& tangent, const Vector3d& point, double curvature) const;
