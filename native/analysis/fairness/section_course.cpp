@@ -81,14 +81,11 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   const CellPlaces from = cell_places(surface_.cells(), curve_.cells[a], curve_.uv[a]);
   const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
   Segment best{-1, {}, {}, false};
-  const bool is_inside = from.size() == 1 && to.size() == 1;
   double best_height = std::numeric_limits<double>::infinity();
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
-      const bool along_side = p.u == q.u || p.v == q.v;
-      const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, along_side};
-      if (is_inside && !along_side) return segment;  // there is no other, as for most
+      const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, p.u == q.u || p.v == q.v};
       const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
       const double height =
           std::abs(plane_.height(surface_.position(p.cell, middle.x(), middle.y())));
@@ -106,14 +103,11 @@ CurveSample SectionCourse::sample(const Vector3d& tangent, const Vector3d& point
   return {point, tangent, curvature * plane_.normal.cross(tangent), curvature};
 }
 
-const Vector3d& SectionCourse::tangent_at(int index) const {
-  return index == stretch_.first ? stretch_.first_tangent : curve_.tangents[index];
-}
-
 CurveSample SectionCourse::known(int index) const {
-  const bool is_first = index == stretch_.first;
-  return sample(tangent_at(index), curve_.points[index],
-                is_first ? stretch_.first_curvature : curve_.curvatures[index]);
+  if (index == stretch_.first) {
+    return sample(stretch_.first_tangent, curve_.points[index], stretch_.first_curvature);
+  }
+  return sample(curve_.tangents[index], curve_.points[index], curve_.curvatures[index]);
 }
 
 bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample& result) const {
@@ -161,25 +155,22 @@ CurveSample SectionCourse::at(double s) const {
   const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, s);
   const int k = static_cast<int>(next - breaks_.begin()) - 1;
   const double length = breaks_[k + 1] - breaks_[k];
-  const int first = stretch_.first + k;
-  if (s <= breaks_[k] || !(length > 0.0)) return known(first);
-  if (s >= breaks_[k + 1]) return known(first + 1);
+  const CurveSample a = known(stretch_.first + k), b = known(stretch_.first + k + 1);
+  if (s <= breaks_[k] || !(length > 0.0)) return a;
+  if (s >= breaks_[k + 1]) return b;
   const double fraction = (s - breaks_[k]) / length;
-  const Vector3d &a = curve_.points[first], &b = curve_.points[first + 1];
-  const Vector3d &leaving = tangent_at(first), &arriving = curve_.tangents[first + 1];
-  const Vector3d near = hermite(a, length * leaving, b, length * arriving, fraction);
+  const Vector3d near = hermite(a.point, length * a.tangent, b.point, length * b.tangent, fraction);
   const Segment& segment = segments_[k];
   CurveSample result;
   if (segment.cell >= 0) {
     if (segment.along_side && on_line(segment, fraction, result)) return result;
-    const Vector3d along = (b - a).normalized();
+    const Vector3d along = (b.point - a.point).normalized();
     if (on_plane(segment, fraction, near, along, result)) return result;
   }
   // Across a place at an irregular knot that the section was not followed into.
-  const Vector3d tangent = ((1.0 - fraction) * leaving + fraction * arriving).normalized();
-  const double curvature = known(first).signed_curvature;
+  const Vector3d tangent = ((1.0 - fraction) * a.tangent + fraction * b.tangent).normalized();
   return sample(tangent, near,
-                (1.0 - fraction) * curvature + fraction * curve_.curvatures[first + 1]);
+                (1.0 - fraction) * a.signed_curvature + fraction * b.signed_curvature);
 }
 
 }  // namespace hull::analysis

@@ -31,7 +31,6 @@ class SectionCourse : public MeasuredCurve {
   };
   Segment segment_between(int a, int b) const;
   CurveSample known(int index) const;
-  const Vector3d& tangent_at(int index) const;
   CurveSample sample(const Vector3d& tangent, const Vector3d& point, double curvature) const;
   bool on_line(const Segment& segment, double fraction, CurveSample& sample) const;
   bool on_plane(const Segment& segment, double fraction, const Vector3d& near,
