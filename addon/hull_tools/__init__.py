@@ -13,7 +13,9 @@ late_loading.install(
     f"{__package__.rpartition('.')[0]}.hull_fairness",
     f"{__package__.rpartition('.')[0]}.hull_fitting",
     *(f"{__name__}.overlays.{name}_arrays" for name in _ARRAYS),
+    f"{__name__}.overlays.buffers",
     f"{__name__}.overlays.label_places",
+    f"{__name__}.overlays.plot_cards",
     f"{__name__}.overlays.shapes",
     f"{__name__}.overlays.tag_drawing",
 )

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lines of a half hull of 140 points, after a point was moved, by exact sections and by slicing
-// a triangulation of equal accuracy. One thread.
+// a triangulation of equal accuracy. On one processor.
 #include <benchmark/benchmark.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -186,9 +187,18 @@ BENCHMARK(BM_SectionsOneByOne)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_SectionSplines)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_SlicedTriangulation)->Unit(benchmark::kMillisecond);
 
+// Where there are more, sections are divided among them, and slices are not.
+void stay_on_one_processor() {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(sched_getcpu(), &one);
+  sched_setaffinity(0, sizeof one, &one);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  stay_on_one_processor();
   return hull::benchmarks::run_and_compare(
       argc, argv,
       {{"39 lines, against a sliced triangulation", "BM_Sections", "BM_SlicedTriangulation"},

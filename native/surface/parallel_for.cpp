@@ -12,7 +12,9 @@ namespace hull::surface {
 
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, std::size_t)>& work, std::size_t grain) {
-  if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  // Asked once: it reads a file of the system's each time.
+  static const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (threads <= 0) threads = processors;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t workers = std::min<std::size_t>(threads, count / grain);
   if (workers < 2) {

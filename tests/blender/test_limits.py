@@ -63,6 +63,24 @@ def test_samples_are_as_many_as_can_be_shown(hull, wanted, capfd):
     assert "Traceback" not in capfd.readouterr().err
 
 
+def test_fewer_are_shown_while_points_can_be_moved(hull):
+    most = part("bridge.limits").MOST_MOVING_FACES
+    put(hull, "samples", 12)
+    refreshed(hull)
+    shown = hull.hull.surface_object.data
+    faces = len(shown.polygons)
+    assert faces > most
+    bpy.ops.object.mode_set(mode="EDIT")
+    state = refreshed(hull)
+    assert most / 4 < len(shown.polygons) <= most
+    assert any("while points can be moved" in remark for remark in state.remarks)
+    assert part("features.hull.hull_state").state_of(hull).shown.is_as_left(hull)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    state = refreshed(hull)
+    assert len(shown.polygons) == faces
+    assert not any("while points can be moved" in remark for remark in state.remarks)
+
+
 def test_samples_below_one_show_the_surface_too(hull):
     put(hull, "samples", -5)
     refreshed(hull)

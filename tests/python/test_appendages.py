@@ -7,7 +7,6 @@ import math
 import hull_native as hn
 import numpy as np
 import pytest
-from scipy import integrate
 from transformation_hulls import Sample
 
 UP = (0.0, 0.0, 1.0)
@@ -104,14 +103,22 @@ def test_heeled_and_trimmed_water():
         angle = math.acos(-deep / RADIUS)
         return RADIUS**2 * (angle - math.sin(angle) * math.cos(angle))
 
-    wet = integrate.quad(area, -2, 2, epsabs=1e-12, limit=500, points=np.linspace(-1.9, 1.9, 40))[0]
+    at = np.linspace(-1.9, 1.9, 40)
+    wet = _quad()(area, -2, 2, epsabs=1e-12, limit=500, points=at)[0]
     less = alone.immersion(normal, offset).volume - body.immersion(normal, offset).volume
     assert less == pytest.approx(wet, abs=1e-9)
 
 
+def _quad():
+    """Integrals by QUADPACK."""
+    return pytest.importorskip(
+        "scipy.integrate", reason="compared with SciPy, which is not there"
+    ).quad
+
+
 def section_area(name):
     form = hn.SectionForm(name)
-    return 2 * integrate.quad(lambda s: 2 * s * form.half_thickness(s * s), 0, 1, epsabs=1e-14)[0]
+    return 2 * _quad()(lambda s: 2 * s * form.half_thickness(s * s), 0, 1, epsabs=1e-14)[0]
 
 
 def test_keel_and_box_counted_once():

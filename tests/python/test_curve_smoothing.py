@@ -5,7 +5,10 @@ squares spline is FITPACK's; the balance is that of a dense solution with NumPy.
 import hull_native as hn
 import numpy as np
 import pytest
-from scipy import interpolate
+
+interpolate = pytest.importorskip(
+    "scipy.interpolate", reason="compared with SciPy, which is not there"
+)
 
 SEED = 20261123
 

@@ -6,10 +6,15 @@ stationary by differences.
 import hull_native as hn
 import numpy as np
 import pytest
-from scipy import optimize
 
 SEED = 20261123
 ENERGIES = ("lengthwise", "blend", "thin_plate", "curvature", "variation")
+
+
+def slopes_of(function, x, step=1e-6):
+    """By differences forward."""
+    here = function(x)
+    return np.array([function(moved) - here for moved in x + step * np.eye(len(x))]) / step
 
 
 def bulging_sheet(columns=9, rows=7, noise=0.02):
@@ -179,8 +184,7 @@ def test_geometric_optima_are_stationary(energy):
         return shifts(surface, moves_of(x))[0]
 
     assert rms(x) == pytest.approx(deviation, rel=1e-6)
-    slope = optimize.approx_fprime(x, value, 1e-6)
-    of_rms = optimize.approx_fprime(x, rms, 1e-6)
+    slope, of_rms = slopes_of(value, x), slopes_of(rms, x)
     across = slope - (slope @ of_rms) / (of_rms @ of_rms) * of_rms
     assert np.linalg.norm(across) < 2e-3 * np.linalg.norm(slope)
     assert slope @ of_rms < 0.0

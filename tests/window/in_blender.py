@@ -17,6 +17,7 @@ import bpy
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "blender")]
 
+import sidebar  # noqa: E402
 from stepping import Stepper  # noqa: E402
 from window import Window  # noqa: E402
 
@@ -64,6 +65,8 @@ class Run:
         self._write({"test": self._name, "outcome": outcome, "report": stepper.report})
 
     def _end(self):
+        # Blender 4.2 and later disable add-ons when they quit, with the panels that there were.
+        sidebar.put_back_panels()
         self._write({"ended": True})
         bpy.ops.wm.quit_blender()
 

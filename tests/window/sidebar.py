@@ -42,6 +42,12 @@ def show_all_panels():
         bpy.utils.register_class(cls)
 
 
+def put_back_panels():
+    """Registers what show_panels has left out, for who disables the add-on."""
+    if not all(cls.is_registered for cls in hull_panels()):
+        show_all_panels()
+
+
 def to(window, what, across=ROWS, begin=0):
     """Moves the mouse down the sidebar until it is over a button, by its operator's name
     ("hull.solve_targets"), or over a field, by its property's ("draft"). To be used by

@@ -19,6 +19,9 @@ FASTEST = 100.0  # kn
 # Faces of a surface object, both sides. Blender takes 10 µs and 1.4 kB for each, most of it for the
 # normals of its corners, while the window waits. A control mesh whose surface has more is refused.
 MOST_SHOWN_FACES = 200_000
+# While the hull may be another one at each step of the mouse: each face takes Blender 0.12 µs of
+# every step, and their exact normals half a second at a pause.
+MOST_MOVING_FACES = 50_000
 MOST_SAMPLES = 32
 # Of a model that is written: half a gigabyte while it is made.
 MOST_MODEL_TRIANGLES = 4_000_000
@@ -84,8 +87,8 @@ def at_most(count, name, most):
         raise ValueError(f"{count} {name} are more than {most}: take fewer")
 
 
-def samples(wanted, cells, sides):
+def samples(wanted, cells, sides, most_faces=MOST_SHOWN_FACES):
     """How many faces each side of a cell gets in a surface object that shows so many sides: what is
-    wanted, where the whole has no more than MOST_SHOWN_FACES then."""
-    room = MOST_SHOWN_FACES / max(cells * sides, 1)
+    wanted, where the whole has no more than so many faces then."""
+    room = most_faces / max(cells * sides, 1)
     return int(max(min(wanted, MOST_SAMPLES, room**0.5), 1))

@@ -3,11 +3,10 @@
 
 import gpu
 import numpy as np
-from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
 from ..bridge.blender import blender_versions, preferences
-from . import mark_arrays
+from . import buffers, mark_arrays
 from .view import Handler, hulls_in_view
 
 _SWITCHES = {
@@ -47,15 +46,13 @@ def _draw_marks(shown, name):
     shader = blender_versions.builtin_shader(
         "POLYLINE_UNIFORM_COLOR" if form == "LINES" else "UNIFORM_COLOR"
     )
-    points = GPUVertBuf(shader.format_calc(), len(corners))
-    points.attr_fill("pos", corners)
     shader.bind()
     if form == "LINES":
         shader.uniform_float("viewportSize", viewport)
         shader.uniform_float("lineWidth", _RING_WIDTH * scale)
     colour = preferences.colour("marks", name, shown.is_on_light)
     shader.uniform_float("color", (*colour, 1.0))
-    GPUBatch(type=form, buf=points).draw(shader)
+    buffers.batch(shader, form, pos=corners).draw(shader)
 
 
 def _places(shown, name):

@@ -6,25 +6,16 @@
 
 from dataclasses import dataclass
 
-import blf
 import bpy
 import gpu
-from gpu_extras.batch import batch_for_shader
 
-from ..bridge.blender import blender_versions, preferences
-from ..bridge.blender.palette import PAPER
+from ..bridge.blender import preferences
 from ..features.analyses import live_analyses
-from . import plot_arrays
+from . import plot_arrays, plot_cards
 
 # At a user interface scale of 1 a text of 2.5 mm has 11 dots, as Blender's own.
 DOTS_PER_MM = 4.4
 
-_VEIL = (*PAPER[:3], 0.6)
-_BORDER = (0.35, 0.35, 0.35, 1.0)
-_NOTE, _NOTE_MM = "computing …", 2.5  # over a pale card
-_LEAST_LINE = 1.0  # dots: thinner lines would fade
-_BLANK_MARGIN_MM = 0.25  # as on paper
-_FONT = 0  # Blender's own
 _GAP = 12.0  # dots between cards and to the region's border, at a scale of 1
 _TEXTS = 56.0  # dots that Blender's own texts take at the top on the left, at a scale of 1
 
@@ -50,7 +41,7 @@ class Placement:
 
 
 class _Shown:
-    """What is on now, with the batches made of it at the first drawing."""
+    """What is on now, with the cards made of it at the first drawing."""
 
     def __init__(self):
         self.plots = []
@@ -58,7 +49,7 @@ class _Shown:
         self.placement = Placement()
         self.outdated = frozenset()
         self.arrays = []
-        self.batches = None
+        self.cards = None
 
 
 _shown = _Shown()
@@ -83,7 +74,7 @@ def show(plots, placement=None, outdated=(), names=()):
     ]
     _shown.plots, _shown.placement, _shown.arrays = plots, placement, arrays
     _shown.outdated = outdated
-    _shown.batches = None
+    _shown.cards = None
 
 
 def follow():
@@ -189,8 +180,8 @@ def _draw():
     if not _shown.arrays or not context.space_data.overlay.show_overlays:
         live_analyses.note_diagrams(context.area, {})
         return
-    if _shown.batches is None:
-        _shown.batches = [_Batches(arrays) for arrays in _shown.arrays]
+    if _shown.cards is None:
+        _shown.cards = [plot_cards.Card(arrays) for arrays in _shown.arrays]
     scale = context.preferences.system.ui_scale
     dots = DOTS_PER_MM * scale * preferences.value("plot_size")
     sizes = [(one.width_mm * dots, one.height_mm * dots) for one in _shown.arrays]
@@ -201,11 +192,10 @@ def _draw():
     _note_diagrams(context.area, places, dots * factor)
     viewport = (context.region.width, context.region.height)
     blend = gpu.state.blend_get()
-    for index, place in enumerate(places):
-        batches = _shown.batches[index]
-        _draw_card(_shown.arrays[index], batches, place, dots * factor, viewport)
+    for index, (card, place) in enumerate(zip(_shown.cards, places)):
+        card.draw(place, dots * factor, viewport)
         if index in _shown.outdated:
-            _draw_veil(_shown.arrays[index], batches, place, dots * factor)
+            card.draw_veil(place, dots * factor)
     gpu.state.blend_set(blend)
 
 
@@ -217,132 +207,6 @@ def _note_diagrams(area, places, dots):
         axes = x + left * dots, high - bottom * dots, x + right * dots, high - top * dots
         noted[name] = axes, (x, y, x + arrays.width_mm * dots, high)
     live_analyses.note_diagrams(area, noted)
-
-
-def _draw_card(arrays, batches, place, dots, viewport):
-    gpu.state.blend_set("ALPHA")  # texts leave it off
-    with gpu.matrix.push_pop():
-        # Page millimetres, y down, to the dots of the region.
-        gpu.matrix.translate((place[0], place[1] + arrays.height_mm * dots))
-        gpu.matrix.scale((dots, -dots))
-        batches.draw(dots, viewport)
-    ratio = _typeface_ratio(arrays.labels, dots)
-    for label in arrays.labels:
-        _draw_label(label, arrays.height_mm, place, dots, ratio)
-
-
-def _draw_veil(arrays, batches, place, dots):
-    """Makes a card pale and says why, in its upper right corner."""
-    gpu.state.blend_set("ALPHA")
-    with gpu.matrix.push_pop():
-        gpu.matrix.translate((place[0], place[1] + arrays.height_mm * dots))
-        gpu.matrix.scale((dots, -dots))
-        batches.draw_veil()
-    blf.size(_FONT, _NOTE_MM * dots)
-    width, _ = blf.dimensions(_FONT, _NOTE)
-    right, top = place[0] + arrays.width_mm * dots, place[1] + arrays.height_mm * dots
-    blf.color(_FONT, *_BORDER)
-    blf.position(_FONT, right - width - _NOTE_MM * dots, top - 2.0 * _NOTE_MM * dots, 0.0)
-    blf.draw(_FONT, _NOTE)
-
-
-class _Batches:
-    """One plot's arrays on the graphics card."""
-
-    def __init__(self, arrays):
-        self._fill = blender_versions.builtin_shader("SMOOTH_COLOR")
-        self._line = blender_versions.builtin_shader("POLYLINE_SMOOTH_COLOR")
-        width, height = arrays.width_mm, arrays.height_mm
-        corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
-        order = (0, 1, 2, 0, 2, 3)
-        self._card = self._filled([corners[i] for i in order], [PAPER] * 6)
-        self._veil = self._filled([corners[i] for i in order], [_VEIL] * 6)
-        sides = [corners[i] for i in (0, 1, 1, 2, 2, 3, 3, 0)]
-        self._border = self._lined(sides, [_BORDER] * 8)
-        self._areas = self._filled(arrays.areas.points, arrays.areas.colours)
-        self._segments = [
-            (one.width_mm, self._lined(one.points, one.colours)) for one in arrays.segments
-        ]
-        self._patches = self._filled(arrays.patches.points, arrays.patches.colours)
-        knockouts = [label for label in arrays.labels if label["knockout"]]
-        blanks = [corner for label in knockouts for corner in _blank(label)]
-        self._blanks = self._filled(blanks, [(*PAPER[:3], 1.0)] * len(blanks))
-
-    def draw(self, dots, viewport):
-        self._draw_filled(self._card)
-        self._draw_filled(self._areas)
-        self._line.bind()
-        self._line.uniform_float("viewportSize", viewport)
-        for width, batch in [*self._segments, (0.0, self._border)]:
-            self._line.uniform_float("lineWidth", max(width * dots, _LEAST_LINE))
-            batch.draw(self._line)
-        self._draw_filled(self._patches)
-        self._draw_filled(self._blanks)
-
-    def draw_veil(self):
-        self._draw_filled(self._veil)
-
-    def _draw_filled(self, batch):
-        if batch is not None:
-            batch.draw(self._fill)
-
-    def _filled(self, points, colours):
-        if len(points) == 0:
-            return None
-        return batch_for_shader(self._fill, "TRIS", {"pos": _flat(points), "color": list(colours)})
-
-    def _lined(self, points, colours):
-        return batch_for_shader(self._line, "LINES", {"pos": _flat(points), "color": list(colours)})
-
-
-def _flat(points):
-    return [(float(x), float(y), 0.0) for x, y in points]
-
-
-def _blank(label):
-    """Two triangles that blank the paper beneath a text turned by a multiple of 90 degrees."""
-    (x, y), (half_x, half_y) = label["centre"], label["half"]
-    if abs(label["angle"]) > 0.1:
-        half_x, half_y = half_y, half_x
-    half_x, half_y = half_x + _BLANK_MARGIN_MM, half_y + _BLANK_MARGIN_MM
-    left, right, top, low = x - half_x, x + half_x, y - half_y, y + half_y
-    return [(left, top), (right, top), (right, low), (left, top), (right, low), (left, low)]
-
-
-def _typeface_ratio(labels, dots):
-    """By what Blender's typeface must be larger to be as wide as the paper's, all in all."""
-    own = 0.0
-    for label in labels:
-        blf.size(_FONT, label["size"] * dots)
-        own += blf.dimensions(_FONT, label["text"])[0]
-    wanted = sum(2.0 * label["half"][0] * dots for label in labels)
-    return min(max(wanted / own, 0.8), 1.2) if own > 0.0 else 1.0
-
-
-def _draw_label(label, height_mm, place, dots, ratio):
-    (x, y), (half_x, half_y) = label["centre"], label["half"]
-    size, room = label["size"] * dots * ratio, 2.0 * half_x * dots
-    blf.size(_FONT, size)
-    width = blf.dimensions(_FONT, label["text"])[0]
-    if width > room > 0.0:
-        blf.size(_FONT, size * room / width)
-        width = room
-    # A bold text is wider on paper: it begins where it does there.
-    begin = -0.5 * (room if label["bold"] else width)
-    base = -(half_y - label["descent"]) * dots
-    centre = (place[0] + x * dots, place[1] + (height_mm - y) * dots)
-    blf.color(_FONT, *label["colour"])
-    upwards = abs(label["angle"]) > 0.1
-    if upwards:
-        blf.enable(_FONT, blf.ROTATION)
-        blf.rotation(_FONT, -label["angle"])
-    # Once more beside itself, a text is bold: Blender's interface has no such typeface.
-    for shift in (0.0, 0.5) if label["bold"] else (0.0,):
-        along, above = begin + shift, base
-        at = (-above, along) if upwards else (along, above)
-        blf.position(_FONT, centre[0] + at[0], centre[1] + at[1], 0.0)
-        blf.draw(_FONT, label["text"])
-    blf.disable(_FONT, blf.ROTATION)
 
 
 def register():

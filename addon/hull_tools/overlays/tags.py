@@ -2,12 +2,10 @@
 """The tags of a hull's control mesh over the 3D view, while it is edited: see tag_drawing."""
 
 import gpu
-import numpy as np
-from gpu.types import GPUBatch, GPUVertBuf
 from mathutils import Matrix
 
 from ..bridge.blender import blender_versions
-from . import tag_drawing
+from . import buffers, tag_drawing
 from .view import Handler, hulls_in_view
 
 _FILL_ALPHA = 0.22
@@ -62,9 +60,7 @@ def _draw_drawing(drawing):
 def _batch(shader_name, form, corners):
     """(shader, its batch) of corners (n, 3)."""
     shader = blender_versions.builtin_shader(shader_name)
-    points = GPUVertBuf(shader.format_calc(), len(corners))
-    points.attr_fill("pos", corners.astype(np.float32))
-    return shader, GPUBatch(type=form, buf=points)
+    return shader, buffers.batch(shader, form, pos=corners)
 
 
 _handler = Handler(_draw, "POST_VIEW")

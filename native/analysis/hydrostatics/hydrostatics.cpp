@@ -2,7 +2,9 @@
 #include "analysis/hydrostatics/hydrostatics.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +15,7 @@
 #include "analysis/stations/largest_section.h"
 #include "analysis/stations/profile_area.h"
 #include "analysis/stations/station_cutter.h"
+#include "surface/parallel_for.h"
 
 namespace hull::analysis {
 namespace {
@@ -145,6 +148,32 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
   p.entrance_chord_angle = std::atan2(0.5 * abaft.breadth, setback);
 }
 
+void take_profile(const StationCutter& cutter, const Plane& water, Hydrostatics& p) {
+  const ProfileArea profile = profile_area(cutter, water);
+  p.lateral_area = profile.area;
+  p.lateral_x = profile.centre.x();
+  p.lateral_z = profile.centre.z();
+}
+
+// Extents, stations and profile. None of them reads what another one writes.
+void take_geometry(const StationCutter& cutter, const Plane& water, double length,
+                   Hydrostatics& p) {
+  const std::array<std::function<void()>, 3> parts{
+      [&] { p.largest_section = largest_section(cutter, water); },
+      [&] { take_extents(cutter, water, p); },
+      [&] {
+        if (length > 0.0) p.midship_section = immersed_station(cutter, 0.5 * length, water);
+        take_profile(cutter, water, p);
+      }};
+  constexpr int kAllProcessors = 0;
+  surface::parallel_for(
+      parts.size(), kAllProcessors,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) parts[i]();
+      },
+      1);
+}
+
 }  // namespace
 
 void check_hydrostatics(const FloatingPosition& position, const ProjectDimensions& project,
@@ -187,11 +216,9 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
   take_waterplane(immersion, position, water_density, p);
 
   const StationCutter cutter(body);
-  take_extents(cutter, water, p);
-  p.largest_section = largest_section(cutter, water);
   const double length = project.length_pp;
+  take_geometry(cutter, water, length, p);
   if (length > 0.0) {
-    p.midship_section = immersed_station(cutter, 0.5 * length, water);
     if (p.displaced_volume > 0.0) p.lcb_percent = 100.0 * (p.lcb / length - 0.5);
     if (p.waterplane_area > 0.0) p.lcf_percent = 100.0 * (p.lcf / length - 0.5);
     // BMl for GMl, as hydrostatic tables have it: the load is not known here.
@@ -201,10 +228,6 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
   p.project = coefficients(p, length, project.beam, draft, p.midship_section.area);
   p.immersed =
       coefficients(p, p.immersed_length, p.immersed_beam, p.immersed_draft, p.largest_section.area);
-  const ProfileArea profile = profile_area(cutter, water);
-  p.lateral_area = profile.area;
-  p.lateral_x = profile.centre.x();
-  p.lateral_z = profile.centre.z();
   return p;
 }
 

@@ -5,20 +5,30 @@
 #include <stdexcept>
 
 #include "analysis/stations/station_cutter.h"
+#include "surface/parallel_for.h"
 
 namespace hull::analysis {
 
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water) {
   body.refuse_flooding(water);
-  const StationCutter cutter(body);
-  std::vector<SectionArea> areas;
   for (double position : positions) {
     if (!std::isfinite(position)) {
       throw std::invalid_argument("The position of a station must be a finite number.");
     }
-    areas.push_back(immersed_station(cutter, position, water));
   }
+  const StationCutter cutter(body);
+  std::vector<SectionArea> areas(positions.size());
+  constexpr int kAllProcessors = 0;
+  constexpr std::size_t kGrain = 2;  // a station takes some 50 microseconds
+  surface::parallel_for(
+      positions.size(), kAllProcessors,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          areas[i] = immersed_station(cutter, positions[i], water);
+        }
+      },
+      kGrain);
   return areas;
 }
 

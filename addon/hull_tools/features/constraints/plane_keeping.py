@@ -89,14 +89,39 @@ def affine_map(before, after):
     """(matrix (3, 3), shift (3,)): after = before @ matrix + shift, points (n, 3), but for the
     rounding of single precision; None where there is no such map, or so few positions of points
     that this means nothing."""
+    size = max(np.abs(before).max(initial=0.0), np.abs(after).max(initial=0.0))
+    if _is_held(before, after, _AFFINE * size):
+        return None
     if any(len(np.unique(part)) < _LEAST_POSITIONS for part in before.T):
         return None
-    columns = np.column_stack([before, np.ones(len(before))]).astype(np.float64)
+    columns = _with_ones(before.astype(np.float64))
     found = np.linalg.lstsq(columns, after, rcond=None)[0]
-    size = max(np.abs(before).max(initial=0.0), np.abs(after).max(initial=0.0))
     if np.abs(columns @ found - after).max(initial=0.0) > _AFFINE * size:
         return None
     return found[:3], found[3]
+
+
+def _is_held(before, after, allowed):
+    """Whether four points that stay forbid every affine map, as where some points are dragged: one
+    that is off by no more than `allowed` leaves each point where it is but for `allowed` times the
+    sum of its coordinates by the four. Where there are no such four, this is False."""
+    stays = (before == after).all(axis=1)
+    still = before[stays].astype(np.float64)
+    if len(still) < 4 or stays.all():
+        return False
+    x, y, z = still.T
+    four = still[[x.argmin(), x.argmax(), y.argmax(), z.argmax()]]
+    others = before[~stays].astype(np.float64)
+    try:
+        parts = np.linalg.solve(_with_ones(four).T, _with_ones(others).T)
+    except np.linalg.LinAlgError:
+        return False
+    moved = np.abs(after[~stays] - others).max(axis=1)
+    return bool((moved > 2.0 * allowed * (1.0 + np.abs(parts).sum(axis=0))).any())
+
+
+def _with_ones(points):
+    return np.column_stack([points, np.ones(len(points))])
 
 
 def _places(obj, found, indices, points, memory):

@@ -51,18 +51,27 @@ class Judged:
         one another), of all that the cut wants to know."""
         points, bends, pairs, count = [np.empty((0, 3))], [np.empty((0, 3))], [], 0
         for curve in self.curves:
-            own = curve.points
-            kept = self._kept(own)
+            own, own_bends = curve.points, curve.curvature_vectors
             follows = np.ones(len(own), dtype=bool)
             follows[curve.starts[1:] - 1] = False  # knuckles break the line
-            firsts = np.flatnonzero(follows[:-1] & kept[:-1] & kept[1:])
-            numbers = np.cumsum(kept) - 1 + count
-            pairs.append(np.column_stack([numbers[firsts], numbers[firsts + 1]]))
-            points.append(self._flipped(own[kept]))
-            bends.append(self._flipped(curve.curvature_vectors[kept]))
-            count += np.count_nonzero(kept)
+            if self._wants_all:
+                firsts = np.flatnonzero(follows[:-1]) + count
+                pairs.append(np.column_stack([firsts, firsts + 1]))
+            else:
+                kept = lines.kept_by(self.cut, own)
+                firsts = np.flatnonzero(follows[:-1] & kept[:-1] & kept[1:])
+                numbers = np.cumsum(kept) - 1 + count
+                pairs.append(np.column_stack([numbers[firsts], numbers[firsts + 1]]))
+                own, own_bends = own[kept], own_bends[kept]
+            points.append(self._flipped(own))
+            bends.append(self._flipped(own_bends))
+            count += len(own)
         pairs.append(np.empty((0, 2), dtype=np.int64))
         return np.concatenate(points), np.concatenate(bends), np.concatenate(pairs)
+
+    @property
+    def _wants_all(self):
+        return self.cut is None or not self.cut.side
 
     @cached_property
     def marks(self):
@@ -83,7 +92,9 @@ class Judged:
         return {name: np.concatenate(parts) for name, parts in found.items()}
 
     def _kept(self, points):
-        return np.ones(len(points), dtype=bool) if not self.cut else lines.kept_by(self.cut, points)
+        return (
+            np.ones(len(points), dtype=bool) if self._wants_all else lines.kept_by(self.cut, points)
+        )
 
     def _flipped(self, values):
         return values if self.cut is None else lines.flipped(self.cut, values)

@@ -24,8 +24,14 @@ _MOST_AT_A_PAUSE = 200_000
 
 
 def samples_of(obj, surface):
-    """How many faces along each side of a cell the surface object of a hull has."""
-    return limits.samples(obj.hull.samples, surface.cell_count, 1 + obj.hull.half)
+    """How many faces along each side of a cell the surface object of a hull has: fewer where it has
+    to follow each step of the mouse."""
+    most = limits.MOST_MOVING_FACES if may_move(obj) else limits.MOST_SHOWN_FACES
+    return _samples(obj, surface, most)
+
+
+def _samples(obj, surface, most_faces):
+    return limits.samples(obj.hull.samples, surface.cell_count, 1 + obj.hull.half, most_faces)
 
 
 def may_move(obj):
@@ -183,7 +189,16 @@ class ShownSurface:
         shown, wanted = samples_of(obj, self._surface), obj.hull.samples
         if shown >= wanted:
             return []
-        return [f"Samples: {shown} are shown for {wanted}: Blender would take long for more faces"]
+        afterwards = _samples(obj, self._surface, limits.MOST_SHOWN_FACES)
+        found = []
+        if shown < afterwards:
+            found.append(f"Samples: {shown} are shown for {afterwards} while points can be moved")
+        if afterwards < wanted:
+            found.append(
+                f"Samples: {afterwards} are shown for {wanted}: Blender would take long for more "
+                "faces"
+            )
+        return found
 
     def follow_normals(self, obj, scale):
         """Gives the surface object its exact normals when the user pauses; large ones wait until
