@@ -93,7 +93,8 @@ std::optional<conversion::SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
 conversion::SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
   GProp_GProps area, volume;
   BRepGProp::SurfaceProperties(face, area, kFaceTolerance);
-  BRepGProp::VolumeProperties(face, volume, kFaceTolerance);
+  // Of faces with holes the other rule gives nothing at all.
+  BRepGProp::VolumePropertiesGK(face, volume, kFaceTolerance, Standard_False, Standard_True);
   return {area.Mass() / std::pow(kMillimetresPerMetre, 2),
           volume.Mass() / std::pow(kMillimetresPerMetre, 3)};
 }

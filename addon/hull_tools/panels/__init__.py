@@ -6,6 +6,7 @@ import bpy
 from ..bridge.blender import pie_key, preferences
 from . import (
     add_menu,
+    appendage,
     area_curve,
     criteria,
     export,
@@ -38,6 +39,7 @@ from . import (
 # variants, fairness, hydrostatics, stability, resistance, output.
 _CLASSES = (
     *add_menu.CLASSES,
+    *appendage.CLASSES,
     *hull.CLASSES,
     *geometry.CLASSES,
     *shown.CLASSES,

@@ -53,6 +53,8 @@ class Export(jobs.JobTask):
         self._geometry, self._face_ids = self.state.ship.geometry_key, source.control.face_ids
         wanted = cad_curves.wanted(obj, scene, self.state.ship.surface)
         options = options_of(obj, file_format)
+        if obj.hull.export.extent == "SOLID":
+            options["appendages"] = list(source.appendages)
 
         # Jobs run one after the other: the conversion is over when this begins.
         def work(progress):
