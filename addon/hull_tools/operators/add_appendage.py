@@ -100,4 +100,27 @@ class HULL_OT_add_appendage(bpy.types.Operator, BaseOperator):
             column.prop(self, name)
 
 
-CLASSES = (HULL_OT_add_appendage,)
+class HULL_OT_select_appendage(bpy.types.Operator, BaseOperator):
+    """Select this body of the hull, to change its form; or the hull"""
+
+    bl_idname = "hull.select_appendage"
+    bl_label = "Select Appendage"
+
+    name: StringProperty(
+        name="Name", description="Of the body; none: the hull itself", options={"SKIP_SAVE"}
+    )
+
+    needs = (in_object_mode,)
+
+    def run(self, context):
+        hull = _hull(context)
+        found = [obj for obj in appendages.of_hull(hull) if obj.name == self.name] if hull else []
+        if hull is None or (self.name and not found):
+            raise ValueError(f'The hull has no appendage "{self.name}": select one that it has')
+        chosen = found[0] if found else hull
+        if chosen.name not in context.view_layer.objects:
+            raise ValueError(f'"{chosen.name}" is not in this view layer: link it first')
+        make_active(context, chosen)
+
+
+CLASSES = (HULL_OT_add_appendage, HULL_OT_select_appendage)

@@ -39,9 +39,9 @@ def is_appendage(obj):
 
 
 def of_hull(hull):
-    """The appendage objects of a hull that count, in the order of their names."""
+    """All appendage objects of a hull, in the order of their names."""
     children = (child for child in hull.children if is_appendage(child))
-    return sorted((c for c in children if c.hull.appendage.counts), key=lambda child: child.name)
+    return sorted(children, key=lambda child: child.name)
 
 
 def hull_of(obj):
@@ -53,9 +53,13 @@ def hull_of(obj):
 
 def read(hull):
     """AppendageBody of each appendage of a hull that counts, on the hull's axes."""
-    return tuple(
-        described(obj, obj.matrix_parent_inverse @ obj.matrix_basis) for obj in of_hull(hull)
-    )
+    counting = (obj for obj in of_hull(hull) if obj.hull.appendage.counts)
+    return tuple(described(obj, on_hull(obj)) for obj in counting)
+
+
+def on_hull(obj):
+    """The matrix from an appendage's own axes to its hull's."""
+    return obj.matrix_parent_inverse @ obj.matrix_basis
 
 
 def described(obj, matrix=None):
@@ -63,7 +67,7 @@ def described(obj, matrix=None):
 
     Its axes: x forward, y to port, z up. A cylinder runs along z from the origin, `length` up; a
     foil from the leading edge of its root at the origin to the tip `span` below, which is `sweep`
-    aft, its chord aft; a bulb from its nose at the origin aft.
+    aft and `lean` to port, its chord aft; a bulb from its nose at the origin aft.
     """
     own = obj.hull.appendage
     points, directions, sizes, ratios = _SHAPES[own.shape](own)
@@ -96,7 +100,7 @@ def _cylinder(own):
 
 
 def _foil(own):
-    edges = [(0.0, 0.0, 0.0), (-own.sweep, 0.0, -own.span)]
+    edges = [(0.0, 0.0, 0.0), (-own.sweep, own.lean, -own.span)]
     directions = [(-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
     chords = [own.chord, own.tip_chord or own.chord]
     return edges, directions, chords, [own.thickness, own.tip_thickness]

@@ -3,6 +3,7 @@
 
 from ....hull_io.scaling import CHANGES
 from ..constraints import flats
+from ..hull import appendage_data
 
 # How each number and text of Object.hull follows, by its place, as CHANGES names it; what is in
 # metres whatever the scene's units, as lists of positions, too.
@@ -104,6 +105,7 @@ def follow(obj, scale, metric):
     for entry in obj.hull.flats:
         normal, offset = scale.plane(*_plane(entry))
         flats.store_plane(obj, entry.region, (*normal, offset))
+    appendage_data.follow(obj, scale)
 
 
 def _plane(entry):
