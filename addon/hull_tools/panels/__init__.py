@@ -39,7 +39,6 @@ from . import (
 # variants, fairness, hydrostatics, stability, resistance, output.
 _CLASSES = (
     *add_menu.CLASSES,
-    *appendage.CLASSES,
     *hull.CLASSES,
     *geometry.CLASSES,
     *shown.CLASSES,
@@ -52,6 +51,7 @@ _CLASSES = (
     *transformation.CLASSES,
     *fields.CLASSES,
     *networks.CLASSES,
+    *appendage.CLASSES,
     *area_curve.CLASSES,
     *targets.CLASSES,
     *morph.CLASSES,
