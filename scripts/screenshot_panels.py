@@ -231,7 +231,7 @@ def _with_keel(hull):
 
 
 PANELS = {
-    "panels/appendage": PanelShot(hull_panels("appendage"), _with_keel),
+    "panels/appendages": PanelShot(hull_panels("appendages"), _with_keel),
     "panels/hull": PanelShot(hull_panels("hull", "check")),
     "panels/hull-of-mesh": PanelShot(hull_panels("hull", "made_of"), _of_a_mesh),
     "panels/surface": PanelShot(hull_panels("surface")),

@@ -48,7 +48,7 @@ def paths(cls, before=""):
         kind = parts.get(field.name)
         if before == "area_target." and field.name in ("base", "points"):
             kind = hull_io.AreaPoint
-        if kind:
+        if kind and before != "appendages.":
             yield from paths(kind, f"{before}{field.name}.")
         else:
             yield before + field.name
