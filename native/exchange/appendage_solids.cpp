@@ -6,18 +6,16 @@
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakeRevol.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Solid.hxx>
 #include <array>
 #include <cmath>
-#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <numbers>
 #include <stdexcept>
 
 #include "exchange/occt_geometry.h"
@@ -29,6 +27,7 @@ using Outline = std::vector<std::array<Eigen::Vector2d, 4>>;
 
 constexpr double kSewing = 1e-6;      // mm
 constexpr double kSameRadius = 1e-9;  // of the larger one: no cone
+constexpr int kQuarterParts = 8;      // as a bulb's shell_of() has
 
 gp_Dir direction_of(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -97,6 +96,34 @@ std::vector<double> backwards(const std::vector<double>& knots) {
   return result;
 }
 
+TopoDS_Shape sewn_solid(BRepBuilderAPI_Sewing& sewing) {
+  sewing.Perform();
+  if (sewing.SewedShape().IsNull() || sewing.SewedShape().ShapeType() != TopAbs_SHELL) {
+    throw std::invalid_argument("The section's outline and its ends do not make a solid.");
+  }
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Solid();
+}
+
+// A quarter of the unit circle, from -45° on, by the cubics that shell_of() has.
+struct Quarter {
+  std::vector<double> knots;
+  std::vector<Eigen::Vector2d> points;
+
+  explicit Quarter(int number) {
+    const double step = 0.5 * std::numbers::pi / kQuarterParts;
+    const double reach = 4.0 / 3.0 * std::tan(step / 4.0);
+    for (int i = 0; i <= kQuarterParts; ++i) {
+      const double angle = (number - 0.5) * 0.5 * std::numbers::pi + i * step;
+      const Eigen::Vector2d at(std::cos(angle), std::sin(angle)), onward(-at.y(), at.x());
+      if (i > 0) points.push_back(at - reach * onward);
+      if (i == 0 || i == kQuarterParts) points.push_back(at);
+      if (i < kQuarterParts) points.push_back(at + reach * onward);
+      const int times = i == 0 || i == kQuarterParts ? 4 : 2;
+      knots.insert(knots.end(), times, static_cast<double>(i) / kQuarterParts);
+    }
+  }
+};
+
 TopoDS_Shape foil_solid(const analysis::FoilShape& foil) {
   const analysis::SectionForm form(foil.section);
   const std::vector<double> down = form.knots(), up = backwards(down);
@@ -127,31 +154,53 @@ TopoDS_Shape foil_solid(const analysis::FoilShape& foil) {
   }
   sewing.Add(plane_face({root.upper, root.lower, root.trailing}));
   sewing.Add(plane_face({tip.upper, tip.lower, tip.trailing}));
-  sewing.Perform();
-  if (sewing.SewedShape().IsNull() || sewing.SewedShape().ShapeType() != TopAbs_SHELL) {
-    throw std::invalid_argument("The section's outline and its ends do not make a solid.");
-  }
-  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Solid();
-  BRepLib::OrientClosedSolid(solid);
-  return solid;
+  return sewn_solid(sewing);
 }
 
+// The quarters of a body of revolution, four faces that meet at 45° to the vertical and the level
+// direction across it: a seam, and one where other bodies cross, files do not keep well.
 TopoDS_Shape bulb_solid(const analysis::BulbShape& bulb) {
   const analysis::SectionForm form(bulb.section);
-  const Vector3d along = bulb.tail - bulb.nose;
-  const double length = along.norm();
-  const Vector3d across = along.unitOrthogonal();
+  const Vector3d way = bulb.tail - bulb.nose, along = way.normalized();
+  const double length = way.norm();
+  const Vector3d level = along.cross(Vector3d::UnitZ());
+  const Vector3d first = level.norm() > kSameRadius ? level.normalized() : along.unitOrthogonal();
+  const Vector3d second = along.cross(first);
   const Outline outline = analysis::outline_of(form, bulb.diameter / length, true);
-  const auto at = [&](const Eigen::Vector2d& p) -> Vector3d {
-    return bulb.nose + p.x() * along + length * p.y() * across;
-  };
-  const conversion::BSplineCurve meridian =
-      spline_of(outline, 0, outline.size(), backwards(form.knots()), at);
-  const Vector3d nose = at({0.0, 0.0}), tail = at({1.0, 0.0});
-  const TopoDS_Face half =
-      plane_face({meridian, line_of(nose, tail), line_of(tail, meridian.points[0])});
-  const gp_Ax1 axis(in_millimetres(bulb.nose), direction_of(along));
-  return BRepPrimAPI_MakeRevol(half, axis).Shape();
+  const std::vector<double> knots = backwards(form.knots());
+  BRepBuilderAPI_Sewing sewing(kSewing);
+  BRepBuilderAPI_MakeWire rim;
+  const bool is_blunt = outline.front()[0].y() > 0.0;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Quarter arc(quarter);
+    const auto at = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& around) -> Vector3d {
+      return bulb.nose +
+             length * (p.x() * along + p.y() * (around.x() * first + around.y() * second));
+    };
+    conversion::BSplinePatch patch;
+    patch.degree_u = patch.degree_v = 3;
+    patch.knots_v = arc.knots;
+    patch.count_v = static_cast<int>(arc.points.size());
+    const conversion::BSplineCurve meridian =
+        spline_of(outline, 0, outline.size(), knots,
+                  [](const Eigen::Vector2d& p) { return Vector3d(p.x(), p.y(), 0.0); });
+    patch.knots_u = meridian.knots;
+    patch.count_u = static_cast<int>(meridian.points.size());
+    for (const Vector3d& p : meridian.points) {
+      for (const Eigen::Vector2d& around : arc.points) {
+        patch.control_points.push_back(at(p.head<2>(), around));
+      }
+    }
+    sewing.Add(BRepBuilderAPI_MakeFace(make_surface(patch), kSewing).Face());
+    if (!is_blunt) continue;
+    conversion::BSplineCurve edge{3, arc.knots, {}};
+    for (const Eigen::Vector2d& around : arc.points) {
+      edge.points.push_back(at(outline.front()[0], around));
+    }
+    rim.Add(BRepBuilderAPI_MakeEdge(make_curve(edge)).Edge());
+  }
+  if (is_blunt) sewing.Add(BRepBuilderAPI_MakeFace(rim.Wire(), true).Face());
+  return sewn_solid(sewing);
 }
 
 }  // namespace
