@@ -15,12 +15,14 @@ namespace {
 constexpr int kNodes = 8;  // exact up to degree 15, of which 11 is needed
 constexpr int kAlong = 10;
 constexpr int kMostHalves = 26, kMostAreaHalves = 8;
-constexpr int kMostTouching = 400;  // lines of a piece along which another surface is touched
-constexpr double kShort = 1e-13;    // of a line, or of what lines cover
-constexpr double kApart = 1e-9;     // crossings nearer to each other tell nothing of the way
+// Lines of a piece that run along another surface, which they touch many times; and how many that
+// touch it at a point or two, as at a sharp edge that is nearly tangent, count for one.
+constexpr int kMostTouching = 400, kMostIsolated = 50;
+constexpr double kShort = 1e-13;  // of a line, or of what lines cover
+constexpr double kApart = 1e-9;   // crossings nearer to each other tell nothing of the way
 // Of an interval: how near its ends a line looks for curves that turn back before the first node.
 constexpr double kNearEnd = 1e-6;
-constexpr int kTurningSteps = 40;
+constexpr int kTurningSteps = 40, kManyTouches = 16;
 
 // The line u -> S(u, v), and S_v along it.
 struct PatchLine {
@@ -163,10 +165,10 @@ class PieceIntegral {
         counts_[k] += crossing.t - before > kApart;
         before = crossing.t;
       }
-      touched_ +=
-          std::ranges::any_of(crossings_[k], [](const ArcCrossing& c) { return c.way == 0; });
+      const auto touching = std::ranges::count(crossings_[k], 0, &ArcCrossing::way);
+      touched_ += touching >= kManyTouches ? kMostIsolated : touching > 0;
     }
-    if (touched_ > kMostTouching) throw SurfacesInOneAnother();
+    if (touched_ > kMostTouching * kMostIsolated) throw SurfacesInOneAnother();
     const std::size_t dry = breaks.size();
     add_water(line.arc, breaks);
     counts_.back() = static_cast<int>(breaks.size() - dry);
