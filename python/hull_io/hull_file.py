@@ -33,7 +33,13 @@ from .errors import HullFileError
 from .limits import MAX_HULL_FILE_BYTES
 
 REQUIRED = ("format", "version", "units", *hull_content.REQUIRED)
-OPTIONAL = (*hull_content.OPTIONAL, *hull_targets.KEYS, hull_fields.KEY, hull_appendages.KEY, hull_variants.KEY)
+OPTIONAL = (
+    *hull_content.OPTIONAL,
+    *hull_targets.KEYS,
+    hull_fields.KEY,
+    hull_appendages.KEY,
+    hull_variants.KEY,
+)
 # Lists of single numbers, which stand in one line.
 _IN_ONE_LINE = ("corners", "face_layers")
 

@@ -64,7 +64,12 @@ def mirrored_sample(random):
         tie(hull, ("MIRROR", "LEVEL")[k % 2], [index], image)
     for index, image in order[:4]:  # the port side's points, anchored to a neighbour
         free = [pair[1] for pair in order[24:]]
-        tie(hull, "ANCHOR", [image], min(free, key=lambda i: np.abs(points[i] - points[image]).sum()))
+        tie(
+            hull,
+            "ANCHOR",
+            [image],
+            min(free, key=lambda i: np.abs(points[i] - points[image]).sum()),
+        )
     return hull
 
 

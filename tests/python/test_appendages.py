@@ -155,7 +155,7 @@ def test_surfaces_in_one_another_are_refused():
 @pytest.mark.parametrize(
     "name, keel",
     [
-        # Through the yacht's own keel, whose surface it meets at small angles; sharp trailing edges.
+        # Through the yacht's own keel, at small angles; sharp trailing edges.
         ("sailing_yacht", {"section": "63-012", "root": (7.0, 0, 1.2), "tip": (6.7, 0, -0.6),
                            "root_chord": 2.0, "tip_chord": 1.5}),
         ("naval_vessel", {"section": "0012", "root": (60.0, 0, 1.5), "tip": (59.0, 0, -1.5),

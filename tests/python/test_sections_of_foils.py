@@ -40,8 +40,8 @@ CAMBERED = {
     "23012": [(10, 6.43, -2.92), (30, 7.55, -4.46), (50, 6.41, -4.17),
               (80, 3.08, -2.16)],
 }  # fmt: skip
-# 2412 as the table of Abbott & von Doenhoff's book was computed anew from the formulas (public
-# domain program naca456 of PDAS, which has found "numerous computing and typographic errors" there).
+# 2412 as the table of Abbott & von Doenhoff's book was computed anew from the formulas (the public
+# domain program naca456 of PDAS, whose author found "numerous computing and typographic errors").
 RECOMPUTED_2412 = [
     (0.5, 1.4269, -1.0396), (0.75, 1.7090, -1.2852), (1.25, 2.1606, -1.6513),
     (2.5, 2.9863, -2.2684), (5, 4.1304, -3.0054), (7.5, 4.9677, -3.4580), (10, 5.6291, -3.7608),

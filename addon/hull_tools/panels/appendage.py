@@ -9,7 +9,16 @@ from .shared import HullTab, label_wrapped
 
 _FIELDS = {
     "CYLINDER": ("radius", "end_radius", "length"),
-    "FOIL": ("section", "span", "sweep", "lean", "chord", "tip_chord", "thickness", "tip_thickness"),
+    "FOIL": (
+        "section",
+        "span",
+        "sweep",
+        "lean",
+        "chord",
+        "tip_chord",
+        "thickness",
+        "tip_thickness",
+    ),
     "BULB": ("section", "length", "radius"),
 }
 

@@ -68,7 +68,9 @@ def follow(hull, scale):
         for path, change in FOLLOWING.items():
             if path.startswith(_PLACE):
                 name = path[len(_PLACE) :]
-                setattr(appendage, name, CHANGES[change](scale, appendage, getattr(appendage, name)))
+                setattr(
+                    appendage, name, CHANGES[change](scale, appendage, getattr(appendage, name))
+                )
         place, values = _settings(appendage, 1.0)
         for name, value in values.items():
             setattr(obj.hull.appendage, name, value)
