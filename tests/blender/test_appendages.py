@@ -38,6 +38,7 @@ def test_tunnel(box):
     whole, hole = volume(box), math.pi * RADIUS**2 * 4.0
     tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
     assert tunnel.parent == box and tunnel.hull.appendage.is_cut
+    assert tunnel.hide_render and tunnel.display_type == "WIRE"
     assert volume(box) == pytest.approx(whole - hole, rel=1e-7)
     tunnel.location.x = 20.0
     assert volume(box) == pytest.approx(whole, rel=1e-7)
@@ -65,7 +66,7 @@ def test_kinds_on_a_sample(kind):
     own = sum((1 + b.is_mirrored) * native.native_body(b, 1.0).volume for b in bodies)
     assert not_joined(hull) == ""
     assert 0.0 < volume(hull) - before < own
-    assert len(first.data.polygons) > 100
+    assert len(first.data.polygons) > 100 and not first.hide_render
     assert first.hull.appendage.is_mirrored == (kind in ("SHAFT", "BRACKET"))
 
 

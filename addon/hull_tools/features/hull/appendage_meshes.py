@@ -15,7 +15,9 @@ _SAME_PLACE = 1e-7  # of the size: points at common sides of patches
 
 def show(obj):
     """Gives an appendage's object the mesh of the body that its settings say; one that is none has
-    no faces."""
+    no faces. One that is cut out is a wire, and on no picture."""
+    is_cut = obj.hull.appendage.is_cut
+    obj.display_type, obj.hide_render = ("WIRE" if is_cut else "TEXTURED"), is_cut
     try:
         body = native_body(appendages.described(obj), 1.0)
     except ValueError:
