@@ -5,23 +5,73 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/appendages/patch_line.h"
 #include "analysis/arithmetic/bezier.h"
 #include "analysis/arithmetic/estimating_rule.h"
+#include "analysis/immersion/piece_moments.h"
 
 namespace hull::analysis {
 namespace {
 
+constexpr int kNodes = 8;  // exact up to degree 15, of which 11 is needed
 constexpr int kAlong = 10;
 constexpr int kMostHalves = 26, kMostAreaHalves = 8;
-// Lines of a piece that run along another surface, which they touch many times; and how many that
-// touch it at a point or two, as at a sharp edge that is nearly tangent, count for one.
+// Lines of a piece that run along another surface; so many that touch it here and there are as one.
 constexpr int kMostTouching = 400, kMostIsolated = 50;
 constexpr double kShort = 1e-13;  // of a line, or of what lines cover
 constexpr double kApart = 1e-9;   // crossings nearer to each other tell nothing of the way
 // Of an interval: how near its ends a line looks for curves that turn back before the first node.
 constexpr double kNearEnd = 1e-6;
 constexpr int kTurningSteps = 40, kManyTouches = 16;
+
+// The line u -> S(u, v), and S_v along it.
+struct PatchLine {
+  CubicArc arc, across;
+
+  PatchLine(const surface::BezierPatch& patch, double v) {
+    for (int i = 0; i < 4; ++i) {
+      const Vector3d p[] = {patch.point(i), patch.point(4 + i), patch.point(8 + i),
+                            patch.point(12 + i)};
+      const double s = 1.0 - v;
+      arc[i] = s * s * (s * p[0] + 3.0 * v * p[1]) + v * v * (3.0 * s * p[2] + v * p[3]);
+      across[i] =
+          3.0 * (s * s * (p[1] - p[0]) + 2.0 * s * v * (p[2] - p[1]) + v * v * (p[3] - p[2]));
+    }
+  }
+
+  Vector3d point(double u) const { return arc_point(arc, u); }
+  Vector3d normal(double u) const {
+    const double s = 1.0 - u;
+    const Vector3d along = 3.0 * (s * s * (arc[1] - arc[0]) + 2.0 * s * u * (arc[2] - arc[1]) +
+                                  u * u * (arc[3] - arc[2]));
+    return along.cross(arc_point(across, u));
+  }
+};
+
+void add_stretch(const PatchLine& line, const Vector3d& origin, double begin, double size,
+                 double weight, ShellMoments& sum) {
+  static const GaussRule rule = gauss_rule(kNodes);
+  ShellNodes nodes;
+  for (int k = 0; k < kNodes; ++k) {
+    const double u = begin + size * rule.nodes[k];
+    nodes.add(line.point(u) - origin, weight * size * rule.weights[k] * line.normal(u));
+  }
+  add_nodes(nodes, sum);
+}
+
+CubicArc side_arc(const surface::BezierPatch& patch, int first, int step) {
+  return {patch.point(first), patch.point(first + step), patch.point(first + 2 * step),
+          patch.point(first + 3 * step)};
+}
+
+surface::BezierPatch transposed(const surface::BezierPatch& patch) {
+  surface::BezierPatch other;
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 4; ++j) {
+      for (int i = 0; i < 4; ++i) other.x[k][4 * i + j] = patch.x[k][4 * j + i];
+    }
+  }
+  return other;
+}
 
 class PieceIntegral {
  public:
@@ -34,9 +84,8 @@ class PieceIntegral {
   ShellMoments compute() {
     const std::vector<double> u0 = side_breaks(0, 4), u1 = side_breaks(3, 4),
                               v0 = side_breaks(0, 1), v1 = side_breaks(12, 1);
-    // Where the curve comes in and goes out by the same side, it turns back between them: lines
-    // along that side would meet it twice or not at all. Otherwise the direction with fewer breaks
-    // has lines that the curve crosses at larger angles.
+    // Where the curve comes in and goes out by the same side, lines along that side would meet it
+    // twice or not at all. Else the direction with fewer breaks has lines at larger angles to it.
     const bool back_u = u0.size() > 1 || u1.size() > 1, back_v = v0.size() > 1 || v1.size() > 1;
     if (back_u == back_v ? u0.size() + u1.size() > v0.size() + v1.size() : back_v) {
       patch_ = transposed(patch_);
@@ -85,8 +134,7 @@ class PieceIntegral {
     return breaks;
   }
 
-  // Whether the middle of a stretch is inside a surface: the crossings on both sides tell, where
-  // they agree and are told apart; else a line to the outside does.
+  // Of the middle of a stretch: the crossings at its ends tell, else a line to the outside.
   bool is_inside(int surface, const PatchLine& line, double u) const {
     const std::vector<ArcCrossing>& all = crossings_[surface];
     const auto after = std::ranges::find_if(all, [&](const ArcCrossing& c) { return c.t > u; });
@@ -99,8 +147,7 @@ class PieceIntegral {
     return surfaces_[surface]->is_inside(line.point(u));
   }
 
-  // Where a line crosses surfaces and the water, unsorted. By each of these how often, crossings at
-  // common sides of patches once, is in counts_ then.
+  // Where a line crosses surfaces and the water, unsorted; how often each of them is in counts_.
   std::vector<double> line_breaks(const PatchLine& line) {
     std::vector<double> breaks;
     counts_.assign(surfaces_.size() + 1, 0);
@@ -159,66 +206,44 @@ class PieceIntegral {
     return sum;
   }
 
-  // Where curves turn back within an interval, of which the nodes' lines cross so often: between
-  // two that differ; and before the first or behind the last one, where a curve that goes out of
-  // the patch at an end may come from beyond it.
-  std::vector<double> turnings(double begin, double width,
-                               const std::vector<std::vector<int>>& at_nodes) {
+  // A curve that goes out of the patch at an end of the interval may come from beyond it, and turn
+  // back before the nodes that are nearest: where it does so is an end, too.
+  bool add_by_turnings(double begin, double width, const std::vector<int>& first,
+                       const std::vector<int>& last, ShellMoments& sum) {
     const EstimatingRule& along = EstimatingRule::of(kAlong);
-    std::vector<double> places{begin + kNearEnd * width}, found;
-    for (int i = 0; i < along.count(); ++i) places.push_back(begin + width * along.node(i));
-    places.push_back(begin + (1.0 - kNearEnd) * width);
-    std::vector<std::vector<int>> counts{counts_at(places.front())};
-    counts.insert(counts.end(), at_nodes.begin(), at_nodes.end());
-    counts.push_back(counts_at(places.back()));
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      if (counts[i] == counts[i + 1]) continue;
-      found.push_back(turning(places[i], places[i + 1], counts[i]));
+    std::vector<double> ends{begin};
+    const double low = begin + kNearEnd * width, high = begin + (1.0 - kNearEnd) * width;
+    const std::vector<int> lowest = counts_at(low), highest = counts_at(high);
+    if (lowest != first) ends.push_back(turning(low, begin + width * along.node(0), lowest));
+    if (highest != last) {
+      ends.push_back(turning(high, begin + width * along.node(along.count() - 1), highest));
     }
-    return found;
+    if (ends.size() == 1) return false;
+    ends.push_back(begin + width);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(ends[i], ends[i + 1] - ends[i], 1, sum);
+    return true;
   }
 
-  // What of an interval's ends is one where a curve turns back: the integrand is a root there, and
-  // its series falls slowly, so that what the rule cannot tell is of the order of what it can.
-  struct Ends {
-    bool low = false, high = false;
-  };
-
-  void add(double begin, double width, int depth, ShellMoments& sum, Ends turned = {}) {
+  void add(double begin, double width, int depth, ShellMoments& sum) {
     const EstimatingRule& along = EstimatingRule::of(kAlong);
     std::array<EstimatingRule::Values, 4> values{};
-    std::vector<std::vector<int>> counts;
     ShellMoments part;
+    std::vector<int> first;
     for (int i = 0; i < along.count(); ++i) {
       ShellMoments line = along_line(begin + width * along.node(i));
-      if (depth == 0) counts.push_back(counts_);
+      if (i == 0) first = counts_;
       for (int k = 0; k < 3; ++k) values[k][i] = width * line.first(k, k);
       values[3][i] = width * line.area;
       line *= width * along.weight(i);
       part += line;
     }
-    if (depth == 0) {
-      std::vector<double> ends = turnings(begin, width, counts);
-      if (!ends.empty()) {
-        ends.push_back(begin + width);
-        double from = begin;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-          add(from, ends[i] - from, 1, sum, {i > 0, i + 1 < ends.size()});
-          from = ends[i];
-        }
-        return;
-      }
-    }
-    const bool is_root = turned.low || turned.high;
-    const auto error = [&](const EstimatingRule::Values& of) {
-      return is_root ? along.roughness(of) : along.error(of);
-    };
+    if (depth == 0 && add_by_turnings(begin, width, first, std::vector<int>(counts_), sum)) return;
     double volume_error = 0.0;
-    for (int k = 0; k < 3; ++k) volume_error = std::max(volume_error, error(values[k]));
-    const double area_error = error(values[3]);
+    for (int k = 0; k < 3; ++k) volume_error = std::max(volume_error, along.error(values[k]));
+    const double area_error = along.error(values[3]);
     if ((volume_error > rule_.volume || area_error > rule_.area) && depth < kMostHalves) {
-      add(begin, 0.5 * width, depth + 1, sum, {turned.low, false});
-      add(begin + 0.5 * width, 0.5 * width, depth + 1, sum, {false, turned.high});
+      add(begin, 0.5 * width, depth + 1, sum);
+      add(begin + 0.5 * width, 0.5 * width, depth + 1, sum);
       return;
     }
     part.volume_error = volume_error;
@@ -237,9 +262,9 @@ class PieceIntegral {
 };
 
 ShellMoments by_lines(const surface::BezierPatch& patch, const Vector3d& origin) {
-  static const GaussRule rule = gauss_rule(kLineNodes);
+  static const GaussRule rule = gauss_rule(kNodes);
   ShellMoments sum;
-  for (int k = 0; k < kLineNodes; ++k) {
+  for (int k = 0; k < kNodes; ++k) {
     add_stretch(PatchLine(patch, rule.nodes[k]), origin, 0.0, 1.0, rule.weights[k], sum);
   }
   return sum;

@@ -25,21 +25,16 @@ const EstimatingRule& EstimatingRule::of(int n) {
   return rules[n - 2];
 }
 
-double EstimatingRule::roughness(const Values& values) const {
-  double a = 0.0, b = 0.0;
+double EstimatingRule::error(const Values& values) const {
+  double a = 0.0, b = 0.0, mean = 0.0;
   for (int i = 0; i < count(); ++i) {
     a += high_[i] * values[i];
     b += highest_[i] * values[i];
+    mean += rule_.weights[i] * std::abs(values[i]);
   }
-  return std::abs(a) + std::abs(b);
-}
-
-double EstimatingRule::error(const Values& values) const {
-  double mean = 0.0;
-  for (int i = 0; i < count(); ++i) mean += rule_.weights[i] * std::abs(values[i]);
   // The two highest Legendre coefficients that the nodes can tell. Where they are small beside the
   // mean the series falls fast, and the error is smaller by as much again.
-  const double top = roughness(values);
+  const double top = std::abs(a) + std::abs(b);
   return mean > 0.0 ? top * std::min(1.0, top / mean) : 0.0;
 }
 

@@ -23,8 +23,6 @@ class EstimatingRule {
   double node(int i) const { return rule_.nodes[i]; }
   double weight(int i) const { return rule_.weights[i]; }
   double error(const Values& values) const;
-  // The two highest coefficients themselves: what a rule may be off by where they fall slowly.
-  double roughness(const Values& values) const;
 
  private:
   explicit EstimatingRule(int n);
