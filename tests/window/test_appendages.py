@@ -73,7 +73,7 @@ def test_a_keel_moved_by_the_mouse(window):
     assert before > whole
     window.press("G")
     window.press("Z")
-    window.write("-.3")
+    window.write("-1")
     window.press("RET")
     yield
     yield
