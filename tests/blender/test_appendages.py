@@ -40,6 +40,7 @@ def test_tunnel(box):
     assert tunnel.parent == box and tunnel.hull.appendage.is_cut
     assert tunnel.hide_render and tunnel.display_type == "WIRE"
     assert volume(box) == pytest.approx(whole - hole, rel=1e-7)
+    assert not part("features.hull.hull_state").state_of(box).hydrostatics.values.remark
     tunnel.location.x = 20.0
     assert volume(box) == pytest.approx(whole, rel=1e-7)
     tunnel.location.x = 5.0
