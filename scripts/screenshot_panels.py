@@ -225,7 +225,13 @@ def _of_a_mesh(hull):
         bpy.ops.hull.hull_from_mesh(points=90)
 
 
+def _with_keel(hull):
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.add_appendage(kind="BULB_KEEL")
+
+
 PANELS = {
+    "panels/appendages": PanelShot(hull_panels("appendages"), _with_keel),
     "panels/hull": PanelShot(hull_panels("hull", "check")),
     "panels/hull-of-mesh": PanelShot(hull_panels("hull", "made_of"), _of_a_mesh),
     "panels/surface": PanelShot(hull_panels("surface")),

@@ -30,7 +30,7 @@ class View:
     panels: tuple
 
 
-def _new_hull(window, closer=1.5):
+def _new_hull(window, closer=1.5, words="round bilge"):
     """A hull as Add > Mesh > Ship Hull makes it, in a window that is nothing but the 3D view."""
     with window.in_view():
         bpy.ops.screen.screen_full_area()
@@ -38,7 +38,7 @@ def _new_hull(window, closer=1.5):
     space = window.space
     space.show_region_toolbar, space.shading.color_type, space.lens = False, "MATERIAL", 90.0
     window.move_to_middle()
-    window.search("round bilge")
+    window.search(words)
     yield
     hull = bpy.context.view_layer.objects.active
     window.open_sidebar()
@@ -375,7 +375,24 @@ _NUMBERS = hull_panels(
     "hydrostatics", "hydrostatics_displacement", "hydrostatics_centres", "hydrostatics_stability"
 )
 _NETWORK = hull_panels(*network_scenes.PANELS)
+# From below, off the port bow.
+_FROM_BELOW = (112.0, 0.0, 142.0)
+
+
+def _appendages(window):
+    """A canoe body with a bulb keel and a rudder."""
+    hull = yield from _new_hull(window, closer=1.0, words="sailing yacht")
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.add_appendage(kind="BULB_KEEL")
+        bpy.ops.hull.add_appendage(kind="RUDDER", x=0.06 * hull.hull.length_pp)
+    yield
+    window.look(hull, _FROM_BELOW, is_perspective=True)
+    window.space.region_3d.view_distance /= 1.6
+    yield
+
+
 VIEWS = {
+    "appendages": View(_appendages, hull_panels("appendages", "hydrostatics")),
     "dimensions": View(_scaled, hull_panels("hull")),
     "fields": View(_fields, hull_panels("fields")),
     "fair-rows": View(_rows, hull_panels("fair", "fair_rows")),

@@ -116,6 +116,7 @@ struct Arguments {
   bool mirrored, solid;
   py::object regions, colours;
   py::iterable curves;
+  std::vector<analysis::Appendage> appendages;
   py::object progress;
 };
 
@@ -136,6 +137,7 @@ exchange::CadOptions options_from(const Arguments& arguments, const std::string&
     }
   }
   for (const py::handle& curve : arguments.curves) options.curves.push_back(curve_from(curve));
+  options.appendages = arguments.appendages;
   options.progress = progress_from(arguments.progress);
   return options;
 }
@@ -178,7 +180,10 @@ constexpr char kOptions[] =
     "hull. regions: names of the patches' regions, which become layers, one a patch; None for "
     "\"shell\", \"flat side\", \"flat bottom\", \"transom\" and \"deck\" by their shape. colours: "
     "a dict from names of regions to (red, green, blue) from 0 to 1. curves: a list of (name, "
-    "layer, spline) or (name, layer, knots, control_points). progress: a callable that takes the "
+    "layer, spline) or (name, layer, knots, control_points). appendages: a list of Appendage, "
+    "joined to "
+    "the solid or cut out of it, whose faces have their names as regions; both sides must be "
+    "there. progress: a callable that takes the "
     "share done; raising in it cancels.\n\nThe file is complete and was read back, or it is not "
     "there and one of the same name is untouched. Returns the report of read_cad_report. Raises "
     "ValueError if the patches make no valid shape, OSError if the file can't be written.";
@@ -192,32 +197,36 @@ void bind_writing(py::module_& module, const char* function, WriteFile write_fil
       [write_file](const conversion::PatchSet& patches, const std::filesystem::path& path,
                    const std::string& schema, const std::string& name, const std::string& unit,
                    bool mirrored, bool solid, const py::object& regions, const py::object& colours,
-                   const py::iterable& curves, const py::object& progress) {
+                   const py::iterable& curves, const std::vector<analysis::Appendage>& appendages,
+                   const py::object& progress) {
         return write(write_file, patches, path,
-                     options_from({name, unit, mirrored, solid, regions, colours, curves, progress},
+                     options_from({name, unit, mirrored, solid, regions, colours, curves,
+                                   appendages, progress},
                                   schema));
       },
       py::arg("patches"), py::arg("path"), py::kw_only(), py::arg("schema") = default_schema,
       py::arg("name") = "hull", py::arg("unit") = "m", py::arg("mirrored") = false,
       py::arg("solid") = false, py::arg("regions") = py::none(), py::arg("colours") = py::none(),
-      py::arg("curves") = py::tuple(), py::arg("progress") = py::none(), of_patches.c_str());
+      py::arg("curves") = py::tuple(), py::arg("appendages") = py::tuple(),
+      py::arg("progress") = py::none(), of_patches.c_str());
   module.def(
       function,
       [write_file](const surface::LimitSurface& surface, const std::filesystem::path& path,
                    const std::string& conversion, double tolerance, const std::string& schema,
                    const std::string& name, const std::string& unit, bool mirrored, bool solid,
                    const py::object& regions, const py::object& colours, const py::iterable& curves,
-                   const py::object& progress) {
-        return convert_and_write(
-            write_file, surface, path, conversion, tolerance,
-            options_from({name, unit, mirrored, solid, regions, colours, curves, progress},
-                         schema));
+                   const std::vector<analysis::Appendage>& appendages, const py::object& progress) {
+        return convert_and_write(write_file, surface, path, conversion, tolerance,
+                                 options_from({name, unit, mirrored, solid, regions, colours,
+                                               curves, appendages, progress},
+                                              schema));
       },
       py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("conversion") = "exact",
       py::arg("tolerance") = 1e-6, py::arg("schema") = default_schema, py::arg("name") = "hull",
       py::arg("unit") = "m", py::arg("mirrored") = false, py::arg("solid") = false,
       py::arg("regions") = py::none(), py::arg("colours") = py::none(),
-      py::arg("curves") = py::tuple(), py::arg("progress") = py::none(),
+      py::arg("curves") = py::tuple(), py::arg("appendages") = py::tuple(),
+      py::arg("progress") = py::none(),
       "The same for a surface, which is converted first: \"exact\" as by exact_patches() with the "
       "tolerance, \"per_cell\" as by fit_per_cell().");
 }

@@ -13,6 +13,7 @@
 #include "conversion/place_error.h"
 #include "exchange/cad_report.h"
 #include "exchange/face_integrals.h"
+#include "exchange/joined_solids.h"
 #include "exchange/regions.h"
 #include "mesh/tolerances.h"
 
@@ -22,6 +23,7 @@ namespace {
 // A control point takes about so many bytes in a file, and ten times as many in Open CASCADE's
 // memory while the file is read back.
 constexpr double kBytesOfPoint = 100.0, kMostBytes = 2e9;
+constexpr double kJoined = 0.05;  // share of the time that appendages take
 
 // Before anything is made of them.
 void check_size(const conversion::PatchSet& patches, bool mirrored) {
@@ -172,9 +174,18 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
       options.solid ? conversion::closing_of(set) : conversion::Closing{};
   model.brep = make_brep_shape(set, closing);
   if (options.solid) check_solid(model.brep);
-  model.integrals = integrals_of(model.brep.shape);
-  for (const conversion::BSplinePatch& patch : set.patches) extend_box(model.box, patch);
   for (const conversion::Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
+  if (options.appendages.empty()) {
+    for (const conversion::BSplinePatch& patch : set.patches) extend_box(model.box, patch);
+  } else {
+    if (!options.mirrored && is_on_one_side(set)) {
+      throw std::invalid_argument("appendages are joined to both sides of the hull: mirror it");
+    }
+    join_appendages(model.brep, model.regions, options.appendages,
+                    surface::part_of(options.progress, 0.0, kJoined));
+    model.box = box_of(model.brep.shape);
+  }
+  model.integrals = integrals_of(model.brep.shape);
   model.size = set.size();
   model.curves = curves_of(options, model.size);
   return model;

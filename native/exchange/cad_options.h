@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/appendages/appendage.h"
 #include "conversion/patches/bspline_curve.h"
 #include "surface/progress.h"
 
@@ -40,6 +41,8 @@ struct CadOptions {
   std::vector<std::string> regions{};
   std::map<std::string, Colour> colours{};  // beside or instead of region_colour()
   std::vector<CadCurve> curves{};
+  // Joined to the solid, or cut out of it; both sides must be there.
+  std::vector<analysis::Appendage> appendages{};
   // Called now and then; what it throws ends the task and leaves nothing behind.
   surface::Progress progress{};
 };

@@ -87,7 +87,9 @@ Areas measure(const TopoDS_Shape& shape, CadReport& report) {
   return areas;
 }
 
-void find_box(const TopoDS_Shape& shape, CadReport& report) {
+}  // namespace
+
+Eigen::AlignedBox3d box_of(const TopoDS_Shape& shape) {
   Eigen::AlignedBox3d box;
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -103,6 +105,13 @@ void find_box(const TopoDS_Shape& shape, CadReport& report) {
       }
     }
   }
+  return box;
+}
+
+namespace {
+
+void find_box(const TopoDS_Shape& shape, CadReport& report) {
+  const Eigen::AlignedBox3d box = box_of(shape);
   if (box.isEmpty()) return;
   report.box_min = box.min();
   report.box_max = box.max();

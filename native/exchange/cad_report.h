@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +9,8 @@
 
 #include "exchange/cad_options.h"
 #include "surface/progress.h"
+
+class TopoDS_Shape;
 
 namespace hull::exchange {
 
@@ -58,5 +60,8 @@ struct CadReport {
 CadReport read_cad_report(const std::string& path, const std::string& name,
                           const surface::Progress& progress = {});
 inline CadReport read_cad_report(const std::string& path) { return read_cad_report(path, path); }
+
+// Box of a shape in millimetres as a report has it, m; empty where there are no B-spline faces.
+Eigen::AlignedBox3d box_of(const TopoDS_Shape& shape);
 
 }  // namespace hull::exchange

@@ -15,12 +15,15 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/arithmetic/gauss.h"
 #include "exchange/occt_geometry.h"
+#include "exchange/trimmed_face.h"
 
 namespace hull::exchange {
 namespace {
 
 constexpr double kFaceTolerance = 1e-8;
+constexpr int kNodes = 8, kParts = 8;
 
 bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) {
   double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
@@ -53,23 +56,25 @@ std::optional<conversion::SurfaceIntegrals> of_whole_patch(const TopoDS_Face& fa
   return integrals_of(patch_of(*surface));
 }
 
-// Half the sum of ∫ (p - origin) x dp along an edge, by three Gauss nodes in every span: exact for
-// cubic splines.
+// Half the sum of ∫ (p - origin) x dp along an edge, by Gauss' rule in every span: exact for
+// splines up to degree eight, and where curves are none to rounding for parts of a circle.
 Vector3d area_along(const TopoDS_Edge& edge, const Vector3d& origin) {
+  static const analysis::GaussRule rule = analysis::gauss_rule(kNodes);
   const BRepAdaptor_Curve curve(edge);
   const int count = curve.NbIntervals(GeomAbs_CN);
   TColStd_Array1OfReal knots(1, count + 1);
   curve.Intervals(knots, GeomAbs_CN);
+  const int parts = curve.GetType() == GeomAbs_BSplineCurve ? 1 : kParts;
   Vector3d sum = Vector3d::Zero();
-  for (int i = 1; i <= count; ++i) {
-    const double middle = 0.5 * (knots(i) + knots(i + 1)), half = 0.5 * (knots(i + 1) - knots(i));
-    for (int node : {-1, 0, 1}) {
-      const double place = std::sqrt(0.6) * node, weight = node == 0 ? 8.0 / 9.0 : 5.0 / 9.0;
+  for (int i = 0; i < count * parts; ++i) {
+    const double span = knots(i / parts + 2) - knots(i / parts + 1), width = span / parts;
+    const double begin = knots(i / parts + 1) + width * (i % parts);
+    for (int k = 0; k < kNodes; ++k) {
       gp_Pnt point;
       gp_Vec slope;
-      curve.D1(middle + half * place, point, slope);
+      curve.D1(begin + width * rule.nodes[k], point, slope);
       const Vector3d away = in_metres(point) - origin;
-      sum += 0.5 * half * weight * away.cross(in_metres(gp_Pnt(slope.XYZ())));
+      sum += 0.5 * width * rule.weights[k] * away.cross(in_metres(gp_Pnt(slope.XYZ())));
     }
   }
   return edge.Orientation() == TopAbs_REVERSED ? Vector3d(-sum) : sum;
@@ -104,6 +109,7 @@ conversion::SurfaceIntegrals integrals_of_face(const TopoDS_Face& face) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   std::optional<conversion::SurfaceIntegrals> found = of_whole_patch(forward);
   if (!found) found = of_plane(forward);
+  if (!found) found = of_trimmed_face(forward);
   if (!found) found = by_open_cascade(forward);
   if (face.Orientation() == TopAbs_REVERSED) found->volume = -found->volume;
   return *found;

@@ -31,13 +31,25 @@ from .model_files import write_3mf, write_cli
 from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
-from .ship_data import Afloat, Load, LoadCase, Opening, Resistance, Weight, Weights, Wind, WindArea
+from .ship_data import (
+    Afloat,
+    Appendage,
+    Load,
+    LoadCase,
+    Opening,
+    Resistance,
+    Weight,
+    Weights,
+    Wind,
+    WindArea,
+)
 from .stl import read_stl, write_stl
 from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 
 __all__ = [
     "LINE_KINDS",
     "Afloat",
+    "Appendage",
     "AreaPoint",
     "AreaTarget",
     "CutPlane",

@@ -89,6 +89,7 @@ def _not_kept(data):
         ("targets", data.targets != Targets()),
         ("the wanted area curve", data.area_target),
         ("fields", data.fields),
+        ("appendages", data.appendages),
         ("variants", data.variants),
     )
     names = [name for name, is_there in parts if is_there]

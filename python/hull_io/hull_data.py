@@ -177,8 +177,8 @@ class HullData:
     tools do not move; kept: those that they move in a plane only; ties: Tie, one a point; groups:
     PointGroup. lines: a LineChoice, None where
     the file does not say. targets: wanted.Targets; area_target: a wanted.AreaTarget, None without
-    one. fields: ShapeField. variants: Variant, whose hulls have no variants, targets or fields of
-    their own. units: the file's
+    one. fields: ShapeField. appendages: Appendage. variants: Variant, whose hulls have no variants,
+    targets, fields or appendages of their own. units: the file's
     own unit of length, "m" or "ft". source: where the hull comes from. notes: what the reader had
     to mend, one sentence each, for the user.
     """
@@ -210,6 +210,7 @@ class HullData:
     targets: Targets = field(default_factory=Targets)
     area_target: object = None
     fields: list = field(default_factory=list)
+    appendages: list = field(default_factory=list)
     variants: list = field(default_factory=list)
     units: str = "m"
     source: str = ""

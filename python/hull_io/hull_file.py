@@ -13,7 +13,8 @@
      tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind";
      "weights" as hull_weights and "resistance" as hull_resistance tells;
-     "targets" and "area_target" as hull_targets tells, "fields" as hull_fields tells,
+     "targets" and "area_target" as hull_targets tells, "fields" as hull_fields and
+     "appendages" as hull_appendages tells,
      "variants" as hull_variants tells}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
@@ -25,14 +26,20 @@ mended on reading: a mistake is refused with the key and index where it stands.
 import json
 from pathlib import Path
 
-from . import hull_content, hull_fields, hull_targets, hull_variants
+from . import hull_appendages, hull_content, hull_fields, hull_targets, hull_variants
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .errors import HullFileError
 from .limits import MAX_HULL_FILE_BYTES
 
 REQUIRED = ("format", "version", "units", *hull_content.REQUIRED)
-OPTIONAL = (*hull_content.OPTIONAL, *hull_targets.KEYS, hull_fields.KEY, hull_variants.KEY)
+OPTIONAL = (
+    *hull_content.OPTIONAL,
+    *hull_targets.KEYS,
+    hull_fields.KEY,
+    hull_appendages.KEY,
+    hull_variants.KEY,
+)
 # Lists of single numbers, which stand in one line.
 _IN_ONE_LINE = ("corners", "face_layers")
 
@@ -52,6 +59,7 @@ def parse_hull_file(data, file_name):
     for name, value in hull_targets.parsed(check, content).items():
         setattr(hull, name, value)
     hull.fields = hull_fields.parsed(check, content, len(hull.faces))
+    hull.appendages = hull_appendages.parsed(check, content)
     hull.variants = hull_variants.parsed(check, content)
     return hull
 
@@ -88,6 +96,7 @@ def write_hull_file(data, path):
         **own,
         **hull_targets.entries(data),
         **hull_fields.entries(data),
+        **hull_appendages.entries(data),
         **hull_variants.entries(data),
     }
     lines = [_entry(key, value) for key, value in entries.items()]

@@ -63,6 +63,11 @@ FOLLOWING = {
     "area_target.points.x": "at x",
     "area_target.points.area": "section",
     "ties.distance": "vector",
+    "appendages.sizes": "sizes",  # before what they go by
+    "appendages.start": "point",
+    "appendages.end": "point",
+    "appendages.chord_direction": "vector",
+    "appendages.thickness_direction": "vector",
     "fields.place": "point",
     "fields.extent": "x",
     "fields.shift": "vector",
@@ -91,6 +96,8 @@ STAYING = frozenset(
     fields.name fields.role fields.on fields.colour fields.base fields.axis fields.closed
     fields.falloff fields.axes fields.faces fields.end.falloff
     fields.along_surface
+    appendages.name appendages.shape appendages.section appendages.thicknesses appendages.on
+    appendages.cut appendages.mirrored
     notes""".split()
 )
 
@@ -155,6 +162,18 @@ class Scale:
         """An area across the ship."""
         return value * self.factors[1] * self.factors[2]
 
+    def sizes(self, appendage):
+        """Of an Appendage: chords as the chord's direction is stretched, radii and diameters by
+        the mean of what is across the body, so that its volume follows the hull's."""
+        factors = np.asarray(self.factors)
+        along = np.subtract(appendage.end, appendage.start)
+        if appendage.shape == "foil":
+            along = np.asarray(appendage.chord_direction)
+        stretch = np.linalg.norm(factors * along) / np.linalg.norm(along)
+        if appendage.shape != "foil":
+            stretch = np.sqrt(factors.prod() / stretch)
+        return tuple(float(stretch * size) for size in appendage.sizes)
+
     def listed(self, axis, text):
         """A text of places as number_lists reads it; the third number of a range is its step."""
 
@@ -209,6 +228,7 @@ CHANGES = {
     "list y": lambda scale, holder, value: scale.listed(1, value),
     "list z": lambda scale, holder, value: scale.listed(2, value),
     "diagonals": lambda scale, holder, value: scale.diagonals(value),
+    "sizes": lambda scale, holder, value: scale.sizes(holder),
     "stations": lambda scale, holder, value: (
         scale.listed(0, value) if holder.stations_in.lower() == "metres" else value
     ),

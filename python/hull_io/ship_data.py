@@ -99,6 +99,28 @@ class Wind:
     roll_period: object = None
 
 
+@dataclass
+class Appendage:
+    """A body joined to the hull or cut out of it, m and the hull's axes, as hull_appendages tells.
+
+    shape: "cylinder" (start, end, sizes: radii there), "foil" (leading edges of root and tip,
+    chords, section; thicknesses of the chord, 0: the section's own) or "bulb" (nose, tail, sizes[0]
+    the largest diameter, section). mirrored: its image is there, too."""
+
+    name: str
+    shape: str
+    start: tuple
+    end: tuple
+    sizes: tuple
+    section: str = ""
+    chord_direction: tuple = (-1.0, 0.0, 0.0)
+    thickness_direction: tuple = (0.0, 1.0, 0.0)
+    thicknesses: tuple = (0.0, 0.0)
+    on: bool = True
+    cut: bool = False
+    mirrored: bool = False
+
+
 RESISTANCE_METHODS = ("holtrop", "michell", "savitsky")
 # Holtrop and Mennen's stern coefficients: pram, V, normal, U.
 STERNS = (-25, -10, 0, 10)

@@ -53,6 +53,63 @@ def test_an_imperial_scene_writes_feet(box, tmp_path):
     np.testing.assert_allclose([x for x, _ in sections], [10, 7.5, 5, 2.5, 0], atol=1e-5)
 
 
+@pytest.mark.parametrize("scale", [1.0, 0.3048, 0.0254])
+def test_imperial_scenes_read_their_own_files_back(tmp_path, scale):
+    """Whatever the scene's unit is, a metre, a foot or an inch: the FREE!ship file brings the same
+    points back, and GHS' file, in feet, the text, in metres, and the table of offsets, in the
+    scene's unit, are of the same stations as a metric scene has."""
+    hull, scene = sample("coaster"), bpy.context.scene
+    hull.hull.lines.station_count = 5
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "metric.txt"))
+    _, metric = read_section_text((tmp_path / "metric.txt").read_text())
+    points = mesh_points(hull)
+    scene.unit_settings.system, scene.unit_settings.scale_length = "IMPERIAL", scale
+    assert bpy.ops.hull.export_hull(filepath=str(tmp_path / "coaster.hull.json")) == {"FINISHED"}
+    in_metres = hull_io().read_hull(tmp_path / "coaster.hull.json")
+    np.testing.assert_allclose(in_metres.points, points * scale, rtol=2e-6)
+    assert bpy.ops.hull.export_freeship(filepath=str(tmp_path / "coaster.fbm")) == {"FINISHED"}
+    read = hull_io().read_hull(tmp_path / "coaster.fbm")
+    assert read.units == "ft"
+    np.testing.assert_allclose(read.points, points * scale, atol=1e-6 * 90.0 * scale)
+    assert bpy.ops.hull.import_hull(filepath=str(tmp_path / "coaster.fbm")) == {"FINISHED"}
+    again = bpy.context.object
+    np.testing.assert_allclose(mesh_points(again), points, atol=1e-6 * 90.0)
+    assert again.hull.draft == pytest.approx(hull.hull.draft, rel=1e-6)
+    bpy.context.view_layer.objects.active = hull
+    hull.select_set(True)
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.gf"))
+    header, feet, _ = read_ghs((tmp_path / "coaster.gf").read_bytes().decode())
+    assert header["P"] == "F"
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.txt"))
+    _, own = read_section_text((tmp_path / "coaster.txt").read_text())
+    assert len(own) == len(feet) == len(metric)
+    for sections in (feet, own):  # of feet the reader makes metres
+        found = sorted(x for x, _ in sections)
+        wanted = sorted(x * scale for x, _ in metric)
+        np.testing.assert_allclose(found, wanted, atol=2e-5 * 90.0 * scale)
+    for (_, one), (_, other) in zip(own, metric):
+        highest, wanted = one[:, :2].max(axis=0), scale * other[:, :2].max(axis=0)
+        np.testing.assert_allclose(highest, wanted, atol=2e-5 * 90.0 * scale)
+
+
+def test_panels_in_feet_say_what_panels_in_metres_do():
+    """The same ship in a scene of feet: the same text of each number but for its unit."""
+    hull, scene = sample("coaster"), bpy.context.scene
+    units = part("bridge.blender.units")
+    found = part("features.hull.hull_state").state_of(hull).hydrostatics.values
+    scene.unit_settings.system = "IMPERIAL"
+    assert units.format_value(scene, found.displaced_volume, "m3") == (
+        f"{found.displaced_volume / 0.3048**3:.0f} ft³"
+    )
+    assert units.format_value(scene, found.displacement_t, "t").endswith(" LT")
+    assert units.format_value(scene, 3.048, "m").split() == ["10.000", "ft"]
+    before = found.displaced_volume
+    scene.unit_settings.scale_length = 0.3048  # now the same numbers are feet
+    part("features.hull.hull_state").refresh(hull, scene)
+    after = part("features.hull.hull_state").state_of(hull).hydrostatics.values.displaced_volume
+    assert after == pytest.approx(before * 0.3048**3, rel=1e-6)
+
+
 def test_sections_of_a_box(box, tmp_path):
     corner = [(0.0, 0.0), (2.0, 0.0), (2.0, 3.0)]
     for ending in ("gf", "hll", "txt", "mlt"):

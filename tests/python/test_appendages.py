@@ -159,6 +159,28 @@ def test_surfaces_in_one_another_are_refused():
     assert body.joined_volume is None
 
 
+@pytest.mark.parametrize(
+    "name, keel, error",
+    [
+        # Through the yacht's own keel, at small angles; sharp trailing edges.
+        ("sailing_yacht", {"section": "63-012", "root": (7.0, 0, 1.2), "tip": (6.7, 0, -0.6),
+                           "root_chord": 2.0, "tip_chord": 1.5}, 1e-9),
+        # Errors where curves turn back within a piece are larger than the rule tells.
+        ("naval_vessel", {"section": "0012", "root": (60.0, 0, 1.5), "tip": (59.0, 0, -1.5),
+                          "root_chord": 8.0, "tip_chord": 6.0}, 2e-8),
+    ],
+)  # fmt: skip
+def test_union_with_a_sample(name, keel, error):
+    """Inclusion and exclusion: what the keel adds and what it shares are its volume."""
+    body, changes = Sample(name).body, {}
+    for cut in (False, True):
+        body.join([hn.foil(**keel, cut=cut)])
+        changes[cut] = body.joined_volume
+    own = hn.foil(**keel).volume
+    assert 0.0 < -changes[True] < own
+    assert changes[False] - changes[True] == pytest.approx(own, rel=error)
+
+
 def test_thruster_of_a_sample_by_rays():
     """The coaster's tunnel: what it takes off is the integral of chords over the circle."""
     sample = Sample("coaster")

@@ -30,13 +30,27 @@ COMPUTED = {
     "65-012": [0.9147, 1.3824, 1.8792, 2.6091, 3.1756, 3.6490, 4.4035, 4.9758, 5.4070, 5.7172,
                5.9990, 5.7573, 4.9445, 3.7427, 2.3433, 0.9461, 0.3533, 0.0],
 }  # fmt: skip
-# (x, y) of the upper and lower side as published (Report 824).
+# x, y of the upper and the lower side as published (Reports 460, 537).
 CAMBERED = {
-    "2412": [(2.5, 2.99, -2.27), (10, 5.63, -3.75), (30, 7.88, -4.12), (50, 7.24, -3.34),
-             (80, 3.75, -1.50)],
+    "2412": [(1.25, 2.15, -1.65), (2.5, 2.99, -2.27), (5, 4.13, -3.01), (7.5, 4.96, -3.46),
+             (10, 5.63, -3.75), (15, 6.61, -4.10), (20, 7.26, -4.23), (25, 7.67, -4.22),
+             (30, 7.88, -4.12), (40, 7.80, -3.80), (50, 7.24, -3.34), (60, 6.36, -2.76),
+             (70, 5.18, -2.14), (80, 3.75, -1.50), (90, 2.08, -0.82), (95, 1.14, -0.48),
+             (100, 0.13, -0.13)],
     "23012": [(10, 6.43, -2.92), (30, 7.55, -4.46), (50, 6.41, -4.17),
               (80, 3.08, -2.16)],
 }  # fmt: skip
+# 2412 as the table of Abbott & von Doenhoff's book was computed anew from the formulas (the public
+# domain program naca456 of PDAS, whose author found "numerous computing and typographic errors").
+RECOMPUTED_2412 = [
+    (0.5, 1.4269, -1.0396), (0.75, 1.7090, -1.2852), (1.25, 2.1606, -1.6513),
+    (2.5, 2.9863, -2.2684), (5, 4.1304, -3.0054), (7.5, 4.9677, -3.4580), (10, 5.6291, -3.7608),
+    (15, 6.6073, -4.1022), (20, 7.2607, -4.2278), (25, 7.6695, -4.2209), (30, 7.8785, -4.1286),
+    (35, 7.9163, -3.9819), (40, 7.8030, -3.8030), (45, 7.5685, -3.5931), (50, 7.2425, -3.3462),
+    (55, 6.8341, -3.0720), (60, 6.3506, -2.7784), (65, 5.7972, -2.4710), (70, 5.1778, -2.1540),
+    (75, 4.4949, -1.8305), (80, 3.7497, -1.5017), (85, 2.9422, -1.1681), (90, 2.0711, -0.8289),
+    (95, 1.1341, -0.4821),
+]  # fmt: skip
 
 
 def height_at(form, x, lower):
@@ -66,11 +80,39 @@ def test_tables_against_theory(name):
 
 @pytest.mark.parametrize("name", CAMBERED)
 def test_cambered_sections(name):
-    """Printed to 0.01 %, computed by hand: 23012's lower side is 0.018 % off its own formula."""
+    """Printed to 0.01 %, computed by hand: 2412's and 23012's lower sides are up to 0.018 % off
+    their own formulas, as the tests below tell."""
     form = hn.SectionForm(name)
     for x, upper, lower in CAMBERED[name]:
-        assert 100 * height_at(form, x / 100, False) == pytest.approx(upper, abs=0.02), x
-        assert 100 * height_at(form, x / 100, True) == pytest.approx(lower, abs=0.02), x
+        x = min(x / 100, 0.99999)
+        assert 100 * height_at(form, x, False) == pytest.approx(upper, abs=0.02), x
+        assert 100 * height_at(form, x, True) == pytest.approx(lower, abs=0.02), x
+
+
+def test_every_digit_of_the_table_computed_anew():
+    """From 7.5 % on; before it that table's own interpolation is up to 0.003 % off."""
+    form = hn.SectionForm("2412")
+    for x, upper, lower in RECOMPUTED_2412:
+        if x < 7.5:
+            assert 100 * height_at(form, x / 100, False) == pytest.approx(upper, abs=3e-3), x
+            assert 100 * height_at(form, x / 100, True) == pytest.approx(lower, abs=3e-3), x
+            continue
+        assert 100 * height_at(form, x / 100, False) == pytest.approx(upper, abs=1.1e-4), x
+        assert 100 * height_at(form, x / 100, True) == pytest.approx(lower, abs=1.1e-4), x
+
+
+def test_printed_digits_that_are_off_are_slips():
+    """Of the printed 2412 the mean of both sides leaves the formula's by 0.002, 0.014, 0.008, 0.001
+    and 0.009 % of the chord at 50 to 90 %: more than rounding explains at 60, 70 and 90, nothing at
+    50 and 80. Half the difference of both, the thickness, is within 0.006 %."""
+    form = hn.SectionForm("2412")
+    off = []
+    for x, upper, lower in CAMBERED["2412"]:
+        if 50 <= x <= 90:
+            ours = [100 * height_at(form, x / 100, side) for side in (False, True)]
+            off.append(0.5 * (upper + lower) - 0.5 * sum(ours))
+            assert 0.5 * (upper - lower) == pytest.approx(0.5 * (ours[0] - ours[1]), abs=0.0065)
+    assert off == pytest.approx([0.0019, 0.0139, 0.0081, 0.0010, 0.0089], abs=1.5e-4)
 
 
 def test_cambered_section_against_another_program():

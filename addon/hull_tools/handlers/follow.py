@@ -4,7 +4,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.objects import curve_lines, hull_objects, unrecorded
+from ..bridge.objects import appendages, curve_lines, hull_objects, unrecorded
 from ..features import studio
 from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
@@ -95,6 +95,9 @@ def after_update(scene, depsgraph):
     # That a surface is not sculpted any longer is no change of its geometry.
     hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
     hulls += preview.concerned(changed, depsgraph.view_layer)
+    hulls += filter(None, map(appendages.hull_of, changed))
+    if depsgraph.id_type_updated("SCENE"):
+        hulls += hull_state.with_other_appendages(depsgraph.view_layer)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
     has_others = depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION")
     networks.after_changes(changed, scene, has_others)

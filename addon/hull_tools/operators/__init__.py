@@ -4,6 +4,7 @@
 import bpy
 
 from . import (
+    add_appendage,
     add_hull,
     area_curve,
     area_curve_drag,
@@ -53,6 +54,7 @@ from . import (
 
 _CLASSES = (
     *add_hull.CLASSES,
+    *add_appendage.CLASSES,
     *make_hull.CLASSES,
     *tag_mesh.CLASSES,
     *select_tags.CLASSES,

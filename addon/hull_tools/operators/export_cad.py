@@ -41,7 +41,9 @@ class ExportCad(PatchOperator, ExportHull):
         return cad_files.Export(hull, scene, self.filepath, self.file_format)
 
     def converted(self, written):
-        return written.converted, f"{self.file_format} written: "
+        without = " without appendages, which are in closed solids only"
+        said = without if written.without_appendages else ""
+        return written.converted, f"{self.file_format} written{said}: "
 
 
 class HULL_OT_export_step(bpy.types.Operator, ExportCad):

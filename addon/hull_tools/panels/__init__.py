@@ -6,6 +6,7 @@ import bpy
 from ..bridge.blender import pie_key, preferences
 from . import (
     add_menu,
+    appendage,
     area_curve,
     criteria,
     export,
@@ -50,6 +51,7 @@ _CLASSES = (
     *transformation.CLASSES,
     *fields.CLASSES,
     *networks.CLASSES,
+    *appendage.CLASSES,
     *area_curve.CLASSES,
     *targets.CLASSES,
     *morph.CLASSES,

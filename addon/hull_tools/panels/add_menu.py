@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Add > Mesh > Ship Hull."""
+"""Add > Mesh > Ship Hull, Ship Appendage."""
 
 import bpy
 
@@ -15,12 +15,22 @@ class HULL_MT_add(bpy.types.Menu):
         self.layout.operator_enum("hull.add_hull", "kind")
 
 
+class HULL_MT_add_appendage(bpy.types.Menu):
+    """Add a keel, rudder, shaft or tunnel to the hull at hand"""
+
+    bl_label = "Ship Appendage"
+
+    def draw(self, context):
+        self.layout.operator_enum("hull.add_appendage", "kind")
+
+
 def _draw_in_add_menu(self, context):
     self.layout.separator()
     self.layout.menu(HULL_MT_add.__name__, icon="MOD_OCEAN")
+    self.layout.menu(HULL_MT_add_appendage.__name__, icon="MOD_SKIN")
 
 
-CLASSES = (HULL_MT_add,)
+CLASSES = (HULL_MT_add, HULL_MT_add_appendage)
 
 # By the name of Blender's menu.
 DRAWN_IN = {"VIEW3D_MT_mesh_add": _draw_in_add_menu}

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.objects import hull_objects
+from ..bridge.objects import appendages, hull_objects
 from ..features.conversion import conversions
 from ..features.exchange import cad_files
 from .conversion import draw_choice, draw_report, draw_spots, draw_task
@@ -68,6 +68,8 @@ def _draw_file(layout, hull, is_step):
     settings = hull.hull.export
     column = layout.column(align=True)
     text_field(column, settings, "extent")
+    if cad_files.leaves_appendages_out(hull) and appendages.of_hull(hull):
+        column.label(text="Closed solids have appendages", icon="INFO")
     column.prop(settings, "unit")
     if is_step:
         column.prop(settings, "schema")

@@ -38,6 +38,7 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
             return
         if found.remark:
             label_wrapped(layout, context, found.remark, icon="ERROR")
+        self._draw_appendages(layout, context, hull, state.ship)
         column = layout.column(align=True)
         column.scale_y = 0.8
         scene = context.scene
@@ -46,6 +47,15 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         units = {quantity.name: quantity.unit for quantity in hydrostatics.QUANTITIES}
         for name, label in hydrostatics.KEY_FIGURES:
             label_value(column, label, format_value(scene, getattr(found, name), units[name]))
+
+    def _draw_appendages(self, layout, context, hull, ship):
+        if ship.not_joined:
+            label_wrapped(
+                layout, context, f"Appendages not counted: {ship.not_joined}", icon="ERROR"
+            )
+        elif ship.appendages_key:
+            names = ", ".join(body.name for body in ship.appendages_key)
+            label_wrapped(layout, context, f"With {names}")
 
 
 class _GroupPanel(HullPanel):

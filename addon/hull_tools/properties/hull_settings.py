@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, IntProperty, PointerProperty
 
 from ..bridge import limits
 from . import (
+    appendage_settings,
     area_target_settings,
     export_settings,
     fairness_settings,
@@ -77,6 +78,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     area_target: PointerProperty(type=area_target_settings.HullAreaTarget)
     morph: PointerProperty(type=morph_settings.HullMorph)
     curve: PointerProperty(type=network_settings.HullCurve)
+    appendage: PointerProperty(type=appendage_settings.HullAppendage)
 
 
 CLASSES = (
@@ -94,6 +96,7 @@ CLASSES = (
     *variant_settings.CLASSES,
     *morph_settings.CLASSES,
     *network_settings.CLASSES,
+    *appendage_settings.CLASSES,
     HullSettings,
 )
 

@@ -15,9 +15,13 @@ namespace {
 constexpr int kNodes = 8;  // exact up to degree 15, of which 11 is needed
 constexpr int kAlong = 10;
 constexpr int kMostHalves = 26, kMostAreaHalves = 8;
-constexpr int kMostTouching = 400;  // lines of a piece along which another surface is touched
-constexpr double kShort = 1e-13;    // of a line, or of what lines cover
-constexpr double kApart = 1e-9;     // crossings nearer to each other tell nothing of the way
+// Lines of a piece that run along another surface; so many that touch it here and there are as one.
+constexpr int kMostTouching = 400, kMostIsolated = 50;
+constexpr double kShort = 1e-13;  // of a line, or of what lines cover
+constexpr double kApart = 1e-9;   // crossings nearer to each other tell nothing of the way
+// Of an interval: how near its ends a line looks for curves that turn back before the first node.
+constexpr double kNearEnd = 1e-6;
+constexpr int kTurningSteps = 40, kManyTouches = 16;
 
 // The line u -> S(u, v), and S_v along it.
 struct PatchLine {
@@ -80,9 +84,8 @@ class PieceIntegral {
   ShellMoments compute() {
     const std::vector<double> u0 = side_breaks(0, 4), u1 = side_breaks(3, 4),
                               v0 = side_breaks(0, 1), v1 = side_breaks(12, 1);
-    // Where the curve comes in and goes out by the same side, it turns back between them: lines
-    // along that side would meet it twice or not at all. Otherwise the direction with fewer breaks
-    // has lines that the curve crosses at larger angles.
+    // Where the curve comes in and goes out by the same side, lines along that side would meet it
+    // twice or not at all. Else the direction with fewer breaks has lines at larger angles to it.
     const bool back_u = u0.size() > 1 || u1.size() > 1, back_v = v0.size() > 1 || v1.size() > 1;
     if (back_u == back_v ? u0.size() + u1.size() > v0.size() + v1.size() : back_v) {
       patch_ = transposed(patch_);
@@ -131,8 +134,7 @@ class PieceIntegral {
     return breaks;
   }
 
-  // Whether the middle of a stretch is inside a surface: the crossings on both sides tell, where
-  // they agree and are told apart; else a line to the outside does.
+  // Of the middle of a stretch: the crossings at its ends tell, else a line to the outside.
   bool is_inside(int surface, const PatchLine& line, double u) const {
     const std::vector<ArcCrossing>& all = crossings_[surface];
     const auto after = std::ranges::find_if(all, [&](const ArcCrossing& c) { return c.t > u; });
@@ -145,19 +147,49 @@ class PieceIntegral {
     return surfaces_[surface]->is_inside(line.point(u));
   }
 
-  ShellMoments along_line(double v) {
-    const PatchLine line(patch_, v);
-    std::vector<double> breaks{0.0, 1.0};
+  // Where a line crosses surfaces and the water, unsorted; how often each of them is in counts_.
+  std::vector<double> line_breaks(const PatchLine& line) {
+    std::vector<double> breaks;
+    counts_.assign(surfaces_.size() + 1, 0);
     for (std::size_t k = 0; k < surfaces_.size(); ++k) {
       crossings_[k].clear();
       surfaces_[k]->find_crossings(line.arc, crossings_[k]);
       std::ranges::sort(crossings_[k], {}, &ArcCrossing::t);
-      for (const ArcCrossing& crossing : crossings_[k]) breaks.push_back(crossing.t);
-      touched_ +=
-          std::ranges::any_of(crossings_[k], [](const ArcCrossing& c) { return c.way == 0; });
+      double before = -1.0;
+      for (const ArcCrossing& crossing : crossings_[k]) {
+        breaks.push_back(crossing.t);
+        counts_[k] += crossing.t - before > kApart;
+        before = crossing.t;
+      }
+      const auto touching = std::ranges::count(crossings_[k], 0, &ArcCrossing::way);
+      touched_ += touching >= kManyTouches ? kMostIsolated : touching > 0;
     }
-    if (touched_ > kMostTouching) throw SurfacesInOneAnother();
+    if (touched_ > kMostTouching * kMostIsolated) throw SurfacesInOneAnother();
+    const std::size_t dry = breaks.size();
     add_water(line.arc, breaks);
+    counts_.back() = static_cast<int>(breaks.size() - dry);
+    return breaks;
+  }
+
+  std::vector<int> counts_at(double v) {
+    line_breaks(PatchLine(patch_, v));
+    return counts_;
+  }
+
+  // Between a line that crosses as often as told, and one that does not: where a curve turns back.
+  double turning(double same, double other, const std::vector<int>& counts) {
+    for (int step = 0; step < kTurningSteps; ++step) {
+      const double middle = 0.5 * (same + other);
+      (counts_at(middle) == counts ? same : other) = middle;
+    }
+    return same;
+  }
+
+  ShellMoments along_line(double v) {
+    const PatchLine line(patch_, v);
+    std::vector<double> breaks = line_breaks(line);
+    breaks.push_back(0.0);
+    breaks.push_back(1.0);
     std::ranges::sort(breaks);
     ShellMoments sum;
     std::vector<bool> inside(surfaces_.size());
@@ -174,17 +206,38 @@ class PieceIntegral {
     return sum;
   }
 
+  // A curve that goes out of the patch at an end of the interval may come from beyond it, and turn
+  // back before the nodes that are nearest: where it does so is an end, too.
+  bool add_by_turnings(double begin, double width, const std::vector<int>& first,
+                       const std::vector<int>& last, ShellMoments& sum) {
+    const EstimatingRule& along = EstimatingRule::of(kAlong);
+    std::vector<double> ends{begin};
+    const double low = begin + kNearEnd * width, high = begin + (1.0 - kNearEnd) * width;
+    const std::vector<int> lowest = counts_at(low), highest = counts_at(high);
+    if (lowest != first) ends.push_back(turning(low, begin + width * along.node(0), lowest));
+    if (highest != last) {
+      ends.push_back(turning(high, begin + width * along.node(along.count() - 1), highest));
+    }
+    if (ends.size() == 1) return false;
+    ends.push_back(begin + width);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(ends[i], ends[i + 1] - ends[i], 1, sum);
+    return true;
+  }
+
   void add(double begin, double width, int depth, ShellMoments& sum) {
     const EstimatingRule& along = EstimatingRule::of(kAlong);
     std::array<EstimatingRule::Values, 4> values{};
     ShellMoments part;
+    std::vector<int> first;
     for (int i = 0; i < along.count(); ++i) {
       ShellMoments line = along_line(begin + width * along.node(i));
+      if (i == 0) first = counts_;
       for (int k = 0; k < 3; ++k) values[k][i] = width * line.first(k, k);
       values[3][i] = width * line.area;
       line *= width * along.weight(i);
       part += line;
     }
+    if (depth == 0 && add_by_turnings(begin, width, first, std::vector<int>(counts_), sum)) return;
     double volume_error = 0.0;
     for (int k = 0; k < 3; ++k) volume_error = std::max(volume_error, along.error(values[k]));
     const double area_error = along.error(values[3]);
@@ -204,6 +257,7 @@ class PieceIntegral {
   const Plane* water_;
   const PieceRule& rule_;
   std::vector<std::vector<ArcCrossing>> crossings_;
+  std::vector<int> counts_;
   int touched_ = 0;
 };
 

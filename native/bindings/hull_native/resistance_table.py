@@ -6,6 +6,7 @@ import math
 from . import _core
 from ._resistance import GRAVITY, MichellIntegral, ittc_1957
 from .csv_rows import csv_text
+from .delft_series import delft
 from .holtrop_form import holtrop_ship
 from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
 from .planing import savitsky
@@ -89,6 +90,33 @@ def savitsky_table(boat, speeds, **how):
         rows.append(_planing_row(found))
     if not rows:
         raise problem or ValueError("There are no speeds: give at least one.")
+    return rows
+
+
+def delft_table(yacht, speeds, **how):
+    """A list of dicts, one for each speed in m/s, of a DelftYacht by the Delft series; keywords as
+    delft().
+
+    Keys with units as michell_table(): friction_kN, residuary_kN, keel_kN and rudder_kN (friction
+    and waves of each), heel_kN (what the heel adds to all), total_kN, effective_power_kW; "outside"
+    as holtrop_table().
+    """
+    rows = []
+    for found in delft(yacht, speeds, **how):
+        heel = found.heeled_friction + found.heeled_residuary + found.heeled_keel
+        rows.append(
+            {
+                **_speed_columns(found.speed, yacht.length),
+                "friction_kN": found.friction,
+                "residuary_kN": found.residuary,
+                "keel_kN": found.keel_friction + found.keel_residuary,
+                "rudder_kN": found.rudder_friction,
+                "heel_kN": heel,
+                "total_kN": found.total,
+                "effective_power_kW": found.effective_power,
+                "outside": "; ".join(found.outside),
+            }
+        )
     return rows
 
 

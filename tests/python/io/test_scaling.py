@@ -41,13 +41,14 @@ def paths(cls, before=""):
         "weights": hull_io.Weights, "items": hull_io.Weight,
         "resistance": hull_io.Resistance,
         "ties": hull_io.Tie, "groups": hull_io.PointGroup,
+        "appendages": hull_io.Appendage,
         "fields": hull_io.ShapeField, "end": hull_io.FieldEnd,
     }  # fmt: skip
     for field in dataclasses.fields(cls):
         kind = parts.get(field.name)
         if before == "area_target." and field.name in ("base", "points"):
             kind = hull_io.AreaPoint
-        if kind:
+        if kind and before != "appendages.":
             yield from paths(kind, f"{before}{field.name}.")
         else:
             yield before + field.name
@@ -111,6 +112,30 @@ def data_off(data, made, flat):
     before = data.flats[made.flats.index(flat)]
     own = data.points[sorted({point for face in before.faces for point in data.faces[face]})]
     return 1.2 * np.abs(own @ before.normal - before.offset).max()
+
+
+def test_appendages_follow():
+    """Their ends as points do, chords as the hull's length, cylinders as large as their volume."""
+    data = sample("coaster")
+    data.appendages = [
+        hull_io.Appendage("tunnel", "cylinder", (80.0, -7.0, 2.0), (80.0, 7.0, 2.0), (0.7, 0.6)),
+        hull_io.Appendage("keel", "foil", (40.0, 0.0, 1.0), (39.0, 0.0, -2.0), (6.0, 4.0), "0012"),
+        hull_io.Appendage("bulb", "bulb", (42.0, 0.0, -2.0), (36.0, 0.0, -2.0), (1.0, 0.5), "0018"),
+    ]
+    made = hull_io.scaled(data, FACTORS).appendages
+    for own, before in zip(made, data.appendages):
+        assert own.start == pytest.approx(np.multiply(FACTORS, before.start), rel=1e-15)
+        assert own.end == pytest.approx(np.multiply(FACTORS, before.end), rel=1e-15)
+        assert (own.name, own.section, own.thicknesses) == (
+            before.name, before.section, before.thicknesses,
+        )  # fmt: skip
+    assert made[1].sizes == pytest.approx((1.1 * 6.0, 1.1 * 4.0), rel=1e-15)
+    volumes = [
+        [hn.cylinder(one.start, one.end, one.sizes[0], end_radius=one.sizes[1]).volume,
+         hn.bulb(two.section, two.start, two.end, two.sizes[0]).volume]
+        for one, _, two in (data.appendages, made)
+    ]  # fmt: skip
+    assert volumes[1] == pytest.approx(np.prod(FACTORS) * np.array(volumes[0]), rel=1e-9)
 
 
 def test_what_is_wanted_follows_and_variants_stay():

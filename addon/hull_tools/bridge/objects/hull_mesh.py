@@ -5,13 +5,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..mesh import mesh_arrays
-from . import hull_objects
+from . import appendages, hull_objects
 
 
 @dataclass(frozen=True, eq=False)
 class HullMesh:
     """data: mesh_arrays.MeshData; topology: its digest. excluded: material slots that do not belong
-    to the shell. openings: as hull_native.HullBody takes them."""
+    to the shell. openings: as hull_native.HullBody takes them. appendages: AppendageBody of each
+    that counts."""
 
     data: mesh_arrays.MeshData
     topology: bytes
@@ -19,6 +20,7 @@ class HullMesh:
     half: bool
     scheme: str
     openings: str
+    appendages: tuple = ()
 
     @property
     def topology_key(self):
@@ -49,4 +51,5 @@ def read(obj):
         settings.half,
         settings.scheme,
         "closed" if settings.deck_closed else "open",
+        appendages.read(obj),
     )

@@ -71,7 +71,7 @@ def present(obj, scene):
     where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
     if where.heel:
         raise ValueError("Area curves are of the ship upright: set the heel to zero first")
-    found = sectional_areas.compute(state.ship.source.new_ship(), where).areas
+    found = sectional_areas.compute(state.ship.source.alone.new_ship(), where).areas
     wet = np.flatnonzero(found.areas > 0.0)
     if len(wet) < 3:
         raise ValueError("Nothing of the hull is immersed: raise the draft first")
@@ -83,7 +83,7 @@ def present(obj, scene):
 def _volume(obj, scene):
     state = hull_state.up_to_date(obj, scene)
     where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-    return state.ship.source.new_ship().hydrostatics(where).displaced_volume
+    return state.ship.source.alone.new_ship().hydrostatics(where).displaced_volume
 
 
 def _take(obj, scene, stations, handles, source):

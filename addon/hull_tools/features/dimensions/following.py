@@ -3,6 +3,7 @@
 
 from ....hull_io.scaling import CHANGES
 from ..constraints import flats
+from ..hull import appendage_data
 
 # How each number and text of Object.hull follows, by its place, as CHANGES names it; what is in
 # metres whatever the scene's units, as lists of positions, too.
@@ -85,10 +86,10 @@ STAYING = frozenset(
       targets.draft_change targets.stiffness area_target.source fields.fields.colour
       fields.fields.falloff fields.fields.falloff_end""".split()
 )
-# Groups of which all stays: hulls as they were, curves of networks, which are no hulls, and
-# families. A morph has factors of its own by
+# Groups of which all stays: hulls as they were, curves of networks and appendages, which
+# are no hulls, and families. A morph has factors of its own by
 # which it is scaled; one that is scaled otherwise is told to be of no family any longer.
-STAYING_GROUPS = frozenset(("variants", "morph", "curve"))
+STAYING_GROUPS = frozenset(("variants", "morph", "curve", "appendage"))
 # Zero stands for something that follows by itself.
 _ZERO_IS_NONE = frozenset("""draft depth loading.kg table.draft_from table.draft_to""".split())
 
@@ -104,6 +105,7 @@ def follow(obj, scale, metric):
     for entry in obj.hull.flats:
         normal, offset = scale.plane(*_plane(entry))
         flats.store_plane(obj, entry.region, (*normal, offset))
+    appendage_data.follow(obj, scale)
 
 
 def _plane(entry):

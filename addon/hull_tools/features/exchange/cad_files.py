@@ -21,10 +21,12 @@ _SOLIDS = ("SOLID", "HALF_SOLID")
 
 @dataclass(frozen=True, eq=False)
 class Written:
-    """converted: patches.Converted; report: what was found in the file, as hull_native tells it."""
+    """converted: patches.Converted; report: what was found in the file, as hull_native tells it.
+    without_appendages: the hull has some, which this file, as no closed solid, does not hold."""
 
     converted: object
     report: dict
+    without_appendages: bool = False
 
 
 @dataclass
@@ -53,6 +55,9 @@ class Export(jobs.JobTask):
         self._geometry, self._face_ids = self.state.ship.geometry_key, source.control.face_ids
         wanted = cad_curves.wanted(obj, scene, self.state.ship.surface)
         options = options_of(obj, file_format)
+        without = leaves_appendages_out(obj) and bool(source.appendages)
+        if not without:
+            options["appendages"] = list(source.appendages)
 
         # Jobs run one after the other: the conversion is over when this begins.
         def work(progress):
@@ -71,7 +76,7 @@ class Export(jobs.JobTask):
                 progress=lambda share: progress(_SHARE_OF_CURVES + rest * share),
                 **options,
             )
-            return Written(converted, report)
+            return Written(converted, report, without)
 
         self._job = jobs.Job(work)
         conversions.watch(self)
@@ -120,6 +125,11 @@ def problem_of(obj):
         return None
     geometry, problem = found
     return problem if state.ship.geometry_key == geometry else None
+
+
+def leaves_appendages_out(obj):
+    """Whether the extent of a hull's STEP and IGES files is one that appendages are no part of."""
+    return obj.hull.export.extent != "SOLID"
 
 
 def options_of(obj, file_format):

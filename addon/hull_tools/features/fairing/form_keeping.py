@@ -24,6 +24,6 @@ def keeping(obj, scale, source, names):
     def new_body(points):
         surface = source.new_surface()
         surface.set_points(points)
-        return source.new_body(surface)
+        return source.bare_body(surface)
 
     return kept_numbers.kept_numbers(new_body, source.control.points, names, **position)

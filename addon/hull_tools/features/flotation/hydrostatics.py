@@ -127,7 +127,10 @@ class HydrostaticValues(SimpleNamespace):
 
 def at(ship, where):
     """HydrostaticValues of a ship.Ship that lies as an Afloat says; ValueError as `computed`."""
-    return described(ship.hydrostatics(where), where)
+    found = described(ship.hydrostatics(where), where)
+    if ship.body.joined_volume is not None:
+        found.remark = ""  # the volume from breadths is that of the hull alone
+    return found
 
 
 def computed(body, where):

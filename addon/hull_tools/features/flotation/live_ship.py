@@ -5,13 +5,14 @@ Points that moved are handed to the surface and the body that are there. Of a me
 last good surface stays; where there is none, it is that of its part that makes one.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ...bridge import native
 from ...bridge.mesh import mesh_arrays, mesh_check, moves, valid_part
 from . import ship
+from .appendages import native_bodies
 
 
 @dataclass
@@ -19,7 +20,7 @@ class LiveShip:
     """check: of the mesh as it is. surface: hull_native.LimitSurface; moved: its moves.Moves; body:
     its hull_native.HullBody. All three change with the next edit, so that only `source`, the
     ship.ShipSource of them, is for threads. is_part: the mesh has errors, and the surface is of
-    what makes one. memory: see ship.Ship.
+    what makes one. memory: see ship.Ship. not_joined: why appendages do not count, else "".
 
     topology_key: equal where surfaces differ by the places of points only; geometry_key: where
     surfaces are equal, None while there is none; key: where ships are.
@@ -32,10 +33,12 @@ class LiveShip:
     body: object = None
     source: object = None
     memory: dict = field(default_factory=dict)
+    not_joined: str = ""
     topology_key: tuple = None
     geometry_key: tuple = None
     key: tuple = None
     _control_key: tuple = None
+    appendages_key: tuple = ()
 
     def as_it_is(self):
         """The ship.Ship that follows the edits."""
@@ -45,7 +48,7 @@ class LiveShip:
         """Brings all up to date with a hull_mesh.HullMesh; returns whether the surface is its."""
         geometry_key = (found.topology_key, found.points_digest, scale)
         marks = np.packbits(found.data.deck_edges).tobytes()
-        key = (geometry_key, found.openings, marks)
+        key = (geometry_key, found.openings, marks, found.appendages)
         if self.key != key:
             self._renew(found, scale, geometry_key, (found.topology_key, marks))
             self.key = key
@@ -64,12 +67,24 @@ class LiveShip:
         if mesh is None:
             return
         self.is_part = not is_whole
-        source = ship.source_of(found, control)
-        self._make_body(mesh, source, found.topology_key, geometry_key)
+        source = ship.source_of(found, control, self._bodies(found.appendages, scale))
+        has_others = self.appendages_key != found.appendages
+        self._make_body(mesh, source, found.topology_key, geometry_key, has_others)
+        self.appendages_key = found.appendages
         self._control_key = control_key if is_whole else None
 
-    def _make_body(self, mesh, source, topology_key, geometry_key):
-        """Surface and body of a source: those that are there where only points have moved."""
+    def _bodies(self, bodies, scale):
+        """hull_native.Appendage of AppendageBody, none where one of them is no body."""
+        self.not_joined = ""
+        try:
+            return native_bodies(bodies, scale)
+        except ValueError as error:
+            self.not_joined = str(error)
+            return []
+
+    def _make_body(self, mesh, source, topology_key, geometry_key, has_others):
+        """Surface and body of a source: those that are there where only points have moved.
+        has_others: other appendages than before."""
         surface, body = self.surface, self.body
         has_moved = self.geometry_key != geometry_key
         if surface is None or self.topology_key != topology_key:
@@ -80,10 +95,21 @@ class LiveShip:
             before, self.geometry_key, self.body = self.geometry_key, None, None
             surface.set_points(source.control.points)
             self.moved = self.moved.further(before, geometry_key)
-        if body is None or body.openings != source.openings:
+        if body is None or body.openings != source.openings or has_others:
             body = source.live_body(surface)
             self.memory.clear()
+            if source.appendages:
+                source = self._tried(source, lambda: body.join(list(source.appendages)))
         elif has_moved:
-            body.update()
+            source = self._tried(source, body.update)
         self.surface, self.body, self.source = surface, body, source
         self.topology_key, self.geometry_key = topology_key, geometry_key
+
+    def _tried(self, source, join):
+        """Source without its appendages where joining raises; then the body is the hull alone."""
+        try:
+            join()
+        except ValueError as error:
+            self.not_joined = str(error)
+            return replace(source, appendages=())
+        return source

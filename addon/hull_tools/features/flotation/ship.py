@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What hydrostatics and stability are computed of: surface, floating body, and what is marked."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from ...bridge import native
@@ -42,7 +42,8 @@ class Ship:
 class ShipSource:
     """All that a Ship is made of. It never changes: a thread may have it while the hull is edited.
 
-    openings: as hull_native.HullBody takes them.
+    openings: as hull_native.HullBody takes them. appendages: hull_native.Appendage that are joined
+    to its body.
     """
 
     control: ControlArrays
@@ -50,6 +51,7 @@ class ShipSource:
     half: bool
     openings: str
     deck_edge: tuple
+    appendages: tuple = ()
 
     def new_surface(self):
         """A hull_native.LimitSurface of the caller's own."""
@@ -57,6 +59,11 @@ class ShipSource:
         return hull_native.LimitSurface(
             hull_native.ControlMesh(*self.control.arguments()), self.scheme
         )
+
+    @property
+    def alone(self):
+        """The same without appendages."""
+        return replace(self, appendages=())
 
     def new_ship(self, progress=None):
         return Ship(self.new_body(self.new_surface()), self.deck_edge, progress=progress)
@@ -67,15 +74,24 @@ class ShipSource:
         return self.new_ship()
 
     def new_body(self, surface, **how):
-        """The hull_native.HullBody of a surface of these control points."""
+        """The hull_native.HullBody of a surface of these control points. ValueError where
+        appendages cannot be joined to it."""
+        body = self.bare_body(surface, **how)
+        if self.appendages:
+            body.join(list(self.appendages))
+        return body
+
+    def bare_body(self, surface, **how):
+        """The same without appendages."""
         return native.require().HullBody(surface, mirrored=self.half, openings=self.openings, **how)
 
     def live_body(self, surface):
-        """One for numbers that follow the mouse: to some 1e-8 of the whole."""
-        return self.new_body(surface, tolerance=1e-8)
+        """One for numbers that follow the mouse, to some 1e-8 of the whole, without appendages."""
+        return self.bare_body(surface, tolerance=1e-8)
 
 
-def source_of(found, control):
-    """The ShipSource of a hull_mesh.HullMesh; control: ControlArrays of it, or of a part of it."""
+def source_of(found, control, joined=()):
+    """The ShipSource of a hull_mesh.HullMesh; control: ControlArrays of it, or of a part of it.
+    joined: hull_native.Appendage; without any it is the hull alone."""
     deck_edge = tuple(map(tuple, control.deck_edge.tolist()))
-    return ShipSource(control, found.scheme, found.half, found.openings, deck_edge)
+    return ShipSource(control, found.scheme, found.half, found.openings, deck_edge, tuple(joined))

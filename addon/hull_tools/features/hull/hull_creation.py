@@ -12,7 +12,7 @@ from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
-from . import field_data, hull_state, tie_data, wanted_data
+from . import appendage_data, field_data, hull_state, tie_data, wanted_data
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -47,6 +47,9 @@ def hull_object(hull, scene, collection):
     wanted_data.give_wanted(obj.hull, hull, scale)
     field_data.give_fields(obj, hull, scale)
     make_hull(obj, scene, hull.half)
+    if hull.appendages:
+        appendage_data.give_appendages(obj, hull.appendages, scale, collection)
+        hull_state.follow_edit(obj, scene)
     return obj
 
 

@@ -11,7 +11,7 @@ from ...bridge.objects import hull_objects
 from ..constraints import flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
-from . import field_data, tie_data, wanted_data
+from . import appendage_data, field_data, tie_data, wanted_data
 
 
 def hull_data(obj, scene):
@@ -27,6 +27,7 @@ def hull_data(obj, scene):
     for name, value in wanted_data.take_wanted(obj.hull, scale).items():
         setattr(made, name, value)
     made.fields = field_data.take_fields(obj, scale)
+    made.appendages = appendage_data.take_appendages(obj, scale)
     return made
 
 

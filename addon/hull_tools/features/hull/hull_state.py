@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import bpy
 
 from ...bridge.blender import units
-from ...bridge.objects import hull_mesh, hull_objects
+from ...bridge.objects import appendages, hull_mesh, hull_objects
 from ..constraints.keeping import Keeping
 from ..fairness.live_fairness import LiveFairness
 from ..flotation.live_hydrostatics import LiveHydrostatics
@@ -173,6 +173,16 @@ def with_other_refusal(view_layer):
         hull
         for hull, state in known_hulls(view_layer)
         if hull_objects.refusal(hull) != state.refusal
+    ]
+
+
+def with_other_appendages(view_layer):
+    """Hulls of which appendages came or went since they were brought up to date."""
+    return [
+        hull
+        for hull in hull_objects.hulls(view_layer.objects)
+        if hull.as_pointer() in _states
+        and _states[hull.as_pointer()].ship.appendages_key != appendages.read(hull)
     ]
 
 

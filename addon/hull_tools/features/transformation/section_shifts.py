@@ -72,7 +72,7 @@ def shift(obj, scene, wanted):
     found = state.ship.as_it_is().hydrostatics(where)
     reached = None
     if wanted.prismatics is not None:
-        reached = halves.prismatics(state.ship.source.new_ship().body, position, length)
+        reached = halves.prismatics(state.ship.source.alone.new_ship().body, position, length)
     return Shifted(result, before, particulars.of_hydrostatics(found), wanted.shifted_part, reached)
 
 

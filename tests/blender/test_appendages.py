@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Appendages in Blender: what they take off and add is what closed forms say, wherever they are."""
+
+import math
+
+import bpy
+import pytest
+from addon_under_test import add_hull, make_active, part, sample
+
+RADIUS = 0.4
+
+
+def add(hull, kind, **values):
+    make_active(hull)
+    assert bpy.ops.hull.add_appendage(kind=kind, **values) == {"FINISHED"}
+    bpy.context.view_layer.update()
+    return bpy.context.view_layer.objects.active
+
+
+def volume(hull):
+    bpy.context.view_layer.update()
+    return part("features.hull.hull_state").state_of(hull).hydrostatics.values.displaced_volume
+
+
+def not_joined(hull):
+    return part("features.hull.hull_state").state_of(hull).ship.not_joined
+
+
+@pytest.fixture
+def box():
+    hull = add_hull()
+    hull.hull.draft = 2.5
+    return hull
+
+
+def test_tunnel(box):
+    """πr²B less; moved out of the hull it takes nothing off, deleted likewise."""
+    whole, hole = volume(box), math.pi * RADIUS**2 * 4.0
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    assert tunnel.parent == box and tunnel.hull.appendage.is_cut
+    assert tunnel.hide_render and tunnel.display_type == "WIRE"
+    assert volume(box) == pytest.approx(whole - hole, rel=1e-7)
+    assert not part("features.hull.hull_state").state_of(box).hydrostatics.values.remark
+    tunnel.location.x = 20.0
+    assert volume(box) == pytest.approx(whole, rel=1e-7)
+    tunnel.location.x = 5.0
+    tunnel.hull.appendage.radius = 0.5
+    assert volume(box) == pytest.approx(whole - math.pi * 0.5**2 * 4.0, rel=1e-7)
+    tunnel.hull.appendage.counts = False
+    assert volume(box) == pytest.approx(whole, rel=1e-7)
+    tunnel.hull.appendage.counts = True
+    assert volume(box) < whole - 3.0
+    bpy.data.objects.remove(tunnel)
+    assert volume(box) == pytest.approx(whole, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    "kind", ["FIN_KEEL", "BULB_KEEL", "RUDDER", "SKEG", "SHAFT", "BRACKET", "CYLINDER"]
+)
+def test_kinds_on_a_sample(kind):
+    """Each is placed where it meets the hull, and adds less than its own volume."""
+    hull = sample("coaster")
+    before = volume(hull)
+    first = add(hull, kind)
+    native = part("features.flotation.appendages")
+    bodies = part("bridge.objects.appendages").read(hull)
+    own = sum((1 + b.is_mirrored) * native.native_body(b, 1.0).volume for b in bodies)
+    assert not_joined(hull) == ""
+    assert 0.0 < volume(hull) - before < own
+    assert len(first.data.polygons) > 100 and not first.hide_render
+    assert first.hull.appendage.is_mirrored == (kind in ("SHAFT", "BRACKET"))
+
+
+def test_moved_points_keep_appendages(box):
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    before = volume(box)
+    for vertex in box.data.vertices:
+        vertex.co.y *= 1.05  # the tunnel ends 5 % of the beam outside
+    box.data.update()
+    box.update_tag()
+    assert volume(box) == pytest.approx(1.05 * before, rel=1e-7)
+
+
+def test_bad_sections_are_told_of(box):
+    keel = add(box, "FIN_KEEL")
+    with_keel = volume(box)
+    keel.hull.appendage.section = "0012x"
+    without = volume(box)
+    assert "is no section that is known" in not_joined(box) and keel.name in not_joined(box)
+    assert without == pytest.approx(100.0) and without < with_keel
+    assert len(keel.data.polygons) == 0
+    keel.hull.appendage.section = "0012"
+    assert volume(box) > 100.01 and not_joined(box) == ""
+
+
+def test_surfaces_in_one_another_are_told_of(box):
+    """A keel whose root is in the plane of the bottom; raised into the hull it counts."""
+    keel = add(box, "FIN_KEEL")
+    keel.location.z = 0.0
+    assert volume(box) == pytest.approx(100.0)
+    assert "let them cross at an angle, as by an end well within the hull" in not_joined(box)
+    keel.location.z = 0.5
+    assert volume(box) > 100.01 and not_joined(box) == ""
+
+
+def test_a_body_that_is_scaled_unevenly_is_told_of(box):
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    tunnel.scale = (1.0, 1.5, 1.0)
+    assert volume(box) == pytest.approx(100.0)
+    assert "is scaled unevenly or mirrored: clear its scale (Alt S)" in not_joined(box)
+    tunnel.scale = (1.5, 1.5, 1.5)
+    assert volume(box) == pytest.approx(100.0 - math.pi * (1.5 * RADIUS) ** 2 * 4.0, rel=1e-7)
+
+
+def test_wetted_surface_and_heeled_water_have_the_body(box):
+    """The wall of the tunnel is wet, its mouths are none; heeled the body is what plain Python
+    has."""
+    native = part("bridge.native").require()
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    volume(box)
+    found = part("features.hull.hull_state").state_of(box).hydrostatics.values
+    wet = 40.0 + 28.0 * 2.5 + 2.0 * math.pi * RADIUS * (4.0 - RADIUS)
+    assert found.wetted_surface == pytest.approx(wet, rel=1e-7)
+    ship = part("features.hull.hull_state").state_of(box).ship.source.new_ship()
+    assert ship.body.joined_volume == pytest.approx(-math.pi * RADIUS**2 * 4.0, rel=1e-6)
+    assert len(ship.body.surface.mesh.points) == len(box.data.vertices)
+    body = native.HullBody(ship.body.surface, mirrored=True)
+    body.join([native.cylinder((7, -2.2, 1.2), (7, 2.2, 1.2), RADIUS, cut=True)])
+    water = {"draft": 2.5, "heel": 0.3}
+    ours, other = (native.hydrostatics(each, **water) for each in (ship.body, body))
+    assert ours.displaced_volume == pytest.approx(other.displaced_volume, rel=1e-7)
+    assert ours.bm_transverse == pytest.approx(other.bm_transverse, rel=1e-6)
+    assert ours.tcb == pytest.approx(other.tcb, rel=1e-6)
+
+
+def test_hull_files_keep_appendages(box, tmp_path):
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    add(box, "BULB_KEEL", x=6.0)
+    add(box, "BRACKET", x=3.0, y=0.8).hull.appendage.lean = 0.2
+    before = volume(box)
+    path = tmp_path / "box.hull.json"
+    make_active(box)
+    assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    again = bpy.context.view_layer.objects.active
+    assert again != box
+    assert volume(again) == pytest.approx(before, rel=2e-6)
+    names = [obj.name.split(".")[0] for obj in part("bridge.objects.appendages").of_hull(again)]
+    assert sorted(names) == ["Bulb", "Bulb Keel", "Shaft Bracket", "Thruster Tunnel"]
+    assert not_joined(again) == ""
+
+
+def test_appendages_follow_main_dimensions(box):
+    """Scaled with the hull a tunnel's volume and a keel's go as hers."""
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    keel = add(box, "FIN_KEEL", x=6.0)
+    whole = volume(box)
+    factors = (1.2, 1.1, 0.9)
+    part("features.dimensions.dimensions").scale_hull(box, bpy.context.scene, factors)
+    # The keel keeps the thickness of its section, which is of the chord, not of the beam.
+    keel.hull.appendage.thickness = 0.12 * 1.1 / 1.2
+    keel.hull.appendage.tip_thickness = 0.12 * 1.1 / 1.2
+    assert volume(box) == pytest.approx(1.2 * 1.1 * 0.9 * whole, rel=1e-4)
+    assert not_joined(box) == ""
+
+
+def test_each_is_listed_and_can_be_left_out(box):
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    keel = add(box, "FIN_KEEL", x=5.0)
+    with_both = volume(box)
+    keel.hull.appendage.counts = False
+    assert volume(box) < with_both
+    assert bpy.ops.hull.select_appendage(name=tunnel.name) == {"FINISHED"}
+    assert bpy.context.view_layer.objects.active == tunnel
+    assert bpy.ops.hull.select_appendage() == {"FINISHED"}
+    assert bpy.context.view_layer.objects.active == box
+    with pytest.raises(RuntimeError, match='no appendage "Rudder"'):
+        bpy.ops.hull.select_appendage(name="Rudder")
+
+
+def test_undone(box):
+    whole = volume(box)
+    bpy.ops.ed.undo_push(message="Before")
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    bpy.ops.ed.undo_push(message="Tunnel")
+    assert volume(box) < whole - 1.0
+    bpy.ops.ed.undo()
+    assert volume(bpy.data.objects["box"]) == pytest.approx(whole, rel=1e-9)
+    bpy.ops.ed.redo()
+    assert volume(bpy.data.objects["box"]) < whole - 1.0
+
+
+def test_other_extents_say_that_they_are_without(box, tmp_path, capfd):
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    make_active(box)
+    assert bpy.ops.hull.export_iges(filepath=str(tmp_path / "box.igs")) == {"FINISHED"}
+    assert "without appendages, which are in closed solids only" in capfd.readouterr().out
+
+
+def test_off_the_hull(box):
+    make_active(box)
+    with pytest.raises(RuntimeError, match="There is no hull over"):
+        bpy.ops.hull.add_appendage(kind="FIN_KEEL", x=30.0)
+    assert len(box.children) == 1  # the surface
+
+
+def test_saved_and_read(box, tmp_path):
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    name, before = box.name, volume(box)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "box.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "box.blend"))
+    assert volume(bpy.data.objects[name]) == pytest.approx(before, rel=1e-9)
+
+
+def test_step_file(box, tmp_path):
+    add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    box.hull.export.extent = "SOLID"
+    make_active(box)
+    path = tmp_path / "box.step"
+    assert bpy.ops.hull.export_step(filepath=str(path)) == {"FINISHED"}
+    report = part("bridge.native").require().read_cad_report(str(path))
+    assert report["valid"] and report["solids"] == 1
+    assert report["volume"] == pytest.approx(120.0 - math.pi * RADIUS**2 * 4.0, rel=1e-8)
