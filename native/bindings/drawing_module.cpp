@@ -3,10 +3,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -49,6 +52,43 @@ dxf::DxfUnit dxf_unit_from(const std::string& name) {
   if (name == "m") return dxf::DxfUnit::kMetre;
   if (name == "mm") return dxf::DxfUnit::kMillimetre;
   throw std::invalid_argument("dxf_unit is \"m\" or \"mm\", not \"" + name + "\".");
+}
+
+using SpaceCurve = std::tuple<std::string, DoubleArray, DoubleArray>;
+
+int layer_of(dxf::DxfDrawing& drawing, const std::string& name) {
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    if (drawing.layers[i].name == name) return static_cast<int>(i);
+  }
+  const bool is_name = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '-' || c == '_';
+  });
+  if (!is_name) {
+    throw std::invalid_argument("A layer's name has letters, digits, - and _, unlike \"" + name +
+                                "\".");
+  }
+  const int count = static_cast<int>(drawing.layers.size());
+  drawing.layers.push_back({name, 1 + count % 7, 0.25});
+  return count;
+}
+
+dxf::DxfDrawing drawing_of(const std::vector<SpaceCurve>& curves, dxf::DxfUnit unit) {
+  if (curves.empty()) throw std::invalid_argument("There is no curve to be written.");
+  dxf::DxfDrawing drawing;
+  drawing.unit = unit;
+  const double factor = unit == dxf::DxfUnit::kMillimetre ? 1000.0 : 1.0;
+  for (const auto& [layer, knots, points] : curves) {
+    dxf::DxfSpaceSpline spline{layer_of(drawing, layer), points_from(points, "control points"),
+                               numbers_from(knots, "knots")};
+    const bool rises = std::is_sorted(spline.knots.begin(), spline.knots.end());
+    if (spline.points.size() < 4 || spline.knots.size() != spline.points.size() + 4 || !rises) {
+      throw std::invalid_argument(
+          "A cubic B-spline has four points or more, and four more knots, which rise.");
+    }
+    for (Eigen::Vector3d& point : spline.points) point *= factor;
+    drawing.space_splines.push_back(std::move(spline));
+  }
+  return drawing;
 }
 
 }  // namespace
@@ -100,5 +140,20 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
       py::arg("progress"),
       "What write_lines_drawing does with all positions in m and all options given.");
+  module.def(
+      "write_curves_dxf",
+      [](const std::vector<SpaceCurve>& curves, const std::filesystem::path& path,
+         const std::string& unit) {
+        const hull::dxf::DxfDrawing drawing = drawing_of(curves, dxf_unit_from(unit));
+        const py::gil_scoped_release release;
+        hull::dxf::write_dxf(drawing, path.string());
+      },
+      py::arg("curves"), py::arg("path"), py::kw_only(), py::arg("unit") = "m",
+      "Writes cubic B-spline curves in space as a DXF file (release 2000), at true size in \"m\" "
+      "or "
+      "\"mm\". curves: (layer, knots (n + 4,), control points (n, 3) in m) each; a layer's name "
+      "has "
+      "letters, digits, - and _. The file is complete, or one of the same name is untouched. "
+      "ValueError for no curves and what are none; OSError if it can't be written.");
   refuse_unmade_instances(module);
 }

@@ -61,7 +61,8 @@ void bind_segment_classes(py::module_& module) {
       .def_readonly("segments", &ModelSegments::segments, "A list of ModelSegment.")
       .def_readonly("holes", &ModelSegments::holes, "For dowels, two for each.")
       .def_readonly("holes_volume", &ModelSegments::holes_volume, "Of all holes.")
-      .def_readonly("bare_joints", &ModelSegments::bare_joints, "Joints that no dowel has room in.");
+      .def_readonly("bare_joints", &ModelSegments::bare_joints,
+                    "Joints that no dowel has room in.");
 }
 
 ModelSegments segments_of(const ClosedModel& model, const Vector3d& machine, double least,
@@ -102,8 +103,10 @@ void bind_model_parts(py::module_& module) {
       "meets itself. cell (the wall's thickness by default): the grid's side by which the inner "
       "surface is found. Its corners are wall from the surface but for the square of what "
       "interpolation in a cube is off; where it is smooth with radius r its triangles are within "
-      "cell² / r of it, and knuckles are cut off within a cube, on the thick side. progress: called "
-      "with the share done; what it raises ends the work. ValueError where nothing is thick enough, "
+      "cell² / r of it, and knuckles are cut off within a cube, on the thick side. progress: "
+      "called "
+      "with the share done; what it raises ends the work. ValueError where nothing is thick "
+      "enough, "
       "and for more than 3 000 000 cubes, naming a side that would do.");
   module.def("wall_volume", &production::wall_volume, py::arg("model"), py::arg("wall"),
              "The volume of a wall of this thickness inside a ClosedModel by Steiner's formula: "
@@ -135,7 +138,8 @@ void bind_model_parts(py::module_& module) {
       "1 for a face that the tool does not reach, 250 for sizes outside least to machine; Koelman "
       "1999, 5.5.1.2), of these with the fewest segments, of these with the most equal ones. "
       "Whether a face is reached is decided for the segment alone. making \"thick_layers\": faces "
-      "that are within 45° of a layer's normal count in place of those that are not reached. dowel: "
+      "that are within 45° of a layer's normal count in place of those that are not reached. "
+      "dowel: "
       "diameter of holes in the joints, up to two a joint, 0 for none. progress: called with the "
       "share done. ValueError for what is no machine, and for too many planes.");
 }

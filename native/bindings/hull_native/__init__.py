@@ -136,6 +136,7 @@ _LATER = {
     "Plot": "._drawing",
     "PlotSheet": "._drawing",
     "ShopDrawing": "._drawing",
+    "write_curves_dxf": "._drawing",
     "write_shop_booklet": "._drawing",
     "lay_out_plot": "._drawing",
     "write_plot": "._drawing",

@@ -19,11 +19,11 @@ std::vector<Loop> chained(const std::vector<std::pair<int, int>>& sides,
 // Twice the area that a loop encloses, positive where it runs counter-clockwise.
 double doubled_area(const Loop& loop, const std::vector<Eigen::Vector2d>& places);
 
-// Triangles of what lies to the left of loops, counter-clockwise around regions and clockwise around
-// holes in them, with the loops' own points and sides alone: ears are cut off (Meisters 1975), holes
-// being joined to what is around them first (Eberly 2008). Whatever the loops are, each of their
-// sides is one of just one triangle, and each other side is one of two: what is closed so stays
-// closed, and encloses the volume that it should, even where loops have no area.
+// Triangles of what lies to the left of loops, counter-clockwise around regions and clockwise
+// around holes in them, with the loops' own points and sides alone: ears are cut off (Meisters
+// 1975), holes being joined to what is around them first (Eberly 2008). Whatever the loops are,
+// each of their sides is one of just one triangle, and each other side is one of two: what is
+// closed so stays closed, and encloses the volume that it should, even where loops have no area.
 std::vector<std::array<int, 3>> filled(const std::vector<Loop>& loops,
                                        const std::vector<Eigen::Vector2d>& places);
 

@@ -24,15 +24,16 @@ inline constexpr double kMostWallCells = 3e6;
 // the square of `cell` over the radius of the inner surface; along its knuckles, which are cut off
 // within a cube, by less than `cell`, on the thicker side.
 //
-// Throws std::invalid_argument unless both lengths are positive, for more than kMostWallCells cubes,
-// naming a side that would do, and where nothing is thicker than twice the wall.
+// Throws std::invalid_argument unless both lengths are positive, for more than kMostWallCells
+// cubes, naming a side that would do, and where nothing is thicker than twice the wall.
 HollowModel hollowed(const ClosedModel& model, double wall, double cell,
                      const surface::Progress& progress = {});
 
 // The volume of what is nearer than `wall` to the surface, inside, but for wall^3 (Steiner's
-// formula): area · wall - (sum of tan(theta / 2) l over edges where the body is convex, of theta / 2
-// l, which is negative, where it is hollow) · wall^2, theta the angle between the triangles' normals
-// and l the edges' length. Of a smooth surface the sum is the integral of the mean curvature.
+// formula): area · wall - (sum of tan(theta / 2) l over edges where the body is convex, of theta /
+// 2 l, which is negative, where it is hollow) · wall^2, theta the angle between the triangles'
+// normals and l the edges' length. Of a smooth surface the sum is the integral of the mean
+// curvature.
 double wall_volume(const ClosedModel& model, double wall);
 
 }  // namespace hull::production

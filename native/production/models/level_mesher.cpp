@@ -120,8 +120,7 @@ LevelMesh LevelMesher::mesh(const surface::Progress& progress) {
   for (const Cell& cell : cells_) {
     if (done++ % 4096 == 0) surface::tell(progress, 0.5 * done, static_cast<double>(cells_.size()));
     do {
-      const int inversions =
-          (order[0] > order[1]) + (order[0] > order[2]) + (order[1] > order[2]);
+      const int inversions = (order[0] > order[1]) + (order[0] > order[2]) + (order[1] > order[2]);
       add_tetrahedron(cell, order, inversions % 2 == 0);
     } while (std::next_permutation(order.begin(), order.end()));
   }

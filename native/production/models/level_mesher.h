@@ -50,8 +50,8 @@ class LevelMesher {
   double distance_, cell_;
   Vector3d origin_;
   std::vector<Cell> cells_;
-  std::unordered_map<std::uint64_t, double> values_;     // by node
-  std::unordered_map<std::uint64_t, int> between_;       // points, by lower node and direction
+  std::unordered_map<std::uint64_t, double> values_;  // by node
+  std::unordered_map<std::uint64_t, int> between_;    // points, by lower node and direction
   LevelMesh mesh_;
 };
 

@@ -46,8 +46,8 @@ std::vector<Vector2d> seen_places(const std::vector<Vector3d>& points, int axis,
 }
 
 // Closes open sides in a plane, with `holes` left in it (clockwise loops).
-void close(ClosedModel& model, int axis, bool upward, std::vector<std::pair<int, int>> sides,
-           const std::vector<Loop>& holes = {}) {
+void close_in_plane(ClosedModel& model, int axis, bool upward,
+                    std::vector<std::pair<int, int>> sides, const std::vector<Loop>& holes = {}) {
   for (auto& [from, to] : sides) std::swap(from, to);
   const std::vector<Vector2d> places = seen_places(model.points, axis, upward);
   std::vector<Loop> loops = chained(sides, places);
@@ -80,7 +80,7 @@ class HalfCutter {
   ClosedModel part() {
     part_.points = model_.points;
     for (const Triangle& triangle : model_.triangles) add(triangle);
-    close(part_, axis_, !above_, unmatched(part_.triangles));
+    close_in_plane(part_, axis_, !above_, unmatched(part_.triangles));
     drop_unused(part_);
     return std::move(part_);
   }
@@ -139,8 +139,8 @@ CutModel cut(const ClosedModel& model, int axis, double at) {
                  HalfCutter(model, axis, at, true).part()};
   if (open_sides(parts.below) + open_sides(parts.above) > 0) {
     std::ostringstream words;
-    words << "The model touches itself where it would be cut, at " << "xyz"[axis] << " = " << at
-          << "; cut it a little beside that.";
+    words << "The model touches itself where it would be cut, at "
+          << "xyz"[axis] << " = " << at << "; cut it a little beside that.";
     throw std::invalid_argument(words.str());
   }
   return parts;
@@ -186,7 +186,7 @@ ClosedModel drilled(const ClosedModel& model, int axis, double at, bool upward,
   for (const auto& side : unmatched(result.triangles)) {
     if (side.first < static_cast<int>(model.points.size())) sides.push_back(side);
   }
-  close(result, axis, upward, std::move(sides), holes);
+  close_in_plane(result, axis, upward, std::move(sides), holes);
   drop_unused(result);
   return result;
 }

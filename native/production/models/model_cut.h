@@ -13,9 +13,10 @@ struct CutModel {
   ClosedModel below, above;
 };
 
-// Cut in the plane in which coordinate `axis` (0, 1, 2) is `at`, both parts closed by what the plane
-// has of the model. Points of the cut are exactly in the plane, and the same in both parts, so that
-// their volumes sum to that of the model but for rounding. Triangles in the plane are made anew.
+// Cut in the plane in which coordinate `axis` (0, 1, 2) is `at`, both parts closed by what the
+// plane has of the model. Points of the cut are exactly in the plane, and the same in both parts,
+// so that their volumes sum to that of the model but for rounding. Triangles in the plane are made
+// anew.
 //
 // Throws std::invalid_argument for a plane that is none, and where the model touches itself in the
 // plane, so that a part would have sides of more than two triangles.

@@ -96,8 +96,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p, double no_further
     }
     for (int i = node.begin; i < node.end; ++i) {
       const auto& [a, b, c] = model_.triangles[order_[i]];
-      const OnTriangle found =
-          nearest_on(p, model_.points[a], model_.points[b], model_.points[c]);
+      const OnTriangle found = nearest_on(p, model_.points[a], model_.points[b], model_.points[c]);
       const double distance = (found.point - p).squaredNorm();
       if (distance > squared || (distance == squared && best.triangle >= 0)) continue;
       squared = distance;

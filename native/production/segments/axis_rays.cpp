@@ -14,6 +14,25 @@ int bin_of(double place, double low, double step, int count) {
   return static_cast<int>(std::clamp(bin, 0.0, count - 1.0));
 }
 
+// Where the line along an axis through a point meets a triangle; area: twice the triangle's, as it
+// is seen, positive where it faces up, 0 where the line does not meet it.
+struct Crossing {
+  double area, at;
+};
+
+Crossing crossing_of(const ClosedModel& model, int triangle, const Vector3d& from, int axis) {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto& [ia, ib, ic] = model.triangles[triangle];
+  const Vector3d &a = model.points[ia], &b = model.points[ib], &c = model.points[ic];
+  const auto across = [&](const Vector3d& p, const Vector3d& q) {
+    return (p[u] - from[u]) * (q[v] - from[v]) - (p[v] - from[v]) * (q[u] - from[u]);
+  };
+  const double wa = across(b, c), wb = across(c, a), wc = across(a, b);
+  const double sum = wa + wb + wc, sign = sum > 0.0 ? 1.0 : -1.0;
+  if (sum == 0.0 || sign * wa < 0.0 || sign * wb < 0.0 || sign * wc < 0.0) return {0.0, 0.0};
+  return {sum, (wa * a[axis] + wb * b[axis] + wc * c[axis]) / sum};
+}
+
 }  // namespace
 
 AxisRays::AxisRays(const ClosedModel& model, int axis)
@@ -44,25 +63,30 @@ AxisRays::AxisRays(const ClosedModel& model, int axis)
 }
 
 double AxisRays::first_entry(const Vector3d& from, bool up) const {
-  double best = up ? std::numeric_limits<double>::infinity()
-                   : -std::numeric_limits<double>::infinity();
-  const int i = bin_of(from[u_], low_u_, step_u_, columns_);
-  const int j = bin_of(from[v_], low_v_, step_v_, rows_);
-  for (const int t : bins_[static_cast<std::size_t>(j) * columns_ + i]) {
-    const auto& [ia, ib, ic] = model_.triangles[t];
-    const Vector3d &a = model_.points[ia], &b = model_.points[ib], &c = model_.points[ic];
-    const auto across = [&](const Vector3d& p, const Vector3d& q) {
-      return (p[u_] - from[u_]) * (q[v_] - from[v_]) - (p[v_] - from[v_]) * (q[u_] - from[u_]);
-    };
-    const double wa = across(b, c), wb = across(c, a), wc = across(a, b);
-    const double sum = wa + wb + wc;  // twice the area seen, positive where it faces up
-    if (up ? !(sum < 0.0) : !(sum > 0.0)) continue;  // a ray leaves the model there
-    const double sign = sum > 0.0 ? 1.0 : -1.0;
-    if (sign * wa < 0.0 || sign * wb < 0.0 || sign * wc < 0.0) continue;
-    const double at = (wa * a[axis_] + wb * b[axis_] + wc * c[axis_]) / sum;
+  double best =
+      up ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+  for (const int t : near(from)) {
+    const Crossing crossing = crossing_of(model_, t, from, axis_);
+    // A ray leaves the model where it is seen from the other side.
+    if (up ? !(crossing.area < 0.0) : !(crossing.area > 0.0)) continue;
+    const double at = crossing.at;
     if (up ? at > from[axis_] && at < best : at < from[axis_] && at > best) best = at;
   }
   return best;
+}
+
+bool AxisRays::meets_above(const Vector3d& from) const {
+  const std::vector<int>& own = near(from);
+  return std::any_of(own.begin(), own.end(), [&](int t) {
+    const Crossing crossing = crossing_of(model_, t, from, axis_);
+    return crossing.area != 0.0 && crossing.at > from[axis_];
+  });
+}
+
+const std::vector<int>& AxisRays::near(const Vector3d& from) const {
+  const int i = bin_of(from[u_], low_u_, step_u_, columns_);
+  const int j = bin_of(from[v_], low_v_, step_v_, rows_);
+  return bins_[static_cast<std::size_t>(j) * columns_ + i];
 }
 
 }  // namespace hull::production

@@ -16,7 +16,12 @@ class AxisRays {
   // model; infinity of the ray's sign where it does not.
   double first_entry(const Vector3d& from, bool up) const;
 
+  // Whether a ray towards larger coordinates meets any triangle, from either side.
+  bool meets_above(const Vector3d& from) const;
+
  private:
+  const std::vector<int>& near(const Vector3d& from) const;
+
   const ClosedModel& model_;
   int axis_, u_, v_, rows_, columns_;
   double low_u_, low_v_, step_u_, step_v_;

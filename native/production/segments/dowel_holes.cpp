@@ -64,9 +64,8 @@ class JointSide {
   bool has_room(const Vector2d& p, double room) const {
     const auto holds = [&p](const Polygon& one) { return distance_to(one, p) == 0.0; };
     if (std::none_of(face_.begin(), face_.end(), holds)) return false;
-    return std::none_of(around_.begin(), around_.end(), [&](const Polygon& one) {
-      return distance_to(one, p) < room;
-    });
+    return std::none_of(around_.begin(), around_.end(),
+                        [&](const Polygon& one) { return distance_to(one, p) < room; });
   }
 
  private:
@@ -167,15 +166,14 @@ void add_dowel_holes(ModelSegments& result, const Dowels& dowels) {
       }
       // One joint after the other, so that holes know those that are there.
       for (const auto& [segment, upward] : {std::pair(i, true), std::pair(j, false)}) {
-        segments[segment].model =
-            drilled(segments[segment].model, joint->axis, joint->at, upward, centres,
-                    dowels.radius, dowels.depth, kDowelCorners);
+        segments[segment].model = drilled(segments[segment].model, joint->axis, joint->at, upward,
+                                          centres, dowels.radius, dowels.depth, kDowelCorners);
         result.holes += static_cast<int>(centres.size());
       }
     }
   }
-  const double disc = 0.5 * kDowelCorners * std::sin(2.0 * M_PI / kDowelCorners) *
-                      dowels.radius * dowels.radius;
+  const double disc =
+      0.5 * kDowelCorners * std::sin(2.0 * M_PI / kDowelCorners) * dowels.radius * dowels.radius;
   result.holes_volume = result.holes * disc * dowels.depth;
 }
 

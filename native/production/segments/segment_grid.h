@@ -22,9 +22,9 @@ class ModelRays;
 // cells can be judged without cutting anything anew.
 //
 // A face that looks towards the tool is reached unless something is in between; for each face and
-// direction the first such thing is found once, on the whole model, by rays from its middle and near
-// its corners: in a box it is in the way if it is within the box. So accessibility is that of the
-// segment, as if all others had been taken away.
+// direction the first such thing is found once, on the whole model, by rays from its middle and
+// near its corners: in a box it is in the way if it is within the box. So accessibility is that of
+// the segment, as if all others had been taken away.
 class SegmentGrid {
  public:
   // Throws std::invalid_argument for a machine without sizes.
@@ -38,14 +38,14 @@ class SegmentGrid {
  private:
   struct Cell {
     double volume = 0.0;
-    Eigen::AlignedBox3d box;                // of what is there
-    std::array<double, 6> caps{};           // areas in the cell's sides, as directions
+    Eigen::AlignedBox3d box;       // of what is there
+    std::array<double, 6> caps{};  // areas in the cell's sides, as directions
     // By direction and the plane at which a box ends on the tool's side: the area that is not
     // reached in it.
     std::array<std::vector<double>, 6> hidden;
     // Faces turned exactly away from a direction: where they are, and their area.
     std::array<std::vector<std::pair<double, double>>, 6> backs;
-    std::array<double, 3> uncut{};          // area too steep for layers across an axis
+    std::array<double, 3> uncut{};  // area too steep for layers across an axis
   };
 
   void take_faces(const ClosedModel& piece, const std::array<int, 3>& at, Cell& cell,

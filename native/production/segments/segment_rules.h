@@ -16,7 +16,8 @@ enum class SegmentMaking {
 // What a machine takes.
 struct SegmentRules {
   SegmentMaking making = SegmentMaking::kMilling;
-  // Largest sizes of a segment: the first two across the tool, either way round, the third along it.
+  // Largest sizes of a segment: the first two across the tool, either way round, the third along
+  // it.
   Vector3d machine;
   double least = 0.0;  // of any size of a segment
   // About how many planes the grid has along the model's longest side.
@@ -25,11 +26,11 @@ struct SegmentRules {
 
 // Of six directions +x, -x, +y, -y, +z, -z, or three of layers' normals: x, y, z.
 struct SegmentVerdict {
-  int direction = -1;           // the best; the tool is on this side
-  double inaccessible = 0.0;    // area that the tool or blade does not reach
-  bool has_back = false;        // a plane to lie on
-  bool fits = false;            // within the sizes
-  double penalty = 0.0;         // 0: it can be made
+  int direction = -1;         // the best; the tool is on this side
+  double inaccessible = 0.0;  // area that the tool or blade does not reach
+  bool has_back = false;      // a plane to lie on
+  bool fits = false;          // within the sizes
+  double penalty = 0.0;       // 0: it can be made
 };
 
 // 001, 5.5.1.2: what makes a segment worse.

@@ -74,7 +74,9 @@ SegmentSearch::Best SegmentSearch::searched(const GridBox& box) const {
     for (int plane = box.low[a] + 1; plane < box.high[a]; ++plane) {
       below.high[a] = above.low[a] = plane;
       const Best &p = found_[number(below)], &q = found_[number(above)];
-      const Best both{p.penalty + q.penalty, p.roots + q.roots, p.count + q.count,
+      const Best both{p.penalty + q.penalty,
+                      p.roots + q.roots,
+                      p.count + q.count,
                       {static_cast<signed char>(a), static_cast<short>(plane)}};
       if (is_better(both, best)) best = both;
     }

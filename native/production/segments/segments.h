@@ -31,8 +31,8 @@ struct ModelSegments {
 inline constexpr int kDowelCorners = 32;
 
 // A model in segments that a machine takes, between planes across the axes (Koelman 1999, 5.5):
-// each is milled from one side with all of its faces reached, lying on a plane on the other side, or
-// made of thick layers, and within the machine's sizes. Planes are those of an even grid. Of all
+// each is milled from one side with all of its faces reached, lying on a plane on the other side,
+// or made of thick layers, and within the machine's sizes. Planes are those of an even grid. Of all
 // ways to cut, and to cut the parts again, the best is taken, not one by chance: with the least sum
 // of penalties; of these with the fewest segments; of these with the largest sum of roots of
 // volumes, which is that of the most equal ones. What can be made is not cut any further. Where
