@@ -63,8 +63,8 @@ void bind_shop_drawing(py::module_& module) {
           },
           py::arg("layer"), py::arg("points"),
           "A polyline (k, 2), mm at true size, y up, on a layer: \"OUTLINE\", \"FRAMES\", "
-          "\"WATERLINES\", \"BUTTOCKS\", \"SEAMS\", \"ROLLING\", \"SHELL\", \"BASE\" or "
-          "\"STRETCH\".")
+          "\"WATERLINES\", \"BUTTOCKS\", \"SEAMS\", \"ROLLING\", \"SHELL\", \"BASE\", "
+          "\"STRETCH\" or \"HIDDEN\".")
       .def(
           "add_text",
           [](ShopDrawing& self, const std::string& text, const Eigen::Vector2d& position,

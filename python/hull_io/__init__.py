@@ -32,6 +32,7 @@ from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_o
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .ship_data import Afloat, Load, LoadCase, Opening, Resistance, Weight, Weights, Wind, WindArea
+from .part_files import read_stl_parts, write_segments, write_stl_parts
 from .stl import read_stl, write_stl
 from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 
@@ -71,6 +72,7 @@ __all__ = [
     "read_hull",
     "read_hull_file",
     "read_stl",
+    "read_stl_parts",
     "scaled",
     "shell_arrays",
     "shell_face_indices",
@@ -84,5 +86,7 @@ __all__ = [
     "write_hull_file",
     "write_nemoh",
     "write_obj",
+    "write_segments",
     "write_stl",
+    "write_stl_parts",
 ]

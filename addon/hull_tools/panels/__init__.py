@@ -19,6 +19,7 @@ from . import (
     lines_plan,
     morph,
     networks,
+    production,
     pull,
     resistance,
     sections,
@@ -62,6 +63,7 @@ _CLASSES = (
     *weights.CLASSES,
     *resistance.CLASSES,
     *lines_plan.CLASSES,
+    *production.CLASSES,
     *export.CLASSES,
     *studio.CLASSES,
 )
