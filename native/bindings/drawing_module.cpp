@@ -54,6 +54,23 @@ dxf::DxfUnit dxf_unit_from(const std::string& name) {
   throw std::invalid_argument("dxf_unit is \"m\" or \"mm\", not \"" + name + "\".");
 }
 
+drawing::PlanViews views_from(const std::vector<std::string>& names) {
+  drawing::PlanViews views{false, false, false};
+  for (const std::string& name : names) {
+    if (name == "profile") {
+      views.profile = true;
+    } else if (name == "half_breadth") {
+      views.half_breadth = true;
+    } else if (name == "body_plan") {
+      views.body_plan = true;
+    } else {
+      throw std::invalid_argument(
+          "A view is \"profile\", \"half_breadth\" or \"body_plan\", not \"" + name + "\".");
+    }
+  }
+  return views;
+}
+
 using SpaceCurve = std::tuple<std::string, DoubleArray, DoubleArray>;
 
 int layer_of(dxf::DxfDrawing& drawing, const std::string& name) {
@@ -110,7 +127,8 @@ PYBIND11_MODULE(_drawing, module) {
          const std::optional<double>& station_spacing, const std::optional<double>& frame_spacing,
          bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
-         const std::optional<double>& tolerance, const py::object& progress) {
+         const std::optional<double>& tolerance, const std::vector<std::string>& views,
+         const py::object& progress) {
         hull::drawing::LinesOptions options;
         options.progress = progress_from(progress);
         options.stations = numbers_from(stations, "stations");
@@ -130,6 +148,7 @@ PYBIND11_MODULE(_drawing, module) {
         options.scale_denominator = scale;
         options.dxf_unit = dxf_unit_from(dxf_unit);
         options.tolerance = tolerance;
+        options.views = views_from(views);
         const py::gil_scoped_release release;
         hull::drawing::write_lines_drawing(surface, options, path.string());
       },
@@ -138,7 +157,7 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
       py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
       py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
-      py::arg("progress"),
+      py::arg("views"), py::arg("progress"),
       "What write_lines_drawing does with all positions in m and all options given.");
   module.def(
       "write_curves_dxf",

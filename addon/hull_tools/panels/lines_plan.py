@@ -21,7 +21,9 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
             column.prop(plan, "width")
             column.prop(plan, "height")
         field_or(column, plan, "scale", "the largest that fits")
-        layout.prop(plan, "offsets")
+        column = layout.column(align=True)
+        for name in ("profile", "half_breadth", "body_plan", "offsets"):
+            column.prop(plan, name)
         column = layout.column(align=True)
         for name in ("drawn", "date", "number"):
             text_field(column, plan, name)
