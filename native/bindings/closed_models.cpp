@@ -20,7 +20,8 @@ using production::ModelLayers;
 using production::ModelSlice;
 
 ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
-  ClosedModel model{points_from(points, "points"), {}};
+  ClosedModel model;
+  model.points = points_from(points, "points");
   const auto rows = py::array::ensure(triangles);
   if (!rows || rows.ndim() != 2 || rows.shape(1) != 3) {
     throw std::invalid_argument("triangles must have shape (n, 3).");

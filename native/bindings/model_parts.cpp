@@ -132,9 +132,10 @@ void bind_model_parts(py::module_& module) {
       py::arg("least") = 0.0, py::arg("planes") = 16, py::arg("making") = "milling",
       py::arg("dowel") = 0.0, py::arg("dowel_depth") = 0.0, py::arg("progress") = py::none(),
       "ModelSegments of a ClosedModel for a machine that takes pieces of sizes machine (3,), the "
-      "last along the tool. Segments are between planes across the axes, of a grid with so many "
-      "planes along the longest side; of all ways to cut, and to cut parts again, the best is "
-      "taken: with the least to be said against (1000 for a segment that has no plane to lie on, "
+      "last along the tool. Segments are between planes across the axes, of a grid with about so "
+      "many layers along the longest side, fewer where it has more than 200 000 boxes; of all ways "
+      "to cut, and to cut parts again, the best is taken: with the least to be said against (1000 "
+      "for a segment that has no plane to lie on, "
       "1 for a face that the tool does not reach, 250 for sizes outside least to machine; Koelman "
       "1999, 5.5.1.2), of these with the fewest segments, of these with the most equal ones. "
       "Whether a face is reached is decided for the segment alone. making \"thick_layers\": faces "

@@ -38,11 +38,26 @@ std::vector<double> spaced(double low, double high, int layers, double size) {
   return planes;
 }
 
-int layers_for(double extent, double longest, const SegmentRules& rules) {
-  int layers = static_cast<int>(std::lround(rules.planes * extent / longest));
+int layers_for(double extent, double longest, int planes, const SegmentRules& rules) {
+  int layers = static_cast<int>(std::lround(planes * extent / longest));
   layers = std::max(layers, static_cast<int>(std::ceil(extent / rules.machine.minCoeff())));
   layers = std::clamp(layers, kFewestPlanes, kMostPlanes);
   return layers + layers % 2;
+}
+
+std::array<int, 3> layers_for(const Vector3d& sizes, const SegmentRules& rules) {
+  for (int planes = rules.planes; planes >= kFewestPlanes; --planes) {
+    std::array<int, 3> layers;
+    double boxes = 1.0;
+    for (int a = 0; a < 3; ++a) {
+      layers[a] = layers_for(sizes[a], sizes.maxCoeff(), planes, rules);
+      boxes *= 0.5 * layers[a] * (layers[a] + 1.0);
+    }
+    if (boxes <= kMostBoxes) return layers;
+  }
+  throw std::invalid_argument(
+      "The model would have too many segments for so small a machine: take a larger one, or a "
+      "smaller model.");
 }
 
 }  // namespace
@@ -84,9 +99,9 @@ SegmentGrid::SegmentGrid(const ClosedModel& model, const SegmentRules& rules,
   size_ = box.diagonal().norm();
   faces_ = static_cast<double>(model.triangles.size());
   face_ = model.area() / faces_;
+  const std::array<int, 3> counts = layers_for(box.sizes(), rules);
   for (int a = 0; a < 3; ++a) {
-    const int layers = layers_for(box.sizes()[a], box.sizes().maxCoeff(), rules);
-    planes_[a] = spaced(box.min()[a], box.max()[a], layers, size_);
+    planes_[a] = spaced(box.min()[a], box.max()[a], counts[a], size_);
   }
   const ModelRays rays(model, kOffFace * size_);
   const auto layers = [this](int a) { return static_cast<int>(planes_[a].size()) - 1; };

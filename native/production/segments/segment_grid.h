@@ -27,7 +27,8 @@ class ModelRays;
 // the segment, as if all others had been taken away.
 class SegmentGrid {
  public:
-  // Throws std::invalid_argument for a machine without sizes.
+  // Throws std::invalid_argument for a machine without sizes, and for one that is so small that the
+  // grid would have more than kMostBoxes boxes.
   SegmentGrid(const ClosedModel& model, const SegmentRules& rules,
               const surface::Progress& progress);
 

@@ -8,6 +8,9 @@
 
 namespace hull::production {
 
+// Boxes of a grid that are looked at.
+inline constexpr double kMostBoxes = 200000;
+
 enum class SegmentMaking {
   kMilling,     // from one side, on three axes
   kThickLayers  // layers cut by a blade along their sides
@@ -20,7 +23,8 @@ struct SegmentRules {
   // it.
   Vector3d machine;
   double least = 0.0;  // of any size of a segment
-  // About how many planes the grid has along the model's longest side.
+  // About how many layers the grid has along the model's longest side; fewer where it would have
+  // more than kMostBoxes boxes.
   int planes = 16;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/segments/segment_search.h"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace hull::production {
 namespace {
@@ -18,11 +18,6 @@ SegmentSearch::SegmentSearch(const SegmentGrid& grid, const surface::Progress& p
     layers_[a] = static_cast<int>(grid.planes()[a].size()) - 1;
     boxes *= 0.5 * layers_[a] * (layers_[a] + 1.0);
     numbers *= (layers_[a] + 1.0) * (layers_[a] + 1.0);
-  }
-  if (boxes > kMostBoxes) {
-    throw std::invalid_argument(
-        "The grid for cutting the model has too many boxes to be searched: ask for fewer planes, "
-        "or for larger segments.");
   }
   found_.resize(static_cast<std::size_t>(numbers));
   double done = 0.0;

@@ -8,13 +8,11 @@
 
 namespace hull::production {
 
-inline constexpr double kMostBoxes = 400000;
-
 // The best way to cut each box of a grid in two, and the parts again, found once for each box from
 // the smallest to the largest.
 class SegmentSearch {
  public:
-  // Throws std::invalid_argument for more than kMostBoxes boxes.
+  // REQUIRES: the grid has at most kMostBoxes boxes.
   SegmentSearch(const SegmentGrid& grid, const surface::Progress& progress);
 
   // Where a box is cut: axis and plane; axis -1 where it is left whole.

@@ -42,8 +42,7 @@ inline constexpr int kDowelCorners = 32;
 // pair of segments with a common joint, as far apart as there is room for, with as much of the
 // segments around them as their radius, so that both sides agree.
 //
-// Throws std::invalid_argument as SegmentGrid and cut(), for a grid with too many boxes, and for
-// dowels without depth.
+// Throws std::invalid_argument as SegmentGrid and cut(), and for dowels without depth.
 ModelSegments segmented(const ClosedModel& model, const SegmentRules& rules, const Dowels& dowels,
                         const surface::Progress& progress = {});
 
