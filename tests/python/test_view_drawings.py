@@ -122,9 +122,10 @@ def test_views_are_written_and_refused(tmp_path):
 
 def test_curvature_of_a_circle():
     surface = hemisphere(5.0)
+    # At the pole, where faces are triangles with one side of no length, the surface is no sphere.
     for axis, position, radius in (("z", -3.0, 4.0), ("x", 0.0, 5.0)):
         found = hn.section_curvature(surface, axis, position)
-        known = np.isfinite(found.curvature)
+        known = np.isfinite(found.curvature) & (found.points[:, 2] > -4.7)
         assert np.abs(found.curvature[known] - 1.0 / radius).max() < 2e-3
     circle = hn.section_curvature(surface, "z", -3.0)
     assert circle.length == pytest.approx(8.0 * math.pi, rel=1e-3)
@@ -180,16 +181,12 @@ def test_lines_plan_of_one_view(tmp_path):
             hn.write_lines_drawing(body.surface, tmp_path / "x.svg", views=views, **options)
 
 
-def test_one_view_has_a_larger_scale():
+def test_one_view_has_a_larger_scale(tmp_path):
     """The body plan alone fits where three views do not."""
     _, body = body_of("coaster")
     options = {"mirrored": True, "stations": 4.2, "offsets": False, "paper": "A3", "scale": 75}
-    import tempfile
-    from pathlib import Path
-
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "plan.pdf"
-        with pytest.raises(ValueError, match="does not fit"):
-            hn.write_lines_drawing(body.surface, path, **options)
-        hn.write_lines_drawing(body.surface, path, views=("body_plan",), **options)
-        assert path.stat().st_size > 5000
+    path = tmp_path / "plan.pdf"
+    with pytest.raises(ValueError, match="does not fit"):
+        hn.write_lines_drawing(body.surface, path, **options)
+    hn.write_lines_drawing(body.surface, path, views=("body_plan",), **options)
+    assert path.stat().st_size > 5000

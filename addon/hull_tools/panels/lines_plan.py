@@ -31,6 +31,10 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.operator("hull.export_lines", text="Lines Plan", icon="EXPORT")
         row.operator("hull.export_table", text="Offsets", icon="EXPORT").analysis = "offset_table"
+        row = layout.row(align=True)
+        row.operator("hull.export_view", text="View", icon="EXPORT")
+        row.operator("hull.export_curves", text="Lines in Space", icon="EXPORT")
+        layout.operator("hull.export_curvature", text="Curvature", icon="EXPORT")
 
 
 CLASSES = (HULL_PT_lines_plan,)

@@ -91,11 +91,11 @@ void LevelMesher::add_tetrahedron(const Cell& cell, const std::array<int, 3>& or
   std::array<int, 4> sorted;  // those below the level first
   int below = 0, swaps = 0;
   for (int k = 0; k < 4; ++k) value[k] = value_at(corner_of(cell.at, corner[k]), cell.near);
-  for (int k = 0; k < 4; ++k) below += value[k] < 0.0;
+  for (int k = 0; k < 4; ++k) below += value[k] <= 0.0;
   int low = 0, high = below;
   for (int k = 0; k < 4; ++k) {
-    if (value[k] < 0.0) swaps += high - below;
-    sorted[value[k] < 0.0 ? low++ : high++] = k;
+    if (value[k] <= 0.0) swaps += high - below;
+    sorted[value[k] <= 0.0 ? low++ : high++] = k;
   }
   if (below == 0 || below == 4) return;
   const auto between = [&](int i, int j) {
