@@ -15,7 +15,7 @@ struct OnTriangle {
   bool within;
 };
 
-// Ericson, Real-Time Collision Detection, 5.1.5; triangles that are a line or a point, too.
+// Ericson 2005, 5.1.5; triangles that are a line or a point, too.
 OnTriangle nearest_on(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -107,7 +107,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p, double no_further
 }
 
 bool TriangleTree::encloses(const Vector3d& p) const {
-  double sum = 0.0;  // of solid angles (Van Oosterom and Strackee 1983)
+  double sum = 0.0;  // of solid angles (Oosterom and Strackee 1983)
   for (const auto& [ia, ib, ic] : model_.triangles) {
     const Vector3d a = model_.points[ia] - p, b = model_.points[ib] - p, c = model_.points[ic] - p;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
