@@ -29,10 +29,10 @@ from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
 from .model_files import write_3mf, write_cli
 from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
+from .part_files import read_stl_parts, write_segments, write_stl_parts
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .ship_data import Afloat, Load, LoadCase, Opening, Resistance, Weight, Weights, Wind, WindArea
-from .part_files import read_stl_parts, write_segments, write_stl_parts
 from .stl import read_stl, write_stl
 from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 

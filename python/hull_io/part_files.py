@@ -80,8 +80,8 @@ def read_stl_parts(path):
 
 def write_segments(path, segments, *, title="Hull"):
     """Segments of a model in mm, (points (n, 3), triangles (m, 3)) each, by the path's ending: .3mf
-    has all of them as objects of one file; .stl and .obj are a file each, named with -1, -2, … after
-    the path's stem. All files are there, or none has changed. Returns their paths."""
+    has all of them as objects of one file; .stl and .obj are a file each, named with -1, -2, …
+    after the path's stem. All files are there, or none has changed. Returns their paths."""
     path = Path(path)
     if not segments:
         raise ValueError("There is no segment to be written.")

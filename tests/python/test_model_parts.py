@@ -119,7 +119,7 @@ def test_cut_refused():
 
 @pytest.mark.parametrize("wall", [0.1, 0.25, 0.6])
 def test_wall_of_a_cube(wall):
-    """8 - (2 - 2 t)^3, the flat sides exact, less what edges' chamfers are off: cell² along each."""
+    """8 - (2 - 2 t)^3, flat sides exact; chamfers at edges are off by cell² along each."""
     cell = 0.05
     hollow = hn.hollowed(cube(), wall, cell)
     inner = 2.0 - 2.0 * wall
@@ -305,9 +305,7 @@ def test_search_is_exact():
     found = hn.segmented(bar, machine=(2.0, 2.0, 7.0), planes=12)
     count, roots = best_by_trial(found)
     places = np.linspace(-6, 6, 13)[1:-1]
-    fitting = [
-        (2, math.sqrt(4 * (p + 6)) + math.sqrt(4 * (6 - p))) for p in places if abs(p) <= 1
-    ]
+    fitting = [(2, math.sqrt(4 * (p + 6)) + math.sqrt(4 * (6 - p))) for p in places if abs(p) <= 1]
     assert (count, roots) == pytest.approx(max(fitting, key=lambda one: (-one[0], one[1])))
 
 
@@ -348,7 +346,9 @@ def test_what_is_accessible(name):
         across = np.cross(b - a, c - a)
         area = np.linalg.norm(across, axis=1)
         steep = across[:, 2] / np.maximum(area, 1e-300)
-        chosen = random.choice(len(area), 400, p=np.where(steep > 0.05, area, 0.0) / area[steep > 0.05].sum())
+        chosen = random.choice(
+            len(area), 400, p=np.where(steep > 0.05, area, 0.0) / area[steep > 0.05].sum()
+        )
         middles = corners[chosen].mean(axis=1) + [0.0, 0.0, 1e-6]
         covered = seen.covers(middles)
         assert covered.mean() < 0.01
@@ -367,7 +367,11 @@ def test_dowels():
     lower, upper = sorted(found.segments, key=lambda one: one.box[0][2])[:2]
     at = lower.box[1][2]
     rims = [
-        {tuple(np.round(p, 9)) for p in one.model.points if p[2] == at and abs(p[0]) < 0.999 > abs(p[1])}
+        {
+            tuple(np.round(p, 9))
+            for p in one.model.points
+            if p[2] == at and abs(p[0]) < 0.999 > abs(p[1])
+        }
         for one in (lower, upper)
     ]
     assert rims[0] == rims[1] and len(rims[0]) == 64
@@ -375,11 +379,15 @@ def test_dowels():
 
 def test_dowels_of_a_hull(tmp_path):
     model = sample_model("coaster", 8e-4)
-    found = hn.segmented(model, machine=(300.0, 150.0, 80.0), planes=12, dowel=6.0, dowel_depth=12.0)
+    found = hn.segmented(
+        model, machine=(300.0, 150.0, 80.0), planes=12, dowel=6.0, dowel_depth=12.0
+    )
     assert found.holes > 0 and all(one.model.open_sides == 0 for one in found.segments)
     whole = sum(one.model.volume for one in found.segments) + found.holes_volume
     assert whole == pytest.approx(model.volume, rel=1e-11)
-    hull_io.write_stl(tmp_path / "a.stl", found.segments[0].model.points, found.segments[0].model.triangles)
+    hull_io.write_stl(
+        tmp_path / "a.stl", found.segments[0].model.points, found.segments[0].model.triangles
+    )
 
 
 def test_thick_layers():

@@ -34,8 +34,8 @@ class _WithNumbers(ExportDrawing, ExportByTask):
 
 
 class HULL_OT_export_view(bpy.types.Operator, _WithNumbers):
-    """Draw the hull as the 3D view shows it, with the lines of Sections, knuckles and outlines, what
-    is hidden left out: PDF, SVG or DXF"""
+    """Draw the hull as the 3D view shows it, with the lines of Sections, knuckles and outlines, and
+    what is hidden left out: PDF, SVG or DXF"""
 
     bl_idname = "hull.export_view"
     bl_label = "Export View"
@@ -89,8 +89,8 @@ class HULL_OT_export_view(bpy.types.Operator, _WithNumbers):
 
 
 class HULL_OT_export_curvature(bpy.types.Operator, _WithNumbers):
-    """Draw the curvature along a station, buttock or waterline over its girth, with that of a circle
-    and of the hull that this one is compared with: PDF, SVG or PNG"""
+    """Draw the curvature along a station, buttock or waterline over its girth, with a circle's
+    and that of the hull that this one is compared with: PDF, SVG or PNG"""
 
     bl_idname = "hull.export_curvature"
     bl_label = "Export Curvature"

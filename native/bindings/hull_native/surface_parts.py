@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The closed hull in named parts, as programs of flow take them: hull, transom, deck, keel, and what
-else has a name."""
+"""The closed hull in named parts, as programs of flow take them: hull, transom, deck, and what else
+has a name."""
 
 import numpy as np
 
@@ -34,7 +34,10 @@ def surface_parts(model, names=None):
         of[np.isin(cells, own) & (cells >= 0)] = name
     for closing in _closings(triangles, np.flatnonzero(cells < 0)):
         of[closing] = _looks(areas[closing].sum(axis=0))
-    found = {name: triangles[of == name] for name in dict.fromkeys(of[np.argsort(cells < 0, kind="stable")])}
+    found = {
+        name: triangles[of == name]
+        for name in dict.fromkeys(of[np.argsort(cells < 0, kind="stable")])
+    }
     return {"hull": found.pop("hull"), **found} if "hull" in found else found
 
 

@@ -50,9 +50,7 @@ class ModelFile(jobs.JobTask):
         hull_native, title = native.require(), obj.name
 
         def work(progress):
-            made = made_model(
-                hull_native, source, options, lambda share: progress(0.8 * share)
-            )
+            made = made_model(hull_native, source, options, lambda share: progress(0.8 * share))
             told = made.told()
             if ending == ".cli":
                 layers = made.model.layers(

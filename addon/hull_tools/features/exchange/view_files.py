@@ -137,4 +137,3 @@ class CurvesFile(jobs.JobTask):
 
         self._job = jobs.Job(work)
         conversions.watch(self)
-
