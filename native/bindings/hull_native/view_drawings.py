@@ -53,8 +53,8 @@ def view_drawing(
     behind an outline its end is off by as much as the outline, which is within tolerance of the
     surface's, and by 1e-5 of the drawing's size; where a surface turns away from the eye lines may
     end earlier than it does by that of a turn by 1/20: R / 800 of a bend of radius R. Pieces
-    shorter than 1/800 of the size may be missed. progress: called with the share done. ValueError for axes
-    that are none, an eye in the hull, and as closed_model().
+    shorter than 1/800 of the size may be missed. progress: called with the share done. ValueError
+    for axes that are none, an eye in the hull, and as closed_model().
     """
     axes = np.asarray(axes, dtype=float)
     if axes.shape != (3, 3) or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
@@ -89,8 +89,8 @@ def view_drawing(
 
 class _Eye:
     """Where it is, and what it makes of places: so that rays to it are parallel to z. In
-    perspective that is the map (x, y, z) -> (x, y, 1) / w, w the distance along the view, which leaves lines
-    straight and planes plane."""
+    perspective that is the map (x, y, z) -> (x, y, 1) / w, w the distance along the view, which
+    leaves lines straight and planes plane."""
 
     def __init__(self, axes, points, distance):
         self._axes, self._distance = axes, distance

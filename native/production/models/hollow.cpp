@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/models/hollow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -73,25 +74,30 @@ double wall_volume(const ClosedModel& model, double wall) {
   struct Neighbour {
     Vector3d normal;
     int opposite;
+    double doubled_area;
   };
   std::unordered_map<std::uint64_t, Neighbour> waiting;
   double bend = 0.0;
   for (const std::array<int, 3>& t : model.triangles) {
     const auto& p = model.points;
-    const Vector3d normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).normalized();
+    const Vector3d across = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+    const double doubled_area = across.norm();
+    const Vector3d normal = across.normalized();
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
       const auto key = static_cast<std::uint64_t>(a) << 32 | static_cast<unsigned>(b);
       const auto found = waiting.find(key);
       if (found == waiting.end()) {
-        waiting[key] = {normal, t[(k + 2) % 3]};
+        waiting[key] = {normal, t[(k + 2) % 3], doubled_area};
         continue;
       }
       const Neighbour& other = found->second;
       const double theta = std::atan2(normal.cross(other.normal).norm(), normal.dot(other.normal));
       const bool convex = normal.dot(p[other.opposite] - p[a]) <= 0.0;
       const double length = (p[b] - p[a]).norm();
-      bend += length * (convex ? std::tan(0.5 * theta) : -0.5 * theta);
+      const double narrow = std::min(doubled_area, other.doubled_area);
+      bend +=
+          convex ? std::min(length * std::tan(0.5 * theta), narrow / wall) : -0.5 * theta * length;
     }
   }
   return wall * model.area() - wall * wall * bend;
