@@ -79,10 +79,11 @@ def view_drawing(
         )
     ]
     tell(0.5)
-    for k, (layer, line) in enumerate(lines):
-        tell(0.5 + 0.5 * k / len(lines))
-        for is_seen, piece in sight.pieces(line):
+    for k, pieces in enumerate(sight.pieces([line for _, line in lines])):
+        tell(0.8 + 0.2 * k / len(lines))
+        for is_seen, piece in pieces:
             if is_seen or hidden:
+                layer = lines[k][0]
                 drawing.add_line(layer if is_seen else "HIDDEN", 1000.0 * eye.flat(piece))
     return drawing
 
@@ -124,33 +125,44 @@ class _Sight:
         self._model, self._step, self._end = model, _STEP * size, _END * size
         self._off = np.array([0.0, 0.0, in_front])
 
-    def pieces(self, line):
-        """(whether it is seen, polyline (k, 3)) of a polyline (n, 3), from end to end."""
-        line = _dense(line, self._step)
-        if len(line) < 2:
-            return
-        middles = 0.5 * (line[1:] + line[:-1])
-        seen = ~self._model.covers(middles + self._off)
-        changes = np.flatnonzero(seen[1:] != seen[:-1]) + 1
-        start = line[:1]
-        for begin, end in zip([0, *changes], [*changes, len(seen)]):
-            last = line[end : end + 1]
-            if end < len(seen):
-                last = self._turn(middles[end - 1], line[end], middles[end], seen[begin])[None]
-            yield bool(seen[begin]), np.vstack([start, line[begin + 1 : end], last])
-            start = last
+    def _sees(self, places):
+        return ~self._model.covers(places + self._off)
 
-    def _turn(self, before, between, after, is_seen):
-        """Where seen turns to hidden on two sides of a corner."""
-        corner_seen = not self._model.covers(between[None] + self._off)[0]
-        low, high = (between, after) if corner_seen == is_seen else (before, between)
-        while np.linalg.norm(high - low) > self._end:
+    def pieces(self, lines):
+        """For each of polylines (n, 3) its pieces from end to end, (whether it is seen, polyline
+        (k, 3)). All are looked at together: what hides them is sorted once for a look."""
+        dense = [_dense(line, self._step) for line in lines]
+        counts = [max(0, len(line) - 1) for line in dense]
+        middles = [0.5 * (line[1:] + line[:-1]) for line in dense]
+        looks = np.split(self._sees(np.vstack(middles)), np.cumsum(counts)[:-1])
+        turns = [np.flatnonzero(look[1:] != look[:-1]) + 1 for look in looks]
+        ends = np.split(self._turns(dense, middles, looks, turns), np.cumsum([*map(len, turns)]))
+        for line, look, turn, end in zip(dense, looks, turns, ends):
+            yield list(_parts(line, look, turn, end)) if len(look) else []
+
+    def _turns(self, dense, middles, looks, turns):
+        """Where seen turns to hidden or back (k, 3), of all lines one after the other."""
+        before = np.vstack([m[t - 1] for m, t in zip(middles, turns)])
+        corner = np.vstack([line[t] for line, t in zip(dense, turns)])
+        after = np.vstack([m[t] for m, t in zip(middles, turns)])
+        first = np.concatenate([look[t - 1] for look, t in zip(looks, turns)])
+        if not len(first):
+            return before
+        is_later = (self._sees(corner) == first)[:, None]
+        low, high = np.where(is_later, corner, before), np.where(is_later, after, corner)
+        for _ in range(int(np.ceil(np.log2(self._step / self._end)))):
             middle = 0.5 * (low + high)
-            if (not self._model.covers(middle[None] + self._off)[0]) == is_seen:
-                low = middle
-            else:
-                high = middle
+            is_low = (self._sees(middle) == first)[:, None]
+            low, high = np.where(is_low, middle, low), np.where(is_low, high, middle)
         return 0.5 * (low + high)
+
+
+def _parts(line, look, turns, ends):
+    start = line[:1]
+    for k, (begin, end) in enumerate(zip([0, *turns], [*turns, len(look)])):
+        last = ends[k : k + 1] if k < len(turns) else line[-1:]
+        yield bool(look[begin]), np.vstack([start, line[begin + 1 : end], last])
+        start = last
 
 
 def _dense(line, step):
