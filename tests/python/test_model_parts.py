@@ -184,17 +184,19 @@ def test_walls_of_samples(name):
     """Closed, the inner surface t away, and the volume by Steiner's formula to the cube of t."""
     model = sample_model(name)
     errors = []
-    for wall in (1.0, 0.5):
+    height = np.ptp(model.points[:, 2])
+    for wall in (0.05 * height, 0.025 * height):
         hollow = hn.hollowed(model, wall, wall)
         assert hollow.model.open_sides == 0
         inner = hollow.model.points[len(model.points) :]
-        some = inner[:: max(1, len(inner) // 300)]
+        some = inner[:: max(1, len(inner) // 60)]
         least = nearest(model, some)
         # The corners are moved once onto the distance; where two sides are as near it may be less.
         assert least.min() > 0.97 * wall and np.median(np.abs(least / wall - 1.0)) < 1e-6
-        errors.append(model.volume - hollow.hollow_volume - hn.wall_volume(model, wall))
-    size = model.area * 0.5
-    assert abs(errors[1]) < 0.02 * size
+        thick = model.volume - hollow.hollow_volume
+        errors.append(abs(thick / hn.wall_volume(model, wall) - 1.0))
+    # What Steiner's formula leaves out is of the square of the wall, in parts of it.
+    assert errors[0] < 0.05 and errors[1] < 0.5 * errors[0]
 
 
 def nearest(model, points):
@@ -291,10 +293,10 @@ def test_accessibility_is_of_the_segment():
     found = hn.segmented(mushroom(), machine=BIG_MACHINE)
     (one,) = found.segments
     assert one.direction == "-z" and one.can_be_made
-    # Too high for the tool: cap and stalk apart, each accessible once the other is gone.
+    # Too high for the tool: halves, lying on the cut, as equal as they can be.
     found = hn.segmented(mushroom(), machine=(4.0, 4.0, 1.2), planes=8)
     assert len(found.segments) == 2 and all(one.can_be_made for one in found.segments)
-    assert sorted(one.model.volume for one in found.segments) == pytest.approx([1.0, 4.0])
+    assert [one.model.volume for one in found.segments] == pytest.approx([2.5, 2.5])
 
 
 def best_by_trial(found):
