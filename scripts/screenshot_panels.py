@@ -105,6 +105,18 @@ def _with_targets(hull):
         bpy.ops.hull.solve_targets()
 
 
+def _with_model(hull):
+    """In segments, made."""
+    hull.hull.model.in_segments, hull.hull.model.dowel = True, 6.0
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.make_model()
+
+
+def _with_panels(hull):
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.make_panels()
+
+
 def _with_fields(hull):
     """A waterline that is fuller forward, with the deck edge protected."""
     bpy.context.scene.cursor.location = (68.0, 6.5, 4.0)
@@ -286,6 +298,8 @@ PANELS = {
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),
+    "panels/model": PanelShot(hull_panels("model"), _with_model),
+    "panels/panels": PanelShot(hull_panels("panel_mesh"), _with_panels),
     "panels/export": PanelShot(hull_panels("export", "patches", "cad_file")),
     "panels/studio": PanelShot(hull_panels("studio"), _with_studio),
 }

@@ -6,9 +6,11 @@
 
 #include "bindings/arrays.h"
 #include "bindings/production_classes.h"
+#include "bindings/progress.h"
 #include "bindings/rows.h"
 #include "production/models/closed_model.h"
 #include "production/models/slices.h"
+#include "production/segments/axis_rays.h"
 
 namespace hull::bindings {
 namespace {
@@ -18,7 +20,8 @@ using production::ModelLayers;
 using production::ModelSlice;
 
 ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
-  ClosedModel model{points_from(points, "points"), {}};
+  ClosedModel model;
+  model.points = points_from(points, "points");
   const auto rows = py::array::ensure(triangles);
   if (!rows || rows.ndim() != 2 || rows.shape(1) != 3) {
     throw std::invalid_argument("triangles must have shape (n, 3).");
@@ -81,6 +84,10 @@ void bind_closed_models(py::module_& module) {
       .def_property_readonly(
           "triangles", [](const ClosedModel& model) { return rows_of(model.triangles); },
           "(m, 3), counter-clockwise seen from outside.")
+      .def_property_readonly(
+          "cells", [](const ClosedModel& model) { return to_array(model.cells); },
+          "(m,) the surface's cell that each triangle is of, on either side; -1 on closings. Empty "
+          "where it is not known: of models that were cut, hollowed or given.")
       .def_property_readonly("volume", &ClosedModel::volume)
       .def_property_readonly("area", &ClosedModel::area)
       .def_property_readonly("open_sides", &production::open_sides,
@@ -90,11 +97,17 @@ void bind_closed_models(py::module_& module) {
            "A ClosedModel with all lengths times factor, in the single precision of files; what "
            "vanishes by that is left out, and it stays closed. ValueError unless the factor is "
            "positive, and where nothing is left.")
-      .def("layers", &production::layers, py::arg("thickness"),
-           py::call_guard<py::gil_scoped_release>(),
-           "ModelLayers of that thickness, from the lowest point up. Areas times thickness sum to "
-           "the volume but for the thickness squared. ValueError for what is no thickness, and "
-           "for more than 100 000 layers.")
+      .def(
+          "layers",
+          [](const ClosedModel& model, double thickness, const py::object& progress) {
+            const surface::Progress told = progress_from(progress);
+            const py::gil_scoped_release release;
+            return production::layers(model, thickness, told);
+          },
+          py::arg("thickness"), py::kw_only(), py::arg("progress") = py::none(),
+          "ModelLayers of that thickness, from the lowest point up. Areas times thickness sum to "
+          "the volume but for the thickness squared. ValueError for what is no thickness, and "
+          "for more than 100 000 layers.")
       .def(
           "slices",
           [](const ClosedModel& model, const DoubleArray& heights) {
@@ -104,14 +117,35 @@ void bind_closed_models(py::module_& module) {
           },
           py::arg("heights"),
           "A list of ModelSlice at heights (n,), which must rise. Points at a height count as "
-          "above it.");
+          "above it.")
+      .def(
+          "covers",
+          [](const ClosedModel& model, const DoubleArray& points) {
+            const std::vector<Vector3d> places = points_from(points, "points");
+            py::array_t<bool> result(static_cast<py::ssize_t>(places.size()));
+            bool* const covered = result.mutable_data();
+            const py::gil_scoped_release release;
+            const production::AxisRays rays(model, 2);
+            for (std::size_t i = 0; i < places.size(); ++i) {
+              covered[i] = rays.meets_above(places[i]);
+            }
+            return result;
+          },
+          py::arg("points"), "(n,) whether a triangle is above each of points (n, 3), towards +z.");
 
-  module.def("closed_model", &production::closed_model, py::arg("body"), py::arg("chord_tolerance"),
-             py::call_guard<py::gil_scoped_release>(),
-             "A ClosedModel of a whole HullBody, both sides, with its closings, in m. Every point "
-             "of the shell is within chord_tolerance, m, of the triangles, and the volume within "
-             "that times the area. ValueError names a tolerance that would do where this is too "
-             "fine.");
+  module.def(
+      "closed_model",
+      [](const analysis::HullBody& body, double tolerance, const py::object& progress) {
+        const surface::Progress told = progress_from(progress);
+        const py::gil_scoped_release release;
+        return production::closed_model(body, tolerance, told);
+      },
+      py::arg("body"), py::arg("chord_tolerance"), py::kw_only(), py::arg("progress") = py::none(),
+      "A ClosedModel of a whole HullBody, both sides, with its closings, in m. Every point "
+      "of the shell is within chord_tolerance, m, of the triangles, and the volume within "
+      "that times the area. progress: called with the share done; what it raises ends the "
+      "work. ValueError names a tolerance that would do where this is too "
+      "fine.");
 }
 
 }  // namespace hull::bindings

@@ -3,10 +3,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -51,6 +54,60 @@ dxf::DxfUnit dxf_unit_from(const std::string& name) {
   throw std::invalid_argument("dxf_unit is \"m\" or \"mm\", not \"" + name + "\".");
 }
 
+drawing::PlanViews views_from(const std::vector<std::string>& names) {
+  drawing::PlanViews views{false, false, false};
+  for (const std::string& name : names) {
+    if (name == "profile") {
+      views.profile = true;
+    } else if (name == "half_breadth") {
+      views.half_breadth = true;
+    } else if (name == "body_plan") {
+      views.body_plan = true;
+    } else {
+      throw std::invalid_argument(
+          "A view is \"profile\", \"half_breadth\" or \"body_plan\", not \"" + name + "\".");
+    }
+  }
+  return views;
+}
+
+using SpaceCurve = std::tuple<std::string, DoubleArray, DoubleArray>;
+
+int layer_of(dxf::DxfDrawing& drawing, const std::string& name) {
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    if (drawing.layers[i].name == name) return static_cast<int>(i);
+  }
+  const bool is_name = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '-' || c == '_';
+  });
+  if (!is_name) {
+    throw std::invalid_argument("A layer's name has letters, digits, - and _, unlike \"" + name +
+                                "\".");
+  }
+  const int count = static_cast<int>(drawing.layers.size());
+  drawing.layers.push_back({name, 1 + count % 7, 0.25});
+  return count;
+}
+
+dxf::DxfDrawing drawing_of(const std::vector<SpaceCurve>& curves, dxf::DxfUnit unit) {
+  if (curves.empty()) throw std::invalid_argument("There is no curve to be written.");
+  dxf::DxfDrawing drawing;
+  drawing.unit = unit;
+  const double factor = unit == dxf::DxfUnit::kMillimetre ? 1000.0 : 1.0;
+  for (const auto& [layer, knots, points] : curves) {
+    dxf::DxfSpaceSpline spline{layer_of(drawing, layer), points_from(points, "control points"),
+                               numbers_from(knots, "knots")};
+    const bool rises = std::is_sorted(spline.knots.begin(), spline.knots.end());
+    if (spline.points.size() < 4 || spline.knots.size() != spline.points.size() + 4 || !rises) {
+      throw std::invalid_argument(
+          "A cubic B-spline has four points or more, and four more knots, which rise.");
+    }
+    for (Eigen::Vector3d& point : spline.points) point *= factor;
+    drawing.space_splines.push_back(std::move(spline));
+  }
+  return drawing;
+}
+
 }  // namespace
 }  // namespace hull::bindings
 
@@ -70,7 +127,8 @@ PYBIND11_MODULE(_drawing, module) {
          const std::optional<double>& station_spacing, const std::optional<double>& frame_spacing,
          bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
-         const std::optional<double>& tolerance, const py::object& progress) {
+         const std::optional<double>& tolerance, const std::vector<std::string>& views,
+         const py::object& progress) {
         hull::drawing::LinesOptions options;
         options.progress = progress_from(progress);
         options.stations = numbers_from(stations, "stations");
@@ -90,6 +148,7 @@ PYBIND11_MODULE(_drawing, module) {
         options.scale_denominator = scale;
         options.dxf_unit = dxf_unit_from(dxf_unit);
         options.tolerance = tolerance;
+        options.views = views_from(views);
         const py::gil_scoped_release release;
         hull::drawing::write_lines_drawing(surface, options, path.string());
       },
@@ -98,7 +157,22 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
       py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
       py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
-      py::arg("progress"),
+      py::arg("views"), py::arg("progress"),
       "What write_lines_drawing does with all positions in m and all options given.");
+  module.def(
+      "write_curves_dxf",
+      [](const std::vector<SpaceCurve>& curves, const std::filesystem::path& path,
+         const std::string& unit) {
+        const hull::dxf::DxfDrawing drawing = drawing_of(curves, dxf_unit_from(unit));
+        const py::gil_scoped_release release;
+        hull::dxf::write_dxf(drawing, path.string());
+      },
+      py::arg("curves"), py::arg("path"), py::kw_only(), py::arg("unit") = "m",
+      "Writes cubic B-spline curves in space as a DXF file (release 2000), at true size in \"m\" "
+      "or "
+      "\"mm\". curves: (layer, knots (n + 4,), control points (n, 3) in m) each; a layer's name "
+      "has "
+      "letters, digits, - and _. The file is complete, or one of the same name is untouched. "
+      "ValueError for no curves and what are none; OSError if it can't be written.");
   refuse_unmade_instances(module);
 }

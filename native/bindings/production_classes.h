@@ -8,6 +8,7 @@ namespace hull::bindings {
 
 void bind_wetted_panels(pybind11::module_& module);
 void bind_closed_models(pybind11::module_& module);
+void bind_model_parts(pybind11::module_& module);
 void bind_developable(pybind11::module_& module);
 void bind_hull_curves(pybind11::module_& module);
 void bind_plates(pybind11::module_& module);

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_production, module) {
   join_core(module);
   bind_wetted_panels(module);
   bind_closed_models(module);
+  bind_model_parts(module);
   bind_developable(module);
   bind_hull_curves(module);
   bind_plates(module);

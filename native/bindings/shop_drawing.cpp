@@ -12,6 +12,7 @@
 #include "bindings/arrays.h"
 #include "bindings/paper_names.h"
 #include "drawing/shop/shop_drawing.h"
+#include "drawing/shop/shop_pens.h"
 
 namespace hull::bindings {
 
@@ -56,6 +57,17 @@ void bind_shop_drawing(py::module_& module) {
            py::arg("title"), py::arg("rows") = py::list(),
            "rows: up to 16 pairs (name, value) below the title of the first sheet.")
       .def_readonly("title", &ShopDrawing::title, "On every sheet.")
+      .def_property_readonly(
+          "lines",
+          [](const ShopDrawing& self) {
+            py::list lines;
+            for (const drawing::ShopLine& line : self.lines) {
+              const std::string layer(drawing::shop_pen(line.layer).pen.layer);
+              lines.append(py::make_tuple(layer, to_array(line.points)));
+            }
+            return lines;
+          },
+          "A list of (layer, points (k, 2) in mm at true size).")
       .def(
           "add_line",
           [](ShopDrawing& self, const std::string& layer, const DoubleArray& points) {
@@ -63,8 +75,8 @@ void bind_shop_drawing(py::module_& module) {
           },
           py::arg("layer"), py::arg("points"),
           "A polyline (k, 2), mm at true size, y up, on a layer: \"OUTLINE\", \"FRAMES\", "
-          "\"WATERLINES\", \"BUTTOCKS\", \"SEAMS\", \"ROLLING\", \"SHELL\", \"BASE\" or "
-          "\"STRETCH\".")
+          "\"WATERLINES\", \"BUTTOCKS\", \"SEAMS\", \"ROLLING\", \"SHELL\", \"BASE\", "
+          "\"STRETCH\" or \"HIDDEN\".")
       .def(
           "add_text",
           [](ShopDrawing& self, const std::string& text, const Eigen::Vector2d& position,

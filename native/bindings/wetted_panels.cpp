@@ -5,6 +5,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/production_classes.h"
+#include "bindings/progress.h"
 #include "bindings/rows.h"
 
 namespace hull::bindings {
@@ -47,19 +48,22 @@ void bind_wetted_panels(py::module_& module) {
   module.def(
       "wetted_panels",
       [](const analysis::HullBody& body, double size, double draft, double trim, double heel,
-         double draft_at, double grading, double origin_x) {
+         double draft_at, double grading, double origin_x, const py::object& progress) {
+        const surface::Progress told = progress_from(progress);
+        const py::gil_scoped_release release;
         return production::wetted_panels(body, {draft, trim, heel, draft_at}, {size, grading},
-                                         origin_x);
+                                         origin_x, told);
       },
       py::arg("body"), py::arg("size"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = 0.0, py::arg("grading") = 0.5,
-      py::arg("origin_x") = 0.0, py::call_guard<py::gil_scoped_release>(),
+      py::arg("origin_x") = 0.0, py::arg("progress") = py::none(),
       "A PanelMesh of the part of a HullBody below the water, closings included where they are in "
       "it. size: the most that panels' sides measure, m; at the water's surface and at the ends "
       "they have `grading` times that. draft in m at x = draft_at, trim in rad by the stern, heel "
       "in rad to starboard. origin_x: the origin is the water's nearest point to (origin_x, 0, 0) "
       "of the ship. A half hull that does not heel is one half with its symmetry. Panels end "
-      "exactly at the waterline; volumes are off by the square of the size. ValueError for sizes "
+      "exactly at the waterline; volumes are off by the square of the size. progress: called with "
+      "the share done; what it raises ends the work. ValueError for sizes "
       "that are none or give more than 2^20 panels, for a hull out of the water, and as "
       "hydrostatics().");
 }

@@ -82,6 +82,9 @@ Eigen::AlignedBox2d box_of(const DxfDrawing& drawing) {
   for (const DxfSpline& spline : drawing.splines) {
     for (const Vector2d& point : spline.points) box.extend(point);
   }
+  for (const DxfSpaceSpline& spline : drawing.space_splines) {
+    for (const Eigen::Vector3d& point : spline.points) box.extend(point.head<2>());
+  }
   for (const DxfText& text : drawing.texts) box.extend(text.position);
   if (box.isEmpty()) box.extend(Vector2d(0.0, 0.0));
   return box;
@@ -177,14 +180,29 @@ void write_polyline(DL_Dxf& dxf, DL_WriterA& file, const DxfPolyline& line,
   dxf.writePolylineEnd(file);
 }
 
-void write_spline(DL_Dxf& dxf, DL_WriterA& file, const DxfSpline& spline,
+// All but its control points.
+template <class Spline>
+void begin_spline(DL_Dxf& dxf, DL_WriterA& file, const Spline& spline, int flags,
                   const DL_Attributes& attributes) {
   const int points = static_cast<int>(spline.points.size());
   const int knots = static_cast<int>(spline.knots.size());
-  dxf.writeSpline(file, DL_SplineData(3, knots, points, 0, kPlanar), attributes);
+  dxf.writeSpline(file, DL_SplineData(3, knots, points, 0, flags), attributes);
   for (const double knot : spline.knots) dxf.writeKnot(file, DL_KnotData(knot));
+}
+
+void write_spline(DL_Dxf& dxf, DL_WriterA& file, const DxfSpline& spline,
+                  const DL_Attributes& attributes) {
+  begin_spline(dxf, file, spline, kPlanar, attributes);
   for (const Vector2d& point : spline.points) {
     dxf.writeControlPoint(file, DL_ControlPointData(point.x(), point.y(), 0.0, 1.0));
+  }
+}
+
+void write_space_spline(DL_Dxf& dxf, DL_WriterA& file, const DxfSpaceSpline& spline,
+                        const DL_Attributes& attributes) {
+  begin_spline(dxf, file, spline, 0, attributes);
+  for (const Eigen::Vector3d& point : spline.points) {
+    dxf.writeControlPoint(file, DL_ControlPointData(point.x(), point.y(), point.z(), 1.0));
   }
 }
 
@@ -206,6 +224,9 @@ void write_entities(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   }
   for (const DxfSpline& spline : drawing.splines) {
     write_spline(dxf, file, spline, on_layer(drawing, spline.layer));
+  }
+  for (const DxfSpaceSpline& spline : drawing.space_splines) {
+    write_space_spline(dxf, file, spline, on_layer(drawing, spline.layer));
   }
   for (const DxfText& text : drawing.texts) {
     write_text(dxf, file, text, on_layer(drawing, text.layer));

@@ -32,6 +32,13 @@ struct DxfPolyline {
   std::vector<Eigen::Vector2d> points;  // two or more; closed where the last is the first
 };
 
+// The same anywhere in space.
+struct DxfSpaceSpline {
+  int layer;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> knots;
+};
+
 struct DxfText {
   int layer;
   std::string text;          // UTF-8
@@ -48,6 +55,7 @@ struct DxfDrawing {
   std::vector<DxfSpline> splines;
   std::vector<DxfPolyline> polylines;
   std::vector<DxfText> texts;
+  std::vector<DxfSpaceSpline> space_splines;
 };
 
 // Writes the drawing to `path`, completely or not at all. Numbers have 16 digits; letters beyond

@@ -29,6 +29,7 @@ from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
 from .model_files import write_3mf, write_cli
 from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
+from .part_files import read_stl_parts, write_segments, write_stl_parts
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .ship_data import (
@@ -83,6 +84,7 @@ __all__ = [
     "read_hull",
     "read_hull_file",
     "read_stl",
+    "read_stl_parts",
     "scaled",
     "shell_arrays",
     "shell_face_indices",
@@ -96,5 +98,7 @@ __all__ = [
     "write_hull_file",
     "write_nemoh",
     "write_obj",
+    "write_segments",
     "write_stl",
+    "write_stl_parts",
 ]

@@ -34,30 +34,51 @@ def write_bytes(path, data):
 
     HullFileError where that can't be done.
     """
-    if any(ord(letter) < 0x20 or ord(letter) == 0x7F for letter in path.name):
-        raise HullFileError(
-            f"{path.name!r}: a file's name can't have line breaks or control characters; give it "
-            "another."
-        )
-    handle, temporary = None, None
+    write_files({path: data})
+
+
+def write_files(contents):
+    """The same of several files, {path: bytes}: all of them are on the disk before the first one
+    gets its name, so that a full disk leaves all as it was."""
+    for path in contents:
+        _check_name(path)
+    path, temporary = None, {}
     try:
-        # Of its own length: the final name may be as long as names can be.
-        handle, temporary = tempfile.mkstemp(prefix=".hull-", dir=path.parent)
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(temporary, _usual_mode(path))
-        os.replace(temporary, path)
+        for path, data in contents.items():
+            _write_beside(path, data, temporary)
+        for path in contents:
+            os.replace(temporary[path], path)
+            del temporary[path]
     except OSError as error:
-        if temporary is not None and os.path.exists(temporary):
-            os.unlink(temporary)
         if error.errno == errno.ENAMETOOLONG:
             raise HullFileError(f"{path.name}: the name is too long; shorten it.") from error
         raise HullFileError(
             f"{path.name}: it can't be written ({error.strerror}); check the folder, your rights "
             "to it and the free space."
         ) from error
+    finally:
+        for left in temporary.values():
+            if os.path.exists(left):
+                os.unlink(left)
+
+
+def _check_name(path):
+    if any(ord(letter) < 0x20 or ord(letter) == 0x7F for letter in path.name):
+        raise HullFileError(
+            f"{path.name!r}: a file's name can't have line breaks or control characters; give it "
+            "another."
+        )
+
+
+def _write_beside(path, data, temporary):
+    """Writes data into a file beside path, which temporary[path] names as soon as it is there."""
+    # Of its own length: the final name may be as long as names can be.
+    handle, temporary[path] = tempfile.mkstemp(prefix=".hull-", dir=path.parent)
+    with os.fdopen(handle, "wb") as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+    os.chmod(temporary[path], _usual_mode(path))
 
 
 def _usual_mode(path):

@@ -8,7 +8,7 @@ was there, and ValueError for what is no model.
 import io
 import zipfile
 from pathlib import Path
-from xml.sax.saxutils import escape
+from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
@@ -36,19 +36,22 @@ _PLACE = "%.9g"
 def write_3mf(path, points, triangles, *, title="Hull"):
     """A 3MF file of one object: points (n, 3) in mm, triangles (m, 3) counter-clockwise seen from
     outside. The same model gives the same bytes."""
-    points, triangles = checked_faces(points, triangles, 3)
-    vertex = f'<vertex x="{_PLACE}" y="{_PLACE}" z="{_PLACE}"/>'
+    write_bytes(Path(path), bytes_of_3mf([(title, points, triangles)], title))
+
+
+def bytes_of_3mf(objects, title):
+    """The bytes of a 3MF file of objects (name, points (n, 3) in mm, triangles (m, 3)), which lie
+    where their points are."""
     model = b"".join(
         [
             b'<?xml version="1.0" encoding="UTF-8"?>\n'
             b'<model unit="millimeter" xml:lang="en-US" xmlns="%s">\n' % _NAMESPACE.encode(),
             b'<metadata name="Title">%s</metadata>\n' % escape(title).encode("utf-8"),
-            b'<resources><object id="1" type="model"><mesh>\n<vertices>\n',
-            lines_of(points, vertex),
-            b"</vertices>\n<triangles>\n",
-            lines_of(triangles, '<triangle v1="%d" v2="%d" v3="%d"/>'),
-            b"</triangles>\n</mesh></object></resources>\n",
-            b'<build><item objectid="1"/></build>\n</model>\n',
+            b"<resources>",
+            *(_mesh_of(number, *one) for number, one in enumerate(objects, 1)),
+            b"</resources>\n<build>",
+            *(b'<item objectid="%d"/>' % number for number in range(1, len(objects) + 1)),
+            b"</build>\n</model>\n",
         ]
     )
     buffer = io.BytesIO()
@@ -61,7 +64,23 @@ def write_3mf(path, points, triangles, *, title="Hull"):
             entry = zipfile.ZipInfo(name)  # of 1 January 1980, whenever it is written
             entry.compress_type = zipfile.ZIP_DEFLATED
             package.writestr(entry, content)
-    write_bytes(Path(path), buffer.getvalue())
+    return buffer.getvalue()
+
+
+def _mesh_of(number, name, points, triangles):
+    """One object of a 3MF model."""
+    points, triangles = checked_faces(points, triangles, 3)
+    vertex = f'<vertex x="{_PLACE}" y="{_PLACE}" z="{_PLACE}"/>'
+    head = f'<object id="{number}" name={quoteattr(name)} type="model"><mesh>\n<vertices>\n'
+    return b"".join(
+        [
+            head.encode("utf-8"),
+            lines_of(points, vertex),
+            b"</vertices>\n<triangles>\n",
+            lines_of(triangles, '<triangle v1="%d" v2="%d" v3="%d"/>'),
+            b"</triangles>\n</mesh></object>",
+        ]
+    )
 
 
 def write_cli(path, layers):

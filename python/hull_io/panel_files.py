@@ -75,6 +75,11 @@ def write_nemoh(path, points, panels, *, half):
 
 def write_obj(path, points, faces):
     """An OBJ file of faces (m, 4), triangles among them, or (m, 3)."""
+    write_bytes(Path(path), bytes_of_obj(points, faces))
+
+
+def bytes_of_obj(points, faces):
+    """The bytes of such a file."""
     points, faces = checked_faces(points, faces, np.asarray(faces).shape[-1])
     if faces.shape[1] not in (3, 4):
         raise ValueError("Faces of OBJ files here have three or four corners.")
@@ -84,7 +89,7 @@ def write_obj(path, points, faces):
         for face in corners
         if len(face) > 2
     )
-    write_bytes(Path(path), b"# Hull Tools\n" + lines_of(points, "v %.10g %.10g %.10g") + text)
+    return b"# Hull Tools\n" + lines_of(points, "v %.10g %.10g %.10g") + text
 
 
 def _with_triangles(points, panels, same):

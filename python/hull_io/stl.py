@@ -49,6 +49,11 @@ def write_stl(path, points, triangles):
     """A binary STL file of points (n, 3), m, and triangles (m, 3). Its numbers have single
     precision: on 100 m they are within 4 µm. HullFileError where it can't be written; ValueError
     for points that are no places within reach, and triangles of other points."""
+    write_bytes(Path(path), bytes_of_stl(points, triangles))
+
+
+def bytes_of_stl(points, triangles):
+    """The bytes of such a file."""
     points, triangles = np.asarray(points, dtype=float), np.asarray(triangles)
     if not np.isfinite(points).all() or np.abs(points).max(initial=0.0) > FURTHEST_POINT:
         raise ValueError(f"A point is no place within {FURTHEST_POINT:.0f} m: check the units.")
@@ -61,7 +66,7 @@ def write_stl(path, points, triangles):
     lengths = np.linalg.norm(normals, axis=1)
     records["normal"] = normals / np.where(lengths > 0.0, lengths, 1.0)[:, None]
     header = b"Hull Tools".ljust(_HEADER - 4) + len(triangles).to_bytes(4, "little")
-    write_bytes(Path(path), header + records.tobytes())
+    return header + records.tobytes()
 
 
 def _binary_corners(data):

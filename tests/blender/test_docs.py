@@ -19,7 +19,8 @@ PANEL_PAGES = sorted((DOCS / "panels").glob("*.md"))
 # Pages where what is slanted is what the add-on has on its buttons and fields.
 LABELLED = [*PANEL_PAGES, DOCS / "first-hull.md"]
 # Pages of panels whose file has another name than the panel.
-PAGE_OF = {"check": "hull", "tags": "edges-and-points", "lines_plan": "lines-plan"}
+PAGE_OF = {"check": "hull", "tags": "edges-and-points", "lines_plan": "lines-plan",
+           "panel_mesh": "panels"}  # fmt: skip
 # Named as part of the ship or of a list, not as a label; and the slanted word of the legend.
 NOT_LABELS = {"slanted", "surface", "kept flat"}
 

@@ -66,3 +66,118 @@ def test_too_many_triangles_is_one_sentence(tmp_path, monkeypatch):
     with pytest.raises(RuntimeError, match="larger tolerance"):
         bpy.ops.hull.export_model(filepath=str(tmp_path / "box.stl"))
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "call, name, words",
+    [
+        ("export_model", "box.step", ".stl, .3mf, .obj or .cli"),
+        ("export_model", "box", ".stl, .3mf, .obj or .cli"),
+        ("export_panels", "box.stl", ".gdf, .dat or .obj"),
+        ("export_parts", "box.obj", ".stl"),
+    ],
+)
+def test_unknown_endings_are_refused(tmp_path, call, name, words):
+    hull = add_hull()
+    hull.hull.draft = 2.0
+    with pytest.raises(RuntimeError, match=f'"{name}" does not say.*{words}'):
+        getattr(bpy.ops.hull, call)(filepath=str(tmp_path / name))
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_sidebar_s_numbers_count(tmp_path):
+    """Where the operator is not told otherwise."""
+    hull = add_hull()
+    hull.hull.model.scale = 20.0
+    path = tmp_path / "box.stl"
+    assert bpy.ops.hull.export_model(filepath=str(path)) == {"FINISHED"}
+    assert np.ptp(read_stl(path)[..., 0]) == pytest.approx(500.0)
+    assert bpy.ops.hull.export_model(filepath=str(path), scale=50.0) == {"FINISHED"}
+    assert np.ptp(read_stl(path)[..., 0]) == pytest.approx(200.0)
+
+
+def test_a_wall(tmp_path):
+    add_hull()
+    path = tmp_path / "box.stl"
+    assert bpy.ops.hull.export_model(filepath=str(path), wall=5.0) == {"FINISHED"}
+    a, b, c = read_stl(path).transpose(1, 0, 2)
+    volume = np.sum(np.cross(a, b) * c) / 6.0
+    # 100 x 40 x 30 mm less 90 x 30 x 20, and what the inner edges are chamfered by.
+    assert volume == pytest.approx(120e3 - 54e3, rel=0.1) and volume >= 66e3 - 1e-3
+    with pytest.raises(RuntimeError, match="nothing hollow"):
+        bpy.ops.hull.export_model(filepath=str(path), wall=20.0)
+
+
+@pytest.mark.parametrize("ending", ["stl", "3mf", "obj"])
+def test_segments(tmp_path, ending):
+    add_hull()
+    path = tmp_path / f"box.{ending}"
+    done = bpy.ops.hull.export_model(
+        filepath=str(path),
+        in_segments=True,
+        machine_x=60.0,
+        machine_y=60.0,
+        machine_z=60.0,
+        dowel=4.0,
+    )
+    assert done == {"FINISHED"}
+    names = sorted(one.name for one in tmp_path.iterdir())
+    assert names == ([path.name] if ending == "3mf" else [f"box-1.{ending}", f"box-2.{ending}"])
+    if ending == "stl":
+        volume = 0.0
+        for one in tmp_path.iterdir():
+            a, b, c = read_stl(one).transpose(1, 0, 2)
+            assert np.ptp(read_stl(one)[..., 0]) == pytest.approx(50.0)
+            volume += np.sum(np.cross(a, b) * c) / 6.0
+        holes = 4 * 16 * np.sin(2 * np.pi / 32) * 2.0**2 * 12.0
+        assert volume == pytest.approx(120e3 - holes, rel=1e-5)
+
+
+def test_segments_in_layers_are_refused(tmp_path):
+    add_hull()
+    with pytest.raises(RuntimeError, match="turn In segments off"):
+        bpy.ops.hull.export_model(filepath=str(tmp_path / "box.cli"), in_segments=True)
+    assert not list(tmp_path.iterdir())
+
+
+def test_named_parts(tmp_path):
+    add_hull()
+    path = tmp_path / "box.stl"
+    assert bpy.ops.hull.export_parts(filepath=str(path)) == {"FINISHED"}
+    rows = path.read_text().splitlines()
+    solids = [row.split()[1] for row in rows if row.startswith("solid")]
+    assert solids and "hull" in solids and len(set(solids)) == len(solids)
+    assert [row.split()[1] for row in rows if row.startswith("endsolid")] == solids
+
+
+def test_figures_of_the_model_and_of_the_panels():
+    hull = add_hull()
+    hull.hull.draft = 2.0
+    made = part("features.exchange.made_models")
+    assert made.model_figures(hull) == (None, False)
+    assert bpy.ops.hull.make_model() == {"FINISHED"}
+    figures, is_current = made.model_figures(hull)
+    assert is_current and dict(figures.rows)["Volume"] == "120.0 cm³"
+    assert dict(figures.rows)["Size mm"] == "100 × 40 × 30"
+    hull.hull.model.scale = 50.0
+    assert made.model_figures(hull) == (figures, False)
+    assert bpy.ops.hull.make_panels() == {"FINISHED"}
+    figures, is_current = made.panel_figures(hull, bpy.context.scene)
+    assert is_current and dict(figures.rows)["Exact ∇"] == "80.0 m³"
+    hull.hull.draft = 1.5
+    assert not made.panel_figures(hull, bpy.context.scene)[1]
+
+
+def test_cancelling_leaves_nothing(tmp_path):
+    hull = add_hull()
+    files = part("features.exchange.production_files")
+    made = part("features.exchange.made_models")
+    jobs = part("bridge.background.jobs")
+    task = files.ModelFile(
+        hull, bpy.context.scene, str(tmp_path / "box.stl"), made.ModelOptions(100.0, 0.05, 2.0), 0.2
+    )
+    task.cancel()
+    with pytest.raises(jobs.Cancelled):
+        task.result()
+    part("features.conversion.conversions").take_finished()
+    assert not list(tmp_path.iterdir())

@@ -20,6 +20,7 @@ from . import (
     lines_plan,
     morph,
     networks,
+    production,
     pull,
     resistance,
     sections,
@@ -64,6 +65,7 @@ _CLASSES = (
     *weights.CLASSES,
     *resistance.CLASSES,
     *lines_plan.CLASSES,
+    *production.CLASSES,
     *export.CLASSES,
     *studio.CLASSES,
 )

@@ -23,6 +23,7 @@ class HULL_PT_export(HullPanel, bpy.types.Panel):
         column.operator("hull.export_sections", icon="EXPORT")
         column.operator("hull.export_model", icon="EXPORT")
         column.operator("hull.export_panels", icon="EXPORT")
+        column.operator("hull.export_parts", icon="EXPORT")
         column.operator("hull.export_plates", icon="EXPORT")
         problem = cad_files.problem_of(hull_objects.hull_of(context.object))
         if problem is not None:

@@ -21,7 +21,9 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
             column.prop(plan, "width")
             column.prop(plan, "height")
         field_or(column, plan, "scale", "the largest that fits")
-        layout.prop(plan, "offsets")
+        column = layout.column(align=True)
+        for name in ("profile", "half_breadth", "body_plan", "offsets"):
+            column.prop(plan, name)
         column = layout.column(align=True)
         for name in ("drawn", "date", "number"):
             text_field(column, plan, name)
@@ -29,6 +31,10 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.operator("hull.export_lines", text="Lines Plan", icon="EXPORT")
         row.operator("hull.export_table", text="Offsets", icon="EXPORT").analysis = "offset_table"
+        row = layout.row(align=True)
+        row.operator("hull.export_view", text="View", icon="EXPORT")
+        row.operator("hull.export_curves", text="Lines in Space", icon="EXPORT")
+        layout.operator("hull.export_curvature", text="Curvature", icon="EXPORT")
 
 
 CLASSES = (HULL_PT_lines_plan,)

@@ -19,6 +19,7 @@ from . import (
     morph_settings,
     network_settings,
     output_settings,
+    production_settings,
     ship_settings,
     studio_settings,
     tag_settings,
@@ -68,6 +69,8 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     table: PointerProperty(type=output_settings.HullTable)
     plots: PointerProperty(type=output_settings.HullPlots)
     plan: PointerProperty(type=output_settings.HullPlan)
+    model: PointerProperty(type=production_settings.HullModel)
+    panel_mesh: PointerProperty(type=production_settings.HullPanelMesh)
     export: PointerProperty(type=export_settings.HullExport)
     studio: PointerProperty(type=studio_settings.HullStudio)
     fit: PointerProperty(type=fit_settings.HullFit)
@@ -91,6 +94,7 @@ CLASSES = (
     *area_target_settings.CLASSES,
     *target_settings.CLASSES,
     *output_settings.CLASSES,
+    *production_settings.CLASSES,
     *export_settings.CLASSES,
     *studio_settings.CLASSES,
     *variant_settings.CLASSES,

@@ -61,6 +61,10 @@ def _text(name, description):
     return StringProperty(name=name, description=description, update=changed)
 
 
+def _view(name):
+    return switch(name, "Draw this view", True)
+
+
 def _side(name, default):
     return FloatProperty(
         name=name,
@@ -105,6 +109,9 @@ class HullPlan(bpy.types.PropertyGroup):
         default=True,
         update=changed,
     )
+    profile: _view("Profile")
+    half_breadth: _view("Half-breadth plan")
+    body_plan: _view("Body plan")
     drawn: _text("Drawn", "For the title block")
     date: _text("Date", "For the title block")
     number: _text("Drawing no.", "For the title block")

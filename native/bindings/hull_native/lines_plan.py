@@ -9,6 +9,7 @@ from ._drawing import write_lines_plan
 
 # A spacing that would give more lines than this is a slip of the keyboard.
 MOST_LINES = 400
+VIEWS = ("profile", "half_breadth", "body_plan")
 
 
 def line_positions(given, low, high, *, name="lines", with_ends=False):
@@ -57,6 +58,7 @@ def write_lines_drawing(
     scale=None,
     dxf_unit="m",
     tolerance=None,
+    views=VIEWS,
     progress=None,
 ):
     """Draw the lines plan of a LimitSurface on one sheet; path ends in .pdf, .svg, .png or .dxf.
@@ -76,7 +78,8 @@ def write_lines_drawing(
     paper: "A4" to "A0", or (width, height) in mm. scale: 100 for 1:100; by default the largest of
     1:10, 12.5, 20, 25, 30, 50, 75, 100, ... that fits. dxf_unit: "m" or "mm", of a DXF file, which
     is at true size. tolerance (m): how far the curves may be from the surface's; by default as far
-    as the paper does not show, and 1e-6 of the hull's size for the splines of DXF. progress: a
+    as the paper does not show, and 1e-6 of the hull's size for the splines of DXF. views: those of
+    VIEWS that are drawn, one at least. progress: a
     callable that takes the share done, 0 to 1; what it raises ends the work.
 
     The file is complete, or one of the same name is untouched. Raises ValueError if nothing can be
@@ -117,5 +120,6 @@ def write_lines_drawing(
         scale=scale,
         dxf_unit=dxf_unit,
         tolerance=tolerance,
+        views=list(views),
         progress=progress,
     )

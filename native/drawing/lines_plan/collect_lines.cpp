@@ -296,6 +296,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   drawing.draft = options.draft;
   drawing.length = options.length;
   drawing.frame_spacing = options.frame_spacing;
+  drawing.views = options.views;
   drawing.paper = options.paper;
   drawing.scale_denominator = options.scale_denominator;
   drawing.dxf_unit = options.dxf_unit;

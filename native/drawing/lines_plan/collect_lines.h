@@ -26,6 +26,7 @@ struct LinesOptions {
   std::optional<double> station_spacing;
   std::optional<double> frame_spacing;  // m; draws the frames, frame 0 at x = 0
   bool offsets = true;                  // draws the table of offsets
+  PlanViews views;
   std::string title;
   std::vector<Particular> title_rows, particulars;
   PaperSize paper = paper_size(Paper::kA3);

@@ -64,18 +64,23 @@ std::string extension_of(const std::string& path) {
 }  // namespace
 
 LinesSheet lay_out_lines(const LinesDrawing& drawing) {
+  const PlanViews& views = drawing.views;
+  if (!views.profile && !views.half_breadth && !views.body_plan) {
+    throw std::invalid_argument("A lines plan has a view at least: choose one.");
+  }
   const HullExtents extents = hull_extents(drawing);
-  LinesSheet sheet = choose_layout({extents, drawing.paper, drawing.scale_denominator,
-                                    label_column(drawing), drawing.frame_spacing.has_value(),
-                                    title_block_size(drawing), offsets_block_sizes(drawing)});
+  LinesSheet sheet =
+      choose_layout({extents, drawing.paper, drawing.scale_denominator, label_column(drawing),
+                     drawing.frame_spacing.has_value(), title_block_size(drawing),
+                     offsets_block_sizes(drawing), views});
   check_densities(sheet, drawing, extents);
   sheet.title = drawing.title;
   SheetBuilder builder(sheet);
   builder.draw(pens::kFrame, outline_of(sheet.frame));
   draw_title_block(builder, sheet, drawing);
-  draw_profile(builder, sheet.profile, drawing, extents);
-  draw_half_breadth(builder, sheet.half_breadth, drawing, extents);
-  draw_body_plan(builder, sheet.body_plan, drawing, extents);
+  if (views.profile) draw_profile(builder, sheet.profile, drawing, extents);
+  if (views.half_breadth) draw_half_breadth(builder, sheet.half_breadth, drawing, extents);
+  if (views.body_plan) draw_body_plan(builder, sheet.body_plan, drawing, extents);
   if (!sheet.table.isEmpty()) {
     draw_offsets_block(builder, sheet.table, drawing, sheet.table_form);
   }

@@ -68,6 +68,7 @@ struct LinesDrawing {
   // Drawn as a table; its stations, waterlines and buttocks are those above in the same order, but
   // for a buttock 0 before the others, which is the centre line.
   std::optional<analysis::OffsetTable> offsets;
+  PlanViews views;
   PaperSize paper = paper_size(Paper::kA3);
   // 100 for 1:100; without it the largest usual scale that fits.
   std::optional<double> scale_denominator;
@@ -81,8 +82,8 @@ inline constexpr std::size_t kMostTitleRows = 8;
 // the largest usual one at which all fits. On the sheet no two labels overlap and nothing lies
 // outside the frame; where lines are so close that their labels would, some go without.
 //
-// Throws std::invalid_argument when there is no curve to draw, a coordinate or position is not
-// finite, a curve has less than two points, there are too many particulars, the hull is longer
+// Throws std::invalid_argument when there is no curve or view to draw, a coordinate or position is
+// not finite, a curve has less than two points, there are too many particulars, the hull is longer
 // than 100 km or shorter than a millimetre; when the scale given or the table is too large for the
 // paper; and when lines of a kind would be nearer to one another than half a millimetre on average.
 LinesSheet lay_out_lines(const LinesDrawing& drawing);

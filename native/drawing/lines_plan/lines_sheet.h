@@ -20,6 +20,11 @@ struct View {
   }
 };
 
+// Which views a plan has; one at least.
+struct PlanViews {
+  bool profile = true, half_breadth = true, body_plan = true;
+};
+
 struct LinesSheet : Sheet {
   double scale_denominator;  // 200 for 1:200
   Eigen::AlignedBox2d frame;

@@ -48,10 +48,15 @@ ViewSizes view_sizes(const PlanNeeds& needs, double scale) {
   const double profile_foot = foot + (needs.has_frames ? kFrameRow : 0.0);
   // Profile and body plan share their heights, so that side by side they share the base line.
   const double head = kCaptionRow + std::max(kLabelRow + kOverhang, kFanRow);
-  return {
+  const ViewSize none{0.0, 0.0, {0.0, 0.0, 0.0, 0.0}};
+  ViewSizes sizes{
       {length, depth, {side, side, head, profile_foot}},
       {length, breadth + scale * extents.diagonals, {side, side, kCaptionRow + kOverhang, foot}},
       {2.0 * breadth, depth, {body_side, body_side, head, profile_foot}}};
+  if (!needs.views.profile) sizes.profile = none;
+  if (!needs.views.half_breadth) sizes.half_breadth = none;
+  if (!needs.views.body_plan) sizes.body_plan = none;
+  return sizes;
 }
 
 // The view of `size` with its bounds' upper left corner at `corner`, and ship coordinates (right,

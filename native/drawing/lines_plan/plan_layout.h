@@ -35,6 +35,7 @@ struct PlanNeeds {
   Eigen::Vector2d title_block;
   // The sizes of the forms that the table of offsets can take; none without a table.
   std::vector<Eigen::Vector2d> tables;
+  PlanViews views = {};
 };
 
 // An empty sheet: paper, frame, scale, views, table and title block.

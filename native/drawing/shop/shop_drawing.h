@@ -23,7 +23,8 @@ enum class ShopLayer {
   kRolling,
   kShell,
   kBase,
-  kStretch
+  kStretch,
+  kHidden
 };
 
 struct ShopLine {

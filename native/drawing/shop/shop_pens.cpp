@@ -8,7 +8,8 @@ namespace {
 
 constexpr ShopLayer kLayers[] = {ShopLayer::kOutline,  ShopLayer::kFrames, ShopLayer::kWaterlines,
                                  ShopLayer::kButtocks, ShopLayer::kSeams,  ShopLayer::kRolling,
-                                 ShopLayer::kShell,    ShopLayer::kBase,   ShopLayer::kStretch};
+                                 ShopLayer::kShell,    ShopLayer::kBase,   ShopLayer::kStretch,
+                                 ShopLayer::kHidden};
 
 }  // namespace
 
@@ -32,6 +33,8 @@ ShopPen shop_pen(ShopLayer layer) {
       return {{0.18, inks::kGrey, {}, "BASE"}, 8};
     case ShopLayer::kStretch:
       return {{0.13, inks::kGrey, {}, "STRETCH"}, 8};
+    case ShopLayer::kHidden:
+      return {{0.13, inks::kGrey, {1.5, 0.8, 1.5, 0.8}, "HIDDEN"}, 8};
   }
   throw std::logic_error("a layer without a pen");
 }

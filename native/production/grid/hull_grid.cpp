@@ -20,7 +20,10 @@ class GridBuilder {
         numbers_(surface_.cells(), sides.divisions()) {}
 
   HullGrid build() {
-    for (int cell = 0; cell < surface_.cell_count(); ++cell) add_cell(cell);
+    for (int cell = 0; cell < surface_.cell_count(); ++cell) {
+      surface::tell(options_.progress, cell, surface_.cell_count());
+      add_cell(cell);
+    }
     add_knuckles();
     const std::vector<BorderLoop> loops = border_loops();
     if (body_.mirrored()) put_on_centre_plane(loops);

@@ -7,6 +7,7 @@
 
 #include "analysis/immersion/hull_body.h"
 #include "production/grid/side_points.h"
+#include "surface/progress.h"
 
 namespace hull::production {
 
@@ -37,6 +38,7 @@ struct GridOptions {
   bool places = false;
   // In how many parts closing lines are divided; one if it is not given.
   std::function<int(const ClosingLines&)> parts_across;
+  surface::Progress progress;  // of the shell's cells
 };
 
 // The closings are those of the body (closings.h of analysis), made of the straight lines at the

@@ -20,9 +20,12 @@ struct SideUse {
 };
 
 // Cut along the shorter diagonal. Quadrilaterals that have a corner twice are triangles.
-void add_quad(const HullGrid& grid, const std::array<int, 4>& q, ClosedModel& model) {
-  const auto add = [&model](int a, int b, int c) {
-    if (a != b && b != c && c != a) model.triangles.push_back({a, b, c});
+void add_quad(const HullGrid& grid, std::size_t quad, ClosedModel& model) {
+  const std::array<int, 4>& q = grid.quads[quad];
+  const auto add = [&](int a, int b, int c) {
+    if (a == b || b == c || c == a) return;
+    model.triangles.push_back({a, b, c});
+    model.cells.push_back(grid.places[quad].cell);
   };
   const auto squared = [&](int a, int b) {
     return (grid.points[q[a]] - grid.points[q[b]]).squaredNorm();
@@ -70,11 +73,16 @@ void weld(ClosedModel& model, double near) {
     }
   }
   std::vector<std::array<int, 3>> kept;
-  for (const auto& [a, b, c] : model.triangles) {
+  std::vector<int> cells;
+  for (std::size_t k = 0; k < model.triangles.size(); ++k) {
+    const auto& [a, b, c] = model.triangles[k];
     const std::array<int, 3> t{root(a), root(b), root(c)};
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) kept.push_back(t);
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    kept.push_back(t);
+    if (!model.cells.empty()) cells.push_back(model.cells[k]);
   }
   model.triangles = std::move(kept);
+  model.cells = std::move(cells);
   compress(model);
 }
 
@@ -98,17 +106,22 @@ double ClosedModel::area() const {
   return 0.5 * sum;
 }
 
-ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance) {
+ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance,
+                         const surface::Progress& progress) {
   const surface::LimitSurface& surface = body.surface();
   const SidePoints sides(surface.cells(), surface::chord_divisions_for(surface, chord_tolerance));
   // Wholly in the water: says what is wrong with a body that has no inside.
   double top = surface.mesh().points()[0].z();
   for (const Vector3d& p : surface.mesh().points()) top = std::max(top, p.z());
   body.closed().immersion({Vector3d::UnitZ(), top + surface.mesh().size()});
-  HullGrid grid = hull_grid(body, sides, {});
+  surface::tell(progress, 1.0, 3.0);
+  GridOptions options;
+  options.places = true;
+  options.progress = surface::part_of(progress, 0.33, 0.9);
+  HullGrid grid = hull_grid(body, sides, options);
   ClosedModel model;
   model.triangles.reserve(2 * grid.quads.size());
-  for (const std::array<int, 4>& quad : grid.quads) add_quad(grid, quad, model);
+  for (std::size_t quad = 0; quad < grid.quads.size(); ++quad) add_quad(grid, quad, model);
   model.points = std::move(grid.points);
   weld(model, kNoLength * surface.mesh().size());
   return model;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/immersion/hull_body.h"
+#include "surface/progress.h"
 
 namespace hull::production {
 
@@ -13,6 +14,9 @@ namespace hull::production {
 struct ClosedModel {
   std::vector<Vector3d> points;
   std::vector<std::array<int, 3>> triangles;
+  // By triangle: the surface's cell that it is of, its mirror image counting as it; -1 on closings.
+  // None where it is not known.
+  std::vector<int> cells;
 
   double volume() const;
   double area() const;
@@ -24,7 +28,8 @@ struct ClosedModel {
 //
 // Throws std::invalid_argument as surface::chord_divisions_for(), where faces are turned inwards,
 // and where an opening can't be closed so.
-ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance);
+ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance,
+                         const surface::Progress& progress = {});
 
 // All lengths times `factor`, in single precision as most files have them; triangles that vanish
 // by this are left out together with the side that they had in common, so that the model stays

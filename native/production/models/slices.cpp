@@ -78,7 +78,8 @@ double ModelSlice::area() const {
   return 0.5 * sum;
 }
 
-std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<double>& heights) {
+std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<double>& heights,
+                               const surface::Progress& progress) {
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (!std::isfinite(heights[i]) || (i > 0 && heights[i] <= heights[i - 1])) {
       throw std::invalid_argument("Heights of slices must be finite and rise.");
@@ -98,6 +99,7 @@ std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<doubl
   }
   std::vector<ModelSlice> result;
   for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (i % 64 == 0) surface::tell(progress, static_cast<double>(i), heights.size());
     Slicer slicer(model, heights[i]);
     for (int t : passing[i]) slicer.add(model.triangles[t]);
     result.push_back(slicer.slice());
@@ -105,7 +107,7 @@ std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<doubl
   return result;
 }
 
-ModelLayers layers(const ClosedModel& model, double thickness) {
+ModelLayers layers(const ClosedModel& model, double thickness, const surface::Progress& progress) {
   std::ostringstream words;
   if (!(thickness > 0.0) || !std::isfinite(thickness)) {
     words << "The thickness of layers must be a positive length, not " << thickness << ".";
@@ -132,7 +134,7 @@ ModelLayers layers(const ClosedModel& model, double thickness) {
     result.tops.push_back(i + 1 < count ? bottom + thickness : high);
     middles.push_back(0.5 * (bottom + result.tops.back()));
   }
-  result.slices = slices(model, middles);
+  result.slices = slices(model, middles, progress);
   return result;
 }
 

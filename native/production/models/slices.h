@@ -19,7 +19,8 @@ struct ModelSlice {
 
 // At all `heights`, which rise. Points at a height count as above it, so that contours are always
 // closed. REQUIRES: the model is closed. Throws std::invalid_argument for heights that do not rise.
-std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<double>& heights);
+std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<double>& heights,
+                               const surface::Progress& progress = {});
 
 inline constexpr double kMostLayers = 100000;
 
@@ -35,6 +36,7 @@ struct ModelLayers {
 };
 
 // Throws std::invalid_argument unless the thickness is positive and makes at most kMostLayers.
-ModelLayers layers(const ClosedModel& model, double thickness);
+ModelLayers layers(const ClosedModel& model, double thickness,
+                   const surface::Progress& progress = {});
 
 }  // namespace hull::production

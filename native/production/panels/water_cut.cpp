@@ -47,12 +47,16 @@ class Freedom {
 }  // namespace
 
 WaterCut::WaterCut(const surface::LimitSurface& surface, const HullGrid& grid,
-                   const analysis::Plane& water)
+                   const analysis::Plane& water, const surface::Progress& progress)
     : surface_(surface), grid_(grid), water_(water), points_(grid.points) {
   find_labels();
-  find_crossings();
+  const double quads = static_cast<double>(grid.quads.size());
+  find_crossings(surface::part_of(progress, 0.0, 0.5));
   move_to_water();
-  for (std::size_t quad = 0; quad < grid.quads.size(); ++quad) cut_quad(static_cast<int>(quad));
+  for (std::size_t quad = 0; quad < grid.quads.size(); ++quad) {
+    if (quad % 1024 == 0) surface::tell(progress, 0.5 * (quads + quad), quads);
+    cut_quad(static_cast<int>(quad));
+  }
 }
 
 void WaterCut::find_labels() {
@@ -80,8 +84,9 @@ Vector3d WaterCut::on_side(int quad, int side, double t) const {
   return p;
 }
 
-void WaterCut::find_crossings() {
+void WaterCut::find_crossings(const surface::Progress& progress) {
   for (std::size_t quad = 0; quad < grid_.quads.size(); ++quad) {
+    if (quad % 1024 == 0) surface::tell(progress, static_cast<double>(quad), grid_.quads.size());
     for (int side = 0; side < 4; ++side) {
       const int a = grid_.quads[quad][side], b = grid_.quads[quad][(side + 1) % 4];
       if (label_[a] * label_[b] >= 0) continue;

@@ -12,8 +12,8 @@ namespace hull::production {
 class WaterCut {
  public:
   // REQUIRES: the grid has places. `surface` and `grid` must outlive the cut.
-  WaterCut(const surface::LimitSurface& surface, const HullGrid& grid,
-           const analysis::Plane& water);
+  WaterCut(const surface::LimitSurface& surface, const HullGrid& grid, const analysis::Plane& water,
+           const surface::Progress& progress = {});
 
   // The points that panels have, and whether each is in the water's surface.
   const std::vector<Vector3d>& points() const { return points_; }
@@ -32,7 +32,7 @@ class WaterCut {
 
   Vector3d on_side(int quad, int side, double t) const;
   void find_labels();
-  void find_crossings();
+  void find_crossings(const surface::Progress& progress);
   void move_to_water();
   void cut_quad(int quad);
   void cut_across(int quad, const Polygon& polygon);

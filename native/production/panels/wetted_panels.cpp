@@ -96,7 +96,8 @@ double PanelMesh::area() const {
 }
 
 PanelMesh wetted_panels(const analysis::HullBody& body, const analysis::FloatingPosition& position,
-                        const PanelSizes& sizes, double origin_x) {
+                        const PanelSizes& sizes, double origin_x,
+                        const surface::Progress& progress) {
   if (!std::isfinite(origin_x)) throw std::invalid_argument("origin_x must be a finite number.");
   const analysis::Plane water = analysis::water_plane(position);
   PanelMesh mesh;
@@ -112,11 +113,13 @@ PanelMesh wetted_panels(const analysis::HullBody& body, const analysis::Floating
   GridOptions options;
   options.both_sides = both_sides;
   options.places = true;
+  options.progress = surface::part_of(progress, 0.05, 0.3);
   options.parts_across = [&](const ClosingLines& lines) {
     return parts_across(lines, field, water);
   };
   const HullGrid grid = hull_grid(body, sides, options);
-  take_panels(WaterCut(body.surface(), grid, water), mesh);
+  const surface::Progress cutting = surface::part_of(progress, 0.3, 1.0);
+  take_panels(WaterCut(body.surface(), grid, water, cutting), mesh);
   if (mesh.panels.empty()) {
     throw std::invalid_argument("Nothing of the hull is wet but points; raise the draft.");
   }

@@ -45,6 +45,7 @@ struct PanelMesh {
 // Throws std::invalid_argument for sizes that are none, for a hull out of the water, and as
 // HullBody::immersion().
 PanelMesh wetted_panels(const analysis::HullBody& body, const analysis::FloatingPosition& position,
-                        const PanelSizes& sizes, double origin_x = 0.0);
+                        const PanelSizes& sizes, double origin_x = 0.0,
+                        const surface::Progress& progress = {});
 
 }  // namespace hull::production

@@ -44,13 +44,13 @@ def wanted(obj, scene, surface):
     if export.with_sections:
         scale = units.metres_per_unit(scene)
         found = lines.wanted_cuts(obj.hull, surface.mesh.points, scale)
-        cuts = {kind: _own(found[kind], export.extent not in BOTH_SIDES) for kind in found}
+        cuts = {kind: own_cuts(found[kind], export.extent not in BOTH_SIDES) for kind in found}
     tolerance = min(max(units.as_typed(export.tolerance), _LEAST_TOLERANCE), _LARGEST_TOLERANCE)
     has_flats = export.with_sections and shown.show_flats
     return LinesWanted(cuts, tolerance, has_flats, export.with_features)
 
 
-def _own(cuts, is_half_wanted):
+def own_cuts(cuts, is_half_wanted):
     """Each plane once. What stands for its mirror image belongs to both sides only."""
     return tuple({cut.plane: cut for cut in cuts if not (cut.flip and is_half_wanted)}.values())
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models of a hull and panels of its wetted part, written beside Blender's own work: tasks, as
-those of file_tasks are."""
+"""Models of a hull, panels of its wetted part and its surface in named parts, written beside
+Blender's own work: tasks, as those of file_tasks are."""
 
-from pathlib import Path
+import numpy as np
 
 from ....hull_io import (
     gdf_title,
@@ -11,98 +11,143 @@ from ....hull_io import (
     write_gdf,
     write_nemoh,
     write_obj,
+    write_segments,
     write_stl,
+    write_stl_parts,
 )
-from ...bridge import limits, native
+from ....hull_io.part_files import part_name
+from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
+from ...bridge.mesh import mesh_arrays
+from ...bridge.objects import hull_objects
 from ..conversion import conversions
 from ..flotation import afloat
 from ..hull import hull_state
+from .made_models import checked_ending, made_model, made_panels, told_panels
 
-_MILLIMETRES = 1000.0
+MODEL_ENDINGS = (".stl", ".3mf", ".obj", ".cli")
+PANEL_ENDINGS = (".gdf", ".dat", ".obj")
 
 
 class ModelFile(jobs.JobTask):
-    """A closed model at 1 : `scale` in mm, by the name's ending .stl, .3mf, .obj; .cli: its layers.
+    """A closed model by ModelOptions, by the name's ending .stl, .3mf, .obj; .cli: its layers of
+    `layer` mm. Segments are a file each, named with -1, -2, …; 3MF has all in one.
 
-    tolerance, layer: of the model, in mm. result(): a text about the model.
+    result(): (a text about the model, what is amiss with it or nothing).
     """
 
     text = "Making the model"
 
-    def __init__(self, obj, scene, path, *, scale, tolerance, layer):
+    def __init__(self, obj, scene, path, options, layer):
+        ending = checked_ending(path, MODEL_ENDINGS, "a model")
+        if ending == ".cli" and options.machine is not None:
+            raise ValueError(
+                "Layers are written of a whole model: turn In segments off, or take STL, 3MF or OBJ"
+            )
         self.state = hull_state.up_to_date(obj, scene)
         source = self.state.ship.source
         hull_native, title = native.require(), obj.name
-        factor = _MILLIMETRES / scale
 
         def work(progress):
-            body = source.new_body(source.new_surface())
-            progress(0.2)
-            model = hull_native.closed_model(body, tolerance / factor).scaled(factor)
-            count = len(model.triangles)
-            if count > limits.MOST_MODEL_TRIANGLES:
-                raise ValueError(
-                    f"The model would have {count} triangles, and at most "
-                    f"{limits.MOST_MODEL_TRIANGLES} are written; ask for a larger tolerance"
-                )
-            progress(0.6)
-            told = f"{count} triangles, {model.volume / 1000.0:.1f} cm³"
-            ending = Path(path).suffix.lower()
+            made = made_model(hull_native, source, options, lambda share: progress(0.8 * share))
+            told = made.told()
             if ending == ".cli":
-                layers = model.layers(layer)
-                progress(0.8)
+                layers = made.model.layers(
+                    layer, progress=lambda share: progress(0.8 + 0.15 * share)
+                )
                 write_cli(path, layers)
-                return f"{len(layers.slices)} layers of {told}"
-            if ending == ".3mf":
-                write_3mf(path, model.points, model.triangles, title=title)
+                return f"{len(layers.slices)} layers of {told}", ""
+            pieces = [(one.points, one.triangles) for one in made.pieces()]
+            progress(0.85)
+            if made.parts is not None:
+                files = write_segments(path, pieces, title=title)
+                told += f" in {len(files)} files" if len(files) > 1 else ""
+            elif ending == ".3mf":
+                write_3mf(path, *pieces[0], title=title)
             else:
-                write = write_obj if ending == ".obj" else write_stl
-                write(path, model.points, model.triangles)
-            return told
+                (write_obj if ending == ".obj" else write_stl)(path, *pieces[0])
+            return told, made.remark()
 
         self._job = jobs.Job(work)
         conversions.watch(self)
 
 
 class PanelFile(jobs.JobTask):
-    """Panels of the hull as it floats, by the name's ending .gdf, .dat (Nemoh) or .obj, in metres.
-
-    along: how many of the largest panels the length has; grading: how large they are at the water
-    and at the ends, of that. The origin is amidships where Lpp is given, else at x = 0. result(): a
-    text about the panels.
+    """Panels of the hull as it floats, by PanelOptions and the name's ending .gdf, .dat (Nemoh) or
+    .obj, in metres. The origin is amidships where Lpp is given, else at x = 0. result(): a text
+    about the panels.
     """
 
     text = "Making panels"
 
-    def __init__(self, obj, scene, path, *, along, grading):
-        scale = units.metres_per_unit(scene)
-        where = afloat.afloat(obj.hull, scale)
+    def __init__(self, obj, scene, path, options):
+        ending = checked_ending(path, PANEL_ENDINGS, "a mesh of panels")
+        where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
         self.state = hull_state.up_to_date(obj, scene)
         source = self.state.ship.source
         hull_native, title = native.require(), gdf_title(obj.name)
 
         def work(progress):
-            surface = source.new_surface()
-            body = source.new_body(surface)
-            progress(0.2)
-            x = surface.mesh.points[:, 0]
-            size = (where.length_pp or float(x.max() - x.min())) / along
-            mesh = hull_native.wetted_panels(
-                body, size, grading=grading, origin_x=where.draft_at, **where.position()
-            )
-            progress(0.7)
-            ending = Path(path).suffix.lower()
+            mesh = made_panels(hull_native, source, where, options, progress)
             if ending == ".dat":
                 write_nemoh(path, mesh.points, mesh.panels, half=mesh.half)
             elif ending == ".obj":
                 write_obj(path, mesh.points, mesh.panels)
             else:
                 write_gdf(path, mesh.points, mesh.panels, half=mesh.half, title=title)
-            off = mesh.volumes.mean() / mesh.displaced_volume - 1.0
-            sides = "of the port half" if mesh.half else "of both sides"
-            return f"{len(mesh.panels)} panels {sides}, volume {100.0 * off:+.2f} %"
+            return told_panels(mesh)
 
         self._job = jobs.Job(work)
         conversions.watch(self)
+
+
+class PartsFile(jobs.JobTask):
+    """The closed hull in named parts as one STL text in metres, for snappyHexMesh: layers of the
+    hull by their names, the rest by hull_native.surface_parts. tolerance: m. result(): a text."""
+
+    text = "Making parts"
+
+    def __init__(self, obj, scene, path, tolerance):
+        checked_ending(path, (".stl",), "a surface in parts")
+        self.state = hull_state.up_to_date(obj, scene)
+        source = self.state.ship.source
+        hull_native, slots = native.require(), _named_slots(obj)
+
+        def work(progress):
+            surface = source.new_surface()
+            body = source.new_body(surface)
+            model = hull_native.closed_model(
+                body, tolerance, progress=lambda share: progress(0.1 + 0.6 * share)
+            )
+            progress(0.75)
+            parts = hull_native.surface_parts(model, _named_cells(slots, surface))
+            write_stl_parts(path, model.points, parts)
+            counts = ", ".join(f"{name} {len(own)}" for name, own in parts.items())
+            return f"{len(model.triangles)} triangles: {counts}"
+
+        self._job = jobs.Job(work)
+        conversions.watch(self)
+
+
+def _named_slots(obj):
+    """(slot of the material of each face of the shell (n,), {part's name: slots of a layer})."""
+    data = mesh_arrays.read_mesh(obj.data)
+    excluded = np.array(sorted(hull_objects.excluded_slots(obj)), dtype=np.int32)
+    names = {}
+    for layer in obj.hull.layers:
+        own = [k for k, slot in enumerate(obj.material_slots) if slot.material == layer.material]
+        if own and layer.material is not None and layer.in_hydrostatics:
+            names.setdefault(part_name(layer.material.name), []).extend(own)
+    return data.face_slots[~np.isin(data.face_slots, excluded)], names
+
+
+def _named_cells(slots, surface):
+    """{part's name: cells} of layers; nothing where one layer is all there is."""
+    of_faces, names = slots
+    sizes = surface.mesh.face_sizes
+    if len(of_faces) != len(sizes):
+        return {}
+    of_cells = np.repeat(of_faces, sizes)
+    found = {name: np.flatnonzero(np.isin(of_cells, own)) for name, own in names.items()}
+    return {name: cells for name, cells in found.items() if 0 < len(cells) < len(of_cells)}

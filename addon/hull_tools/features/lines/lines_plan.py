@@ -7,6 +7,7 @@ from ...bridge.blender.units import as_typed
 from .line_places import line_places
 
 _OWN_PAPER = "OWN"
+_VIEWS = ("profile", "half_breadth", "body_plan")
 
 
 def drawing_options(settings, surface, metres_per_unit):
@@ -26,6 +27,7 @@ def drawing_options(settings, surface, metres_per_unit):
         "station_spacing": wanted.frame_spacing if wanted.in_frames else None,
         "frame_spacing": wanted.frame_spacing or None,
         "offsets": plan.offsets,
+        "views": [name for name in _VIEWS if getattr(plan, name)],
         "title_block": [(name, text) for name, text in texts if text],
         "paper": (plan.width, plan.height) if plan.paper == _OWN_PAPER else plan.paper,
         "scale": as_typed(plan.scale) or None,

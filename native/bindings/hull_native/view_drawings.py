@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Views of a hull from anywhere as drawings of lines, those that are behind it left out."""
+
+import numpy as np
+
+from ._core import feature_curves, section
+from ._drawing import ShopDrawing
+from ._production import ClosedModel, closed_model
+
+# Of the model's size: how far the model's triangles may be from the surface, and by how many times
+# that a line is moved towards the eye before it is asked what is in front of it.
+_TOLERANCE, _IN_FRONT = 1e-4, 20.0
+# Of the drawing's size: how far apart places on lines are that are looked at, and how exactly the
+# ends of what is seen are found.
+_STEP, _END = 1 / 800, 1e-5
+# Points of knuckles and borders between control points.
+_SAMPLES = 64
+_LAYERS = {"stations": "FRAMES", "waterlines": "WATERLINES", "buttocks": "BUTTOCKS"}
+_AXES = {"stations": "x", "waterlines": "z", "buttocks": "y"}
+
+
+def view_axes(azimuth, elevation):
+    """(3, 3): rows to the right, up and towards the eye of a view from so many rad from ahead to
+    port and above the hull. 0, 0: from ahead; pi / 2, 0: from port; 0, pi / 2: from above."""
+    ca, sa, ce, se = np.cos(azimuth), np.sin(azimuth), np.cos(elevation), np.sin(elevation)
+    eye = np.array([ca * ce, sa * ce, se])
+    right = np.array([-sa, ca, 0.0])
+    return np.stack([right, np.cross(eye, right), eye])
+
+
+def view_drawing(
+    body,
+    *,
+    axes,
+    stations=(),
+    waterlines=(),
+    buttocks=(),
+    knuckles=True,
+    hidden=False,
+    distance=None,
+    tolerance=None,
+    title="",
+    progress=None,
+):
+    """The ShopDrawing of a whole HullBody, with its closings, as it is seen: outlines on the layer
+    "OUTLINE", stations (x), waterlines (z) and buttocks (y) in m on "FRAMES", "WATERLINES",
+    "BUTTOCKS", knuckles and borders on "SHELL"; what is hidden is left out, or, if `hidden`, on
+    "HIDDEN".
+
+    axes: view_axes(), or any rows to the right, up and towards the eye. distance: of the eye from
+    the hull's middle, m; None: in parallel rays, at true size. tolerance, m: how far the triangles
+    that hide lines may be from the surface (1e-4 of its size by default). Where a line passes
+    behind an outline its end is off by as much as the outline, which is within tolerance of the
+    surface's, and by 1e-5 of the drawing's size; where a surface turns away from the eye lines may
+    end earlier than it does by that of a turn by 1/20: R / 800 of a bend of radius R. Pieces
+    shorter than 1/800 of the size may be missed. progress: called with the share done. ValueError
+    for axes that are none, an eye in the hull, and as closed_model().
+    """
+    axes = np.asarray(axes, dtype=float)
+    if axes.shape != (3, 3) or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
+        raise ValueError("The axes of a view are three unit vectors square to one another.")
+    tell = progress or (lambda share: None)
+    size = body.surface.mesh.size
+    tolerance = tolerance or _TOLERANCE * size
+    model = closed_model(body, tolerance, progress=lambda share: tell(0.3 * share))
+    eye = _Eye(axes, model.points, distance)
+    seen = ClosedModel(eye.seen(model.points), model.triangles)
+    scale = 1.0 if distance is None else eye.depth_scale
+    sight = _Sight(seen, np.ptp(seen.points[:, :2], axis=0).max(), _IN_FRONT * tolerance * scale)
+    drawing = ShopDrawing(title or "View")
+    lines = [("OUTLINE", line) for line in _outlines(seen)]
+    tell(0.4)
+    given = {"stations": stations, "waterlines": waterlines, "buttocks": buttocks}
+    lines += [
+        (layer, eye.seen(line))
+        for layer, line in (
+            *_sections(body, given, tolerance),
+            *(_features(body) if knuckles else ()),
+        )
+    ]
+    tell(0.5)
+    for k, pieces in enumerate(sight.pieces([line for _, line in lines])):
+        tell(0.8 + 0.2 * k / len(lines))
+        for is_seen, piece in pieces:
+            if is_seen or hidden:
+                layer = lines[k][0]
+                drawing.add_line(layer if is_seen else "HIDDEN", 1000.0 * eye.flat(piece))
+    return drawing
+
+
+class _Eye:
+    """Where it is, and what it makes of places: so that rays to it are parallel to z. In
+    perspective that is the map (x, y, z) -> (x, y, 1) / w, w the distance along the view, which
+    leaves lines straight and planes plane."""
+
+    def __init__(self, axes, points, distance):
+        self._axes, self._distance = axes, distance
+        self._middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        self.depth_scale = 1.0
+        if distance is None:
+            return
+        depth = distance - ((points - self._middle) @ axes.T)[:, 2]
+        if not depth.min() > 0.05 * distance:
+            raise ValueError("The eye is in the hull or next to it: give it a larger distance.")
+        self.depth_scale = (distance / depth.min()) ** 2
+
+    def seen(self, points):
+        local = (np.asarray(points) - self._middle) @ self._axes.T
+        if self._distance is None:
+            return local
+        depth = self._distance - local[:, 2]
+        share = self._distance / depth
+        # The third coordinate grows towards the eye.
+        return np.column_stack([local[:, :2] * share[:, None], self._distance * (share - 1.0)])
+
+    def flat(self, seen):
+        """On the drawing."""
+        return np.asarray(seen)[:, :2]
+
+
+class _Sight:
+    """What of lines is seen, from +z."""
+
+    def __init__(self, model, size, in_front):
+        self._model, self._step, self._end = model, _STEP * size, _END * size
+        self._off = np.array([0.0, 0.0, in_front])
+
+    def _sees(self, places):
+        return ~self._model.covers(places + self._off)
+
+    def pieces(self, lines):
+        """For each of polylines (n, 3) its pieces from end to end, (whether it is seen, polyline
+        (k, 3)). All are looked at together: what hides them is sorted once for a look."""
+        dense = [_dense(line, self._step) for line in lines]
+        counts = [max(0, len(line) - 1) for line in dense]
+        middles = [0.5 * (line[1:] + line[:-1]) for line in dense]
+        looks = np.split(self._sees(np.vstack(middles)), np.cumsum(counts)[:-1])
+        turns = [np.flatnonzero(look[1:] != look[:-1]) + 1 for look in looks]
+        ends = np.split(self._turns(dense, middles, looks, turns), np.cumsum([*map(len, turns)]))
+        for line, look, turn, end in zip(dense, looks, turns, ends):
+            yield list(_parts(line, look, turn, end)) if len(look) else []
+
+    def _turns(self, dense, middles, looks, turns):
+        """Where seen turns to hidden or back (k, 3), of all lines one after the other."""
+        before = np.vstack([m[t - 1] for m, t in zip(middles, turns)])
+        corner = np.vstack([line[t] for line, t in zip(dense, turns)])
+        after = np.vstack([m[t] for m, t in zip(middles, turns)])
+        first = np.concatenate([look[t - 1] for look, t in zip(looks, turns)])
+        if not len(first):
+            return before
+        is_later = (self._sees(corner) == first)[:, None]
+        low, high = np.where(is_later, corner, before), np.where(is_later, after, corner)
+        for _ in range(int(np.ceil(np.log2(self._step / self._end)))):
+            middle = 0.5 * (low + high)
+            is_low = (self._sees(middle) == first)[:, None]
+            low, high = np.where(is_low, middle, low), np.where(is_low, high, middle)
+        return 0.5 * (low + high)
+
+
+def _parts(line, look, turns, ends):
+    start = line[:1]
+    for k, (begin, end) in enumerate(zip([0, *turns], [*turns, len(look)])):
+        last = ends[k : k + 1] if k < len(turns) else line[-1:]
+        yield bool(look[begin]), np.vstack([start, line[begin + 1 : end], last])
+        start = last
+
+
+def _dense(line, step):
+    """The polyline with no two points further apart than step, seen; without double points."""
+    lengths = np.linalg.norm(np.diff(line[:, :2], axis=0), axis=1)
+    counts = np.maximum(1, np.ceil(lengths / step).astype(int))
+    shares = np.concatenate([np.arange(n) / n for n in counts] + [[0.0]])
+    begins = np.append(np.repeat(np.arange(len(counts)), counts), len(line) - 1)
+    ends = np.minimum(begins + 1, len(line) - 1)
+    return line[begins] + shares[:, None] * (line[ends] - line[begins])
+
+
+def _outlines(model):
+    """Polylines of the sides where a triangle that looks to +z meets one that does not."""
+    a, b, c = model.points[model.triangles].transpose(1, 0, 2)
+    front = np.cross(b - a, c - a)[:, 2] > 0.0
+    sides = np.concatenate([model.triangles[:, [k, (k + 1) % 3]] for k in range(3)])
+    owners = np.tile(np.arange(len(model.triangles)), 3)
+    order = np.lexsort(np.sort(sides, axis=1).T)
+    first, second = order[::2], order[1::2]
+    chosen = front[owners[first]] != front[owners[second]]
+    # Along the triangle that is seen.
+    kept = np.where(front[owners[first]], first, second)[chosen]
+    return [model.points[chain] for chain in _chains(sides[kept].tolist())]
+
+
+def _chains(sides):
+    """Directed sides (a, b) joined to polylines of point numbers."""
+    following = {}
+    for a, b in sides:
+        following.setdefault(a, []).append(b)
+    heads = {a: len(ends) for a, ends in following.items()}
+    for _, b in sides:
+        heads[b] = heads.get(b, 0) - 1
+    starts = [a for a, extra in heads.items() if extra > 0 for _ in range(extra)]
+    chains = []
+    for start in [*starts, *following]:
+        while following.get(start):
+            chain, at = [start], start
+            while following.get(at):
+                at = following[at].pop()
+                chain.append(at)
+                if at == start:
+                    break
+            chains.append(chain)
+    return chains
+
+
+def _both_sides(body, line):
+    yield line
+    if body.mirrored and np.abs(line[:, 1]).max() > 0.0:
+        yield line * (1.0, -1.0, 1.0)
+
+
+def _sections(body, given, tolerance):
+    for kind, places in given.items():
+        for place in places:
+            signs = (1.0, -1.0) if kind == "buttocks" and not body.mirrored else (1.0,)
+            for sign in signs:
+                curves = section(body.surface, _AXES[kind], sign * float(place), tolerance)
+                for curve in curves:
+                    for line in _both_sides(body, curve.points):
+                        yield _LAYERS[kind], line
+
+
+def _features(body):
+    for curve in feature_curves(body.surface, _SAMPLES):
+        for line in _both_sides(body, curve.points):
+            yield "SHELL", line
