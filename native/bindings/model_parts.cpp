@@ -18,7 +18,7 @@ using production::HollowModel;
 using production::ModelSegment;
 using production::ModelSegments;
 
-int axis_from(const std::string& name) {
+int cut_axis_from(const std::string& name) {
   const std::size_t axis = std::string("xyz").find(name);
   if (name.size() == 1 && axis != std::string::npos) return static_cast<int>(axis);
   throw std::invalid_argument("An axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
@@ -117,7 +117,7 @@ void bind_model_parts(py::module_& module) {
   module.def(
       "cut_model",
       [](const ClosedModel& model, const std::string& axis, double at) {
-        const int number = axis_from(axis);
+        const int number = cut_axis_from(axis);
         const py::gil_scoped_release release;
         production::CutModel parts = production::cut(model, number, at);
         return std::pair(std::move(parts.below), std::move(parts.above));
