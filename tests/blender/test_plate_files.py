@@ -26,7 +26,9 @@ def test_the_list_has_the_hull_s_area(tmp_path):
     hull_native = part("bridge.native").require()
     whole = hull_native.surface_areas(surface).areas.sum()
     # Seven digits of each.
-    assert sum(float(row["area_m2"]) for row in rows) == pytest.approx(whole, rel=1e-6)
+    both = sum(float(row["area_m2"]) * int(row["pieces"]) for row in rows)
+    assert both == pytest.approx(2.0 * whole, rel=1e-6)
+    assert {row["pieces"] for row in rows} == {"1", "2"}
 
 
 def test_too_many_plates_are_one_sentence(tmp_path, monkeypatch):

@@ -19,6 +19,7 @@ from . import (
     lines_plan,
     morph,
     networks,
+    plates,
     pull,
     resistance,
     sections,
@@ -63,6 +64,7 @@ _CLASSES = (
     *resistance.CLASSES,
     *lines_plan.CLASSES,
     *export.CLASSES,
+    *plates.CLASSES,
     *studio.CLASSES,
 )
 

@@ -18,6 +18,7 @@ from . import (
     morph_settings,
     network_settings,
     output_settings,
+    plate_settings,
     ship_settings,
     studio_settings,
     tag_settings,
@@ -68,6 +69,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     plots: PointerProperty(type=output_settings.HullPlots)
     plan: PointerProperty(type=output_settings.HullPlan)
     export: PointerProperty(type=export_settings.HullExport)
+    plates: PointerProperty(type=plate_settings.HullPlates)
     studio: PointerProperty(type=studio_settings.HullStudio)
     fit: PointerProperty(type=fit_settings.HullFit)
     targets: PointerProperty(type=target_settings.HullTargets)
@@ -82,6 +84,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
 CLASSES = (
     *ship_settings.CLASSES,
     *tag_settings.CLASSES,
+    *plate_settings.CLASSES,
     *fairness_settings.CLASSES,
     *field_settings.CLASSES,
     *fit_settings.CLASSES,

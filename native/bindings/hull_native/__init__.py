@@ -83,6 +83,8 @@ _LATER = {
     "wetted_panels": "._production",
     "deck_edge": ".strakes",
     "shell_seams": ".strakes",
+    "SeamRule": ".seam_rules",
+    "seams_by_rules": ".seam_rules",
     "FrameTable": ".frame_tables",
     "frame_table": ".frame_tables",
     "frame_rows": ".frame_tables",

@@ -31,7 +31,7 @@ struct PlateRule {
   }
 };
 
-constexpr int kMostParts = 8;
+constexpr int kMostTriangleParts = 8;
 
 double longest_side(const PlateMesh& mesh, const PlateMesh::Element& element) {
   const auto& numbers = mesh.triangle(element).points;
@@ -139,7 +139,7 @@ std::vector<PlatePoint> quadrature_points(const PlateMesh& mesh, double size, bo
   std::vector<PlatePoint> points;
   for (const PlateMesh::Element& element : mesh.elements) {
     const auto parts = static_cast<int>(
-        std::clamp(std::ceil(longest_side(mesh, element) / size), 1.0, 1.0 * kMostParts));
+        std::clamp(std::ceil(longest_side(mesh, element) / size), 1.0, 1.0 * kMostTriangleParts));
     for (const Eigen::Matrix3d& part : parts_of_triangle(parts)) {
       for (std::size_t k = 0; k < rule.at.size(); ++k) {
         const auto point =
