@@ -46,7 +46,7 @@ double longest_side(const PlateMesh& mesh, const PlateMesh::Element& element) {
 // The barycentric coordinates of the k² equal parts of a triangle, their corners in columns.
 std::vector<Eigen::Matrix3d> parts_of_triangle(int k) {
   std::vector<Eigen::Matrix3d> parts;
-  const auto at = [k](int i, int j) {
+  const auto at = [k](int i, int j) -> Eigen::Vector3d {
     return Eigen::Vector3d(k - i - j, i, j) / static_cast<double>(k);
   };
   for (int i = 0; i < k; ++i) {
@@ -125,6 +125,7 @@ std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface, cons
   point.at = jet.point;
   point.tangents << e1, e2;
   point.area = std::abs(along.determinant()) * normal.norm();
+  point.bending.setZero();
   if (!bending) return point;
   Eigen::Matrix2d lengths, second;  // of (u, v), in the tangents
   lengths << jet.du.dot(e1), jet.dv.dot(e1), jet.du.dot(e2), jet.dv.dot(e2);
