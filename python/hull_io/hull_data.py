@@ -61,13 +61,13 @@ class Flat:
 @dataclass
 class Developable:
     """Faces, by index, between two knuckles, that are a developable region: warp, the most of any
-    ruling in degrees per metre; distance, how far the knuckles may move for it, m; kept, whether
+    ruling in degrees per metre; distance, how far the knuckles may move for it, m; keep, whether
     they do so while points are moved."""
 
     faces: list
     warp: float = 1.0
     distance: float = 0.05
-    kept: bool = True
+    keep: bool = True
 
 
 # The planes that points are kept in, as hull files name them, across x, y and z.

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The part of a hull file that tells which rows of faces are developable regions.
 
-    "developables": [{"faces": [face, ...], "warp": deg/m, "distance": m, "kept": true}, ...]
+    "developables": [{"faces": [face, ...], "warp": deg/m, "distance": m, "keep": true}, ...]
 
-warp: the most of any ruling; distance: how far knuckles may move for it; kept: whether the region
+warp: the most of any ruling; distance: how far knuckles may move for it; keep: whether the region
 is kept so while points are moved. No face is in two.
 """
 
@@ -12,7 +12,7 @@ from .limits import LONGEST_DIMENSION
 
 KEY = "developables"
 _REQUIRED = ("faces", "warp", "distance")
-_KEYS = (*_REQUIRED, "kept")
+_KEYS = (*_REQUIRED, "keep")
 LARGEST_WARP, LEAST_WARP, LEAST_DISTANCE = 90.0, 1e-4, 1e-6
 
 
@@ -42,7 +42,7 @@ def _region(check, value, where, face_count, seen):
         list(faces),
         check.number(entries["warp"], f"{where}.warp", LEAST_WARP, LARGEST_WARP),
         check.number(entries["distance"], f"{where}.distance", LEAST_DISTANCE, LONGEST_DIMENSION),
-        check.flag(entries.get("kept", True), f"{where}.kept"),
+        check.flag(entries.get("keep", True), f"{where}.keep"),
     )
 
 
@@ -70,7 +70,7 @@ def between_knuckles(data, faces):
             further = neighbours[region[-1]] - seen
             seen |= further
             open_ones.extend(further)
-        regions.append(Developable(sorted(region), kept=False))
+        regions.append(Developable(sorted(region), keep=False))
     return regions
 
 
@@ -81,7 +81,7 @@ def entries(data):
             "faces": [int(face) for face in region.faces],
             "warp": float(region.warp),
             "distance": float(region.distance),
-            "kept": bool(region.kept),
+            "keep": bool(region.keep),
         }
         for region in data.developables
     ]

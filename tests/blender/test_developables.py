@@ -114,7 +114,7 @@ def test_in_hull_files(tmp_path):
     path = tmp_path / "boat.hull.json"
     bpy.ops.hull.export_hull(filepath=str(path))
     (region,) = hull_io().read_hull_file(path).developables
-    assert len(region.faces) == len(faces) and region.kept
+    assert len(region.faces) == len(faces) and region.keep
     assert (region.warp, region.distance) == pytest.approx((1.25, 0.03), rel=1e-6)
     bpy.ops.hull.import_hull(filepath=str(path))
     (again,) = regions(bpy.context.object)

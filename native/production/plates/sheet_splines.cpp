@@ -63,13 +63,15 @@ int SheetSplines::number(int i, int j) const {
 }
 
 void SheetSplines::use(const Vector2d& point) {
-  const Where w = where(point);
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) {
-      int& number = numbers_[index(w.cell.x() + i, w.cell.y() + j)];
-      if (number >= 0) continue;
-      number = count();
-      used_.emplace_back(w.cell.x() + i, w.cell.y() + j);
+  for (const Vector2d& aside : {Vector2d(-1.0, -1.0), {1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}}) {
+    const Vector2i cell = where(point + kAround * aside.cwiseProduct(step_)).cell;
+    for (int j = 0; j < 4; ++j) {
+      for (int i = 0; i < 4; ++i) {
+        int& number = numbers_[index(cell.x() + i, cell.y() + j)];
+        if (number >= 0) continue;
+        number = count();
+        used_.emplace_back(cell.x() + i, cell.y() + j);
+      }
     }
   }
 }

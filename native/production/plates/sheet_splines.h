@@ -27,7 +27,8 @@ class SheetSplines {
   SheetSplines halved() const;
 
   Values at(const Eigen::Vector2d& point) const;
-  // Before use: the functions at a point count.
+  // Before use: the functions at a point, and at those up to kAround of a cell from it, count.
+  static constexpr double kAround = 0.3;
   void use(const Eigen::Vector2d& point);
   int count() const { return static_cast<int>(used_.size()); }
   double cell() const { return step_.maxCoeff(); }

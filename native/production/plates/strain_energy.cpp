@@ -218,7 +218,7 @@ std::vector<Vector2d> Sheet::step(const std::vector<Vector2d>& c, double damping
     }
   }
   // Turning and shifting change no energy: a little stiffness everywhere settles them.
-  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, (damping + 1e-12) * stiffness);
+  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, (damping + 1e-10) * stiffness);
   Matrix whole(n, n);
   whole.setFromTriplets(entries.begin(), entries.end());
   if (!analysed_) solver_.analyzePattern(whole);
@@ -251,10 +251,11 @@ Eigen::Matrix2d SheetMap::slopes(const PlatePoint& point) const {
   return f * (in_chart.slopes * point.tangents);
 }
 
-LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& points,
-                              double poisson) {
+LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& points, double poisson,
+                              bool is_near) {
   Sheet sheet(map, points, poisson);
-  for (int i = 0; i < kFirstSteps; ++i) map.coefficients = sheet.with_turns_held(map.coefficients);
+  for (int i = 0; i < (is_near ? 0 : kFirstSteps); ++i)
+    map.coefficients = sheet.with_turns_held(map.coefficients);
   LeastEnergy found;
   found.energy = sheet.energy(map.coefficients);
   double damping = 0.0;

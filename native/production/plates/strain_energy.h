@@ -26,7 +26,8 @@ struct LeastEnergy {
 };
 
 // The energy of flat_plate.h made least, from the map's coefficients on. The points are those by
-// which the energy is integrated.
-LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& points, double poisson);
+// which the energy is integrated. `is_near`: the map has about the least energy already.
+LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& points, double poisson,
+                              bool is_near);
 
 }  // namespace hull::production

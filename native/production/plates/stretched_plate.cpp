@@ -92,7 +92,7 @@ std::vector<PlatePoint> settle(FlatPlate& flat, const Plate& plate, double poiss
   for (const PlatePoint& p : points) map.splines.use(map.chart.value(p.at).at);
   map.coefficients = coarser ? coarser->splines.refined(map.splines, coarser->coefficients)
                              : map.splines.identity();
-  const LeastEnergy found = make_energy_least(map, points, poisson);
+  const LeastEnergy found = make_energy_least(map, points, poisson, coarser != nullptr);
   flat.iterations += found.iterations;
   flat.converged = found.converged;
   return points;

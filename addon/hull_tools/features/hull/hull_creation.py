@@ -69,7 +69,7 @@ def give_ship(obj, hull, scale, known=()):
         flats.mark(obj, flat.faces, (*flat.normal, flat.offset / scale))
     for region in hull.developables:
         developables.mark(
-            obj, region.faces, region.warp * scale, region.distance / scale, region.kept
+            obj, region.faces, region.warp * scale, region.distance / scale, region.keep
         )
     point_locks.write(mesh, hull.locked)
     for axis, name in enumerate(KEPT_IN):
