@@ -75,7 +75,7 @@ def between_knuckles(data, faces):
 
 
 def entries(data):
-    """What a hull file says of a HullData's developable regions, by its key; nothing without any."""
+    """What a hull file says of a HullData's developable regions, by its key, if there are."""
     found = [
         {
             "faces": [int(face) for face in region.faces],

@@ -125,8 +125,8 @@ class HULL_OT_export_panels(bpy.types.Operator, ExportWithNumbers):
 
 
 class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
-    """Divide the half hull's shell into plates by the rules under Plates, or else by strakes from the
-    deck edge and staggered butts, lay them out flat, and write drawings with frames, or the list"""
+    """Divide the half hull's shell into plates by the rules under Plates, or else by strakes from
+    the deck edge and staggered butts, lay them out flat, and write drawings, or the list"""
 
     bl_idname = "hull.export_plates"
     bl_label = "Export Plates"

@@ -47,9 +47,7 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
         column.scale_y = 0.8
         for region in found:
             place = flat_making.describe(context.scene, region.plane)
-            row = column.row()
-            row.alert = is_over
-            label_value(row, _KINDS[region.kind], place)
+            label_value(column, _KINDS[region.kind], place)
         row = layout.row(align=True)
         row.operator("hull.select_flat", text="Select")
         row.operator("hull.release_flat", text="Release")
@@ -71,7 +69,9 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
                 continue
             most = each.region.warp / units.metres_per_unit(context.scene)
             is_over = each.warp > 1.0005 * most
-            label_value(column, name, f"{each.warp:.3g} of {most:.3g}°/m")
+            row = column.row()
+            row.alert = is_over
+            label_value(row, name, f"{each.warp:.3g} of {most:.3g}°/m")
         layout.operator("hull.release_developable", text="Release Developable")
 
     def _draw_points(self):

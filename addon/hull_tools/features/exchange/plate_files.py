@@ -40,8 +40,8 @@ class KeptPlates:
 
 
 class PlateTask(jobs.JobTask):
-    """Plates of a half hull's shell by the rules of Object.hull.plates, or without any by strakes and
-    plate_length, m. result(): a PlateReport."""
+    """Plates of a half hull's shell by the rules of Object.hull.plates, or without any by
+    strakes and plate_length, m. result(): a PlateReport."""
 
     text = "Laying out plates"
 
@@ -104,8 +104,8 @@ class PlateTask(jobs.JobTask):
 
 
 class PlateFile(PlateTask):
-    """They are written, by the name's ending as .pdf (one page a plate), .dxf (all on one drawing at
-    true size) or .csv (the list)."""
+    """They are written, by the name's ending as .pdf (one page a plate), .dxf (all on one drawing
+    at true size) or .csv (the list)."""
 
     def __init__(self, obj, scene, path, **sizes):
         self._path = path

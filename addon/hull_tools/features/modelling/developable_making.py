@@ -87,9 +87,9 @@ def release_selected(obj):
 
 
 def warps(obj, state):
-    """The RegionWarps of a hull by its HullState, which is up to date."""
+    """The RegionWarps of a hull by its HullState, None where nothing is known."""
     regions = developables.regions(obj)
-    if not regions or state.ship.surface is None or state.status:
+    if not regions or state is None or state.ship.surface is None or state.status:
         return []
     key = (
         state.ship.geometry_key,
