@@ -44,8 +44,9 @@ def plate_list(
     """ListedPlates of plates, laid out: those of plates(), with one thickness (m) or one each.
 
     names: one each; by default P1, P2 … from aft. mirrored: the plates are the port half's, and
-    names say so, but of those across the centre plane. density: t/m³. progress:
-    called with the share done; what it raises ends the work. ValueError for a thickness or a density that is not above 0, and where counts differ.
+    names say so, but of those across the centre plane. density: t/m³. progress: called with the
+    share done; what it raises ends the work. ValueError for a thickness or a density that is not
+    above 0, and where counts differ.
     """
     plates = list(plates)
     thicknesses = list(thickness) if hasattr(thickness, "__len__") else [thickness] * len(plates)
