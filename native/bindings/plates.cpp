@@ -160,7 +160,8 @@ void bind_flat_plate(py::module_& module) {
           "Steps to the least energy.")
       .def_property_readonly(
           "stretch_error", [](const OneFlatPlate& one) { return one.flat.stretch_error; },
-          "What the least and largest stretch last changed by, as the map's cells were halved.")
+          "How far the least and largest stretch may be off, by how they changed as the map's "
+          "cells were halved.")
       .def_property_readonly(
           "converged", [](const OneFlatPlate& one) { return one.flat.converged; },
           "Whether the energy is the least to rounding, and stretch_error below 0.0005.")

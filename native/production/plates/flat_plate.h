@@ -47,7 +47,8 @@ struct FlatPlate {
   // In triangles' corners, their middles and those of their sides, of all directions: length on the
   // hull over length on the flat plate.
   double least_stretch, largest_stretch;
-  // What halving the splines' cells last changed in these.
+  // How far these may be off, by what halving the splines' cells changed in them: the last change,
+  // or where changes fell by half or more the rest of a geometric series.
   double stretch_error = 0.0;
   // By triangle, in its middle: the two principal stretches, smaller first.
   std::vector<Eigen::Vector2d> stretches;

@@ -15,7 +15,10 @@ namespace {
 
 // Cells over the shorter side of the chart, before they are halved; and how often they may be.
 constexpr int kFirstCells = 5, kMostHalvings = 3, kMostFunctions = 6000;
-// A change of stretch that is small enough, alone or as a part of the stretch; and one with which
+// What is left after changes that become smaller at least like this is what a geometric series of
+// them has; otherwise as much as the last.
+constexpr double kSlowest = 0.5;
+// An error of stretch that is small enough, alone or as a part of the stretch; and one with which
 // the plate does not count as settled.
 constexpr double kSmallError = 2e-5, kSmallPart = 0.01, kLargeError = 5e-4;
 
@@ -98,6 +101,11 @@ std::vector<PlatePoint> settle(FlatPlate& flat, const Plate& plate, double poiss
   return points;
 }
 
+double error_after(double before, double change) {
+  if (change > kSlowest * before) return change;
+  return change * change / (before - change);
+}
+
 }  // namespace
 
 void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
@@ -106,6 +114,7 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
   flat.map = SheetMap{chart, SheetSplines(box_of(flat, chart, plate.across), kFirstCells), {}};
   std::vector<PlatePoint> points = settle(flat, plate, poisson, nullptr);
   measure_stretch(flat);
+  double before = 0.0;  // the last change but one
   for (int k = 0; k < kMostHalvings; ++k) {
     if (k > 0 && 4 * flat.map->splines.count() > kMostFunctions) break;
     const SheetMap coarser = *flat.map;
@@ -113,8 +122,10 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
     flat.map = SheetMap{chart, coarser.splines.halved(), {}};
     points = settle(flat, plate, poisson, &coarser);
     measure_stretch(flat);
-    flat.stretch_error =
+    const double change =
         std::max(std::abs(flat.least_stretch - least), std::abs(flat.largest_stretch - largest));
+    flat.stretch_error = error_after(before, change);
+    before = change;
     if (flat.stretch_error <= kSmallError + kSmallPart * (largest - least)) break;
   }
   flat.converged = flat.converged && flat.stretch_error <= kLargeError;
