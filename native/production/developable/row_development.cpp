@@ -14,12 +14,14 @@ namespace hull::production {
 namespace {
 
 constexpr int kOnEdge = 9, kOldOnEdge = 33;
-constexpr int kMostSteps = 80, kMostHalvings = 10;
+constexpr int kMostSteps = 80, kMostOfStage = 20, kMostHalvings = 10;
+constexpr double kStage = 0.6;  // of a stage's warp, that of the next
+// What leaving the distance, and edges shorter than this part of what they were, count for.
+constexpr double kAtDistance = 3.0, kAtShort = 10.0, kShortest = 0.5;
 // Rulings are brought a little below the limit, creases a little within their distance.
 constexpr double kWarpAim = 0.97, kDistanceAim = 0.9;
-// What moves count for beside warp of the limit: along a crease of its edge's length, across of the
-// distance.
-constexpr double kAlong = 1e-4, kAcross = 1e-3;
+// What moves of the distance count for beside warp of the limit: along a crease, and across it.
+constexpr double kAlong = 1e-5, kAcross = 1e-3;
 constexpr double kStep = 1e-6;  // of lengths, for slopes by central differences
 
 using Points = std::vector<Vector3d>;
@@ -47,6 +49,7 @@ class Development {
     for (int k = 0; k < row.span_count(); ++k) {
       for (const bool second : {false, true}) {
         const BezierSpan curve = row.curve(k, second, control);
+        chords_.push_back(std::max((curve[3] - curve[0]).norm(), 1e-300));
         for (int i = 0; i < kOldOnEdge; ++i)
           old_.push_back(jet_of(curve, i / (kOldOnEdge - 1.0)).point);
       }
@@ -60,42 +63,16 @@ class Development {
           "Rulings of the region have no length, or run along a knuckle: its two knuckles meet "
           "there. Leave the faces at the point out.");
     }
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<int>(freedom_.size()));
-    double cost = residuals(x).squaredNorm(), damping = 1e-3;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<int>(freedom_.size())), best = x;
     made.after = made.before;
-    while (made.iterations < kMostSteps && made.after > limits_.warp && x.size() > 0) {
-      ++made.iterations;
-      const Eigen::MatrixXd j = jacobian(x);
-      const Eigen::VectorXd slope = j.transpose() * residuals(x);
-      Eigen::MatrixXd square = j.transpose() * j;
-      square.diagonal() *= 1.0 + damping;
-      square.diagonal().array() += 1e-12 * square.trace();
-      Eigen::VectorXd step = -square.ldlt().solve(slope);
-      Eigen::VectorXd tried = x + step;
-      for (int i = 0; i < kMostHalvings && distance(moved(tried)) > limits_.distance; ++i) {
-        step *= 0.5;
-        tried = x + step;
-      }
-      if (distance(moved(tried)) > limits_.distance) break;
-      const double there = residuals(tried).squaredNorm();
-      if (there >= cost) {
-        damping *= 10.0;
-        if (damping > 1e8) break;
-        continue;
-      }
-      const bool is_small = cost - there < 1e-9 * cost;
-      x = tried;
-      cost = there;
-      damping = std::max(0.1 * damping, 1e-9);
-      made.after = warp_of(row_, moved(x));
-      if (is_small) break;
+    // By and by down to the limit: from far above it the way is often lost.
+    for (aim_ = made.before; aim_ > limits_.warp && made.iterations < kMostSteps && x.size() > 0;) {
+      aim_ = std::max(kStage * aim_, limits_.warp);
+      descend(x, best, made);
+      if (made.after > aim_) break;
     }
-    made.points = moved(x);
+    made.points = moved(best);
     made.after = warp_of(row_, made.points);
-    if (made.after > made.before) {
-      made.points = control_;
-      made.after = made.before;
-    }
     made.distance = distance(made.points);
     made.reached = made.after <= limits_.warp;
     return made;
@@ -110,6 +87,8 @@ class Development {
   };
 
   void find_freedom(const surface::LimitSurface& surface);
+  // Steps until no ruling has more warp than aim_; `best` has the least warp of what was met.
+  void descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRow& made) const;
   std::vector<Vector3d> tangents() const;
 
   Points moved(const Eigen::VectorXd& x) const {
@@ -143,23 +122,33 @@ class Development {
     return std::sqrt(least);
   }
 
-  // What of the warp at the samples is beyond the limit, in parts of it; then what moves cost.
+  // What of the warp at the samples is beyond the aim, in parts of it; what of the creases is
+  // about to leave their distance; edges that become short; then what moves cost.
   Eigen::VectorXd residuals(const Eigen::VectorXd& x) const {
     const Points points = moved(x);
-    Eigen::VectorXd r(row_.span_count() * kOnEdge + x.size());
-    int n = 0;
+    std::vector<double> r;
     for (int k = 0; k < row_.span_count(); ++k) {
       const BezierSpan a = row_.curve(k, false, points), b = row_.curve(k, true, points);
       for (int i = 0; i < kOnEdge; ++i) {
-        const CurveJet one = jet_of(a, i / (kOnEdge - 1.0)), other = jet_of(b, i / (kOnEdge - 1.0));
-        r[n++] = beyond(warp_between(one.d1, other.d1, other.point - one.point));
+        const double t = i / (kOnEdge - 1.0);
+        const CurveJet one = jet_of(a, t), other = jet_of(b, t);
+        r.push_back(beyond_warp(warp_between(one.d1, other.d1, other.point - one.point)));
+        for (const CurveJet* jet : {&one, &other}) {
+          const double part = from_old(jet->point) / limits_.distance - kDistanceAim;
+          r.push_back(kAtDistance * std::max(part, 0.0));
+        }
+      }
+      for (const bool second : {false, true}) {
+        const BezierSpan& now = second ? b : a;
+        const double length = (now[3] - now[0]).norm() / chords_[2 * k + (second ? 1 : 0)];
+        r.push_back(kAtShort * std::max(kShortest - length, 0.0));
       }
     }
-    for (int i = 0; i < x.size(); ++i) r[n++] = freedom_[i].cost * x[i];
-    return r;
+    for (int i = 0; i < x.size(); ++i) r.push_back(freedom_[i].cost * x[i]);
+    return Eigen::Map<const Eigen::VectorXd>(r.data(), static_cast<int>(r.size()));
   }
-  double beyond(double warp) const {
-    const double part = std::abs(warp) / limits_.warp - kWarpAim;
+  double beyond_warp(double warp) const {
+    const double part = std::abs(warp) / aim_ - kWarpAim;
     return part > 0.0 ? std::copysign(part, warp) : 0.0;
   }
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const {
@@ -177,8 +166,42 @@ class Development {
   const Points& control_;
   const RowLimits& limits_;
   std::vector<Freedom> freedom_;
-  Points old_;  // of the creases, kOldOnEdge an edge
+  Points old_;                  // of the creases, kOldOnEdge an edge
+  std::vector<double> chords_;  // of the edges, two a face
+  double aim_ = 0.0;            // rad/m
 };
+
+void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRow& made) const {
+  double cost = residuals(x).squaredNorm(), damping = 1e-3;
+  for (int k = 0; k < kMostOfStage && made.after > aim_; ++k) {
+    ++made.iterations;
+    const Eigen::MatrixXd j = jacobian(x);
+    Eigen::MatrixXd square = j.transpose() * j;
+    square.diagonal() *= 1.0 + damping;
+    square.diagonal().array() += 1e-12 * square.trace();
+    Eigen::VectorXd step = -square.ldlt().solve(j.transpose() * residuals(x));
+    Eigen::VectorXd tried = x + step;
+    for (int i = 0; i < kMostHalvings && distance(moved(tried)) > limits_.distance; ++i) {
+      step *= 0.5;
+      tried = x + step;
+    }
+    const double there = residuals(tried).squaredNorm();
+    if (there >= cost || distance(moved(tried)) > limits_.distance) {
+      damping *= 10.0;
+      if (damping > 1e6) return;
+      continue;
+    }
+    const bool is_small = cost - there < 1e-6 * cost;
+    x = tried;
+    cost = there;
+    damping = std::max(0.1 * damping, 1e-9);
+    if (const double warp = warp_of(row_, moved(x)); warp < made.after) {
+      made.after = warp;
+      best = x;
+    }
+    if (is_small) return;
+  }
+}
 
 // Unit tangents of the creases at the row's control points; zero for those beyond.
 std::vector<Vector3d> Development::tangents() const {
@@ -232,9 +255,7 @@ void Development::find_freedom(const surface::LimitSurface& surface) {
       if (rest.singularValues()[k] > 0.5) ways.emplace_back(rest.matrixU().col(k), false);
     }
     for (const auto& [way, is_along] : ways) {
-      const double cost =
-          is_along ? kAlong / limits_.distance : kAcross / (kDistanceAim * limits_.distance);
-      freedom_.push_back({i, way, is_along ? 0.1 * cost : cost});
+      freedom_.push_back({i, way, (is_along ? kAlong : kAcross) / limits_.distance});
     }
   }
 }
