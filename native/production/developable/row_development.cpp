@@ -105,19 +105,30 @@ class Development {
       for (const bool second : {false, true}) {
         const BezierSpan curve = row_.curve(k, second, points);
         for (int i = 0; i < kOnEdge; ++i)
-          most = std::max(most, from_old(jet_of(curve, i / (kOnEdge - 1.0)).point));
+          most = std::max(
+              most, from_old(2 * k + (second ? 1 : 0), jet_of(curve, i / (kOnEdge - 1.0)).point));
       }
     }
     return most;
   }
-  double from_old(const Vector3d& p) const {
+  // A point of an edge from the old creases: from the old edge, but where it is beyond its ends.
+  double from_old(int edge, const Vector3d& p) const {
+    const int begin = edge * kOldOnEdge, end = begin + kOldOnEdge - 1;
+    bool is_at_end = false;
+    const double own = nearest(begin, end, p, is_at_end);
+    if (!is_at_end || own <= kDistanceAim * limits_.distance) return own;
+    return nearest(0, static_cast<int>(old_.size()) - 1, p, is_at_end);
+  }
+  double nearest(int begin, int end, const Vector3d& p, bool& is_at_end) const {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < old_.size(); ++i) {
-      if ((i + 1) % kOldOnEdge == 0) continue;
+    for (int i = begin; i < end; ++i) {
+      if ((i + 1) % kOldOnEdge == 0) continue;  // from an edge's end to the next one's begin
       const Vector3d along = old_[i + 1] - old_[i];
-      const double t =
-          std::clamp((p - old_[i]).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-      least = std::min(least, (old_[i] + t * along - p).squaredNorm());
+      const double t = (p - old_[i]).dot(along) / std::max(along.squaredNorm(), 1e-300);
+      const double off = (old_[i] + std::clamp(t, 0.0, 1.0) * along - p).squaredNorm();
+      if (off >= least) continue;
+      least = off;
+      is_at_end = (i == begin && t <= 0.0) || (i + 1 == end && t >= 1.0);
     }
     return std::sqrt(least);
   }
@@ -133,9 +144,9 @@ class Development {
         const double t = i / (kOnEdge - 1.0);
         const CurveJet one = jet_of(a, t), other = jet_of(b, t);
         r.push_back(beyond_warp(warp_between(one.d1, other.d1, other.point - one.point)));
-        for (const CurveJet* jet : {&one, &other}) {
-          const double part = from_old(jet->point) / limits_.distance - kDistanceAim;
-          r.push_back(kAtDistance * std::max(part, 0.0));
+        for (const bool second : {false, true}) {
+          const double off = from_old(2 * k + (second ? 1 : 0), (second ? other : one).point);
+          r.push_back(kAtDistance * std::max(off / limits_.distance - kDistanceAim, 0.0));
         }
       }
       for (const bool second : {false, true}) {

@@ -14,7 +14,9 @@ using Eigen::Vector2d;
 namespace {
 
 // Cells over the shorter side of the chart, before they are halved; and how often they may be.
-constexpr int kFirstCells = 5, kMostHalvings = 3, kMostFunctions = 6000;
+constexpr int kFirstCells = 5, kMostHalvings = 3;
+// Finer ones have no more functions than this; where the error is large, than that.
+constexpr int kMostFunctions = 6000, kMostWhereLarge = 12000;
 // What is left after changes that become smaller at least like this is what a geometric series of
 // them has; otherwise as much as the last.
 constexpr double kSlowest = 0.5;
@@ -116,7 +118,9 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
   measure_stretch(flat);
   double before = 0.0;  // the last change but one
   for (int k = 0; k < kMostHalvings; ++k) {
-    if (k > 0 && 4 * flat.map->splines.count() > kMostFunctions) break;
+    const bool is_large = flat.stretch_error > kLargeError;
+    const int most = is_large ? kMostWhereLarge : kMostFunctions;
+    if (k > 0 && 4 * flat.map->splines.count() > most) break;
     const SheetMap coarser = *flat.map;
     const double least = flat.least_stretch, largest = flat.largest_stretch;
     flat.map = SheetMap{chart, coarser.splines.halved(), {}};
