@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import hull_io, mesh_points, part, sample
+from addon_under_test import hull_io, part, sample
 
 
 def bottom_faces(hull):
@@ -36,11 +36,19 @@ def edited_boat():
     return hull, faces
 
 
+def mesh_points(hull):
+    """(n, 3) of a mesh in edit mode or not."""
+    return part("bridge.mesh.mesh_points").read(hull.data)
+
+
 def select_faces(hull, faces):
+    bpy.context.tool_settings.mesh_select_mode = (False, False, True)
     bm = bmesh.from_edit_mesh(hull.data)
-    for index, face in enumerate(bm.faces):
-        face.select_set(index in faces)
-    bm.select_flush_mode()
+    for face in bm.faces:
+        face.select_set(False)
+    bm.faces.ensure_lookup_table()
+    for index in faces:
+        bm.faces[index].select_set(True)
     bmesh.update_edit_mesh(hull.data)
 
 
