@@ -41,7 +41,9 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
             row = column.row(align=True)
             row.prop(rule, "on", text="")
             row.prop(rule, "kind", text="")
-            row.prop(rule, "line" if rule.kind == "projected" else "value", text="")
+            number = row.row(align=True)
+            number.scale_x = 0.7
+            number.prop(rule, "line" if rule.kind == "projected" else "value", text="")
             _draw_removal(row, "REMOVE_RULE", index)
         column.operator("hull.change_plate_list", text="Add Rule", icon="ADD").action = "ADD_RULE"
 
@@ -56,7 +58,10 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
             column.label(text="Of the hull as it was", icon="INFO")
         column.scale_y = 0.8
         for row in report.rows[:_MOST_LISTED]:
-            label_value(column, *plate_files.plate_words(row))
+            name, words, settled = plate_files.plate_words(row)
+            line = column.row()
+            line.alert = not settled
+            label_value(line, name, words)
 
 
 class HULL_PT_frames(HullPanel, bpy.types.Panel):
@@ -72,8 +77,8 @@ class HULL_PT_frames(HullPanel, bpy.types.Panel):
         column.prop(settings, "first_frame")
         for index, each in enumerate(settings.ranges):
             row = column.row(align=True)
-            row.prop(each, "last")
-            row.prop(each, "spacing")
+            row.prop(each, "last", text="To")
+            row.prop(each, "spacing", text="m")
             _draw_removal(row, "REMOVE_RANGE", index)
         column.operator("hull.change_plate_list", text="Add Range", icon="ADD").action = "ADD_RANGE"
         row = self.layout.row()

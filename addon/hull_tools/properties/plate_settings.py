@@ -13,12 +13,12 @@ from bpy.props import (
 
 _RULES = (
     ("strakes", "Strakes", "Seams at multiples of a girth from the deck edge down"),
-    ("from_deck", "Girth from Deck", "A seam at a girth along frames from the deck edge"),
-    ("from_centre", "Girth from Centre", "A seam at a girth along frames from the centre line"),
+    ("from_deck", "From Deck", "A seam at a girth along frames from the deck edge"),
+    ("from_centre", "From Centre", "A seam at a girth along frames from the centre line"),
     ("waterline", "Height", "A seam in a level plane"),
     ("buttock", "Breadth", "A seam in an upright plane along the ship"),
     ("station", "Station", "A butt all around, in a plane across the ship"),
-    ("butts", "Staggered Butts", "Butts so far apart, those of neighbouring strakes by half of it"),
+    ("butts", "Butts", "Staggered butts so far apart, those of neighbouring strakes by half of it"),
     ("projected", "Projected", "A seam by a mesh or curve object, projected across the ship"),
 )
 

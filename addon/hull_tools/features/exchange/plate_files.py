@@ -140,7 +140,7 @@ def last_plates(obj):
 
 
 def plate_words(row):
-    """(name, what is told of it) of a plate in a list on screen."""
+    """(name, what is told of it, whether its layout settled) of a plate in a list on screen."""
     ratio = row["largest_stretch"] / row["least_stretch"] - 1.0
-    words = f"{row['area_m2']:.2f} m², {row['mass_kg']:.0f} kg, {1000.0 * ratio:.1f} ‰"
-    return row["plate"], words if "settled" not in row["form"] else f"{words}, not settled"
+    words = f"{row['area_m2']:.1f} m² {row['mass_kg'] / 1000.0:.2f} t {1000.0 * ratio:.1f} ‰"
+    return row["plate"], words, "settled" not in row["form"]
