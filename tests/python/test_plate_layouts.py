@@ -5,6 +5,7 @@ seams by rules."""
 import hull_native as hn
 import numpy as np
 import pytest
+from hull_native.surface_areas import surface_areas
 from plate_hulls import grid_surface, one, sphere, through
 from plate_shells import coaster_shell
 from production_hulls import body_of
@@ -63,27 +64,25 @@ def test_other_triangles_have_the_same_stretch(coaster_plates):
 
 
 def test_bilges_have_no_stretch_of_the_elements_own():
-    """All but developable: what the bulge must have, and no more. With K = r″ / r nearly, the
-    stretch across a breadth b and length L is of K b² / 8 at most."""
-    for bulge in (1e-3, 1e-2):
-        (plate,) = hn.plates(bilge(bulge), [])
-        flat = plate.flat()
-        assert flat.converged
-        curvature = bulge * (np.pi / 12.0) ** 2 / 1.5
-        breadth = 1.5 * np.pi / 2
-        assert 0.02 * curvature * breadth**2 < ratio(flat) - 1.0 < 0.5 * curvature * breadth**2
+    """All but developable: Gauss's curvature K of the bulge takes K b² / 8 of stretch at least over
+    the breadth b. Elements on triangles told 1 % whatever the bulge."""
+    (plate,) = hn.plates(bilge(1e-3), [])
+    flat = plate.flat()
+    assert flat.converged
+    curvature = 1e-3 * (np.pi / 12.0) ** 2 / 1.5
+    breadth = 1.5 * np.pi / 2
+    assert 0.125 * curvature * breadth**2 < ratio(flat) - 1.0 < 5e-4
 
 
-def test_a_plate_across_the_centre_is_that_of_the_whole_surface():
+def test_a_plate_across_the_centre_is_two_halves():
     whole = sphere(parts=16)
     points = np.asarray(whole.mesh.points).reshape(17, 17, 3)
     half = grid_surface(points[:, 8:])
-    # The half's own border is another curve than the whole's middle: the half alone is mirrored.
     seam = hn.HullCurves(half, 1e-4).in_plane(hn.plane_across("z", 9.5), "edge")
-    plates = hn.plates(half, seam, size=0.5, across_centre=True, largest_knuckle=0.05)
+    plates = hn.plates(half, seam, size=0.5, across_centre=True, largest_knuckle=0.3)
     cap = max((p for p in plates if p.across), key=lambda p: p.centre[2])
     lone = max(
-        (p for p in hn.plates(half, seam, size=0.5, largest_knuckle=0.05)),
+        (p for p in hn.plates(half, seam, size=0.5, largest_knuckle=0.3)),
         key=lambda p: p.centre[2],
     )
     assert cap.area == pytest.approx(2.0 * lone.area, rel=1e-12)
@@ -97,10 +96,6 @@ def test_a_plate_across_the_centre_is_that_of_the_whole_surface():
     x, y = outline[:-1].T
     area = 0.5 * (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
     assert area == pytest.approx(flat.area, rel=2e-3)
-    # As the cap of the whole sphere.
-    seam = hn.HullCurves(whole, 1e-4).in_plane(hn.plane_across("z", 9.5))
-    other = min(hn.plates(whole, seam, size=0.5), key=lambda p: p.area).flat()
-    assert ratio(flat) == pytest.approx(ratio(other), abs=3e-4)
 
 
 def test_keel_plates_of_the_coaster_are_one():
@@ -113,7 +108,7 @@ def test_keel_plates_of_the_coaster_are_one():
     assert len(across) >= 4
     listed = hn.plate_list(across[2:3], thickness=0.01, mirrored=True)
     assert listed[0].name == "P1" and not listed[0].is_pair
-    whole = hn.surface_areas(body.surface).areas.sum()
+    whole = surface_areas(body.surface).areas.sum()
     both = sum(p.area * (1.0 if p.across else 2.0) for p in plates)
     assert both == pytest.approx(2.0 * whole, rel=1e-9)
     plate = across[2]

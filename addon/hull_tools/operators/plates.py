@@ -37,6 +37,7 @@ class HULL_OT_change_plate_list(bpy.types.Operator, HullOperator):
 
     action: EnumProperty(
         name="Action",
+        description="What is done with the list",
         items=(
             ("ADD_RULE", "Add Rule", "One more rule of seams or butts"),
             ("REMOVE_RULE", "Remove Rule", "Without this rule"),

@@ -6,7 +6,7 @@ import bpy
 from ..bridge.objects import hull_objects
 from ..features.exchange import plate_files
 from .conversion import draw_task
-from .shared import HullPanel, label_value, label_wrapped
+from .shared import HullPanel, label_value, label_wrapped, text_field
 
 # So many plates are listed here; files have all.
 _MOST_LISTED = 60
@@ -42,7 +42,7 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
             row.prop(rule, "on", text="")
             row.prop(rule, "kind", text="")
             number = row.row(align=True)
-            number.scale_x = 0.7
+            number.scale_x = 0.85
             number.prop(rule, "line" if rule.kind == "projected" else "value", text="")
             _draw_removal(row, "REMOVE_RULE", index)
         column.operator("hull.change_plate_list", text="Add Rule", icon="ADD").action = "ADD_RULE"
@@ -81,8 +81,7 @@ class HULL_PT_frames(HullPanel, bpy.types.Panel):
             row.prop(each, "spacing", text="m")
             _draw_removal(row, "REMOVE_RANGE", index)
         column.operator("hull.change_plate_list", text="Add Range", icon="ADD").action = "ADD_RANGE"
-        row = self.layout.row()
-        row.prop(settings, "numbered_from", expand=True)
+        text_field(self.layout, settings, "numbered_from")
         self.layout.prop(settings, "in_roman")
 
 

@@ -35,7 +35,7 @@ class HullSeamRule(bpy.types.PropertyGroup):
         default=2.4,
         min=-1000.0,
         max=1000.0,
-        precision=3,
+        precision=2,
     )
     line: PointerProperty(
         name="Line",
