@@ -74,30 +74,6 @@ def test_bilges_have_no_stretch_of_the_elements_own():
     assert 0.125 * curvature * breadth**2 < ratio(flat) - 1.0 < 5e-4
 
 
-def test_a_plate_across_the_centre_is_two_halves():
-    whole = sphere(parts=16)
-    points = np.asarray(whole.mesh.points).reshape(17, 17, 3)
-    half = grid_surface(points[:, 8:])
-    seam = hn.HullCurves(half, 1e-4).in_plane(hn.plane_across("z", 9.5), "edge")
-    plates = hn.plates(half, seam, size=0.5, across_centre=True, largest_knuckle=0.3)
-    cap = max((p for p in plates if p.across), key=lambda p: p.centre[2])
-    lone = max(
-        (p for p in hn.plates(half, seam, size=0.5, largest_knuckle=0.3)),
-        key=lambda p: p.centre[2],
-    )
-    assert cap.area == pytest.approx(2.0 * lone.area, rel=1e-12)
-    assert cap.centre[1] == 0.0 and len(cap.loops) == 1
-    assert cap.box[0][1] == -cap.box[1][1]
-    ((name, line),) = cap.loops[0]
-    assert name == "edge"
-    np.testing.assert_allclose(line[0], line[-1], atol=1e-12)
-    flat = cap.flat()
-    ((_, outline),) = flat.sides
-    x, y = outline[:-1].T
-    area = 0.5 * (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
-    assert area == pytest.approx(flat.area, rel=2e-3)
-
-
 def test_keel_plates_of_the_coaster_are_one():
     """From seam to seam, with frames across and areas that sum to both sides."""
     _, body = body_of("coaster")

@@ -87,8 +87,8 @@ class HullPlates(bpy.types.PropertyGroup):
     )
     ranges: CollectionProperty(type=HullFrameRange)
     numbered_from: EnumProperty(
-        name="Numbered from",
-        description="Where frame 0 is",
+        name="Frame 0 at",
+        description="From which perpendicular frames are numbered",
         items=(
             ("AP", "AP", "The after perpendicular, x = 0: numbers rise forward"),
             ("FP", "FP", "The forward perpendicular, x = Lpp: numbers rise aft"),
