@@ -242,6 +242,20 @@ def _with_keel(hull):
         bpy.ops.hull.add_appendage(kind="BULB_KEEL")
 
 
+def _with_plates(hull):
+    """Broad strakes and a keel strake, laid out; frames in two ranges."""
+    settings = hull.hull.plates
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.suggest_seams()
+        settings.rules[0].value, settings.rules[1].value = 3.0, 20.0
+        bpy.ops.hull.change_plate_list(action="ADD_RULE")
+        settings.rules[2].kind, settings.rules[2].value = "from_centre", 1.2
+        for last, spacing in ((10, 0.55), (140, 0.65)):
+            bpy.ops.hull.change_plate_list(action="ADD_RANGE")
+            settings.ranges[-1].last, settings.ranges[-1].spacing = last, spacing
+        bpy.ops.hull.lay_out_plates()
+
+
 PANELS = {
     "panels/appendages": PanelShot(hull_panels("appendages"), _with_keel),
     "panels/hull": PanelShot(hull_panels("hull", "check")),
@@ -271,6 +285,7 @@ PANELS = {
     "panels/fair": PanelShot(
         hull_panels("fair", "fair_rows"), _with_dent_faired, in_edit_mode=True
     ),
+    "panels/plates": PanelShot(hull_panels("plates", "frames"), _with_plates),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "marks", "knuckles", "reflections"), _with_combs

@@ -35,29 +35,43 @@ struct OneFlatPlate {
   FlatPlate flat;
 };
 
+// Sides as pairs of name and points; a butt of both sides of the ship is one.
+template <class Point>
+py::list named_sides(const OnePlate& one, const std::vector<production::PlateSide>& loop,
+                     std::vector<std::vector<Point>> lines) {
+  std::vector<std::pair<std::string, std::vector<Point>>> joined;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const bool goes_on =
+        i > 0 && loop[i].mirrored && !loop[i - 1].mirrored && loop[i].curve == loop[i - 1].curve;
+    if (!goes_on) joined.emplace_back(one.name_of(loop[i].curve), std::vector<Point>());
+    auto& line = joined.back().second;
+    line.insert(line.end(), lines[i].begin() + (goes_on ? 1 : 0), lines[i].end());
+  }
+  if (joined.size() > 1 && loop.back().mirrored && loop.back().curve == loop.front().curve) {
+    auto& first = joined.front().second;
+    first.insert(first.begin(), joined.back().second.begin(), joined.back().second.end() - 1);
+    joined.pop_back();
+  }
+  py::list sides;
+  for (const auto& [name, line] : joined) sides.append(py::make_tuple(name, to_array(line)));
+  return sides;
+}
+
 py::list plate_sides(const OnePlate& one) {
   py::list loops;
-  const auto& points = one.plating->shell->mesh.points;
   for (const auto& loop : one.plate().loops) {
-    py::list sides;
+    std::vector<std::vector<Vector3d>> lines;
     for (const production::PlateSide& side : loop) {
-      std::vector<Vector3d> line;
-      for (const int p : side.points) line.push_back(points[p]);
-      sides.append(py::make_tuple(one.name_of(side.curve), to_array(line)));
+      lines.push_back(production::side_points(*one.plating->shell, side));
     }
-    loops.append(sides);
+    loops.append(named_sides(one, loop, std::move(lines)));
   }
   return loops;
 }
 
 py::list flat_plate_sides(const OneFlatPlate& one) {
-  py::list result;
-  const auto& loop = one.of.plate().loops.front();
-  const auto sides = production::flat_sides(one.flat, one.of.plate()).front();
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    result.append(py::make_tuple(one.of.name_of(loop[i].curve), to_array(sides[i])));
-  }
-  return result;
+  return named_sides(one.of, one.of.plate().loops.front(),
+                     production::flat_sides(one.flat, one.of.plate()).front());
 }
 
 py::list marks_of(const OneFlatPlate& one, const SurfaceCurve& curve) {
@@ -120,11 +134,20 @@ void bind_flat_plate(py::module_& module) {
             for (const auto& e : one.flat.mesh.elements) {
               rows.push_back({e.nodes[0], e.nodes[1], e.nodes[2]});
             }
+            const int n = one.flat.mesh.node_count;
+            for (std::size_t i = 0; one.flat.axis && i < one.flat.mesh.elements.size(); ++i) {
+              rows.push_back({rows[i][1] + n, rows[i][0] + n, rows[i][2] + n});
+            }
             return rows_of(rows);
           },
           "(k, 3) points.")
       .def_property_readonly(
-          "stretches", [](const OneFlatPlate& one) { return to_array(one.flat.stretches); },
+          "stretches",
+          [](const OneFlatPlate& one) {
+            std::vector<Eigen::Vector2d> all = one.flat.stretches;
+            if (one.flat.axis) all.insert(all.end(), all.begin(), all.end());
+            return to_array(all);
+          },
           "(k, 2) in the middles of triangles: the principal stretches, smaller first.")
       .def_property_readonly(
           "rolling_angle", [](const OneFlatPlate& one) { return one.flat.rolling_angle; },
@@ -136,8 +159,12 @@ void bind_flat_plate(py::module_& module) {
           "iterations", [](const OneFlatPlate& one) { return one.flat.iterations; },
           "Steps to the least energy.")
       .def_property_readonly(
+          "stretch_error", [](const OneFlatPlate& one) { return one.flat.stretch_error; },
+          "How far the least and largest stretch may be off, by how they changed as the map's "
+          "cells were halved.")
+      .def_property_readonly(
           "converged", [](const OneFlatPlate& one) { return one.flat.converged; },
-          "Whether they went to rounding.")
+          "Whether the energy is the least to rounding, and stretch_error below 0.0005.")
       .def("marks", &marks_of, py::arg("curve"),
            "The parts of a SurfaceCurve on the plate: a list of pairs, points on the flat plate "
            "(k, 2) and the same on the hull (k, 3), m.")
@@ -149,6 +176,9 @@ void bind_flat_plate(py::module_& module) {
 void bind_plate(py::module_& module) {
   py::class_<OnePlate>(module, "Plate", "A region of the exact surface between seams and butts.")
       .def_readonly("number", &OnePlate::number, "In its Plating, from aft forward.")
+      .def_property_readonly(
+          "across", [](const OnePlate& one) { return one.plate().across; },
+          "Whether it goes on to the other side of the centre plane: all is of both sides then.")
       .def_property_readonly(
           "area", [](const OnePlate& one) { return one.plate().area; }, "m², of the exact surface.")
       .def_property_readonly(
@@ -171,7 +201,7 @@ void bind_plate(py::module_& module) {
           py::arg("poisson") = 0.3, py::call_guard<py::gil_scoped_release>(),
           "The FlatPlate: developed where the surface is developable, otherwise by the least "
           "energy of strain of an elastic sheet with Poisson's ratio. ValueError for a plate with "
-          "a hole or closed around the hull, and for a ratio outside of [0, 0.5].");
+          "a hole, closed around the hull or bent far round, and for a ratio outside of [0, 0.5].");
 }
 
 }  // namespace
@@ -182,9 +212,11 @@ void bind_plates(py::module_& module) {
   module.def(
       "plates",
       [](const surface::LimitSurface& surface, const std::vector<SurfaceCurve>& curves,
-         std::optional<double> size, double largest_knuckle, const py::object& progress) {
+         std::optional<double> size, double largest_knuckle, bool across_centre,
+         const py::object& progress) {
         const production::PlatingOptions options{size.value_or(0.005 * surface.mesh().size()),
-                                                 largest_knuckle, progress_from(progress)};
+                                                 largest_knuckle, across_centre,
+                                                 progress_from(progress)};
         std::shared_ptr<const Plating> plating;
         {
           const py::gil_scoped_release release;
@@ -197,12 +229,16 @@ void bind_plates(py::module_& module) {
         return all;
       },
       py::arg("surface"), py::arg("curves"), py::kw_only(), py::arg("size") = py::none(),
-      py::arg("largest_knuckle") = kLargestKnuckle, py::arg("progress") = py::none(),
+      py::arg("largest_knuckle") = kLargestKnuckle, py::arg("across_centre") = false,
+      py::arg("progress") = py::none(),
       "The plates of a LimitSurface between curves (SurfaceCurve) and the surface's borders: a "
       "list of Plate, from aft forward. Their areas are those of the exact regions; they sum to "
       "the surface's. size: of the triangles by which plates are laid out, m; by default 0.005 of "
       "the mesh's size. largest_knuckle (rad; default 0.5°): what a plate may bend by along a "
-      "line. progress: called with the share done; what it raises ends the task. ValueError for a "
+      "line. across_centre: of half a hull, plates that end in the centre plane without a knuckle, "
+      "and "
+      "face up, down or along the ship, are one with their mirror image. progress: called with the "
+      "share done; what it raises ends the task. ValueError for a "
       "plate over a knuckle, and for a curve with the same plate on both sides, as one that ends "
       "within a plate.");
 }

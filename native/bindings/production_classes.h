@@ -10,6 +10,7 @@ void bind_wetted_panels(pybind11::module_& module);
 void bind_closed_models(pybind11::module_& module);
 void bind_model_parts(pybind11::module_& module);
 void bind_developable(pybind11::module_& module);
+void bind_developable_rows(pybind11::module_& module);
 void bind_hull_curves(pybind11::module_& module);
 void bind_plates(pybind11::module_& module);
 

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_production, module) {
   bind_closed_models(module);
   bind_model_parts(module);
   bind_developable(module);
+  bind_developable_rows(module);
   bind_hull_curves(module);
   bind_plates(module);
   refuse_unmade_instances(module);

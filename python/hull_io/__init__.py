@@ -10,6 +10,7 @@ from .freeship_writing import write_freeship
 from .hull_data import (
     LINE_KINDS,
     CutPlane,
+    Developable,
     FieldEnd,
     Flat,
     HullData,
@@ -55,6 +56,7 @@ __all__ = [
     "AreaTarget",
     "CutPlane",
     "FieldEnd",
+    "Developable",
     "Flat",
     "FreeDimension",
     "HullData",

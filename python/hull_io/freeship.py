@@ -34,6 +34,7 @@ class StoredLayer:
     colour: int
     symmetric: bool
     in_hydrostatics: bool
+    developable: bool = False
 
 
 @dataclass
@@ -208,9 +209,9 @@ def _layers(cursor, version):
     for index in range(cursor.count("layers", layout)):
         cursor.element = f"layer {index}"
         name = cursor.text()
-        _, colour, _, symmetric, _, *rest = cursor.record(layout)
+        _, colour, _, symmetric, developable, *rest = cursor.record(layout)
         in_hydrostatics = rest[1] if version >= 180 else True
-        layers.append(StoredLayer(name.strip(), colour, symmetric, in_hydrostatics))
+        layers.append(StoredLayer(name.strip(), colour, symmetric, in_hydrostatics, developable))
     cursor.element = "the active layer"
     cursor.record("i")
     return layers

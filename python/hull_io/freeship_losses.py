@@ -78,6 +78,7 @@ def _not_kept(data):
         ("the depth", data.particulars.depth),
         ("the marked deck edge", data.deck_edge),
         ("flats", data.flats),
+        ("developable regions", data.developables),
         ("points kept in planes", data.kept != Kept()),
         ("tied points", data.ties),
         ("groups of points", data.groups),

@@ -8,6 +8,7 @@ import numpy as np
 
 from .cleanup import clean_faces, creases_of_faces, listed
 from .hull_data import HullData, Layer, Particulars, shell_face_indices
+from .hull_developables import between_knuckles
 from .limits import LONGEST_DIMENSION
 from .mending import mend
 from .mirror import mirror_faces, put_on_centre_plane
@@ -61,6 +62,9 @@ def hull_from_model(model, source):
     )
     _settle_symmetry(data, [layer.symmetric for layer in model.layers])
     mend(data)
+    flagged = {index for index, layer in enumerate(model.layers) if layer.developable}
+    of_layers = [face for face, layer in enumerate(data.face_layers) if layer in flagged]
+    data.developables = between_knuckles(data, of_layers)
     _settle_draft(data, model.levels)
     return data
 

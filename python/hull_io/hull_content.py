@@ -4,6 +4,7 @@
 import numpy as np
 
 from . import (
+    hull_developables,
     hull_flats,
     hull_lines,
     hull_loading,
@@ -29,6 +30,7 @@ OPTIONAL = (
     "scheme",
     "deck_edge",
     hull_flats.KEY,
+    hull_developables.KEY,
     *hull_points.KEYS,
     *hull_ties.KEYS,
     hull_lines.KEY,
@@ -61,6 +63,7 @@ def parsed(check, content, name):
         scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
         flats=hull_flats.parsed(check, content, len(faces)),
+        developables=hull_developables.parsed(check, content, len(faces)),
         **hull_points.parsed(check, content, len(points)),
         **hull_ties.parsed(check, content, len(points)),
         lines=hull_lines.parsed(check, content),
@@ -193,6 +196,7 @@ def entries(data):
         "scheme": data.scheme,
         "deck_edge": [[int(a), int(b)] for a, b in data.deck_edge],
         **hull_flats.entries(data),
+        **hull_developables.entries(data),
         **hull_points.entries(data),
         **hull_ties.entries(data),
         **hull_lines.entries(data),

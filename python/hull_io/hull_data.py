@@ -58,6 +58,18 @@ class Flat:
     offset: float
 
 
+@dataclass
+class Developable:
+    """Faces, by index, between two knuckles, that are a developable region: warp, the most of any
+    ruling in degrees per metre; distance, how far the knuckles may move for it, m; keep, whether
+    they do so while points are moved."""
+
+    faces: list
+    warp: float = 1.0
+    distance: float = 0.05
+    keep: bool = True
+
+
 # The planes that points are kept in, as hull files name them, across x, y and z.
 KEPT_IN = ("stations", "buttocks", "waterlines")
 
@@ -173,7 +185,8 @@ class HullData:
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
-    creases, the edges that are marked so. flats: Flat, no face in two. locked: point indices that
+    creases, the edges that are marked so. flats: Flat, no face in two. developables:
+    Developable, no face in two. locked: point indices that
     tools do not move; kept: those that they move in a plane only; ties: Tie, one a point; groups:
     PointGroup. lines: a LineChoice, None where
     the file does not say. targets: wanted.Targets; area_target: a wanted.AreaTarget, None without
@@ -195,6 +208,7 @@ class HullData:
     scheme: str = "biermann"
     deck_edge: list = field(default_factory=list)
     flats: list = field(default_factory=list)
+    developables: list = field(default_factory=list)
     locked: list = field(default_factory=list)
     kept: Kept = field(default_factory=Kept)
     ties: list = field(default_factory=list)

@@ -2,6 +2,8 @@
 """The shell's plates written in Blender."""
 
 import csv
+import resource
+import signal
 
 import bpy
 import pytest
@@ -26,7 +28,9 @@ def test_the_list_has_the_hull_s_area(tmp_path):
     hull_native = part("bridge.native").require()
     whole = hull_native.surface_areas(surface).areas.sum()
     # Seven digits of each.
-    assert sum(float(row["area_m2"]) for row in rows) == pytest.approx(whole, rel=1e-6)
+    both = sum(float(row["area_m2"]) * int(row["pieces"]) for row in rows)
+    assert both == pytest.approx(2.0 * whole, rel=1e-6)
+    assert {row["pieces"] for row in rows} == {"1", "2"}
 
 
 def test_too_many_plates_are_one_sentence(tmp_path, monkeypatch):
@@ -35,3 +39,75 @@ def test_too_many_plates_are_one_sentence(tmp_path, monkeypatch):
     with pytest.raises(RuntimeError, match="ask for larger ones"):
         bpy.ops.hull.export_plates(filepath=str(tmp_path / "plates.csv"))
     assert not list(tmp_path.iterdir())
+
+
+def test_plates_by_the_panel_s_rules(tmp_path):
+    hull = sample("coaster")
+    assert bpy.ops.hull.suggest_seams() == {"FINISHED"}
+    rules = hull.hull.plates.rules
+    rules[0].value, rules[1].value = 3.0, 20.0
+    bpy.ops.hull.change_plate_list(action="ADD_RULE")
+    rules[2].kind, rules[2].value = "station", 30.0
+    hull.hull.plates.thickness = 12.0
+    assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
+    report, is_current = part("features.exchange.plate_files").last_plates(hull)
+    assert is_current
+    surface = part("features.hull.hull_state").state_of(hull).ship.surface
+    whole = 2.0 * part("bridge.native").require().surface_areas(surface).areas.sum()
+    assert report.mass_t == pytest.approx(whole * 0.012 * 7.85, rel=1e-9)
+    assert not any(row["x_from_m"] < 29.99 and row["x_to_m"] > 30.01 for row in report.rows)
+    bpy.ops.hull.change_plate_list(action="REMOVE_RULE", index=2)
+    assert len(rules) == 2
+    # The hull changes: the list says that it is of the one before.
+    hull.data.vertices[0].co.x += 0.01
+    hull.data.update()
+    bpy.context.view_layer.update()
+    assert not part("features.exchange.plate_files").last_plates(hull)[1]
+
+
+def test_frames_by_ranges_from_fp():
+    hull = sample("coaster")
+    settings = hull.hull.plates
+    settings.first_frame, settings.numbered_from, settings.in_roman = -3, "FP", True
+    for last, spacing in ((10, 0.5), (100, 0.6)):
+        bpy.ops.hull.change_plate_list(action="ADD_RANGE")
+        settings.ranges[-1].last, settings.ranges[-1].spacing = last, spacing
+    rules = part("features.exchange.plate_rules")
+    table = rules.frame_table(hull, bpy.context.scene)
+    assert table.position(0) == pytest.approx(hull.hull.length_pp)
+    assert table.position(11) == pytest.approx(hull.hull.length_pp - 10 * 0.5 - 0.6, abs=1e-5)
+    assert table.names[3 + 9] == "IX"
+
+
+@pytest.mark.parametrize(
+    "kind, value, told",
+    [("waterline", 500.0, "Nothing of the hull is met by the rule"),
+     ("strakes", 500.0, "narrower than"),
+     ("strakes", 0.0, "above 0 m"),
+     ("projected", 0.0, "has no line")],
+)  # fmt: skip
+def test_rules_that_make_no_seam_are_one_sentence(kind, value, told):
+    hull = sample("coaster")
+    bpy.ops.hull.change_plate_list(action="ADD_RULE")
+    hull.hull.plates.rules[0].kind, hull.hull.plates.rules[0].value = kind, value
+    with pytest.raises(RuntimeError, match=told):
+        bpy.ops.hull.lay_out_plates()
+    assert part("features.exchange.plate_files").last_plates(hull)[0] is None
+
+
+@pytest.mark.parametrize("ending", ["pdf", "dxf", "csv"])
+def test_a_full_disk_leaves_nothing(ending, tmp_path):
+    """No more than 2,000 bytes can be written: that is told, and the file is as it was."""
+    sample("coaster")
+    path = tmp_path / f"plates.{ending}"
+    path.write_text("as it was")
+    limit = resource.getrlimit(resource.RLIMIT_FSIZE)
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, limit[1]))
+    try:
+        with pytest.raises(RuntimeError, match="plates"):
+            bpy.ops.hull.export_plates(filepath=str(path), plate_length=30.0, strake=4.0)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limit)
+    assert path.read_text() == "as it was"
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]

@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import EnumProperty, FloatProperty, StringProperty
 
+from ..bridge.objects import hull_objects
 from ..features.exchange import plate_files
 from .export_hull import ExportByTask, ExportDrawing
 
@@ -23,8 +24,8 @@ class ExportWithNumbers(ExportDrawing, ExportByTask):
 
 
 class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
-    """Divide the half hull's shell into plates by seams at girths from the deck edge and staggered
-    butts, lay them out flat, and write them: drawings with frames, or the list with weights"""
+    """Divide the half hull's shell into plates by the rules under Plates, or else by strakes from
+    the deck edge and staggered butts, lay them out flat, and write drawings, or the list"""
 
     bl_idname = "hull.export_plates"
     bl_label = "Export Plates"
@@ -73,14 +74,26 @@ class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
     def numbers(self):
         return ("strake", "plate_length", "thickness", "frame_spacing")
 
+    def draw(self, context):
+        if not hull_objects.hull_of(context.object).hull.plates.rules:
+            super().draw(context)
+            return
+        ExportDrawing.draw(self, context)
+        self.layout.label(text="Seams, thickness and frames: panel Plates")
+
+    def outcome(self, result, scene):
+        return f"{self.bl_label}: {result.text}", bool(result.unsettled)
+
     def begin(self, hull, scene):
+        settings = hull.hull.plates
+        has_own = settings.rules and not self.properties.is_property_set("thickness")
         return plate_files.PlateFile(
             hull,
             scene,
             self.filepath,
             strake=self.strake,
             plate_length=self.plate_length,
-            thickness=self.thickness / 1000.0,
+            thickness=(settings.thickness if has_own else self.thickness) / 1000.0,
             frame_spacing=self.frame_spacing,
         )
 

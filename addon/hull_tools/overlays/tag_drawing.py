@@ -10,6 +10,7 @@ from mathutils import Vector
 from ..bridge.blender import preferences
 from ..bridge.mesh import mesh_check, selection
 from ..features.hull import tags
+from ..features.modelling import developable_making
 from . import label_places, tag_arrays
 
 # Of each kind of points: its switch, colour, outline, and radius and width of the outline in dots
@@ -35,6 +36,7 @@ _ROOM, _SMALLEST, _LEGIBLE = 26.0, 0.5, 0.7
 # Of tagged edges, and farther out of those with problems and of the rim of what is kept flat.
 _RAIL_DISTANCE, _RAIL_WIDTH, _USUAL_WIDTH = 2.6, 1.8, 3.0
 _OUTER, _FINE = 2.0, 0.6  # times the distance, times the width
+_WITHIN = 1.0005  # of what rulings' warp may be: it is known to rounding
 _HALO, _HALO_WIDTH = (1.0, 1.0, 1.0), 1.6  # around marks and numbers, wider by so much
 
 
@@ -71,6 +73,12 @@ def drawing_of(hull, state, scene, picture):
     if settings.show_flats:
         for faces in tags.flat_faces(hull, known):
             pen.draw_flat(faces, colours["flat"])
+    if settings.show_developables:
+        for each in developable_making.warps(hull, state):
+            most = _WITHIN * each.region.warp / picture.metres_per_unit
+            over = each.warps > most
+            pen.draw_rulings(each.rulings[~over], colours["flat"])
+            pen.draw_rulings(each.rulings[over], colours["problem"])
     if settings.show_odd_faces:
         pen.draw_odd_faces(known.odd_face_vertices, colours["odd_face"])
     for kind, edges in known.edges.items():
@@ -155,6 +163,13 @@ class _Pen:
         """Faces, arrays of points, with the rim of all of them."""
         faces = self._fill(faces, colour)
         self.draw_edges(tag_arrays.rim(faces), colour, outwards=_OUTER, width=_FINE)
+
+    def draw_rulings(self, rulings, colour):
+        """Segments (k, 2, 3), m."""
+        clip = tag_arrays.in_clip(rulings.reshape(-1, 3), self._picture.to_clip)
+        ends = np.arange(2 * len(rulings)).reshape(-1, 2)
+        places = tag_arrays.segments(clip, ends)
+        self._draw_lines(colour, _FINE * _RAIL_WIDTH * self._rail, places.reshape(-1, 3))
 
     def draw_problem(self, bm, problem, colour):
         """Of a mesh_check.Problem; not the faces of mere warnings, which may be all there are."""

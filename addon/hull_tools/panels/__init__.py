@@ -20,6 +20,7 @@ from . import (
     lines_plan,
     morph,
     networks,
+    plates,
     production,
     pull,
     resistance,
@@ -67,6 +68,7 @@ _CLASSES = (
     *lines_plan.CLASSES,
     *production.CLASSES,
     *export.CLASSES,
+    *plates.CLASSES,
     *studio.CLASSES,
 )
 

@@ -3,10 +3,12 @@
 
 import bpy
 
+from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.constraints import flats
-from ..features.modelling import flat_making
-from .shared import HullPanel, label_value
+from ..features.hull import hull_state
+from ..features.modelling import developable_making, flat_making
+from .shared import HullPanel, label_value, label_wrapped
 
 _KINDS = {
     "SIDE": "Flat side",
@@ -25,6 +27,7 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
 
     def draw(self, context):
         self._draw_flats(context)
+        self._draw_developables(context)
         self._draw_points()
 
     def _draw_flats(self, context):
@@ -48,6 +51,28 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.operator("hull.select_flat", text="Select")
         row.operator("hull.release_flat", text="Release")
+
+    def _draw_developables(self, context):
+        layout = self.layout
+        layout.operator("hull.make_developable", icon="MOD_SIMPLEDEFORM")
+        hull = hull_objects.hull_of(context.object)
+        found = developable_making.warps(hull, hull_state.state_of(hull))
+        if not found:
+            return
+        column = layout.column(align=True)
+        for each in found:
+            count = len(each.region.faces)
+            name = f"Developable, {count} face{'s' if count > 1 else ''}"
+            if each.problem:
+                column.label(text=name, icon="ERROR")
+                label_wrapped(column, context, each.problem)
+                continue
+            most = each.region.warp / units.metres_per_unit(context.scene)
+            is_over = each.warp > 1.0005 * most
+            row = column.row()
+            row.alert = is_over
+            label_value(row, name, f"{each.warp:.3g} of {most:.3g}°/m")
+        layout.operator("hull.release_developable", text="Release Developable")
 
     def _draw_points(self):
         layout = self.layout

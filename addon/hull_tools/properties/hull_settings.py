@@ -19,6 +19,7 @@ from . import (
     morph_settings,
     network_settings,
     output_settings,
+    plate_settings,
     production_settings,
     ship_settings,
     studio_settings,
@@ -72,6 +73,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
     model: PointerProperty(type=production_settings.HullModel)
     panel_mesh: PointerProperty(type=production_settings.HullPanelMesh)
     export: PointerProperty(type=export_settings.HullExport)
+    plates: PointerProperty(type=plate_settings.HullPlates)
     studio: PointerProperty(type=studio_settings.HullStudio)
     fit: PointerProperty(type=fit_settings.HullFit)
     targets: PointerProperty(type=target_settings.HullTargets)
@@ -87,6 +89,7 @@ class HullSettings(ship_settings.ShipSettings, bpy.types.PropertyGroup):
 CLASSES = (
     *ship_settings.CLASSES,
     *tag_settings.CLASSES,
+    *plate_settings.CLASSES,
     *fairness_settings.CLASSES,
     *field_settings.CLASSES,
     *fit_settings.CLASSES,

@@ -16,6 +16,7 @@ from bpy.props import (
 from ..bridge import limits
 from ..bridge.blender import preferences
 from . import (
+    developable_settings,
     flat_settings,
     line_settings,
     resistance_settings,
@@ -102,6 +103,7 @@ class ShipSettings:
     )
     layers: CollectionProperty(type=HullLayer)
     flats: CollectionProperty(type=flat_settings.HullFlat)
+    developables: CollectionProperty(type=developable_settings.HullDevelopable)
     lines: PointerProperty(type=line_settings.HullLines)
     loading: PointerProperty(type=stability_settings.HullLoading)
     weights: PointerProperty(type=weight_settings.HullWeights)
@@ -110,6 +112,7 @@ class ShipSettings:
 
 
 CLASSES = (
+    *developable_settings.CLASSES,
     *flat_settings.CLASSES,
     *line_settings.CLASSES,
     *stability_settings.CLASSES,

@@ -29,6 +29,9 @@ class HullTags(bpy.types.PropertyGroup):
     )
     show_odd_faces: _shown("Not quads", "Faces that have not four corners, with their number")
     show_flats: _shown("Kept flat", "Faces that are tagged to stay in a plane")
+    show_developables: _shown(
+        "Rulings", "Straight rulings of developable regions: red where they have too much warp"
+    )
     show_locked: _shown("Locked points", "Points that stay when the surface is pulled")
     show_kept: _shown(
         "Kept points",

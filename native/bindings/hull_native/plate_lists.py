@@ -8,6 +8,8 @@ from .csv_rows import csv_text
 
 # t/m³
 STEEL = 7.85
+# Of names of plates of which there is one on each side.
+PAIR = " P/S"
 
 
 @dataclass(frozen=True)
@@ -26,6 +28,11 @@ class ListedPlate:
         return self.plate.area * self.thickness * self.density
 
     @property
+    def is_pair(self):
+        """Whether it stands for a plate of each side."""
+        return self.name.endswith(PAIR)
+
+    @property
     def extents(self):
         """(length, breadth) of the least rectangle around the flat plate, m."""
         return tuple(float(e) for e in self.flat.points.max(axis=0))
@@ -37,8 +44,9 @@ def plate_list(
     """ListedPlates of plates, laid out: those of plates(), with one thickness (m) or one each.
 
     names: one each; by default P1, P2 … from aft. mirrored: the plates are the port half's, and
-    names say so. density: t/m³. progress: called with the share done; what it raises ends the
-    work. ValueError for a thickness or a density that is not above 0, and where counts differ.
+    names say so, but of those across the centre plane. density: t/m³. progress: called with the
+    share done; what it raises ends the work. ValueError for a thickness or a density that is not
+    above 0, and where counts differ.
     """
     plates = list(plates)
     thicknesses = list(thickness) if hasattr(thickness, "__len__") else [thickness] * len(plates)
@@ -56,7 +64,8 @@ def plate_list(
     for k, plate in enumerate(plates):
         if progress:
             progress(k / len(plates))
-        name = f"{names[k]} P/S" if mirrored else names[k]
+        is_pair = mirrored and not plate.across
+        name = names[k] + PAIR if is_pair else names[k]
         listed.append(ListedPlate(name, plate, thicknesses[k], plate.flat(poisson), density))
     return listed
 
@@ -83,12 +92,14 @@ def plate_rows(listed):
                 "area_m2": one.plate.area,
                 "flat_area_m2": flat.area,
                 "mass_kg": 1000.0 * one.mass_t,
+                "pieces": 2 if one.is_pair else 1,
                 "length_m": length,
                 "breadth_m": breadth,
                 "of_rectangle": flat.area / (length * breadth),
                 "form": form_of(flat),
                 "least_stretch": least,
                 "largest_stretch": largest,
+                "stretch_error": flat.stretch_error,
                 "rolling_radius_m": flat.rolling_radius,
                 "roll_from_length_deg": degrees(flat.rolling_angle),
                 "x_from_m": float(low[0]),

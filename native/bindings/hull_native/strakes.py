@@ -46,7 +46,8 @@ def shell_seams(surface, *, strake, plate_length, tolerance=None):
     return curves, seams + _butts(curves, seams, surface, strake, plate_length)
 
 
-def _length(curve):
+def length_of_curve(curve):
+    """Of a SurfaceCurve by its chords, m."""
     return float(np.linalg.norm(np.diff(curve.points, axis=0), axis=1).sum())
 
 
@@ -90,5 +91,5 @@ def _butts(curves, seams, surface, strake, plate_length):
                 pieces = curves.pieces(curve, seams)
                 pieces.sort(key=lambda c: -c.points[:, 2].max())
                 # Not across the tips of strakes.
-                made += [p for p in pieces[row::2] if _length(p) > _SHORTEST_BUTT * strake]
+                made += [p for p in pieces[row::2] if length_of_curve(p) > _SHORTEST_BUTT * strake]
     return made

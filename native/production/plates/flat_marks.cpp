@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "production/plates/across_centre.h"
 #include "production/plates/flat_plate.h"
 
 namespace hull::production {
@@ -12,8 +13,8 @@ namespace {
 
 constexpr double kInTriangle = 1e-9;  // of barycentric coordinates
 
-// A developed plate rolls each place from the nearest corner of its triangle; a stretched one takes
-// it from its element.
+// A developed plate rolls each place from the nearest corner of its triangle; a stretched one has a
+// map of all places.
 Vector2d laid(const FlatPlate& flat, const PlateMesh::Element& element, const Vector2d& uv) {
   const ShellTriangle& t = flat.mesh.triangle(element);
   const Eigen::Vector3d b = barycentric(t, uv);
@@ -24,10 +25,8 @@ Vector2d laid(const FlatPlate& flat, const PlateMesh::Element& element, const Ve
     if ((uv - t.uv[nearest]).norm() <= 1e-14) return frame.at;
     return rolled(flat.mesh.shell->surface, {t.cell, t.uv[nearest], uv}, frame).at;
   }
-  const ElementValues values = element_values(b);
-  Vector2d at = Vector2d::Zero();
-  for (int k = 0; k < 6; ++k) at += values[k] * flat.nodes[element.nodes[k]];
-  return at;
+  const Vector3d p = flat.mesh.shell->surface.position(t.cell, uv.x(), uv.y());
+  return flat.turn * flat.map->place(p) + flat.shift;
 }
 
 // The part [begin, end] of a step within a triangle.
@@ -87,6 +86,39 @@ void append(const FlatPlate& flat, const CurveStep& step, const Inside& part, do
   marks.back().on_hull.push_back(surface.position(step.cell, end.x(), end.y()));
 }
 
+// Marks with their mirror images; where one ends in the centre plane both are one mark.
+std::vector<FlatMark> with_mirror_images(const FlatPlate& flat,
+                                         const std::vector<FlatMark>& marks) {
+  const surface::LimitSurface& surface = flat.mesh.shell->surface;
+  std::vector<FlatMark> all;
+  for (FlatMark mark : marks) {
+    const auto turn_round = [](FlatMark& m) {
+      std::reverse(m.points.begin(), m.points.end());
+      std::reverse(m.on_hull.begin(), m.on_hull.end());
+    };
+    const bool ends = is_central(surface, mark.on_hull.back());
+    const bool begins = is_central(surface, mark.on_hull.front());
+    if (begins && ends) {  // along the centre plane
+      all.push_back(std::move(mark));
+      continue;
+    }
+    if (begins) turn_round(mark);
+    FlatMark other = mark;
+    for (Vector2d& p : other.points) p = flat.axis->mirrored(p);
+    for (Vector3d& p : other.on_hull) p.y() *= -1.0;
+    turn_round(other);
+    if (!begins && !ends) {
+      all.push_back(std::move(mark));
+      all.push_back(std::move(other));
+      continue;
+    }
+    mark.points.insert(mark.points.end(), other.points.begin() + 1, other.points.end());
+    mark.on_hull.insert(mark.on_hull.end(), other.on_hull.begin() + 1, other.on_hull.end());
+    all.push_back(std::move(mark));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::vector<std::vector<Vector2d>>> flat_sides(const FlatPlate& flat,
@@ -96,12 +128,13 @@ std::vector<std::vector<std::vector<Vector2d>>> flat_sides(const FlatPlate& flat
     auto& sides = loops.emplace_back();
     for (const PlateSide& side : loop) {
       auto& points = sides.emplace_back();
+      const int before = side.mirrored ? flat.mesh.node_count : 0;
       for (std::size_t i = 0; i < side.points.size(); ++i) {
         if (i > 0) {
           const auto key = ShellMesh::pair_key(side.points[i - 1], side.points[i]);
-          points.push_back(flat.nodes[flat.mesh.middle_of_side.at(key)]);
+          points.push_back(flat.nodes[before + flat.mesh.middle_of_side.at(key)]);
         }
-        points.push_back(flat.nodes[flat.mesh.node_of_point.at(side.points[i])]);
+        points.push_back(flat.nodes[before + flat.mesh.node_of_point.at(side.points[i])]);
       }
     }
   }
@@ -118,7 +151,7 @@ std::vector<FlatMark> flat_marks(const FlatPlate& flat, const SurfaceCurve& curv
       if (!parts.empty()) break;
     }
   }
-  return marks;
+  return flat.axis ? with_mirror_images(flat, marks) : marks;
 }
 
 std::optional<Vector2d> flat_place(const FlatPlate& flat, const CellPlace& place) {

@@ -2,15 +2,15 @@
 #include "production/plates/flat_plate.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "production/plates/across_centre.h"
 #include "production/plates/rolled_plate.h"
-#include "production/plates/strain_energy.h"
+#include "production/plates/stretched_plate.h"
 
 namespace hull::production {
 
@@ -42,42 +42,33 @@ void straighten(FlatPlate& flat) {
     }
   }
   if (extent(best).sizes().x() < extent(best).sizes().y()) best += M_PI / 2;
-  const Eigen::Rotation2Dd turn(-best);
-  const Vector2d shift = -extent(best).min();
-  for (Vector2d& p : flat.nodes) p = turn * p + shift;
+  flat.turn = Eigen::Rotation2Dd(-best);
+  flat.shift = -extent(best).min();
+  for (Vector2d& p : flat.nodes) p = flat.turn * p + flat.shift;
   for (PlaneFrame& frame : flat.frames) {
     frame.angle -= best;
-    frame.at = turn * frame.at + shift;
+    frame.at = flat.turn * frame.at + flat.shift;
+  }
+  if (flat.axis) {
+    flat.axis->at = flat.turn * flat.axis->at + flat.shift;
+    flat.axis->along = flat.turn * flat.axis->along;
   }
 }
 
-void measure_stretch(FlatPlate& flat) {
-  const surface::LimitSurface& surface = flat.mesh.shell->surface;
-  flat.least_stretch = std::numeric_limits<double>::infinity();
-  flat.largest_stretch = 0.0;
-  const auto principal = [&](const PlateMesh::Element& element, const Eigen::Vector3d& b) {
-    const auto point = element_point(surface, flat.mesh.triangle(element), b);
-    if (!point) return Vector2d(1.0, 1.0);
-    const Vector2d values = plane_slopes(*point, element, flat.nodes).jacobiSvd().singularValues();
-    return Vector2d(1.0 / values[0], 1.0 / values[1]);
-  };
-  const Eigen::Matrix3d corners = Eigen::Matrix3d::Identity();
-  const double least_height = thin_height(flat.mesh, std::abs(flat.area));
-  for (const PlateMesh::Element& element : flat.mesh.elements) {
-    flat.stretches.push_back(principal(element, kMiddle));
-    if (height_of(flat.mesh, element) < least_height) {
-      flat.stretches.back() = Vector2d(1.0, 1.0);
-      continue;
-    }
-    // In sides' middles and the triangle's own the slopes of quadratic elements are best.
-    for (int k = 0; k < 4; ++k) {
-      const Eigen::Vector3d b =
-          k == 3 ? kMiddle : Eigen::Vector3d(0.5 * (corners.col(k) + corners.col((k + 1) % 3)));
-      const Vector2d stretch = principal(element, b);
-      flat.least_stretch = std::min(flat.least_stretch, stretch[0]);
-      flat.largest_stretch = std::max(flat.largest_stretch, stretch[1]);
-    }
+// How tangents of the surface lie on the plane, in the middle of a triangle.
+Eigen::Matrix2d turn_at(const FlatPlate& flat, const PlateMesh::Element& element,
+                        const PlatePoint& point) {
+  if (flat.map) {
+    const auto svd = flat.map->slopes(point).jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return flat.turn * (svd.matrixU() * svd.matrixV().transpose());
   }
+  const ShellTriangle& t = flat.mesh.triangle(element);
+  const Vector2d middle = (t.uv[0] + t.uv[1] + t.uv[2]) / 3.0;
+  const PlaneFrame frame =
+      rolled(flat.mesh.shell->surface, {t.cell, t.uv[0], middle}, flat.frames[element.nodes[0]]);
+  const double seen =
+      std::atan2(frame.along.dot(point.tangents.col(1)), frame.along.dot(point.tangents.col(0)));
+  return Eigen::Rotation2Dd(frame.angle - seen).toRotationMatrix();
 }
 
 // The mean of the second fundamental form, laid on the plane with the plate.
@@ -86,13 +77,17 @@ void measure_bending(FlatPlate& flat) {
   double area = 0.0;
   for (const PlateMesh::Element& element : flat.mesh.elements) {
     const auto point =
-        element_point(flat.mesh.shell->surface, flat.mesh.triangle(element), kMiddle, true);
+        plate_point(flat.mesh.shell->surface, flat.mesh.triangle(element), kMiddle, true);
     if (!point) continue;
-    const auto svd = plane_slopes(*point, element, flat.nodes)
-                         .jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix2d turn = svd.matrixU() * svd.matrixV().transpose();
+    const Eigen::Matrix2d turn = turn_at(flat, element, *point);
     sum += point->area * turn * point->bending * turn.transpose();
     area += point->area;
+  }
+  if (flat.axis) {
+    const Vector2d& a = flat.axis->along;
+    const Eigen::Matrix2d mirror = 2.0 * a * a.transpose() - Eigen::Matrix2d::Identity();
+    sum += (mirror * sum * mirror).eval();
+    area *= 2.0;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(sum / area);
   const Vector2d values = solver.eigenvalues().cwiseAbs();
@@ -104,20 +99,41 @@ void measure_bending(FlatPlate& flat) {
   flat.rolling_angle = is_plane ? 0.0 : std::atan(axis.y() / axis.x());
 }
 
-// ∫ |det F| dA, exact for the map of elements where that is of quadratic elements.
-double mapped_area(const FlatPlate& flat) {
-  double sum = 0.0;
-  for (const PlateMesh::Element& element : flat.mesh.elements) {
-    // In barycentric coordinates det is a polynomial of degree 2: three points are exact.
-    for (const Eigen::Vector3d& b : {Eigen::Vector3d(0.5, 0.5, 0.0), Eigen::Vector3d(0.0, 0.5, 0.5),
-                                     Eigen::Vector3d(0.5, 0.0, 0.5)}) {
-      const Eigen::Matrix<double, 6, 2> slopes = element_slopes(b);
-      Eigen::Matrix2d f = Eigen::Matrix2d::Zero();
-      for (int k = 0; k < 6; ++k) f += flat.nodes[element.nodes[k]] * slopes.row(k);
-      sum += f.determinant() / 6.0;
-    }
+// The line on which the corners in the centre plane lie; and how far they are off it, at most, m.
+FlatAxis axis_of(const FlatPlate& flat, double& off) {
+  std::vector<Vector2d> central;
+  for (std::size_t i = 0; i < flat.mesh.corners.size(); ++i) {
+    const Vector3d& p = flat.mesh.shell->mesh.points[flat.mesh.corners[i]];
+    if (is_central(flat.mesh.shell->surface, p)) central.push_back(flat.nodes[i]);
   }
-  return sum;
+  const Vector2d first = central.front();
+  const Vector2d last = *std::max_element(
+      central.begin(), central.end(), [&first](const Vector2d& a, const Vector2d& b) {
+        return (a - first).squaredNorm() < (b - first).squaredNorm();
+      });
+  const FlatAxis axis{first, (last - first).normalized()};
+  off = 0.0;
+  for (const Vector2d& p : central) off = std::max(off, 0.5 * (axis.mirrored(p) - p).norm());
+  return axis;
+}
+
+bool develop(FlatPlate& flat, const Plate& plate) {
+  RolledPlate rolled = rolled_plate(flat.mesh, plate.centre);
+  const double most = kDevelopable * std::sqrt(plate.area);
+  if (rolled.gap > most || rolled.turn > kDevelopable) return false;
+  flat.nodes = std::move(rolled.nodes);
+  if (plate.across) {
+    double off = 0.0;
+    flat.axis = axis_of(flat, off);
+    if (off > most) return false;
+  }
+  flat.expansion = Expansion::kDeveloped;
+  flat.frames = std::move(rolled.frames);
+  flat.area = plate.area;
+  flat.least_stretch = flat.largest_stretch = 1.0;
+  flat.stretches.assign(flat.mesh.elements.size(), Vector2d(1.0, 1.0));
+  flat.converged = true;
+  return true;
 }
 
 }  // namespace
@@ -128,28 +144,17 @@ FlatPlate flat_plate(const Plating& plating, const Plate& plate, double poisson)
   }
   FlatPlate flat{};
   flat.mesh = plate_mesh(plating, plate);
-  RolledPlate rolled = rolled_plate(flat.mesh, plate.centre);
-  const double size = std::sqrt(plate.area);
-  if (rolled.gap <= kDevelopable * size && rolled.turn <= kDevelopable) {
-    flat.expansion = Expansion::kDeveloped;
-    flat.nodes = std::move(rolled.nodes);
-    flat.frames = std::move(rolled.frames);
-    flat.converged = true;
-  } else {
-    flat.expansion = Expansion::kStretched;
-    LeastEnergy found = least_energy(flat.mesh, evened(flat.mesh, rolled), poisson);
-    flat.nodes = std::move(found.nodes);
-    flat.iterations = found.iterations;
-    flat.converged = found.converged;
+  if (!develop(flat, plate)) {
+    flat.axis.reset();
+    stretch(flat, plate, poisson);
+    double off = 0.0;
+    if (plate.across) flat.axis = axis_of(flat, off);
+  }
+  if (flat.axis) {
+    const std::size_t own = flat.nodes.size();
+    for (std::size_t i = 0; i < own; ++i) flat.nodes.push_back(flat.axis->mirrored(flat.nodes[i]));
   }
   straighten(flat);
-  flat.area = flat.expansion == Expansion::kDeveloped ? plate.area : mapped_area(flat);
-  if (flat.expansion == Expansion::kDeveloped) {
-    flat.least_stretch = flat.largest_stretch = 1.0;
-    flat.stretches.assign(flat.mesh.elements.size(), Vector2d(1.0, 1.0));
-  } else {
-    measure_stretch(flat);
-  }
   measure_bending(flat);
   return flat;
 }

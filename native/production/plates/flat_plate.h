@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "production/plates/edge_development.h"
 #include "production/plates/plate_mesh.h"
+#include "production/plates/strain_energy.h"
 
 namespace hull::production {
 
@@ -18,16 +21,35 @@ struct FlatMark {
   std::vector<Vector3d> on_hull;        // the same points on the surface
 };
 
+// A line of the plane about which the two halves of a plate across the centre plane are mirror
+// images.
+struct FlatAxis {
+  Eigen::Vector2d at, along;
+  Eigen::Vector2d mirrored(const Eigen::Vector2d& p) const {
+    const Eigen::Vector2d q = p - at;
+    return at + 2.0 * along.dot(q) * along - q;
+  }
+};
+
 // A plate laid out on a plane, as seen from the water, its longer way along x.
 struct FlatPlate {
   Expansion expansion;
   PlateMesh mesh;
-  std::vector<Eigen::Vector2d> nodes;  // of the mesh, m; the box around them begins in (0, 0)
-  std::vector<PlaneFrame> frames;      // of nodes that are corners, where it was developed
-  double area;                         // m²
-  // In the middles of triangles and of their sides, of all directions: length on the hull over
-  // length on the flat plate. Triangles thinner than thin_height() are left out.
+  // Of the mesh, m; the box around them begins in (0, 0). Of a plate across the centre plane those
+  // of the mesh's side, then as many of the other one.
+  std::vector<Eigen::Vector2d> nodes;
+  std::vector<PlaneFrame> frames;  // of nodes that are corners, where it was developed
+  std::optional<SheetMap> map;     // to a plane that is turned and shifted by:
+  Eigen::Rotation2Dd turn{0.0};
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  std::optional<FlatAxis> axis;  // of a plate across the centre plane
+  double area;                   // m²
+  // In triangles' corners, their middles and those of their sides, of all directions: length on the
+  // hull over length on the flat plate.
   double least_stretch, largest_stretch;
+  // How far these may be off, by what halving the splines' cells changed in them: the last change,
+  // or where changes fell by half or more the rest of a geometric series.
+  double stretch_error = 0.0;
   // By triangle, in its middle: the two principal stretches, smaller first.
   std::vector<Eigen::Vector2d> stretches;
   // Direction, from x, about which the plate is bent the most: that in which rolls lie. rad in
@@ -36,6 +58,7 @@ struct FlatPlate {
   // Radius of that bend, m; infinite for a plane. Mean over the plate.
   double rolling_radius;
   int iterations;  // of the least energy
+  // Whether the energy is the least to rounding, and stretch_error below 0.0005.
   bool converged;
 };
 
@@ -46,21 +69,25 @@ struct FlatPlate {
 //   W = ∫ (ε1² + ε2² + 2 ν ε1 ε2 + 2 (1 - ν) ε12²) dA,   ε = RᵀF - I,
 //
 // plane stress with Poisson's ratio ν (Timoshenko and Goodier 1951), F the derivative of the
-// plane's point by lengths on the exact surface and R the nearest rotation, in quadratic elements,
-// by Gauss and Newton's method.
+// plane's point by lengths on the exact surface and R the nearest rotation. The map is of cubic
+// B-splines over a chart of the plate, whose cells are halved until the stretch no longer changes;
+// seams, and the triangles that they leave, only bound what is integrated. By Gauss and Newton's
+// method.
 //
 // Throws std::invalid_argument for a plate that is not a disc: with a hole, or closed around the
-// hull; and for a Poisson's ratio outside of [0, 0.5].
+// hull, or bent so far round that no chart has it; and for a Poisson's ratio outside of [0, 0.5].
 FlatPlate flat_plate(const Plating& plating, const Plate& plate, double poisson = 0.3);
 
 // A plate's sides laid out, by loop and side as Plate::loops; with the points between.
 std::vector<std::vector<std::vector<Eigen::Vector2d>>> flat_sides(const FlatPlate& flat,
                                                                   const Plate& plate);
 
-// The parts of a curve on the surface that lie within the plate.
+// The parts of a curve on the surface that lie within the plate; of a plate across the centre plane
+// their mirror images, too.
 std::vector<FlatMark> flat_marks(const FlatPlate& flat, const SurfaceCurve& curve);
 
-// Where a place of the surface is on the flat plate; none where it is not on the plate.
+// Where a place of the surface is on the flat plate; none where it is not on the plate. Of a plate
+// across the centre plane the surface has one side.
 std::optional<Eigen::Vector2d> flat_place(const FlatPlate& flat, const CellPlace& place);
 
 }  // namespace hull::production

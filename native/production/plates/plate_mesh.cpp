@@ -11,17 +11,58 @@ namespace hull::production {
 
 using Eigen::Vector2d;
 
-double height_of(const PlateMesh& mesh, const PlateMesh::Element& element) {
+namespace {
+
+// Six points, exact for polynomials of degree 4 (Dunavant 1985); weights sum to ½.
+struct PlateRule {
+  std::array<Eigen::Vector3d, 6> at;
+  std::array<double, 6> weights;
+  PlateRule() {
+    const double a = 0.445948490915965, b = 0.091576213509771;
+    const double wa = 0.5 * 0.223381589678011, wb = 0.5 * 0.109951743655322;
+    for (int k = 0; k < 3; ++k) {
+      at[k] = Eigen::Vector3d::Constant(a);
+      at[k][k] = 1.0 - 2.0 * a;
+      at[3 + k] = Eigen::Vector3d::Constant(b);
+      at[3 + k][k] = 1.0 - 2.0 * b;
+      weights[k] = wa;
+      weights[3 + k] = wb;
+    }
+  }
+};
+
+constexpr int kMostTriangleParts = 8;
+
+double longest_side(const PlateMesh& mesh, const PlateMesh::Element& element) {
   const auto& numbers = mesh.triangle(element).points;
-  const auto& points = mesh.shell->mesh.points;
-  const Vector3d a = points[numbers[0]], b = points[numbers[1]], c = points[numbers[2]];
-  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return (b - a).cross(c - a).norm() / longest;
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d& a = mesh.shell->mesh.points[numbers[k]];
+    longest = std::max(longest, (mesh.shell->mesh.points[numbers[(k + 1) % 3]] - a).norm());
+  }
+  return longest;
 }
 
-double thin_height(const PlateMesh& mesh, double area) {
-  return 0.25 * std::sqrt(2.0 * area / static_cast<double>(mesh.elements.size()));
+// The barycentric coordinates of the k² equal parts of a triangle, their corners in columns.
+std::vector<Eigen::Matrix3d> parts_of_triangle(int k) {
+  std::vector<Eigen::Matrix3d> parts;
+  const auto at = [k](int i, int j) -> Eigen::Vector3d {
+    return Eigen::Vector3d(k - i - j, i, j) / static_cast<double>(k);
+  };
+  for (int i = 0; i < k; ++i) {
+    for (int j = 0; i + j < k; ++j) {
+      Eigen::Matrix3d part;
+      part << at(i, j), at(i + 1, j), at(i, j + 1);
+      parts.push_back(part);
+      if (i + j + 1 == k) continue;
+      part << at(i + 1, j), at(i + 1, j + 1), at(i, j + 1);
+      parts.push_back(part);
+    }
+  }
+  return parts;
 }
+
+}  // namespace
 
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate) {
   PlateMesh mesh;
@@ -68,25 +109,8 @@ Eigen::Vector3d barycentric(const ShellTriangle& t, const Vector2d& uv) {
   return {b.x(), b.y(), 1.0 - b.x() - b.y()};
 }
 
-ElementValues element_values(const Eigen::Vector3d& b) {
-  return {b[0] * (2.0 * b[0] - 1.0), b[1] * (2.0 * b[1] - 1.0), b[2] * (2.0 * b[2] - 1.0),
-          4.0 * b[0] * b[1],         4.0 * b[1] * b[2],         4.0 * b[2] * b[0]};
-}
-
-Eigen::Matrix<double, 6, 2> element_slopes(const Eigen::Vector3d& b) {
-  Eigen::Matrix<double, 6, 2> s;
-  s << 4.0 * b[0] - 1.0, 0.0,              //
-      0.0, 4.0 * b[1] - 1.0,               //
-      1.0 - 4.0 * b[2], 1.0 - 4.0 * b[2],  //
-      4.0 * b[1], 4.0 * b[0],              //
-      -4.0 * b[1], 4.0 * (b[2] - b[1]),    //
-      4.0 * (b[2] - b[0]), -4.0 * b[0];
-  return s;
-}
-
-std::optional<ElementPoint> element_point(const surface::LimitSurface& surface,
-                                          const ShellTriangle& t, const Eigen::Vector3d& b,
-                                          bool bending) {
+std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface, const ShellTriangle& t,
+                                      const Eigen::Vector3d& b, bool bending) {
   const Vector2d uv = b[0] * t.uv[0] + b[1] * t.uv[1] + b[2] * t.uv[2];
   const auto jet = surface.evaluate(t.cell, std::clamp(uv.x(), 0.0, 1.0),
                                     std::clamp(uv.y(), 0.0, 1.0), bending ? 2 : 1);
@@ -94,24 +118,49 @@ std::optional<ElementPoint> element_point(const surface::LimitSurface& surface,
   if (!(normal.norm() > 1e-12 * (jet.du.squaredNorm() + jet.dv.squaredNorm()))) {
     return std::nullopt;
   }
-  // Columns: along the first two barycentric coordinates, in (u, v).
-  Eigen::Matrix2d along;
+  Eigen::Matrix2d along;  // columns: along the first two barycentric coordinates, in (u, v)
   along << t.uv[0] - t.uv[2], t.uv[1] - t.uv[2];
-  const Vector3d e1 = jet.du.normalized(), e2 = normal.normalized().cross(e1);
-  Eigen::Matrix2d lengths;  // of (u, v), in the tangents
+  const Vector3d n = normal.normalized(), e1 = jet.du.normalized(), e2 = n.cross(e1);
+  PlatePoint point;
+  point.at = jet.point;
+  point.tangents << e1, e2;
+  point.area = std::abs(along.determinant()) * normal.norm();
+  point.bending.setZero();
+  if (!bending) return point;
+  Eigen::Matrix2d lengths, second;  // of (u, v), in the tangents
   lengths << jet.du.dot(e1), jet.dv.dot(e1), jet.du.dot(e2), jet.dv.dot(e2);
-  const Eigen::Matrix2d per_coordinate = lengths * along;
-  ElementPoint point;
-  point.slopes = element_slopes(b) * per_coordinate.inverse();
-  point.area = std::abs(per_coordinate.determinant());
-  if (bending) {
-    const Vector3d n = normal.normalized();
-    Eigen::Matrix2d second;
-    second << -jet.duu.dot(n), -jet.duv.dot(n), -jet.duv.dot(n), -jet.dvv.dot(n);
-    const Eigen::Matrix2d to_uv = lengths.inverse();
-    point.bending = to_uv.transpose() * second * to_uv;
-  }
+  second << -jet.duu.dot(n), -jet.duv.dot(n), -jet.duv.dot(n), -jet.dvv.dot(n);
+  const Eigen::Matrix2d to_uv = lengths.inverse();
+  point.bending = to_uv.transpose() * second * to_uv;
   return point;
+}
+
+std::vector<PlatePoint> quadrature_points(const PlateMesh& mesh, double size, bool is_mirrored) {
+  static const PlateRule rule;
+  std::vector<PlatePoint> points;
+  for (const PlateMesh::Element& element : mesh.elements) {
+    const auto parts = static_cast<int>(
+        std::clamp(std::ceil(longest_side(mesh, element) / size), 1.0, 1.0 * kMostTriangleParts));
+    for (const Eigen::Matrix3d& part : parts_of_triangle(parts)) {
+      for (std::size_t k = 0; k < rule.at.size(); ++k) {
+        const auto point =
+            plate_point(mesh.shell->surface, mesh.triangle(element), part * rule.at[k]);
+        if (!point) continue;
+        points.push_back(*point);
+        points.back().area *= rule.weights[k] / (parts * parts);
+      }
+    }
+  }
+  if (!is_mirrored) return points;
+  const std::size_t own = points.size();
+  for (std::size_t i = 0; i < own; ++i) {
+    PlatePoint other = points[i];
+    other.at.y() *= -1.0;
+    other.tangents.row(1) *= -1.0;
+    other.tangents.col(1) *= -1.0;  // seen from the water again
+    points.push_back(other);
+  }
+  return points;
 }
 
 }  // namespace hull::production

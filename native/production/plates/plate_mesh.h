@@ -10,7 +10,7 @@
 
 namespace hull::production {
 
-// A plate's triangles with the nodes of quadratic elements: corners, then the middles of sides.
+// A plate's triangles with their nodes: corners, then the middles of sides.
 struct PlateMesh {
   struct Element {
     int triangle;              // of the shell's mesh
@@ -29,35 +29,29 @@ struct PlateMesh {
   }
 };
 
-// Of an element's corners, the height over their longest side, m.
-double height_of(const PlateMesh& mesh, const PlateMesh::Element& element);
-// The height, m, below which an element is thin, a quarter of what the elements of the plate's area
-// have in the mean: curves that pass close to one another, or to corners of cells, leave such.
-// Their strain is rounding for the most part.
-double thin_height(const PlateMesh& mesh, double area);
-
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate);
 
 // In barycentric coordinates of (u, v) in a triangle; they sum to one.
 Eigen::Vector3d barycentric(const ShellTriangle& triangle, const Eigen::Vector2d& uv);
 
-// The six functions of a quadratic element, and their derivatives by the first two barycentric
-// coordinates, the third one being what is left of one.
-using ElementValues = std::array<double, 6>;
-ElementValues element_values(const Eigen::Vector3d& b);
-Eigen::Matrix<double, 6, 2> element_slopes(const Eigen::Vector3d& b);
-
-// The derivatives of the element's functions by lengths along two orthogonal unit tangents of the
-// surface, and the area per area of barycentric coordinates (b0, b1). None where the surface has no
-// tangent plane by its derivatives.
-struct ElementPoint {
-  Eigen::Matrix<double, 6, 2> slopes;  // 1/m
-  double area;                         // m²
+// A place of a plate, with two orthogonal unit tangents there, counter-clockwise seen from the
+// water.
+struct PlatePoint {
+  Vector3d at;
+  Eigen::Matrix<double, 3, 2> tangents;
+  double area;  // per area of barycentric coordinates (b0, b1), or what the point stands for, m²
   // Second fundamental form in these tangents, 1/m; positive where it bulges into the water.
   Eigen::Matrix2d bending;
 };
-std::optional<ElementPoint> element_point(const surface::LimitSurface& surface,
-                                          const ShellTriangle& triangle, const Eigen::Vector3d& b,
-                                          bool bending = false);
+
+// In barycentric coordinates of a triangle; `bending` only if asked for. None where the surface has
+// no tangent plane by its derivatives.
+std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface,
+                                      const ShellTriangle& triangle, const Eigen::Vector3d& b,
+                                      bool bending = false);
+
+// Points for integrals over the plate, six a triangle (Dunavant 1985), of parts of triangles with
+// sides no longer than `size`. `is_mirrored`: and those of the plate's mirror image about y = 0.
+std::vector<PlatePoint> quadrature_points(const PlateMesh& mesh, double size, bool is_mirrored);
 
 }  // namespace hull::production

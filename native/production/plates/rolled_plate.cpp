@@ -2,7 +2,6 @@
 #include "production/plates/rolled_plate.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -107,37 +106,6 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
   }
   for (std::size_t i = 0; i < plate.frames.size(); ++i) plate.nodes[i] = plate.frames[i].at;
   return plate;
-}
-
-std::vector<Vector2d> evened(const PlateMesh& mesh, const RolledPlate& plate) {
-  const surface::LimitSurface& surface = mesh.shell->surface;
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(mesh.node_count, 2);
-  // x(middle) - x(corner) = d.
-  const auto want = [&](int corner, int middle, const Vector2d& d) {
-    entries.emplace_back(corner, corner, 1.0);
-    entries.emplace_back(middle, middle, 1.0);
-    entries.emplace_back(corner, middle, -1.0);
-    entries.emplace_back(middle, corner, -1.0);
-    right.row(middle) += d.transpose();
-    right.row(corner) -= d.transpose();
-  };
-  for (const Way& way : ways_of(mesh)) {
-    for (const bool forward : {true, false}) {
-      const int corner = forward ? way.from : way.to;
-      const CurveStep step = half(forward ? way.step : reversed(way.step));
-      want(corner, way.middle,
-           rolled(surface, step, plate.frames[corner]).at - plate.frames[corner].at);
-    }
-  }
-  entries.emplace_back(0, 0, 1.0);  // where it lies means nothing
-  Eigen::SparseMatrix<double> matrix(mesh.node_count, mesh.node_count);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-  const Eigen::MatrixX2d solved = solver.solve(right);
-  std::vector<Vector2d> nodes;
-  for (int i = 0; i < mesh.node_count; ++i) nodes.emplace_back(solved(i, 0), solved(i, 1));
-  return nodes;
 }
 
 }  // namespace hull::production

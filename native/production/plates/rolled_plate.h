@@ -17,8 +17,4 @@ struct RolledPlate {
 
 RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle);
 
-// Nodes for which the sides, as rolled from their ends, are met in the mean: a start for the least
-// energy.
-std::vector<Eigen::Vector2d> evened(const PlateMesh& mesh, const RolledPlate& rolled);
-
 }  // namespace hull::production

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "production/plates/across_centre.h"
 #include "production/plates/triangle_area.h"
 
 namespace hull::production {
@@ -60,7 +61,10 @@ class Divider {
     group();
     check();
     measure();
-    for (Plate& plate : plates_) plate.loops = loops_of(plate);
+    for (Plate& plate : plates_) {
+      plate.loops = loops_of(plate);
+      if (options_.across_centre) join_across_centre(shell_, options_.largest_knuckle, plate);
+    }
     std::stable_sort(plates_.begin(), plates_.end(),
                      [](const Plate& a, const Plate& b) { return a.centre.x() < b.centre.x(); });
     return std::move(plates_);
@@ -195,6 +199,15 @@ std::vector<PlateSide> Divider::sides_of(std::vector<int> loop) const {
 }
 
 }  // namespace
+
+std::vector<Vector3d> side_points(const Shell& shell, const PlateSide& side) {
+  std::vector<Vector3d> points;
+  for (const int p : side.points) {
+    points.push_back(shell.mesh.points[p]);
+    if (side.mirrored) points.back().y() *= -1.0;
+  }
+  return points;
+}
 
 Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> curves,
                 const PlatingOptions& options) {

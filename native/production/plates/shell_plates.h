@@ -19,6 +19,7 @@ struct Shell {
 struct PlateSide {
   int curve;                // of the shell's curves; -1: a border of the surface
   std::vector<int> points;  // of the mesh, in order, with the plate on the left
+  bool mirrored = false;    // about y = 0
 };
 
 // A region of the exact surface between seams.
@@ -29,11 +30,20 @@ struct Plate {
   Eigen::AlignedBox3d box;     // around its triangles' points
   // Closed loops, each as its sides; the first is the longest.
   std::vector<std::vector<PlateSide>> loops;
+  // Whether the plate goes on across the centre plane: triangles are those of one side, all else is
+  // of both.
+  bool across = false;
 };
+
+// The points of a side, m.
+std::vector<Vector3d> side_points(const Shell& shell, const PlateSide& side);
 
 struct PlatingOptions {
   double size;             // of triangles, m
   double largest_knuckle;  // rad; plates may bend by so much along a line, but not more
+  // Of half a hull: plates that end in the centre plane without a knuckle there, and face up, down
+  // or along the ship rather than to the side, are one with their mirror image.
+  bool across_centre = false;
   surface::Progress progress;
 };
 

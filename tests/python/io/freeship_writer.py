@@ -197,7 +197,7 @@ def _layers(sink, version, model):
     for index, (name, colour, symmetric, in_hydrostatics) in enumerate(model["layers"]):
         sink.string(name)
         sink.int(20 + index, colour)
-        sink.bool(1, symmetric, 0)
+        sink.bool(1, symmetric, index in model.get("developable", ()))
         if version >= 180:
             sink.bool(0, in_hydrostatics)
         if version >= 191:

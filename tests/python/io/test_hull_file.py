@@ -120,7 +120,8 @@ def assert_same(first, second):
     assert first.layers == second.layers
     assert first.particulars == second.particulars
     assert first.source == second.source
-    for key in ("scheme", "deck_edge", "flats", "locked", "kept", "afloat", "load", "load_cases",
+    for key in ("scheme", "deck_edge", "flats", "developables", "locked", "kept", "afloat", "load",
+                "load_cases",
                 "openings", "wind", "weights", "resistance", "lines", "targets", "area_target",
                 "fields"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key

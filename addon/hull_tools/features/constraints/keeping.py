@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What holds while a hull's points are moved, put into effect in its mesh: flats stay flat, kept
 points in their stations, waterlines and buttocks, the border of a half hull on the centre plane,
-and tied points where others say.
+tied points where others say, and developable regions developable.
 
 This comes first after an edit, and is the one step of what follows it that writes the mesh.
 """
@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from ...bridge.counts import counted_are
 from ...bridge.objects import hull_mesh
-from . import centre_keeping, flat_keeping, plane_keeping, tie_keeping
+from . import centre_keeping, developable_keeping, flat_keeping, plane_keeping, tie_keeping
 
 _IN_FLATS = "Points stay in their flats: Release under Shape frees them."
 _IN_PLANES = (
@@ -27,11 +27,13 @@ _ON_CENTRE = "Points stay on the centre plane: Keep on centre, switched off, fre
 @dataclass
 class Keeping:
     """flats, planes, ties: what flat_keeping, plane_keeping and tie_keeping have seen of the hull.
+    regions: the same of developable_keeping.
     held: what points were kept from in the last edit that moved any, for the user, or ""."""
 
     flats: flat_keeping.Memory = field(default_factory=flat_keeping.Memory)
     planes: plane_keeping.Memory = field(default_factory=plane_keeping.Memory)
     ties: tie_keeping.Memory = field(default_factory=tie_keeping.Memory)
+    regions: developable_keeping.Memory = field(default_factory=developable_keeping.Memory)
     held: str = ""
     _held_at: tuple = ()
 
@@ -62,6 +64,11 @@ class Keeping:
             found = found.with_points(kept)
             self.planes.points = kept.points
         held += self.ties.told
+        kept = developable_keeping.kept(obj, found.data, self.regions, before, is_by_hand)
+        if kept is not found.data:
+            found = found.with_points(kept)
+            self.planes.points = kept.points
+        held += self.regions.told
         self._tell(held, (found.topology, found.points_digest))
         return found
 

@@ -73,7 +73,8 @@ STAYING = frozenset(
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
     fairness.accepted.line fairness.accepted.mark
-    layers.thickness layers.density weights.thickness weights.density
+    developables.warp developables.distance plates.rules.value plates.thickness
+    plates.ranges.spacing layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
     resistance.appendage_factor resistance.deadrise resistance.shaft_angle table.trims plots.size

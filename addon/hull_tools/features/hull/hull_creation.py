@@ -8,7 +8,7 @@ from ....hull_io.hull_data import KEPT_IN
 from ...bridge.blender import preferences, units
 from ...bridge.mesh import mesh_arrays
 from ...bridge.objects import hull_objects, migration, shown_objects
-from ..constraints import flats, kept_points, point_locks
+from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
@@ -70,6 +70,10 @@ def give_ship(obj, hull, scale, known=()):
         line_data.give_lines(obj.hull.lines, hull.lines, scale)
     for flat in hull.flats:
         flats.mark(obj, flat.faces, (*flat.normal, flat.offset / scale))
+    for region in hull.developables:
+        developables.mark(
+            obj, region.faces, region.warp * scale, region.distance / scale, region.keep
+        )
     point_locks.write(mesh, hull.locked)
     for axis, name in enumerate(KEPT_IN):
         kept_points.set_axes(mesh, getattr(hull.kept, name), (axis,), True)

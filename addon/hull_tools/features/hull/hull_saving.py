@@ -4,11 +4,11 @@
 import numpy as np
 from mathutils import Color
 
-from ....hull_io.hull_data import KEPT_IN, Flat, HullData, Kept, Layer, Particulars
+from ....hull_io.hull_data import KEPT_IN, Developable, Flat, HullData, Kept, Layer, Particulars
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_arrays
 from ...bridge.objects import hull_objects
-from ..constraints import flats, kept_points, point_locks
+from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
 from . import appendage_data, field_data, tie_data, wanted_data
@@ -54,6 +54,7 @@ def ship_data(obj, scale):
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
         flats=_flats(obj, scale),
+        developables=_developables(obj, scale),
         locked=point_locks.locked_points(obj.data).tolist(),
         kept=_kept(obj.data),
         ties=tie_data.take_ties(obj.data, scale),
@@ -76,6 +77,18 @@ def _flats(obj, scale):
             units.as_stored(region.plane[3]) * scale,
         )
         for region in flats.regions(obj)
+    ]
+
+
+def _developables(obj, scale):
+    return [
+        Developable(
+            region.faces.tolist(),
+            units.as_stored(region.warp) / scale,
+            units.as_stored(region.distance) * scale,
+            region.kept,
+        )
+        for region in developables.regions(obj)
     ]
 
 

@@ -54,6 +54,11 @@ def make_flat(obj, scene, kind, place="MOST", position=0.0, keep=True, crease_ri
     return _outcome(obj, scene, faces, plane, moved)
 
 
+def selected_faces(mesh):
+    """(k,) the selected faces of a mesh in edit mode. ValueError without any."""
+    return _selected(mesh)[0]
+
+
 def _selected(mesh):
     """(faces, their points) that are selected, by index."""
     bm = bmesh.from_edit_mesh(mesh)
@@ -161,7 +166,7 @@ def select_regions(obj):
     return len(touched)
 
 
-def _faces_at_selection(mesh):
+def faces_at_selection(mesh):
     """(k,) the selected faces, or where there are none those of the selected points."""
     bm = bmesh.from_edit_mesh(mesh)
     bm.faces.index_update()
@@ -177,7 +182,7 @@ def _faces_at_selection(mesh):
 def release_selected(obj):
     """Faces that are selected, or else those at selected points, are not kept flat any longer;
     returns how many were."""
-    faces = _faces_at_selection(obj.data)
+    faces = faces_at_selection(obj.data)
     kept = np.concatenate([region.faces for region in flats.regions(obj)] or [[]])
     own = np.intersect1d(faces, kept).astype(np.int64)
     if not len(own):

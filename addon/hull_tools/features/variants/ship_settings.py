@@ -17,6 +17,7 @@ SHARED = (
     "scheme",
     "layers",
     "flats",
+    "developables",
     "lines",
     "loading",
     "weights",

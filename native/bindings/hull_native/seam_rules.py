@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams and butts of half a hull's shell by rules, which are made anew on any hull."""
+
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+
+from ._core import plane_across
+from ._production import HullCurves
+from .strakes import deck_edge, length_of_curve
+
+# What a rule makes, and what its number is.
+KINDS = {
+    "strakes": "seams at multiples of a girth from the deck edge",
+    "from_deck": "a seam at a girth from the deck edge",
+    "from_centre": "a seam at a girth from the centre line",
+    "waterline": "a seam at a height",
+    "buttock": "a seam at a distance from the centre plane",
+    "station": "a butt all around at a place along the ship",
+    "butts": "butts so far apart, staggered from strake to strake",
+    "projected": "a seam by a line projected across the ship",
+}
+_PLANES = {"waterline": "z", "buttock": "y", "station": "x"}
+_MOST_SEAMS, _MOST_BUTTS = 60, 400
+# A strake that is narrower at its broadest is none: of the girth of strakes.
+_LAST_STRAKE = 0.4
+_SHORTEST_BUTT = 0.05  # m
+
+
+@dataclass(frozen=True)
+class SeamRule:
+    """kind: of KINDS. value: its number, m. line: points (k, 3), m, of "projected"."""
+
+    kind: str
+    value: float = 0.0
+    line: object = None
+
+    def __post_init__(self):
+        if self.kind not in KINDS:
+            raise ValueError(f'There are no seams by "{self.kind}", but by {", ".join(KINDS)}.')
+        if not isfinite(self.value):
+            raise ValueError(f"The number of {self} must be a length in m.")
+        if self.kind not in (*_PLANES, "projected") and self.value <= 0.0:
+            raise ValueError(f"The number of {self} must be above 0 m.")
+        if self.kind == "projected" and (self.line is None or np.shape(self.line)[-1:] != (3,)):
+            raise ValueError(f"For {self} give a line of points.")
+
+    def __str__(self):
+        number = "" if self.kind == "projected" else f", {self.value:g} m"
+        return f'the rule "{KINDS[self.kind]}{number}"'
+
+
+def seams_by_rules(surface, rules, *, knuckles=True, tolerance=None):
+    """(HullCurves, list of SurfaceCurve): the seams and butts of half a hull by SeamRules, for
+    plates(). knuckles: seams along these, too. Butts end on seams.
+
+    ValueError, naming the rule, where one meets nothing of the hull or makes too many seams.
+    """
+    rules = list(rules)
+    curves = HullCurves(surface, tolerance)
+    seams = [*curves.knuckles()] if knuckles else []
+    for rule in rules:
+        if rule.kind not in ("butts", "strakes"):
+            seams += _one(curves, rule)
+        elif rule.kind == "strakes":
+            seams += _strakes(curves, rule)
+    butts = [b for rule in rules if rule.kind == "butts" for b in _butts(curves, seams, rule)]
+    return curves, seams + butts
+
+
+def _one(curves, rule):
+    name = {"station": "Butt", "projected": "Line"}.get(rule.kind, "Seam") + f" {rule.value:g}"
+    try:
+        if rule.kind in _PLANES:
+            return curves.in_plane(plane_across(_PLANES[rule.kind], rule.value), name)
+        if rule.kind == "from_deck":
+            base, towards = deck_edge(curves), (0.0, 0.0, -1.0)
+            return curves.at_girth(base, rule.value, towards=towards, name=f"D {rule.value:g}")
+        if rule.kind == "from_centre":
+            base, towards = centre_line(curves), (0.0, 1.0, 0.0)
+            return curves.at_girth(base, rule.value, towards=towards, name=f"K {rule.value:g}")
+        return curves.projected(rule.line, direction=(0.0, -1.0, 0.0), name="Line")
+    except ValueError as error:
+        raise ValueError(f"Nothing of the hull is met by {rule}: {error}") from error
+
+
+def centre_line(curves):
+    """The SurfaceCurve of the border in the centre plane that runs lowest along the ship."""
+    central = [c for c in curves.borders() if np.abs(c.points[:, 1]).max() < 1e-6 * _size(c)]
+    if not central:
+        raise ValueError("The hull has no border in the centre plane: is it half a hull?")
+    longest = max(np.ptp(c.points[:, 0]) for c in central)
+    return min(
+        (c for c in central if np.ptp(c.points[:, 0]) > 0.5 * longest),
+        key=lambda c: c.points[:, 2].min(),
+    )
+
+
+def _size(curve):
+    return max(float(np.ptp(curve.points, axis=0).max()), 1e-9)
+
+
+def _strakes(curves, rule):
+    deck, towards, seams = deck_edge(curves), (0.0, 0.0, -1.0), []
+    for k in range(1, _MOST_SEAMS + 1):
+        try:
+            row = curves.at_girth(deck, k * rule.value, towards=towards, name=f"Seam {k}")
+            curves.at_girth(deck, (k + _LAST_STRAKE) * rule.value, towards=towards)
+        except ValueError:
+            if k == 1:
+                raise ValueError(f"The shell is narrower than {rule}: take a smaller one.")
+            return seams
+        seams += row
+    raise ValueError(f"More than {_MOST_SEAMS} seams follow from {rule}: take a larger one.")
+
+
+def _butts(curves, seams, rule):
+    ends = [c.points[:, 0] for c in curves.borders()]
+    low, high = min(x.min() for x in ends), max(x.max() for x in ends)
+    count = int((high - low) / rule.value)
+    if count > _MOST_BUTTS:
+        raise ValueError(f"More than {_MOST_BUTTS} butts follow from {rule}: take a larger one.")
+    made = []
+    for row, share in enumerate((0.5, 1.0)):
+        for k in range(count + 1):
+            at = low + (k + share) * rule.value
+            # No narrow plates at the ends.
+            if not low + 0.3 * rule.value < at < high - 0.3 * rule.value:
+                continue
+            for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
+                pieces = curves.pieces(curve, seams)
+                pieces.sort(key=lambda c: -c.points[:, 2].max())
+                made += [p for p in pieces[row::2] if length_of_curve(p) > _SHORTEST_BUTT]
+    return made
