@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "bindings/arrays.h"
 #include "bindings/production_classes.h"
 #include "bindings/progress.h"
 #include "production/models/hollow.h"
