@@ -282,9 +282,9 @@ Immersion HullBody::immersion(const Plane& water) const {
     wet.shell += analysis::mirrored(other.shell);
     wet.caps += analysis::mirrored(other.caps);
   }
+  if (joined_) wet.shell += joined_->change(water);
   ShellMoments all = wet.shell;
   all += without_area(wet.caps);
-  if (joined_) all += joined_->change(water);
   // About a point in the water's surface, where heights do not cancel, or, where the water is far
   // off, in a plane that is just as far beyond the body.
   const double size = surface().mesh().size();

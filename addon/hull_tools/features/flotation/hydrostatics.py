@@ -127,10 +127,7 @@ class HydrostaticValues(SimpleNamespace):
 
 def at(ship, where):
     """HydrostaticValues of a ship.Ship that lies as an Afloat says; ValueError as `computed`."""
-    found = described(ship.hydrostatics(where), where)
-    if ship.body.joined_volume is not None:
-        found.remark = ""  # the volume from breadths is that of the hull alone
-    return found
+    return described(ship.hydrostatics(where), where)
 
 
 def computed(body, where):
