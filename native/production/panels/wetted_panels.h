@@ -7,6 +7,7 @@
 #include "analysis/immersion/floating_position.h"
 #include "analysis/immersion/hull_body.h"
 #include "production/panels/panel_sizes.h"
+#include "surface/progress.h"
 
 namespace hull::production {
 
