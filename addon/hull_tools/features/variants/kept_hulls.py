@@ -67,13 +67,17 @@ def named(obj, name):
 
 
 def as_hull(obj, entry):
-    """A variant in the place of a hull object, for what reads its name, mesh, settings and layers.
-    ValueError when its mesh is gone."""
+    """A variant in the place of a hull object, for what reads its name, mesh, settings and layers,
+    with the appendages that the hull has now. ValueError when its mesh is gone."""
     if entry.mesh is None:
         raise ValueError(f'The mesh of the variant "{entry.name}" was deleted: remove the variant')
     slots = [SimpleNamespace(material=material) for material in entry.mesh.materials]
     return SimpleNamespace(
-        name=f"{obj.name}, {entry.name}", data=entry.mesh, hull=entry, material_slots=slots
+        name=f"{obj.name}, {entry.name}",
+        data=entry.mesh,
+        hull=entry,
+        material_slots=slots,
+        children=obj.children,
     )
 
 
