@@ -221,3 +221,25 @@ def test_step_file(box, tmp_path):
     report = part("bridge.native").require().read_cad_report(str(path))
     assert report["valid"] and report["solids"] == 1
     assert report["volume"] == pytest.approx(120.0 - math.pi * RADIUS**2 * 4.0, rel=1e-8)
+
+
+def test_appendages_wait_while_points_are_dragged(box):
+    """Each step has the hull alone, and says so; at a pause all count again. Steps that move
+    nothing leave them joined."""
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    hull_state, scene = part("features.hull.hull_state"), bpy.context.scene
+    joined, hole = volume(box), math.pi * RADIUS**2 * 4.0
+    hull_state.follow_edit(box, scene, may_wait=True)
+    assert volume(box) == joined and not hull_state.state_of(box).ship.waits
+    for vertex in box.data.vertices:
+        vertex.co.x *= 1.1
+    state = hull_state.follow_edit(box, scene, may_wait=True)
+    assert state.ship.waits and "rest" in not_joined(box)
+    alone = state.hydrostatics.values.displaced_volume
+    assert alone == pytest.approx(1.1 * (joined + hole), rel=1e-6)
+    hull_state.follow_edit(box, scene, may_wait=True)
+    assert hull_state.state_of(box).ship.waits
+    part("features.hull.late_joining").join()
+    assert not hull_state.state_of(box).ship.waits and not_joined(box) == ""
+    assert volume(box) == pytest.approx(alone - hole, rel=1e-7)
+    assert tunnel.parent == box

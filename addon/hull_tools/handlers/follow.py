@@ -10,7 +10,7 @@ from ..features.analyses import live_analyses
 from ..features.area_curves import live_target
 from ..features.conversion import conversions
 from ..features.fields import before, preview, seen
-from ..features.hull import hull_state, live_normals
+from ..features.hull import hull_state, late_joining, live_normals
 from ..features.morphing import members, pair_lines
 from ..features.networks import following as networks
 from ..features.surface import colour_views
@@ -23,6 +23,7 @@ _is_following = False
 def forget_all():
     live_analyses.stop()
     live_normals.stop()
+    late_joining.stop()
     studio.stop()
     conversions.stop()
     networks.forget_all()
@@ -49,14 +50,16 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
 
 def _follow_one(hull, scene, is_by_hand):
     members.follow(hull, scene)
-    hull_state.follow_edit(hull, scene, is_by_hand)
+    state = hull_state.follow_edit(hull, scene, is_by_hand, late_joining.can_wait(hull))
+    if state.ship.waits:
+        late_joining.ask()
     with curve_lines.read_once():
         preview.follow(hull, scene)
         before.follow(hull, scene)
         seen.follow(hull, scene)
     pair_lines.follow(hull, scene)
     live_target.follow(hull, scene)
-    if hull_state.state_of(hull).shown.may_move(hull):
+    if state.shown.may_move(hull):
         live_normals.ask()
 
 

@@ -20,7 +20,8 @@ class LiveShip:
     """check: of the mesh as it is. surface: hull_native.LimitSurface; moved: its moves.Moves; body:
     its hull_native.HullBody. All three change with the next edit, so that only `source`, the
     ship.ShipSource of them, is for threads. is_part: the mesh has errors, and the surface is of
-    what makes one. memory: see ship.Ship. not_joined: why appendages do not count, else "".
+    what makes one. memory: see ship.Ship. not_joined: why appendages do not count, else "". waits:
+    they do not, until points rest; see `follow`.
 
     topology_key: equal where surfaces differ by the places of points only; geometry_key: where
     surfaces are equal, None while there is none; key: where ships are.
@@ -34,6 +35,7 @@ class LiveShip:
     source: object = None
     memory: dict = field(default_factory=dict)
     not_joined: str = ""
+    waits: bool = False
     topology_key: tuple = None
     geometry_key: tuple = None
     key: tuple = None
@@ -44,17 +46,26 @@ class LiveShip:
         """The ship.Ship that follows the edits."""
         return ship.Ship(self.body, self.source.deck_edge, self.moved, self.memory)
 
-    def follow(self, found, scale):
-        """Brings all up to date with a hull_mesh.HullMesh; returns whether the surface is its."""
+    def follow(self, found, scale, may_wait=False):
+        """Brings all up to date with a hull_mesh.HullMesh; returns whether the surface is its.
+
+        may_wait: where points have moved, appendages are left out, since joining them takes too
+        long for each step of a drag; they are joined by a call without it.
+        """
         geometry_key = (found.topology_key, found.points_digest, scale)
         marks = np.packbits(found.data.deck_edges).tobytes()
-        key = (geometry_key, found.openings, marks, found.appendages)
+        has_moved = self.geometry_key not in (None, geometry_key)
+        self.waits = may_wait and bool(found.appendages) and (self.waits or has_moved)
+        bodies = () if self.waits else found.appendages
+        key = (geometry_key, found.openings, marks, bodies)
         if self.key != key:
-            self._renew(found, scale, geometry_key, (found.topology_key, marks))
+            self._renew(found, scale, geometry_key, (found.topology_key, marks), bodies)
             self.key = key
+        if self.waits:
+            self.not_joined = "they are joined when the points rest"
         return self.surface is not None and self.geometry_key == geometry_key
 
-    def _renew(self, found, scale, geometry_key, control_key):
+    def _renew(self, found, scale, geometry_key, control_key, bodies):
         if self._control_key == control_key:
             control = mesh_arrays.moved_arrays(self.source.control, found.data, scale)
         else:
@@ -67,10 +78,10 @@ class LiveShip:
         if mesh is None:
             return
         self.is_part = not is_whole
-        source = ship.source_of(found, control, self._bodies(found.appendages, scale))
-        has_others = self.appendages_key != found.appendages
+        source = ship.source_of(found, control, self._bodies(bodies, scale))
+        has_others = self.appendages_key != bodies
         self._make_body(mesh, source, found.topology_key, geometry_key, has_others)
-        self.appendages_key = found.appendages
+        self.appendages_key = bodies
         self._control_key = control_key if is_whole else None
 
     def _bodies(self, bodies, scale):

@@ -77,11 +77,12 @@ def known_hulls(view_layer):
             yield obj, state
 
 
-def follow_edit(obj, scene, is_by_hand=True):
+def follow_edit(obj, scene, is_by_hand=True, may_wait=False):
     """After points of a hull were moved: what holds them is put into effect in its mesh, then all
-    is brought up to date; returns the HullState. is_by_hand: see constraints.keeping."""
+    is brought up to date; returns the HullState. is_by_hand: see constraints.keeping; may_wait: see
+    LiveShip.follow."""
     return _brought_up_to_date(
-        obj, scene, lambda state: state.keeping.keep(obj, state.ship, is_by_hand)
+        obj, scene, lambda state: state.keeping.keep(obj, state.ship, is_by_hand), may_wait
     )
 
 
@@ -104,7 +105,7 @@ def last_report(obj, subject):
     return report, report is not None and state.ship.geometry_key == report.key
 
 
-def _brought_up_to_date(obj, scene, read):
+def _brought_up_to_date(obj, scene, read, may_wait=False):
     """read: HullState → the hull_mesh.HullMesh of the hull."""
     address = obj.as_pointer()
     if address not in _states:
@@ -115,19 +116,19 @@ def _brought_up_to_date(obj, scene, read):
         state.refusal = hull_objects.refusal(obj)
         if state.refusal:
             raise ValueError(state.refusal)
-        _follow(obj, scene, state, read(state))
+        _follow(obj, scene, state, read(state), may_wait)
         state.status = ""
     except ValueError as error:
         state.status = str(error)
     return state
 
 
-def _follow(obj, scene, state, found):
+def _follow(obj, scene, state, found, may_wait):
     """Each subject follows those before it."""
     scale = units.metres_per_unit(scene)
     state.remarks = hull_objects.remarks(obj)
     state.scaling.follow(obj.hull, found.data.points)
-    if state.ship.follow(found, scale):
+    if state.ship.follow(found, scale, may_wait):
         state.shown.follow(obj, state.ship, scale)
     if state.ship.check.errors:
         raise ValueError(state.ship.check.errors[0].message)
