@@ -147,3 +147,11 @@ def test_wrong_scheme_and_density_are_named():
     for n in (0, -1, 100000):
         with pytest.raises(ValueError, match=str(n)):
             hn.LimitSurface(cube()).tessellate(n)
+
+
+def test_no_name_is_also_that_of_a_module_in_the_package():
+    """A module that is imported takes its name in the package, whatever that was before."""
+    folder = Path(hn.__file__).parent
+    modules = {path.stem for path in folder.glob("*.py")}
+    assert not modules & {name for name in dir(hn) if callable(getattr(hn, name))}
+    assert "named_parts" in modules

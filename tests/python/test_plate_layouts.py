@@ -5,7 +5,7 @@ seams by rules."""
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.surface_areas import surface_areas
+from hull_native import surface_areas
 from plate_hulls import grid_surface, one, sphere, through
 from plate_shells import coaster_shell
 from production_hulls import body_of

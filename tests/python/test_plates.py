@@ -7,7 +7,7 @@ import math
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.surface_areas import surface_areas
+from hull_native import surface_areas
 from numpy.polynomial import chebyshev
 from plate_hulls import cone, cylinder, grid_surface, one, sphere
 from plate_shells import coaster_shell, planing_boat_shell

@@ -4,7 +4,7 @@
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.surface_areas import surface_areas
+from hull_native import surface_areas
 from reference_data import MESHES, reference_mesh
 
 
