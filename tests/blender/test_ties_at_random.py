@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sample with ties of every kind, under drags, transformations, fields, pulls, fits and targets at
-random: all hold, of the surface to 1e-12 of the length; those between the two sides on a whole
+"""A sample with ties of every kind, under drags, transformations, fields, pulls, fits and targets
+at random: all hold, of the surface to 1e-12 of the length; those between the two sides on a whole
 hull, the others on a half one.
 
 HULL_TIE_EDITS is how many; 250 when not said.
