@@ -10,13 +10,8 @@ from ..features.hull import appendage_kinds
 from .shared import BaseOperator, asked_length, in_object_mode, make_active, native_is_there
 
 
-def _hull(context):
-    """The hull at hand, also while one of its appendages is the active object."""
-    return appendages.hull_of(context.object) or hull_objects.hull_of(context.object)
-
-
 def _has_hull(cls, context):
-    hull = _hull(context)
+    hull = appendages.hull_at_hand(context.object)
     if hull is None:
         cls.poll_message_set("Select the hull first that it belongs to")
         return False
@@ -28,7 +23,7 @@ def _has_hull(cls, context):
 
 def _take_kind(self, context):
     """Another kind comes with its own place and sizes."""
-    hull = _hull(context)
+    hull = appendages.hull_at_hand(context.object)
     if hull is None:
         return
     usual = appendage_kinds.usual(self.kind, hull)
@@ -79,7 +74,7 @@ class HULL_OT_add_appendage(bpy.types.Operator, BaseOperator):
     needs = (native_is_there, in_object_mode, _has_hull)
 
     def run(self, context):
-        hull = _hull(context)
+        hull = appendages.hull_at_hand(context.object)
         usual = appendage_kinds.usual(self.kind, hull)
         for name, value in usual.items():
             if not self.properties.is_property_set(name):
@@ -113,7 +108,7 @@ class HULL_OT_select_appendage(bpy.types.Operator, BaseOperator):
     needs = (in_object_mode,)
 
     def run(self, context):
-        hull = _hull(context)
+        hull = appendages.hull_at_hand(context.object)
         found = [obj for obj in appendages.of_hull(hull) if obj.name == self.name] if hull else []
         if hull is None or (self.name and not found):
             raise ValueError(f'The hull has no appendage "{self.name}": select one that it has')

@@ -80,14 +80,19 @@ class HULL_OT_export_freeship(bpy.types.Operator, ExportHull):
         return "FREE!ship file written"
 
 
-def _format(*endings):
-    """The choice of a file's form in its dialog; what the name ends in counts."""
+def formats(*items):
+    """The choice of `format`; items: (ending, name, description) each."""
     return EnumProperty(
         name="Format",
         description="What the file is; the name's ending says the same",
-        items=[(f".{ending}", ending.upper(), _FORMATS[ending]) for ending in endings],
+        items=items,
         options={"SKIP_SAVE"},
     )
+
+
+def _format(*endings):
+    """The choice of a file's form in its dialog; what the name ends in counts."""
+    return formats(*((f".{ending}", ending.upper(), _FORMATS[ending]) for ending in endings))
 
 
 _FORMATS = {
@@ -152,16 +157,11 @@ class HULL_OT_export_sections(bpy.types.Operator, ExportDrawing):
 
     filename_ext = ".gf"
     filter_glob: StringProperty(default="*.gf;*.hll;*.mlt;*.txt", options={"HIDDEN"})
-    format: EnumProperty(
-        name="Format",
-        description="What the file is; the name's ending says the same",
-        items=(
-            (".gf", "GHS", "The stations, in feet where the scene's units are imperial"),
-            (".hll", "Archimedes", "The stations of both sides, in metres"),
-            (".mlt", "Michlet", "Half-breadths below the water, and the speeds of Resistance"),
-            (".txt", "Text", "The stations as plain text, in metres, for PIAS and others"),
-        ),
-        options={"SKIP_SAVE"},
+    format: formats(
+        (".gf", "GHS", "The stations, in feet where the scene's units are imperial"),
+        (".hll", "Archimedes", "The stations of both sides, in metres"),
+        (".mlt", "Michlet", "Half-breadths below the water, and the speeds of Resistance"),
+        (".txt", "Text", "The stations as plain text, in metres, for PIAS and others"),
     )
 
     def write(self, hull, scene):

@@ -2,12 +2,15 @@
 """Models for printers and mills, panels and named parts for programs that compute waves and flow:
 written, or made for their figures."""
 
+from types import SimpleNamespace
+
 import bpy
-from bpy.props import EnumProperty, StringProperty
+from bpy.props import StringProperty
 
 from ..bridge.objects import hull_objects
 from ..features.exchange import made_models, production_files
 from ..properties import production_settings as settings
+from .export_hull import formats
 from .export_production import ExportWithNumbers
 from .tasks import TaskOperator
 
@@ -27,12 +30,17 @@ class ExportAsSet(ExportWithNumbers):
         """What has the numbers: those given, the rest the hull's."""
         own = self.own(hull)
         is_set = self.properties.is_property_set
-        return _Told({name: getattr(self if is_set(name) else own, name) for name in self.NAMES})
+        return SimpleNamespace(
+            **{name: getattr(self if is_set(name) else own, name) for name in self.NAMES}
+        )
+
+    def outcome(self, result, scene):
+        return f"{self.bl_label}: {result}", False
 
 
-class _Told:
-    def __init__(self, numbers):
-        self.__dict__.update(numbers)
+def _with_remark(text, remark):
+    """An outcome: what is said, and whether that is a warning."""
+    return (f"{text}. {remark}", True) if remark else (text, False)
 
 
 class HULL_OT_export_model(bpy.types.Operator, ExportAsSet):
@@ -48,16 +56,11 @@ class HULL_OT_export_model(bpy.types.Operator, ExportAsSet):
     )
     filename_ext = ".stl"
     filter_glob: StringProperty(default="*.stl;*.3mf;*.obj;*.cli", options={"HIDDEN"})
-    format: EnumProperty(
-        name="Format",
-        description="What the file is; the name's ending says the same",
-        items=[
-            (".stl", "STL", "Triangles, binary; segments are a file each"),
-            (".3mf", "3MF", "Triangles with their unit; segments in one file"),
-            (".obj", "OBJ", "Triangles as a text; segments are a file each"),
-            (".cli", "CLI", "Contours of layers"),
-        ],
-        options={"SKIP_SAVE"},
+    format: formats(
+        (".stl", "STL", "Triangles, binary; segments are a file each"),
+        (".3mf", "3MF", "Triangles with their unit; segments in one file"),
+        (".obj", "OBJ", "Triangles as a text; segments are a file each"),
+        (".cli", "CLI", "Contours of layers"),
     )
     scale: settings.scale(options={"SKIP_SAVE"})
     tolerance: settings.tolerance(options={"SKIP_SAVE"})
@@ -89,8 +92,7 @@ class HULL_OT_export_model(bpy.types.Operator, ExportAsSet):
 
     def outcome(self, result, scene):
         text, remark = result
-        told = f"{self.bl_label}: {text}"
-        return (f"{told}. {remark}", True) if remark else (told, False)
+        return _with_remark(f"{self.bl_label}: {text}", remark)
 
 
 class HULL_OT_export_panels(bpy.types.Operator, ExportAsSet):
@@ -103,24 +105,16 @@ class HULL_OT_export_panels(bpy.types.Operator, ExportAsSet):
     NAMES = ("along", "grading")
     filename_ext = ".gdf"
     filter_glob: StringProperty(default="*.gdf;*.dat;*.obj", options={"HIDDEN"})
-    format: EnumProperty(
-        name="Format",
-        description="What the file is; the name's ending says the same",
-        items=[
-            (".gdf", "WAMIT", "Low-order panels of WAMIT"),
-            (".dat", "Nemoh", "A mesh of Nemoh"),
-            (".obj", "OBJ", "Faces as a text"),
-        ],
-        options={"SKIP_SAVE"},
+    format: formats(
+        (".gdf", "WAMIT", "Low-order panels of WAMIT"),
+        (".dat", "Nemoh", "A mesh of Nemoh"),
+        (".obj", "OBJ", "Faces as a text"),
     )
     along: settings.along(options={"SKIP_SAVE"})
     grading: settings.grading(options={"SKIP_SAVE"})
 
     def own(self, hull):
         return hull.hull.panel_mesh
-
-    def numbers(self):
-        return self.NAMES
 
     def begin(self, hull, scene):
         options = made_models.panel_options(self.told(hull))
@@ -137,12 +131,7 @@ class HULL_OT_export_parts(bpy.types.Operator, ExportAsSet):
     NAMES = ("part_tolerance",)
     filename_ext = ".stl"
     filter_glob: StringProperty(default="*.stl", options={"HIDDEN"})
-    format: EnumProperty(
-        name="Format",
-        description="What the file is; the name's ending says the same",
-        items=[(".stl", "STL", "A text with a solid for each part")],
-        options={"SKIP_SAVE"},
-    )
+    format: formats((".stl", "STL", "A text with a solid for each part"))
     part_tolerance: settings.part_tolerance(options={"SKIP_SAVE"})
 
     def name_part(self):
@@ -150,9 +139,6 @@ class HULL_OT_export_parts(bpy.types.Operator, ExportAsSet):
 
     def own(self, hull):
         return hull.hull.panel_mesh
-
-    def numbers(self):
-        return self.NAMES
 
     def begin(self, hull, scene):
         tolerance = self.told(hull).part_tolerance / 1000.0
@@ -169,9 +155,7 @@ class HULL_OT_make_model(bpy.types.Operator, TaskOperator):
         return made_models.ModelMaking(hull, scene)
 
     def outcome(self, result, scene):
-        remark = result.remark()
-        text = f"Model: {result.told()}"
-        return (f"{text}. {remark}", True) if remark else (text, False)
+        return _with_remark(f"Model: {result.told()}", result.remark())
 
 
 class HULL_OT_make_panels(bpy.types.Operator, TaskOperator):

@@ -2,15 +2,20 @@
 """Plates; and what exports with numbers in their dialogs have in common."""
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, StringProperty
+from bpy.props import FloatProperty, StringProperty
 
 from ..bridge.objects import hull_objects
 from ..features.exchange import plate_files
-from .export_hull import ExportByTask, ExportDrawing
+from ..properties import plate_settings
+from .export_hull import ExportByTask, ExportDrawing, formats
 
 
 class ExportWithNumbers(ExportDrawing, ExportByTask):
-    """Exports whose dialogs have numbers below the choice of `format`: numbers() → their names."""
+    """Exports whose dialogs have numbers below the choice of `format`: NAMES, or those of them that
+    numbers() says."""
+
+    def numbers(self):
+        return self.NAMES
 
     def draw(self, context):
         super().draw(context)
@@ -18,9 +23,6 @@ class ExportWithNumbers(ExportDrawing, ExportByTask):
         column.use_property_split = True
         for name in self.numbers():
             column.prop(self, name)
-
-    def outcome(self, result, scene):
-        return f"{self.bl_label}: {result}", False
 
 
 class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
@@ -30,17 +32,13 @@ class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
     bl_idname = "hull.export_plates"
     bl_label = "Export Plates"
 
+    NAMES = ("strake", "plate_length", "thickness", "frame_spacing")
     filename_ext = ".pdf"
     filter_glob: StringProperty(default="*.pdf;*.dxf;*.csv", options={"HIDDEN"})
-    format: EnumProperty(
-        name="Format",
-        description="What the file is; the name's ending says the same",
-        items=[
-            (".pdf", "PDF", "A page for each plate"),
-            (".dxf", "DXF", "All plates at true size, in mm"),
-            (".csv", "CSV", "The list: sizes, weights, stretch"),
-        ],
-        options={"SKIP_SAVE"},
+    format: formats(
+        (".pdf", "PDF", "A page for each plate"),
+        (".dxf", "DXF", "All plates at true size, in mm"),
+        (".csv", "CSV", "The list: sizes, weights, stretch"),
     )
     strake: FloatProperty(
         name="Strakes m",
@@ -56,13 +54,7 @@ class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
         min=0.1,
         max=1000.0,
     )
-    thickness: FloatProperty(
-        name="Thickness mm",
-        description="Of the plates, for their weights",
-        default=10.0,
-        min=0.01,
-        max=1000.0,
-    )
+    thickness: plate_settings.thickness()
     frame_spacing: FloatProperty(
         name="Frames m",
         description="Spacing of frames marked on the plates, from x = 0, in metres; 0: none",
@@ -70,9 +62,6 @@ class HULL_OT_export_plates(bpy.types.Operator, ExportWithNumbers):
         min=0.0,
         max=100.0,
     )
-
-    def numbers(self):
-        return ("strake", "plate_length", "thickness", "frame_spacing")
 
     def draw(self, context):
         if not hull_objects.hull_of(context.object).hull.plates.rules:

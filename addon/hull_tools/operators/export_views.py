@@ -10,30 +10,11 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 from ..bridge import native
 from ..bridge.blender import units
 from ..features.exchange import view_files
-from .export_hull import ExportByTask, ExportDrawing
+from .export_hull import formats
+from .export_production import ExportWithNumbers
 
 
-def _formats(*rows):
-    return EnumProperty(
-        name="Format",
-        description="What the file is; the name's ending says the same",
-        items=rows,
-        options={"SKIP_SAVE"},
-    )
-
-
-class _WithNumbers(ExportDrawing, ExportByTask):
-    """NAMES: properties that the dialog shows."""
-
-    def draw(self, context):
-        super().draw(context)
-        column = self.layout.column()
-        column.use_property_split = True
-        for name in self.NAMES:
-            column.prop(self, name)
-
-
-class HULL_OT_export_view(bpy.types.Operator, _WithNumbers):
+class HULL_OT_export_view(bpy.types.Operator, ExportWithNumbers):
     """Draw the hull as the 3D view shows it, with the lines of Sections, knuckles and outlines, and
     what is hidden left out: PDF, SVG or DXF"""
 
@@ -42,7 +23,7 @@ class HULL_OT_export_view(bpy.types.Operator, _WithNumbers):
 
     NAMES = ("hidden",)
     filter_glob: StringProperty(default="*.pdf;*.svg;*.dxf", options={"HIDDEN"})
-    format: _formats(
+    format: formats(
         (".pdf", "PDF", "Paper to scale, one sheet of A3"),
         (".svg", "SVG", "Paper to scale, for drawing programs and web pages"),
         (".dxf", "DXF", "At true size, in mm"),
@@ -88,7 +69,7 @@ class HULL_OT_export_view(bpy.types.Operator, _WithNumbers):
         return "View written"
 
 
-class HULL_OT_export_curvature(bpy.types.Operator, _WithNumbers):
+class HULL_OT_export_curvature(bpy.types.Operator, ExportWithNumbers):
     """Draw the curvature along a station, buttock or waterline over its girth, with a circle's
     and that of the hull that this one is compared with: PDF, SVG or PNG"""
 
@@ -97,7 +78,7 @@ class HULL_OT_export_curvature(bpy.types.Operator, _WithNumbers):
 
     NAMES = ("axis", "position", "radius", "with_other")
     filter_glob: StringProperty(default="*.pdf;*.svg;*.png", options={"HIDDEN"})
-    format: _formats(
+    format: formats(
         (".pdf", "PDF", "Paper, as one opens and prints it"),
         (".svg", "SVG", "For drawing programs and web pages"),
         (".png", "PNG", "A picture in dots"),
@@ -139,7 +120,7 @@ class HULL_OT_export_curvature(bpy.types.Operator, _WithNumbers):
         return "Curvature written"
 
 
-class HULL_OT_export_curves(bpy.types.Operator, _WithNumbers):
+class HULL_OT_export_curves(bpy.types.Operator, ExportWithNumbers):
     """Write all lines of Sections, knuckles and borders, of both sides, as splines in space at true
     size: DXF"""
 
@@ -149,7 +130,7 @@ class HULL_OT_export_curves(bpy.types.Operator, _WithNumbers):
     NAMES = ("unit",)
     filename_ext = ".dxf"
     filter_glob: StringProperty(default="*.dxf", options={"HIDDEN"})
-    format: _formats((".dxf", "DXF", "Splines in space"))
+    format: formats((".dxf", "DXF", "Splines in space"))
     unit: EnumProperty(
         name="Unit",
         description="The unit of the file's numbers",

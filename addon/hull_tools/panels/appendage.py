@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.objects import appendages, hull_objects
+from ..bridge.objects import appendages
 from ..features.hull import hull_state
 from .shared import HullTab, label_wrapped
 
@@ -23,10 +23,6 @@ _FIELDS = {
 }
 
 
-def _hull(context):
-    return appendages.hull_of(context.object) or hull_objects.hull_of(context.object)
-
-
 class HULL_PT_appendages(HullTab, bpy.types.Panel):
     """Keels, rudders, shafts, tunnels: which of them count, and the form of the active one"""
 
@@ -35,11 +31,13 @@ class HULL_PT_appendages(HullTab, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return _hull(context) is not None or appendages.is_appendage(context.object)
+        return appendages.hull_at_hand(context.object) is not None or appendages.is_appendage(
+            context.object
+        )
 
     def draw(self, context):
         layout = self.layout
-        hull = _hull(context)
+        hull = appendages.hull_at_hand(context.object)
         if hull is None:
             label_wrapped(
                 layout, context, "It has no hull: make it a hull's child (Ctrl P)", "ERROR"

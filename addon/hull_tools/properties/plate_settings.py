@@ -23,6 +23,16 @@ _RULES = (
 )
 
 
+def thickness():
+    return FloatProperty(
+        name="Thickness mm",
+        description="Of the plates, for their weights",
+        default=10.0,
+        min=0.01,
+        max=1000.0,
+    )
+
+
 def _is_line(_self, obj):
     return obj.type in ("MESH", "CURVE")
 
@@ -71,13 +81,7 @@ class HullPlates(bpy.types.PropertyGroup):
         "along the ship, are one with their mirror images",
         default=True,
     )
-    thickness: FloatProperty(
-        name="Thickness mm",
-        description="Of the plates, for their weights",
-        default=10.0,
-        min=0.01,
-        max=1000.0,
-    )
+    thickness: thickness()
     first_frame: IntProperty(
         name="First frame",
         description="The number of the table's first frame; 0 is at the perpendicular",

@@ -51,6 +51,11 @@ def hull_of(obj):
     return obj.parent
 
 
+def hull_at_hand(obj):
+    """The hull of an active object, also while that is one of its appendages; None without any."""
+    return hull_of(obj) or hull_objects.hull_of(obj)
+
+
 def read(hull):
     """AppendageBody of each appendage of a hull that counts, on the hull's axes."""
     counting = (obj for obj in of_hull(hull) if obj.hull.appendage.counts)

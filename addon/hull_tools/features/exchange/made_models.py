@@ -9,6 +9,7 @@ from ...bridge import limits, native
 from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.blender.units import as_typed
+from ...bridge.counts import counted
 from ..conversion import conversions
 from ..flotation import afloat
 from ..hull import hull_state
@@ -93,9 +94,9 @@ class MadeModel:
         """One text about it."""
         text = f"{len(self.model.triangles)} triangles, {self.model.volume / 1000.0:.1f} cm³"
         if self.hollow is not None:
-            text += f", {count_of(self.hollow.hollows, 'hollow')}"
+            text += f", {counted(self.hollow.hollows, 'hollow')}"
         if self.parts is not None:
-            text += f", {count_of(len(self.parts.segments), 'segment')}"
+            text += f", {counted(len(self.parts.segments), 'segment')}"
         return text
 
     def remark(self):
@@ -108,12 +109,8 @@ class MadeModel:
             numbers = ", ".join(map(str, lost[:8])) + (" …" if len(lost) > 8 else "")
             texts.append(f"Not all of it can be milled from one side: segments {numbers}")
         if self.parts.bare_joints:
-            texts.append(f"{count_of(self.parts.bare_joints, 'joint')} without room for a dowel")
+            texts.append(f"{counted(self.parts.bare_joints, 'joint')} without room for a dowel")
         return "; ".join(texts)
-
-
-def count_of(number, name):
-    return f"{number} {name}" if number == 1 else f"{number} {name}s"
 
 
 def made_model(hull_native, source, options, progress):
@@ -192,9 +189,9 @@ def checked_ending(path, endings, what):
 class _Making(jobs.JobTask):
     """Keeps Figures of `name` when it is done. Subclasses: rows(made) and remark(made)."""
 
-    def __init__(self, obj, scene, name, options, work):
-        self.state = hull_state.up_to_date(obj, scene)
-        self._name, self._key = name, _key(self.state, options)
+    def __init__(self, state, name, options, work):
+        self.state = state
+        self._name, self._key = name, _key(state, options)
         self._job = jobs.Job(work)
         conversions.watch(self)
 
@@ -215,10 +212,10 @@ class ModelMaking(_Making):
 
     def __init__(self, obj, scene):
         options = model_options(obj.hull.model)
-        source, hull_native = hull_state.up_to_date(obj, scene).ship.source, native.require()
+        state, hull_native = hull_state.up_to_date(obj, scene), native.require()
+        source = state.ship.source
         super().__init__(
-            obj,
-            scene,
+            state,
             _MODEL,
             options,
             lambda progress: made_model(hull_native, source, options, progress),
@@ -250,11 +247,11 @@ class PanelMaking(_Making):
 
     def __init__(self, obj, scene):
         options = panel_options(obj.hull.panel_mesh)
-        source, hull_native = hull_state.up_to_date(obj, scene).ship.source, native.require()
+        state, hull_native = hull_state.up_to_date(obj, scene), native.require()
+        source = state.ship.source
         where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
         super().__init__(
-            obj,
-            scene,
+            state,
             _PANELS,
             (options, where),
             lambda progress: made_panels(hull_native, source, where, options, progress),
