@@ -97,7 +97,7 @@ def _developed(obj, found, memory, before, points, moved):
                 points=memory.origins,
             )
         except ValueError as error:
-            memory.told = [f"{error}"]
+            memory.told = [str(error)]
             continue
         there[row.points] = np.asarray(made.points)[row.points].astype(np.float32)
         if not made.reached:

@@ -8,10 +8,10 @@ Object.hull.developables, in Blender's units. What moves points for it is develo
 from dataclasses import dataclass
 from math import isfinite
 
-import bpy
 import numpy as np
 
 from ...bridge.mesh import face_numbers
+from . import region_entries
 
 ATTRIBUTE = "hull_developable"
 
@@ -53,7 +53,7 @@ def _is_sound(entry):
 
 def mark(obj, faces, warp, distance, kept=True):
     """Makes faces (f,) a region of its own; returns its number. No point is moved."""
-    number = _new_number(obj)
+    number = region_entries.new_number("developables", _numbers(obj))
     face_numbers.write(obj.data, ATTRIBUTE, faces, number)
     entry = obj.hull.developables.add()
     entry.region, entry.warp, entry.distance, entry.kept = number, warp, distance, kept
@@ -67,21 +67,10 @@ def release(obj, faces):
     clear_unused(obj)
 
 
-def _new_number(obj):
-    """A number that no region has, here, in another hull or in a variant of one."""
-    used = {
-        entry.region
-        for other in bpy.data.objects
-        for ship in (other.hull, *other.hull.variants.kept)
-        for entry in ship.developables
-    }
-    used.update(np.unique(face_numbers.read(obj.data, ATTRIBUTE)).tolist())
-    return 1 + max(used, default=0)
+def _numbers(obj):
+    return set(np.unique(face_numbers.read(obj.data, ATTRIBUTE)).tolist())
 
 
 def clear_unused(obj):
     """Removes what is known of regions that have no face any longer."""
-    used = set(np.unique(face_numbers.read(obj.data, ATTRIBUTE)).tolist())
-    for index in reversed(range(len(obj.hull.developables))):
-        if obj.hull.developables[index].region not in used:
-            obj.hull.developables.remove(index)
+    region_entries.keep_only(obj.hull.developables, _numbers(obj))

@@ -8,12 +8,11 @@ Blender's units; planes are (nx, ny, nz, d) as in `planes`: n · p = d, n of len
 
 from dataclasses import dataclass
 
-import bpy
 import numpy as np
 
 from ...bridge.counts import counted_are
 from ...bridge.mesh import mesh_points
-from . import flat_marks, planes
+from . import flat_marks, planes, region_entries
 
 # Of a mesh's points, in metres or other units, from its origin.
 _FARTHEST = 1e9
@@ -116,16 +115,12 @@ def release(obj, faces):
 def new_number(obj):
     """A number that no region has, here, in another hull or in a variant of one, so that hulls can
     be joined."""
-    used = {
-        entry.region
-        for other in bpy.data.objects
-        for ship in (other.hull, *other.hull.variants.kept)
-        for entry in ship.flats
-    }
+    return region_entries.new_number("flats", _numbers(obj))
+
+
+def _numbers(obj):
     flat = flat_marks.read(obj.data)
-    if flat is not None:
-        used.update(flat.regions.tolist())
-    return 1 + max(used, default=0)
+    return set() if flat is None else set(flat.regions.tolist())
 
 
 def plane_entries(obj):
@@ -166,11 +161,7 @@ def store_plane(obj, number, plane):
 def clear_unused(obj):
     """Removes the planes of regions that have no face any longer. Undo in edit mode may bring such
     back: flat_keeping finds their planes then."""
-    flat = flat_marks.read(obj.data)
-    used = set() if flat is None else set(flat.regions.tolist())
-    for index in reversed(range(len(obj.hull.flats))):
-        if obj.hull.flats[index].region not in used:
-            obj.hull.flats.remove(index)
+    region_entries.keep_only(obj.hull.flats, _numbers(obj))
 
 
 def planes_of_points(flat, plane_of_region):

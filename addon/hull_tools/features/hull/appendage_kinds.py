@@ -2,6 +2,7 @@
 """Keels, rudders, shafts, tunnels: what each is made of, where it is on a hull, how large."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import cos, sin, tan
 
 import numpy as np
@@ -74,21 +75,6 @@ def usual(kind, hull):
     return {**values, "section": KINDS[kind].section}
 
 
-def bottom(hull, x, y, scale):
-    """z of the hull's lowest point over or below (x, y), all in Blender's units. ValueError where
-    there is no hull."""
-    surface = hull_state.state_of(hull).ship.surface
-    low = surface.mesh.points[:, 2].min() - 1.0
-    # Beside the centre plane, as on it two halves meet.
-    tree = native.require().SurfaceTree(surface)
-    beside = 1e-7 * float(np.ptp(surface.mesh.points[:, 0]))
-    own = abs(y) * scale if hull.hull.half else y * scale
-    hits = tree.all_ray_hits((x * scale, own or beside, low), (0.0, 0.0, 1.0))
-    if len(hits) == 0:
-        raise ValueError(f"There is no hull over x = {x:.3f}, y = {y:.3f}: choose another place")
-    return float(hits.points[0, 2]) / scale
-
-
 def add(kind, hull, values, section, scale, collection):
     """The new appendage objects of a kind; values: of NUMBERS, in Blender's units. ValueError where
     the hull is not there, or sizes make no body."""
@@ -107,16 +93,39 @@ class _Maker:
     def __getattr__(self, name):
         return self.values[name]
 
-    @property
+    @cached_property
     def base(self):
-        return bottom(self.hull, self.x, self.y, self.scale)
+        return self.bottom(self.x)
+
+    @cached_property
+    def _surface(self):
+        return hull_state.state_of(self.hull).ship.surface
+
+    @cached_property
+    def _tree(self):
+        return native.require().SurfaceTree(self._surface)
+
+    def bottom(self, x):
+        """z of the hull's lowest point over or below (x, y), in Blender's units. ValueError where
+        there is no hull."""
+        points, y = self._surface.mesh.points, self.y
+        # Beside the centre plane, as on it two halves meet.
+        beside = 1e-7 * float(np.ptp(points[:, 0]))
+        own = (abs(y) if self.hull.hull.half else y) * self.scale
+        begin = (x * self.scale, own or beside, points[:, 2].min() - 1.0)
+        hits = self._tree.all_ray_hits(begin, (0.0, 0.0, 1.0))
+        if len(hits) == 0:
+            raise ValueError(
+                f"There is no hull over x = {x:.3f}, y = {y:.3f}: choose another place"
+            )
+        return float(hits.points[0, 2]) / self.scale
 
     def top(self, chord):
         """The highest of the bottom's heights from x to the chord aft of it."""
         found = [self.base]
         for share in (0.25, 0.5, 0.75, 1.0):
             try:
-                found.append(bottom(self.hull, self.x - share * chord, self.y, self.scale))
+                found.append(self.bottom(self.x - share * chord))
             except ValueError:
                 break  # the hull ends there
         return max(found)

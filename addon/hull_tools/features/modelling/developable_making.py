@@ -77,9 +77,7 @@ def _text(warp):
 def release_selected(obj):
     """The selected faces, or those at selected points, are of no developable region any longer;
     returns how many were."""
-    faces = flat_making.faces_at_selection(obj.data)
-    kept = np.concatenate([region.faces for region in developables.regions(obj)] or [[]])
-    own = np.intersect1d(faces, kept).astype(np.int64)
+    own = flat_making.selected_of(obj, developables.regions(obj))
     if not len(own):
         raise ValueError("None of the selected faces is of a developable region")
     developables.release(obj, own)
@@ -87,7 +85,7 @@ def release_selected(obj):
 
 
 def warps(obj, state):
-    """The RegionWarps of a hull by its HullState, None where nothing is known."""
+    """The RegionWarps of a hull by its HullState, none where nothing is known."""
     regions = developables.regions(obj)
     if not regions or state is None or state.ship.surface is None or state.status:
         return []

@@ -182,10 +182,14 @@ def faces_at_selection(mesh):
 def release_selected(obj):
     """Faces that are selected, or else those at selected points, are not kept flat any longer;
     returns how many were."""
-    faces = faces_at_selection(obj.data)
-    kept = np.concatenate([region.faces for region in flats.regions(obj)] or [[]])
-    own = np.intersect1d(faces, kept).astype(np.int64)
+    own = selected_of(obj, flats.regions(obj))
     if not len(own):
         raise ValueError("None of the selected faces is kept flat")
     flats.release(obj, own)
     return len(own)
+
+
+def selected_of(obj, regions):
+    """The faces of regions that are selected, or else that are at selected points."""
+    kept = np.concatenate([region.faces for region in regions] or [[]])
+    return np.intersect1d(faces_at_selection(obj.data), kept).astype(np.int64)
