@@ -108,7 +108,8 @@ def shown_points(surface, hull):
     """The points in m that a hull's surface object has to show of a LimitSurface; both sides."""
     import numpy as np
 
-    points = surface.tessellate(hull.hull.samples).points
+    samples = part("features.surface.shown_surface").samples_of(hull, surface)
+    points = surface.tessellate(samples).points
     if not hull.hull.half:
         return points
     on_plane = np.abs(points[:, 1]) < 1e-8
