@@ -24,7 +24,11 @@ def assert_follows(hull):
     assert np.abs(shown - wanted).max() <= 1e-6 * size
 
     where = part("features.flotation.afloat").afloat(settings, 1.0)
-    fresh = part("features.flotation.hydrostatics").computed(source.live_body(surface), where)
+    body = source.live_body(surface)
+    bodies = part("bridge.objects.appendages").read(hull)
+    if bodies and not state.ship.waits:
+        body.join(part("features.flotation.appendages").native_bodies(bodies, 1.0))
+    fresh = part("features.flotation.hydrostatics").computed(body, where)
     volume = state.hydrostatics.values.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume
 

@@ -47,7 +47,8 @@ class Fresh:
         source = ship.ShipSource(control, settings.scheme, settings.half, openings, ())
         try:
             where = part("features.flotation.afloat").afloat(settings, scale)
-            own = ship.Ship(source.live_body(self.surface), ())
+            body = _with_appendages(source.live_body(self.surface), hull, scale)
+            own = ship.Ship(body, ())
             self.hydrostatics = part("features.flotation.hydrostatics").at(own, where)
         except ValueError as error:
             self.hydrostatics = str(error)
@@ -57,6 +58,18 @@ class Fresh:
             self.lines = lines.groups({}, self.surface, cuts, settings.half, moved)
         except ValueError as error:
             self.lines = str(error)
+
+
+def _with_appendages(body, hull, scale):
+    """A HullBody with the hull's appendages joined to it, where they can be."""
+    bodies = part("bridge.objects.appendages").read(hull)
+    try:
+        joined = part("features.flotation.appendages").native_bodies(bodies, scale)
+        if joined:
+            body.join(joined)
+    except ValueError:
+        pass  # they are told, and the hull counts alone
+    return body
 
 
 _latest = {}  # by the name of a hull: (what it is computed of, the Fresh of that)
@@ -79,7 +92,9 @@ def _inputs(hull, scene):
     if ties is not None:
         mesh += [array.tobytes() for array in (ties.points, ties.kinds, ties.leaders, ties.numbers)]
     scale = part("bridge.blender.units").metres_per_unit(scene)
-    return mesh, scale, objects.refusal(hull), objects.excluded_slots(hull), _values(hull.hull)
+    bodies = part("bridge.objects.appendages").read(hull)
+    slots = objects.excluded_slots(hull)
+    return mesh, scale, objects.refusal(hull), slots, bodies, _values(hull.hull)
 
 
 def _values(settings):
