@@ -34,9 +34,7 @@ class Fresh:
             self.status = check.errors[0].message
             return
         self.surface = native.LimitSurface(mesh, settings.scheme)
-        samples = part("bridge.limits").samples(
-            settings.samples, self.surface.cell_count, 1 + settings.half
-        )
+        samples = part("features.surface.shown_surface").samples_of(hull, self.surface)
         self.shown = native.ShownPoints(
             self.surface, samples, mirrored=settings.half, metres_per_unit=scale
         )
@@ -93,8 +91,8 @@ def _inputs(hull, scene):
         mesh += [array.tobytes() for array in (ties.points, ties.kinds, ties.leaders, ties.numbers)]
     scale = part("bridge.blender.units").metres_per_unit(scene)
     bodies = part("bridge.objects.appendages").read(hull)
-    slots = objects.excluded_slots(hull)
-    return mesh, scale, objects.refusal(hull), slots, bodies, _values(hull.hull)
+    slots, may_move = objects.excluded_slots(hull), hull.mode == "EDIT"
+    return mesh, scale, objects.refusal(hull), slots, bodies, may_move, _values(hull.hull)
 
 
 def _values(settings):
