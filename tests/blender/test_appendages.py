@@ -204,6 +204,25 @@ def test_off_the_hull(box):
     assert len(box.children) == 1  # the surface
 
 
+def test_on_a_hull_without_a_surface(box):
+    before = set(bpy.data.objects)
+    box.data.clear_geometry()
+    bpy.context.view_layer.update()
+    make_active(box)
+    with pytest.raises(RuntimeError, match="no faces") as refused:
+        bpy.ops.hull.add_appendage(kind="FIN_KEEL")
+    assert "Traceback" not in str(refused.value)
+    assert set(bpy.data.objects) == before
+
+
+def test_no_half_of_one_is_left(box):
+    before, meshes = set(bpy.data.objects), set(bpy.data.meshes)
+    make_active(box)
+    with pytest.raises(RuntimeError, match="length|radius"):
+        bpy.ops.hull.add_appendage(kind="BULB_KEEL", x=6.0, radius=0.0)
+    assert set(bpy.data.objects) == before and set(bpy.data.meshes) == meshes
+
+
 def test_saved_and_read(box, tmp_path):
     add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
     name, before = box.name, volume(box)

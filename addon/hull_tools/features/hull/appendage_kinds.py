@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import cos, sin, tan
 
+import bpy
 import numpy as np
 from mathutils import Euler
 
@@ -78,7 +79,14 @@ def usual(kind, hull):
 def add(kind, hull, values, section, scale, collection):
     """The new appendage objects of a kind; values: of NUMBERS, in Blender's units. ValueError where
     the hull is not there, or sizes make no body."""
-    return _MAKERS[kind](_Maker(kind, hull, values, section, scale, collection))
+    before = set(hull.children)
+    try:
+        return _MAKERS[kind](_Maker(kind, hull, values, section, scale, collection))
+    except ValueError:
+        # A keel is not left without its bulb.
+        for obj in set(hull.children) - before:
+            bpy.data.meshes.remove(obj.data)
+        raise
 
 
 @dataclass(frozen=True)
@@ -91,6 +99,8 @@ class _Maker:
     collection: object
 
     def __getattr__(self, name):
+        if name not in self.values:
+            raise AttributeError(name)
         return self.values[name]
 
     @cached_property
@@ -99,7 +109,7 @@ class _Maker:
 
     @cached_property
     def _surface(self):
-        return hull_state.state_of(self.hull).ship.surface
+        return hull_state.up_to_date(self.hull, bpy.context.scene).ship.surface
 
     @cached_property
     def _tree(self):
