@@ -7,7 +7,7 @@ import signal
 
 import bpy
 import pytest
-from addon_under_test import part, sample
+from addon_under_test import add_hull, part, sample
 
 
 @pytest.mark.parametrize("ending", ["pdf", "dxf"])
@@ -98,7 +98,7 @@ def test_rules_that_make_no_seam_are_one_sentence(kind, value, told):
 @pytest.mark.parametrize("ending", ["pdf", "dxf", "csv"])
 def test_a_full_disk_leaves_nothing(ending, tmp_path):
     """No more than 2,000 bytes can be written: that is told, and the file is as it was."""
-    sample("coaster")
+    add_hull()
     path = tmp_path / f"plates.{ending}"
     path.write_text("as it was")
     limit = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -106,7 +106,7 @@ def test_a_full_disk_leaves_nothing(ending, tmp_path):
     resource.setrlimit(resource.RLIMIT_FSIZE, (2000, limit[1]))
     try:
         with pytest.raises(RuntimeError, match="plates"):
-            bpy.ops.hull.export_plates(filepath=str(path), plate_length=30.0, strake=4.0)
+            bpy.ops.hull.export_plates(filepath=str(path), plate_length=5.0, strake=1.0)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limit)
     assert path.read_text() == "as it was"
