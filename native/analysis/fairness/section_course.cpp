@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "analysis/fairness/cell_places.h"
 
@@ -13,7 +15,7 @@ namespace {
 
 constexpr int kMostSteps = 20;
 constexpr double kConverged = 1e-14;  // of the mesh's size
-constexpr double kLastStep = 1e-8;    // in (u, v): what Newton's method still misses is its square
+constexpr double kLastStep = 1e-6;    // in (u, v): what Newton's method still misses is its square
 constexpr double kOnCurve = 1e-10;
 
 // Length of an arc by its chord and the curvatures at its ends.
@@ -23,8 +25,8 @@ double arc_length(double chord, double k0, double k1) {
   return chord * (1.0 + std::min(bend, 0.1));
 }
 
-Vector3d hermite(const Vector3d& p0, const Vector3d& d0, const Vector3d& p1, const Vector3d& d1,
-                 double t) {
+template <class Vector>
+Vector hermite(const Vector& p0, const Vector& d0, const Vector& p1, const Vector& d1, double t) {
   const double r = 1.0 - t;
   return r * r * (1.0 + 2.0 * t) * p0 + r * r * t * d0 - r * t * t * d1 +
          t * t * (1.0 + 2.0 * r) * p1;
@@ -72,30 +74,77 @@ SectionCourse::SectionCourse(const surface::LimitSurface& surface, const Plane& 
       plane_(plane),
       curve_(curve),
       stretch_(stretch) {
+  segments_.reserve(breaks_.size() - 1);
   for (int i = stretch.first; i < stretch.last; ++i) {
     segments_.push_back(segment_between(i, i + 1));
+    lead(i - stretch.first);
   }
+}
+
+double SectionCourse::middle_height(const Segment& segment) const {
+  const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
+  return std::abs(plane_.height(surface_.position(segment.cell, middle.x(), middle.y())));
 }
 
 SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   const CellPlaces from = cell_places(surface_.cells(), curve_.cells[a], curve_.uv[a]);
   const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
-  Segment best{-1, {}, {}, false};
-  double best_height = std::numeric_limits<double>::infinity();
+  Segment best{-1, {}, {}, false, {}, {}};
+  std::optional<double> best_height;
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
-      const Segment segment{p.cell, {p.u, p.v}, {q.u, q.v}, p.u == q.u || p.v == q.v};
-      const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
-      const double height =
-          std::abs(plane_.height(surface_.position(p.cell, middle.x(), middle.y())));
-      if (height >= best_height) continue;
+      const Eigen::Vector2d start(p.u, p.v), end(q.u, q.v);
+      const Segment segment{p.cell, start, end, p.u == q.u || p.v == q.v, end - start, end - start};
+      if (best.cell < 0) {
+        best = segment;  // as a rule the only one
+        continue;
+      }
+      if (!best_height) best_height = middle_height(best);
+      const double height = middle_height(segment);
+      if (height >= *best_height) continue;
       best = segment;
       best_height = height;
     }
   }
-  best.along_side = best.along_side && best_height <= kOnCurve * surface_.mesh().size();
+  if (best.along_side) {
+    best.along_side =
+        best_height.value_or(middle_height(best)) <= kOnCurve * surface_.mesh().size();
+  }
   return best;
+}
+
+// A cubic in (u, v) with the curve's own directions is where Newton's method begins: as a rule one
+// step is enough from there.
+void SectionCourse::lead(int k) {
+  Segment& segment = segments_[k];
+  if (segment.cell < 0 || segment.along_side) return;
+  const Segment* before = k > 0 ? &segments_[k - 1] : nullptr;
+  if (before && before->cell == segment.cell && before->to == segment.from &&
+      breaks_[k] > breaks_[k - 1]) {
+    const double ratio = (breaks_[k + 1] - breaks_[k]) / (breaks_[k] - breaks_[k - 1]);
+    segment.leaving = ratio * before->reaching;
+  } else {
+    segment.leaving = slope_at(segment, k, false);
+  }
+  segment.reaching = slope_at(segment, k, true);
+}
+
+Eigen::Vector2d SectionCourse::slope_at(const Segment& segment, int k, bool at_end) const {
+  const Eigen::Vector2d& uv = at_end ? segment.to : segment.from;
+  const Eigen::Vector2d chord = segment.to - segment.from;
+  const Vector3d d1 =
+      (breaks_[k + 1] - breaks_[k]) * known(stretch_.first + k + (at_end ? 1 : 0)).tangent;
+  surface::SurfaceJet jet;
+  surface_.evaluate(segment.cell, uv.x(), uv.y(), 1, jet);
+  const double uu = jet.du.squaredNorm(), mixed = jet.du.dot(jet.dv), vv = jet.dv.squaredNorm();
+  const double determinant = uu * vv - mixed * mixed;
+  const double along_u = jet.du.dot(d1), along_v = jet.dv.dot(d1);
+  const Eigen::Vector2d slope =
+      Eigen::Vector2d(vv * along_u - mixed * along_v, uu * along_v - mixed * along_u) / determinant;
+  // At an irregular knot there may be none.
+  constexpr double kMostTurned = 2.0;  // of the chord
+  return slope.allFinite() && slope.norm() <= kMostTurned * chord.norm() ? slope : chord;
 }
 
 CurveSample SectionCourse::sample(const Vector3d& tangent, const Vector3d& point,
@@ -124,7 +173,10 @@ bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample
 bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vector3d& near,
                              const Vector3d& along, CurveSample& result) const {
   const double size = surface_.mesh().size();
-  Eigen::Vector2d uv = segment.from + fraction * (segment.to - segment.from);
+  Eigen::Vector2d uv =
+      hermite(segment.from, segment.leaving, segment.to, segment.reaching, fraction)
+          .cwiseMax(0.0)
+          .cwiseMin(1.0);
   surface::SurfaceJet jet;
   double off = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps && off > kConverged * size; ++step) {
@@ -159,7 +211,8 @@ CurveSample SectionCourse::at(double s) const {
   if (s <= breaks_[k] || !(length > 0.0)) return a;
   if (s >= breaks_[k + 1]) return b;
   const double fraction = (s - breaks_[k]) / length;
-  const Vector3d near = hermite(a.point, length * a.tangent, b.point, length * b.tangent, fraction);
+  const Vector3d leaving = length * a.tangent, reaching = length * b.tangent;
+  const Vector3d near = hermite(a.point, leaving, b.point, reaching, fraction);
   const Segment& segment = segments_[k];
   CurveSample result;
   if (segment.cell >= 0) {

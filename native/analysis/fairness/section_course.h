@@ -28,8 +28,13 @@ class SectionCourse : public MeasuredCurve {
     int cell;
     Eigen::Vector2d from, to;
     bool along_side;  // on a line of constant u or v that lies in the plane
+    // d(u, v) at both ends, for a parameter from 0 to 1: the curve's cubic there.
+    Eigen::Vector2d leaving, reaching;
   };
   Segment segment_between(int a, int b) const;
+  double middle_height(const Segment& segment) const;
+  void lead(int k);
+  Eigen::Vector2d slope_at(const Segment& segment, int k, bool at_end) const;
   CurveSample known(int index) const;
   CurveSample sample(const Vector3d& tangent, const Vector3d& point, double curvature) const;
   bool on_line(const Segment& segment, double fraction, CurveSample& sample) const;
