@@ -24,7 +24,7 @@ _SHEETS = sorted(
     ),
     key=lambda sheet: sheet[0] * sheet[1],
 )
-_SCALES = [f * 10.0**n for n in range(4) for f in (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5)]
+_SCALES = [f * 10.0**n for n in range(-4, 5) for f in (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5)]
 # About how many waterlines in the draft and buttocks in the beam, the first that a sheet takes.
 _SPACINGS = ((4, 8), (3, 6), (2, 6), (2, 4), (1, 2))
 # Of the work, by figure in their order, and what the surface of pictures takes before.
@@ -129,8 +129,11 @@ class _LinesPlan:
         self._draw(path, *self._how)
 
     def _found(self, path):
-        spacing = self._first(_SPACINGS, lambda one: (one, _SHEETS[-1], None), path)
-        scale = self._first(_SCALES, lambda one: (spacing, _SHEETS[-1], one), path)
+        largest = _SHEETS[-1]
+        least = 1000.0 * self._form.lpp / largest[0]
+        scales = [scale for scale in _SCALES if least <= scale < 20.0 * least]
+        pairs = [(spacing, scale) for spacing in _SPACINGS for scale in scales]
+        spacing, scale = self._first(pairs, lambda one: (one[0], largest, one[1]), path)
         sheet = self._first(_SHEETS, lambda one: (spacing, one, scale), path)
         return spacing, sheet, scale
 

@@ -33,6 +33,8 @@ struct Plate {
   // Whether the plate goes on across the centre plane: triangles are those of one side, all else is
   // of both.
   bool across = false;
+  // By how much it and its mirror image are bent in the centre plane, rad, where they could be one.
+  std::optional<double> centre_knuckle;
 };
 
 // The points of a side, m.

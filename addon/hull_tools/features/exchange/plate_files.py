@@ -3,6 +3,7 @@
 file_tasks are."""
 
 from dataclasses import dataclass
+from math import degrees
 from pathlib import Path
 
 from ....hull_io.bytes_on_disk import write_bytes
@@ -16,12 +17,14 @@ from . import plate_rules
 @dataclass(frozen=True)
 class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
-    mass_t: of both sides; key: of the geometry that it is of."""
+    mass_t: of both sides; key: of the geometry that it is of; knuckles_deg: of keel plates that are
+    bent too sharply in the centre plane to be one with their mirror images."""
 
     rows: list
     unsettled: list
     mass_t: float
     key: object = None
+    knuckles_deg: tuple = ()
 
     @property
     def text(self):
@@ -29,6 +32,9 @@ class PlateReport:
         text = f"{len(self.rows)} plates of {pieces} pieces, {self.mass_t:.2f} t"
         if self.unsettled:
             text += f"; not settled: {', '.join(self.unsettled)}"
+        if self.knuckles_deg:
+            count, most = len(self.knuckles_deg), max(self.knuckles_deg)
+            text += f"; apart at a centre knuckle of up to {most:.1f}°: {count} keel plates"
         return text
 
 
@@ -89,6 +95,11 @@ class PlateTask(jobs.JobTask):
                 [one.name for one in listed if not one.flat.converged],
                 sum(one.mass_t * (2.0 if one.is_pair else 1.0) for one in listed),
                 self._key,
+                tuple(
+                    degrees(one.centre_knuckle)
+                    for one in plates
+                    if one.centre_knuckle is not None and not one.across
+                ),
             )
 
         self._job = jobs.Job(work)
