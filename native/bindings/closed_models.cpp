@@ -133,9 +133,8 @@ void bind_closed_models(py::module_& module) {
           py::arg("heights"),
           "A list of ModelSlice at heights (n,), which must rise. Points at a height count as "
           "above it.")
-      .def(
-          "covers",
-          &covered_by, py::arg("points"), "(n,) whether a triangle is above each of points (n, 3), towards +z.");
+      .def("covers", &covered_by, py::arg("points"),
+           "(n,) whether a triangle is above each of points (n, 3), towards +z.");
 
   module.def(
       "places_covered",

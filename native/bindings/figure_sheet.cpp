@@ -119,8 +119,8 @@ drawing::ValuedTriangles triangles_from(const DoubleArray& points, const FloatAr
   return given;
 }
 
-py::tuple seen(const DoubleArray& points, const FloatArray& values,
-                        const py::object& triangles, int width, int height) {
+py::tuple seen(const DoubleArray& points, const FloatArray& values, const py::object& triangles,
+               int width, int height) {
   if (width < 1 || height < 1 || width > kMostDots || height > kMostDots) {
     throw std::invalid_argument("A picture has 1 to 20 000 dots along a side.");
   }

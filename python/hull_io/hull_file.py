@@ -27,14 +27,7 @@ mended on reading: a mistake is refused with the key and index where it stands.
 import json
 from pathlib import Path
 
-from . import (
-    hull_appendages,
-    hull_content,
-    hull_fields,
-    hull_plating,
-    hull_targets,
-    hull_variants,
-)
+from . import hull_appendages, hull_content, hull_fields, hull_plating, hull_targets, hull_variants
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .errors import HullFileError

@@ -48,12 +48,12 @@ def test_unknown_endings_are_refused(tmp_path, call):
 FIGURES = ("control-mesh", "lines-plan", "reflection", "rendering", "sections-plan")
 
 
-@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
+@pytest.mark.parametrize("ending", ["png", "svg"])
 def test_figures_are_written(tmp_path, ending):
     """As plain Python writes them, whatever the object is called; in edit mode, too."""
     hull = add_hull()
     hull.name = 'a <b> & "c" ü'
-    if ending == "pdf":
+    if ending == "svg":
         bpy.ops.object.mode_set(mode="EDIT")
     path = tmp_path / f"box 'é.{ending}"
     assert bpy.ops.hull.export_figures(filepath=str(path)) == {"FINISHED"}
@@ -66,8 +66,8 @@ def test_figures_of_a_whole_hull_of_odd_size(tmp_path):
     """A box of 10 by 4 by 3 mm, both sides, in a scene in millimetres."""
     bpy.context.scene.unit_settings.scale_length = 0.001
     hull = add_hull()
-    assert hull.hull.half in (True, False)
-    assert bpy.ops.hull.export_figures(filepath=str(tmp_path / "tiny.svg")) == {"FINISHED"}
+    hull.hull.half = False
+    assert bpy.ops.hull.export_figures(filepath=str(tmp_path / "tiny.pdf")) == {"FINISHED"}
     assert len(list(tmp_path.iterdir())) == len(FIGURES)
 
 

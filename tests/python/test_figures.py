@@ -9,8 +9,14 @@ import hull_native as hn
 import numpy as np
 import pytest
 import vessels
-from hull_native import figure_form, figure_views, hull_figures, hull_pictures, mesh_figures
-from hull_native import sections_plans
+from hull_native import (
+    figure_form,
+    figure_views,
+    hull_figures,
+    hull_pictures,
+    mesh_figures,
+    sections_plans,
+)
 from hull_native.hidden_lines import Sight
 from production_hulls import hemisphere
 
@@ -63,9 +69,7 @@ def test_values_of_the_nearest_triangle():
     """Two triangles, the nearer one over the lower left half; values linear in the place."""
     corners = np.array([(0, 0, 0), (40, 0, 0), (0, 40, 0), (0, 0, 5), (20, 0, 5), (0, 20, 5.0)])
     values = np.column_stack([corners[:, :2], np.repeat([1.0, 2.0], 3)])
-    dots, seen = hn.seen_values(
-        corners, values, [(0, 1, 2), (3, 5, 4)], width=50, height=45
-    )
+    dots, seen = hn.seen_values(corners, values, [(0, 1, 2), (3, 5, 4)], width=50, height=45)
     x, y = dots % 50 + 0.5, dots // 50 + 0.5
     assert len(dots) == sum(40 - row for row in range(40))
     np.testing.assert_allclose(seen[:, :2], np.stack([x, y], axis=1), atol=1e-5)
@@ -169,9 +173,9 @@ def test_all_figures_are_files(ending, tmp_path):
 def test_refusals(tmp_path):
     form = form_of("barge")
     for path, more, said in (
-        ("barge.jpg", {}, "not as \".jpg\""),
-        ("barge", {}, "not as \"barge\""),
-        ("barge.png", {"figures": ["profile"]}, "not \"profile\""),
+        ("barge.jpg", {}, 'not as ".jpg"'),
+        ("barge", {}, 'not as "barge"'),
+        ("barge.png", {"figures": ["profile"]}, 'not "profile"'),
         ("barge.png", {"figures": []}, "no figure"),
     ):
         with pytest.raises(ValueError, match=said):

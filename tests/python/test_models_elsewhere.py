@@ -55,9 +55,7 @@ def test_segments_with_dowels(name, tmp_path):
     dowel = min(6.0, 0.05 * size[1])
     found = hn.segmented(model, machine=machine, planes=12, dowel=dowel, dowel_depth=2.0 * dowel)
     assert found.holes >= 12 and len(found.segments) >= 3
-    models = [
-        written(one.model, tmp_path, f"{name}-{k}") for k, one in enumerate(found.segments)
-    ]
+    models = [written(one.model, tmp_path, f"{name}-{k}") for k, one in enumerate(found.segments)]
     for parts, seen in look(models, tmp_path):
         # Of the planing boat a joint ends in points that are on one line but for rounding: FreeCAD
         # takes two triangles that touch there for such as cross.

@@ -45,9 +45,9 @@ class Flipper {
 
   // Over the longest side.
   double height(int a, int b, int c) const {
-    const double longest = std::max({(points_[b] - points_[a]).squaredNorm(),
-                                     (points_[c] - points_[b]).squaredNorm(),
-                                     (points_[a] - points_[c]).squaredNorm()});
+    const double longest =
+        std::max({(points_[b] - points_[a]).squaredNorm(), (points_[c] - points_[b]).squaredNorm(),
+                  (points_[a] - points_[c]).squaredNorm()});
     return longest > 0.0 ? area(a, b, c).norm() / longest : 0.0;
   }
 
@@ -71,8 +71,7 @@ class Flipper {
     if (beyond == owner_.end()) return false;
     const int other = beyond->second;
     const Triangle& next = triangles_[other];
-    const int d = next[0] != a && next[0] != c ? next[0] : next[1] != a && next[1] != c ? next[1]
-                                                                                        : next[2];
+    const int d = *std::find_if(next.begin(), next.end(), [=](int p) { return p != a && p != c; });
     if (d == b || owner_.contains(directed_key(b, d)) || owner_.contains(directed_key(d, b))) {
       return false;
     }
@@ -91,7 +90,7 @@ class Flipper {
 
   const std::vector<Vector3d>& points_;
   std::vector<Triangle>& triangles_;
-  double least_;  // height over the longest side
+  double least_;                                  // height over the longest side
   std::unordered_map<std::uint64_t, int> owner_;  // by directed side
 };
 

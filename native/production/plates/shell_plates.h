@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 
 #include "production/plates/shell_mesh.h"
 
