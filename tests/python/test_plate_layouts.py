@@ -63,15 +63,19 @@ def test_other_triangles_have_the_same_stretch(coaster_plates):
         assert ratio(one_flat) == pytest.approx(ratio(other), abs=allowed), ratios
 
 
-def test_bilges_have_no_stretch_of_the_elements_own():
-    """All but developable: Gauss's curvature K of the bulge takes K b² / 8 of stretch at least over
-    the breadth b. Elements on triangles told 1 % whatever the bulge."""
-    (plate,) = hn.plates(bilge(1e-3), [])
+@pytest.mark.parametrize("bulge", [1e-3, 1e-2])
+def test_bilges_have_no_stretch_of_the_elements_own(bulge):
+    """All but developable: over the breadth b Gauss's curvature K of the bulge takes K b² / 8 of
+    stretch, that of a long strip, and the rest is no more than the error that is told of the least
+    and the largest. Elements on triangles told 1 % whatever the bulge, and so did splines of
+    which two coarse grids missed the ends of the arc alike."""
+    (plate,) = hn.plates(bilge(bulge), [])
     flat = plate.flat()
-    assert flat.converged
-    curvature = 1e-3 * (np.pi / 12.0) ** 2 / 1.5
+    assert flat.converged and flat.stretch_error < 2e-4
+    curvature = bulge * (np.pi / 12.0) ** 2 / 1.5
     breadth = 1.5 * np.pi / 2
-    assert 0.125 * curvature * breadth**2 < ratio(flat) - 1.0 < 5e-4
+    least = 0.125 * curvature * breadth**2
+    assert least < ratio(flat) - 1.0 < 1.1 * least + 2.0 * flat.stretch_error
 
 
 def test_half_a_cap_across_the_centre():
