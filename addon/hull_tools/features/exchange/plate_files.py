@@ -3,7 +3,7 @@
 file_tasks are."""
 
 from dataclasses import dataclass
-from math import degrees
+from math import degrees, radians
 from pathlib import Path
 
 from ....hull_io.bytes_on_disk import write_bytes
@@ -14,11 +14,15 @@ from ..hull import hull_state
 from . import plate_rules
 
 
+# Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
+_SLIGHT = radians(10.0)
+
+
 @dataclass(frozen=True)
 class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
     mass_t: of both sides; key: of the geometry that it is of; knuckles_deg: of keel plates that are
-    bent too sharply in the centre plane to be one with their mirror images."""
+    not one with their mirror images for being slightly bent in the centre plane."""
 
     rows: list
     unsettled: list
@@ -98,7 +102,8 @@ class PlateTask(jobs.JobTask):
                 tuple(
                     degrees(one.centre_knuckle)
                     for one in plates
-                    if one.centre_knuckle is not None and not one.across
+                    if not one.across and one.centre_knuckle is not None
+                    if one.centre_knuckle < _SLIGHT
                 ),
             )
 
