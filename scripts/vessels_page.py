@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Puts the vessels' pictures together, and makes the docs' page of them.
+"""Makes the docs' page of the vessels' figures.
 
 PYTHONPATH=build/release/python:samples python3 scripts/vessels_page.py FOLDER NAME ...
 
-of what draw_vessels.py and picture_vessels.py left in FOLDER/NAME/: PDFs of the pictures there,
-small copies of all in docs/images/vessels, and docs/vessels.md of all vessels that have copies.
+of what draw_vessels.py left in FOLDER/NAME/: small copies in docs/images/vessels, and
+docs/vessels.md of all vessels that have copies.
 """
 
 import sys
 from pathlib import Path
 
+import hull_native as hn
 import vessels
-from figures import lines_plan, paper
+from figures import paper
+from hull_native.figure_form import FigureForm
 
 DOCS = vessels.ROOT / "docs"
 IMAGES = DOCS / "images" / "vessels"
@@ -34,16 +36,19 @@ lines: [fairness.md](fairness.md#what-is-seen).
 
 
 def finish(name, folder):
-    """PDFs of the pictures and small copies of all figures."""
-    for picture in ("rendering", "reflection"):
-        views = [folder / f"{picture}_{view}.png" for view in ("bow", "stern")]
-        paper.put_below(views, folder / f"{picture}.png")
-        for view in views:
-            view.unlink()
-        paper.picture_to_pdf(folder / f"{picture}.png", folder / f"{picture}.pdf")
+    """Small copies of all figures."""
     IMAGES.mkdir(parents=True, exist_ok=True)
     for figure, (width, _) in FIGURES.items():
-        paper.make_small(folder / f"{figure}.png", IMAGES / f"{name}_{figure}.png", width)
+        made = folder / f"{name}-{figure.replace('_', '-')}.png"
+        paper.make_small(made, IMAGES / f"{name}_{figure}.png", width)
+
+
+def particulars(vessel):
+    """Pairs (name, text) of a vessel's main dimensions and what it displaces."""
+    given = vessel.data.particulars
+    body = hn.HullBody(vessel.surface, mirrored=vessel.data.half)
+    dimensions = given.length_pp, given.beam, given.draft, given.depth
+    return FigureForm(body, vessel.data.name, *dimensions).particulars()
 
 
 def section(vessel):
@@ -52,7 +57,7 @@ def section(vessel):
     counts = f"{len(data.points)} control points" + (" to one side" if data.half else "")
     table = [("Control mesh", f"{counts}, {len(data.faces)} faces")]
     lines = [f"## {data.name}", "", f"`{name}`: {data.source}.", "", "| | |", "|---|---|"]
-    lines += [f"| {label} | {text} |" for label, text in lines_plan.particulars(vessel) + table]
+    lines += [f"| {label} | {text} |" for label, text in particulars(vessel) + table]
     features = getattr(vessel.source, "FEATURES", {})
     if features:
         lines += ["", *(f"- *{feature}*: {how}" for feature, how in features.items())]

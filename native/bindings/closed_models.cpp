@@ -19,7 +19,7 @@ using production::ClosedModel;
 using production::ModelLayers;
 using production::ModelSlice;
 
-ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
+ClosedModel triangles_from(const DoubleArray& points, const py::object& triangles) {
   ClosedModel model;
   model.points = points_from(points, "points");
   const auto rows = py::array::ensure(triangles);
@@ -35,6 +35,21 @@ ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
     }
     model.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
   }
+  return model;
+}
+
+py::array_t<bool> covered_by(const ClosedModel& model, const DoubleArray& points) {
+  const std::vector<Vector3d> places = points_from(points, "points");
+  py::array_t<bool> result(static_cast<py::ssize_t>(places.size()));
+  bool* const covered = result.mutable_data();
+  const py::gil_scoped_release release;
+  const production::AxisRays rays(model, 2);
+  for (std::size_t i = 0; i < places.size(); ++i) covered[i] = rays.meets_above(places[i]);
+  return result;
+}
+
+ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
+  ClosedModel model = triangles_from(points, triangles);
   const int open = production::open_sides(model);
   if (open > 0 || model.triangles.empty()) {
     throw std::invalid_argument("The triangles do not enclose a body: " + std::to_string(open) +
@@ -118,21 +133,18 @@ void bind_closed_models(py::module_& module) {
           py::arg("heights"),
           "A list of ModelSlice at heights (n,), which must rise. Points at a height count as "
           "above it.")
-      .def(
-          "covers",
-          [](const ClosedModel& model, const DoubleArray& points) {
-            const std::vector<Vector3d> places = points_from(points, "points");
-            py::array_t<bool> result(static_cast<py::ssize_t>(places.size()));
-            bool* const covered = result.mutable_data();
-            const py::gil_scoped_release release;
-            const production::AxisRays rays(model, 2);
-            for (std::size_t i = 0; i < places.size(); ++i) {
-              covered[i] = rays.meets_above(places[i]);
-            }
-            return result;
-          },
-          py::arg("points"), "(n,) whether a triangle is above each of points (n, 3), towards +z.");
+      .def("covers", &covered_by, py::arg("points"),
+           "(n,) whether a triangle is above each of points (n, 3), towards +z.");
 
+  module.def(
+      "places_covered",
+      [](const DoubleArray& points, const py::object& triangles, const DoubleArray& places) {
+        const ClosedModel faces = triangles_from(points, triangles);
+        return covered_by(faces, places);
+      },
+      py::arg("points"), py::arg("triangles"), py::arg("places"),
+      "(n,) whether one of triangles (m, 3) of points, which need not enclose anything, is above "
+      "each of places (n, 3), towards +z. ValueError for triangles of points that there are not.");
   module.def(
       "closed_model",
       [](const analysis::HullBody& body, double tolerance, const py::object& progress) {

@@ -16,6 +16,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/companion_module.h"
+#include "bindings/figure_sheet.h"
 #include "bindings/paper_names.h"
 #include "bindings/plot.h"
 #include "bindings/progress.h"
@@ -116,6 +117,7 @@ PYBIND11_MODULE(_drawing, module) {
   module.doc() = "Drawings on paper, by way of Cairo.";
   join_core(module);
   bind_plot(module);
+  bind_figure_sheet(module);
   bind_shop_drawing(module);
 
   module.def(

@@ -180,6 +180,10 @@ void bind_plate(py::module_& module) {
           "across", [](const OnePlate& one) { return one.plate().across; },
           "Whether it goes on to the other side of the centre plane: all is of both sides then.")
       .def_property_readonly(
+          "centre_knuckle", [](const OnePlate& one) { return one.plate().centre_knuckle; },
+          "rad: by how much it and its mirror image are bent in the centre plane, where "
+          "across_centre asks for such plates; they are one up to largest_knuckle. None of others.")
+      .def_property_readonly(
           "area", [](const OnePlate& one) { return one.plate().area; }, "m², of the exact surface.")
       .def_property_readonly(
           "centre", [](const OnePlate& one) { return one.plate().centre; }, "(3,) of the area, m.")

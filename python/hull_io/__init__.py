@@ -31,6 +31,7 @@ from .keeping import to_dimensions_keeping
 from .model_files import write_3mf, write_cli
 from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
 from .part_files import read_stl_parts, write_segments, write_stl_parts
+from .plating_data import SEAM_KINDS, FrameRange, Plating, SeamRule
 from .reading import read_hull, stored_sections
 from .scaling import scaled, to_dimensions
 from .ship_data import (
@@ -50,6 +51,7 @@ from .wanted import AreaPoint, AreaTarget, FreeDimension, Target, Targets
 
 __all__ = [
     "LINE_KINDS",
+    "SEAM_KINDS",
     "Afloat",
     "Appendage",
     "AreaPoint",
@@ -58,6 +60,7 @@ __all__ = [
     "FieldEnd",
     "Developable",
     "Flat",
+    "FrameRange",
     "FreeDimension",
     "HullData",
     "HullFileError",
@@ -68,8 +71,10 @@ __all__ = [
     "LoadCase",
     "Opening",
     "Particulars",
+    "Plating",
     "PointGroup",
     "Resistance",
+    "SeamRule",
     "ShapeField",
     "ShellArrays",
     "Target",

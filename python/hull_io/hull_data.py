@@ -190,8 +190,9 @@ class HullData:
     tools do not move; kept: those that they move in a plane only; ties: Tie, one a point; groups:
     PointGroup. lines: a LineChoice, None where
     the file does not say. targets: wanted.Targets; area_target: a wanted.AreaTarget, None without
-    one. fields: ShapeField. appendages: Appendage. variants: Variant, whose hulls have no variants,
-    targets, fields or appendages of their own. units: the file's
+    one. fields: ShapeField. appendages: Appendage. plating: a plating_data.Plating, None where
+    nothing is said of plates. variants: Variant, whose hulls have no variants, targets, fields,
+    appendages or plating of their own. units: the file's
     own unit of length, "m" or "ft". source: where the hull comes from. notes: what the reader had
     to mend, one sentence each, for the user.
     """
@@ -225,6 +226,7 @@ class HullData:
     area_target: object = None
     fields: list = field(default_factory=list)
     appendages: list = field(default_factory=list)
+    plating: object = None
     variants: list = field(default_factory=list)
     units: str = "m"
     source: str = ""

@@ -14,8 +14,8 @@
      tells,
      and what hull_loading tells of: "afloat", "load", "load_cases", "openings", "wind";
      "weights" as hull_weights and "resistance" as hull_resistance tells;
-     "targets" and "area_target" as hull_targets tells, "fields" as hull_fields and
-     "appendages" as hull_appendages tells,
+     "targets" and "area_target" as hull_targets tells, "fields" as hull_fields,
+     "appendages" as hull_appendages and "plating" as hull_plating tells,
      "variants" as hull_variants tells}
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
@@ -27,7 +27,7 @@ mended on reading: a mistake is refused with the key and index where it stands.
 import json
 from pathlib import Path
 
-from . import hull_appendages, hull_content, hull_fields, hull_targets, hull_variants
+from . import hull_appendages, hull_content, hull_fields, hull_plating, hull_targets, hull_variants
 from .bytes_on_disk import read_bytes, write_bytes
 from .checked_json import CheckedJson, shown
 from .errors import HullFileError
@@ -39,6 +39,7 @@ OPTIONAL = (
     *hull_targets.KEYS,
     hull_fields.KEY,
     hull_appendages.KEY,
+    hull_plating.KEY,
     hull_variants.KEY,
 )
 # Lists of single numbers, which stand in one line.
@@ -61,6 +62,7 @@ def parse_hull_file(data, file_name):
         setattr(hull, name, value)
     hull.fields = hull_fields.parsed(check, content, len(hull.faces))
     hull.appendages = hull_appendages.parsed(check, content)
+    hull.plating = hull_plating.parsed(check, content)
     hull.variants = hull_variants.parsed(check, content)
     return hull
 
@@ -98,6 +100,7 @@ def write_hull_file(data, path):
         **hull_targets.entries(data),
         **hull_fields.entries(data),
         **hull_appendages.entries(data),
+        **hull_plating.entries(data),
         **hull_variants.entries(data),
     }
     lines = [_entry(key, value) for key, value in entries.items()]

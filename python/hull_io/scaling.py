@@ -68,6 +68,8 @@ FOLLOWING = {
     "appendages.end": "point",
     "appendages.chord_direction": "vector",
     "appendages.thickness_direction": "vector",
+    "plating.rules.value": "seam",
+    "plating.rules.line": "points",
     "fields.place": "point",
     "fields.extent": "x",
     "fields.shift": "vector",
@@ -99,6 +101,9 @@ STAYING = frozenset(
     fields.along_surface
     appendages.name appendages.shape appendages.section appendages.thicknesses appendages.on
     appendages.cut appendages.mirrored
+    plating.rules.kind plating.rules.on plating.along_knuckles plating.across_centre
+    plating.thickness plating.first_frame plating.ranges.last plating.ranges.spacing
+    plating.numbered_from plating.in_roman
     notes""".split()
 )
 
@@ -210,6 +215,9 @@ def _shown(value):
     return f"{value:.{_DIGITS}g}"
 
 
+# Seams at places go along; girths and lengths of plates are the yard's.
+_SEAMS = {"station": 0, "buttock": 1, "waterline": 2}
+
 # By the names that FOLLOWING has: (Scale, what holds the value, the value) → the new value. What is
 # counted from the mesh's zero is "at" a place, and is shifted too.
 CHANGES = {
@@ -229,6 +237,9 @@ CHANGES = {
     "list y": lambda scale, holder, value: scale.listed(1, value),
     "list z": lambda scale, holder, value: scale.listed(2, value),
     "diagonals": lambda scale, holder, value: scale.diagonals(value),
+    "seam": lambda scale, holder, value: (
+        scale.place(_SEAMS[holder.kind], value) if holder.kind in _SEAMS else value
+    ),
     "sizes": lambda scale, holder, value: scale.sizes(holder),
     "stations": lambda scale, holder, value: (
         scale.listed(0, value) if holder.stations_in.lower() == "metres" else value

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawings in mm on white paper, as PDF and PNG; pictures put on a page, together, made small."""
+"""Drawings in mm on white paper, as PDF and PNG; pictures made small."""
 
 import math
 
 import cairo
-import numpy as np
 
 FONT = "DejaVu Sans"
 DOTS_PER_MM = 8.0
 _POINTS_PER_MM = 72.0 / 25.4
-# Of 255: how far the background's colour goes within a row.
-_BACKGROUND = 10
 BLACK, GREY, PALE = (0.0, 0.0, 0.0), (0.45, 0.45, 0.45), (0.78, 0.78, 0.78)
 
 
@@ -67,15 +64,6 @@ def text_width_of(context, words, height):
     return text_width(context, words)
 
 
-def picture_to_pdf(png, pdf, width=297.0):
-    """A page of that width in mm that a picture fills."""
-    image = cairo.ImageSurface.create_from_png(str(png))
-    scale = width * _POINTS_PER_MM / image.get_width()
-    page = cairo.PDFSurface(str(pdf), width * _POINTS_PER_MM, image.get_height() * scale)
-    _put(page, image, scale)
-    page.finish()
-
-
 def make_small(png, small, width):
     """A copy that is `width` dots wide, or as wide as the picture where that is less."""
     image = cairo.ImageSurface.create_from_png(str(png))
@@ -83,34 +71,6 @@ def make_small(png, small, width):
     copy = _white(image.get_width() * scale, image.get_height() * scale)
     _put(copy, image, scale)
     copy.write_to_png(str(small))
-
-
-def put_below(pngs, together, margin=24):
-    """One picture of several, one below the other, without rows of the background above and below
-    but for a margin."""
-    images = [cairo.ImageSurface.create_from_png(str(png)) for png in pngs]
-    rows = [_rows_with_content(image, margin) for image in images]
-    page = _white(max(image.get_width() for image in images), sum(b - a for a, b in rows))
-    top = 0
-    for image, (first, last) in zip(images, rows):
-        context = cairo.Context(page)
-        context.rectangle(0, top, image.get_width(), last - first)
-        context.clip()
-        context.set_source_surface(image, 0, top - first)
-        context.paint()
-        top += last - first
-    page.write_to_png(str(together))
-
-
-def _rows_with_content(image, margin):
-    """(first, last + 1) of the rows that are not all of the background's colour, and a margin."""
-    height, width, stride = image.get_height(), image.get_width(), image.get_stride()
-    pixels = np.frombuffer(image.get_data(), dtype=np.uint8).reshape(height, stride // 4, 4)
-    pixels = pixels[:, :width, :3].astype(int)
-    rows = np.flatnonzero((np.abs(pixels - pixels[:, :1]) > _BACKGROUND).any(axis=(1, 2)))
-    if not len(rows):
-        return 0, height
-    return max(int(rows[0]) - margin, 0), min(int(rows[-1]) + 1 + margin, height)
 
 
 def _white(width, height):

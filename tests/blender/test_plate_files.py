@@ -111,3 +111,46 @@ def test_a_full_disk_leaves_nothing(ending, tmp_path):
         resource.setrlimit(resource.RLIMIT_FSIZE, limit)
     assert path.read_text() == "as it was"
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+def test_rules_are_kept_in_the_hull_file(tmp_path):
+    """Rules, the line of a projected one, thickness and frames come back; places follow the hull
+    when it is scaled, girths do not."""
+    hull = sample("coaster")
+    assert bpy.ops.hull.suggest_seams() == {"FINISHED"}
+    plates = hull.hull.plates
+    line = bpy.data.objects.new("Line", bpy.data.meshes.new("Line"))
+    line.data.from_pydata([(10.0, 9.0, 4.0), (70.0, 9.0, 5.0)], [(0, 1)], [])
+    bpy.context.scene.collection.objects.link(line)
+    for kind, value in (("projected", 0.0), ("station", 30.0)):
+        rule = plates.rules.add()
+        rule.kind, rule.value = kind, value
+    plates.rules[2].line, plates.rules[1].on = line, False
+    plates.thickness, plates.numbered_from, plates.in_roman = 12.5, "FP", True
+    made = plates.ranges.add()
+    made.last, made.spacing = 40, 0.65
+    rules = part("features.exchange.plate_rules")
+    before = rules.seam_rules(hull, bpy.context.scene)
+    path = tmp_path / "coaster.hull.json"
+    assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
+    bpy.ops.wm.read_homefile(use_empty=True)
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    hull = bpy.context.object
+    plates = hull.hull.plates
+    after = rules.seam_rules(hull, bpy.context.scene)
+    assert [(one.kind, one.value) for one in after] == [(one.kind, one.value) for one in before]
+    assert after[1].line == pytest.approx(before[1].line, abs=1e-5)
+    assert [rule.on for rule in plates.rules] == [True, False, True, True]
+    assert (plates.thickness, plates.numbered_from, plates.in_roman) == (12.5, "FP", True)
+    assert [(one.last, one.spacing) for one in plates.ranges] == [(40, pytest.approx(0.65))]
+    strake = plates.rules[0].value
+    assert bpy.ops.hull.set_dimensions(length=2.0 * hull.hull.length_pp) == {"FINISHED"}
+    assert plates.rules[0].value == strake
+    assert plates.rules[3].value == pytest.approx(60.0)
+
+
+def test_a_hull_without_rules_says_nothing_of_plates(tmp_path):
+    sample("coaster")
+    path = tmp_path / "coaster.hull.json"
+    assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
+    assert "plating" not in path.read_text()

@@ -2,7 +2,6 @@
 """Closed models: every side twice, the exact volume within tolerance times area, layers that
 integrate to it; their files by programs that are not ours."""
 
-import json
 import math
 import os
 import shutil
@@ -14,10 +13,10 @@ import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+from model_checkers import ADMESH, FREECAD, admesh, freecad
 from production_hulls import SAMPLES, body_of, hemisphere, odd_sides
 
-ADMESH, ASSIMP = shutil.which("admesh"), shutil.which("assimp")
-FREECAD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+ASSIMP = shutil.which("assimp")
 
 # Of the length between perpendiculars.
 TOLERANCES = [8e-4, 4e-4, 2e-4]
@@ -148,61 +147,20 @@ def test_admesh_finds_it_closed(name, tmp_path):
     sample, body = body_of(name)
     model = hn.closed_model(body, 4e-4 * sample.ship.length_pp).scaled(10.0)
     hull_io.write_stl(tmp_path / "hull.stl", model.points, model.triangles)
-    told = subprocess.run(
-        [ADMESH, tmp_path / "hull.stl"], capture_output=True, text=True, check=True
-    ).stdout
-    numbers = {
-        row.split(":")[0].strip(): row.split(":")[1].split()
-        for row in told.splitlines()
-        if ":" in row
-    }
-    assert numbers["Number of facets"] == [str(len(model.triangles))] * 2
-    assert numbers["Total disconnected facets"][0] == "0"
-    for fault in (
-        "Degenerate facets",
-        "Edges fixed",
-        "Facets removed",
-        "Facets reversed",
-        "Backwards edges",
-    ):
-        assert numbers[fault][0] == "0", told
-    volume = float(told.split("Volume   :")[1].split()[0])
+    faults, facets, _, volume = admesh(tmp_path / "hull.stl")
+    assert not faults and facets == {len(model.triangles)}
     # admesh sums in single precision.
     assert volume == pytest.approx(model.volume, rel=1e-3)
-
-
-FREECAD_SCRIPT = """
-import json, os, Mesh
-found = {}
-for name in json.loads(os.environ["HULL_MODELS"]):
-    mesh = Mesh.Mesh(name)
-    found[name] = [mesh.isSolid(), mesh.hasNonManifolds(), mesh.CountFacets, mesh.Volume]
-json.dump(found, open(os.environ["HULL_FOUND"], "w"))
-"""
 
 
 @pytest.mark.skipif(FREECAD is None, reason="FreeCAD is not installed")
 def test_freecad_finds_it_closed(printed, tmp_path):
     model, folder = printed
-    script, found = tmp_path / "look.py", tmp_path / "found.json"
-    script.write_text(FREECAD_SCRIPT)
-    names = [str(folder / name) for name in ("hull.stl", "hull.obj")]
-    environment = dict(
-        os.environ, HOME=str(tmp_path), HULL_MODELS=json.dumps(names), HULL_FOUND=str(found)
-    )
-    environment.pop("PYTHONPATH", None)
-    done = subprocess.run(
-        [FREECAD, script],
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
-    assert found.exists(), done.stdout + done.stderr
-    for solid, loose, facets, volume in json.loads(found.read_text()).values():
-        assert solid and not loose and facets == len(model.triangles)
-        assert volume == pytest.approx(model.volume, rel=1e-5)
+    found = freecad([folder / "hull.stl", folder / "hull.obj"], tmp_path)
+    for one in found.values():
+        assert one["solid"] and not one["loose"] and not one["crossed"]
+        assert one["facets"] == len(model.triangles)
+        assert one["volume"] == pytest.approx(model.volume, rel=1e-5)
 
 
 @pytest.mark.skipif(ASSIMP is None, reason="assimp is not installed")

@@ -231,6 +231,7 @@ def draw_export_menu(self, context):
     layout.operator("hull.export_step", text="Hull surface (.step)")
     layout.operator("hull.export_iges", text="Hull surface (.igs)")
     layout.operator(HULL_OT_export_lines.bl_idname, text="Hull lines plan (.pdf, .svg, .png, .dxf)")
+    layout.operator("hull.export_figures", text="Hull figures (.png, .pdf, .svg)")
     layout.operator("hull.export_model", text="Hull model (.stl, .3mf, .obj, .cli)")
     layout.operator("hull.export_panels", text="Hull panels (.gdf, .dat, .obj)")
     layout.operator("hull.export_parts", text="Hull in named parts (.stl)")

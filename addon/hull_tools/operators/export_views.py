@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawings of a hull beside its lines plan: the view, curvature along a section, lines in space."""
+"""Drawings of a hull beside its lines plan: the view, curvature along a section, lines in space,
+and the figures that present it."""
 
 from math import radians
 
@@ -9,8 +10,8 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from ..bridge import native
 from ..bridge.blender import units
-from ..features.exchange import view_files
-from .export_hull import formats
+from ..features.exchange import figure_files, view_files
+from .export_hull import ExportByTask, ExportDrawing, formats
 from .export_production import ExportWithNumbers
 
 
@@ -150,4 +151,31 @@ class HULL_OT_export_curves(bpy.types.Operator, ExportWithNumbers):
         return f"{result} lines written", False
 
 
-CLASSES = (HULL_OT_export_view, HULL_OT_export_curvature, HULL_OT_export_curves)
+class HULL_OT_export_figures(bpy.types.Operator, ExportDrawing, ExportByTask):
+    """Write five figures that present the hull, a file each, named after this one: with paint,
+    sections and waterlines, its reflections, control mesh, lines plan and sections plan"""
+
+    bl_idname = "hull.export_figures"
+    bl_label = "Export Figures"
+
+    filename_ext = ".png"
+    filter_glob: StringProperty(default="*.png;*.pdf;*.svg", options={"HIDDEN"})
+    format: formats(
+        (".png", "PNG", "Pictures in dots"),
+        (".pdf", "PDF", "Pages, as one opens and prints them"),
+        (".svg", "SVG", "For drawing programs and web pages"),
+    )
+
+    def begin(self, hull, scene):
+        return figure_files.FigureFiles(hull, scene, self.filepath)
+
+    def outcome(self, result, scene):
+        return f"{result} figures written", False
+
+
+CLASSES = (
+    HULL_OT_export_view,
+    HULL_OT_export_curvature,
+    HULL_OT_export_curves,
+    HULL_OT_export_figures,
+)

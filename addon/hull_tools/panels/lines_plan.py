@@ -34,7 +34,9 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.operator("hull.export_view", text="View", icon="EXPORT")
         row.operator("hull.export_curves", text="Lines in Space", icon="EXPORT")
-        layout.operator("hull.export_curvature", text="Curvature", icon="EXPORT")
+        row = layout.row(align=True)
+        row.operator("hull.export_curvature", text="Curvature", icon="EXPORT")
+        row.operator("hull.export_figures", text="Figures", icon="EXPORT")
 
 
 CLASSES = (HULL_PT_lines_plan,)

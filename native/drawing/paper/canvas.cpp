@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <tuple>
 
@@ -138,11 +140,36 @@ void draw_label(cairo_t* context, const Label& label) {
   cairo_restore(context);
 }
 
+void draw_picture(cairo_t* context, const Picture& picture) {
+  const CairoSurface image(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.columns, picture.rows));
+  if (cairo_surface_status(image.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+  unsigned char* const bytes = cairo_image_surface_get_data(image.get());
+  const std::size_t stride = cairo_image_surface_get_stride(image.get());
+  for (int row = 0; row < picture.rows; ++row) {
+    std::memcpy(bytes + row * stride,
+                picture.dots.data() + static_cast<std::size_t>(row) * picture.columns,
+                sizeof(std::uint32_t) * picture.columns);
+  }
+  cairo_surface_mark_dirty(image.get());
+  cairo_save(context);
+  cairo_translate(context, picture.corner.x(), picture.corner.y());
+  cairo_rectangle(context, 0.0, 0.0, picture.size.x(), picture.size.y());
+  cairo_clip(context);
+  cairo_scale(context, picture.size.x() / picture.columns, picture.size.y() / picture.rows);
+  cairo_set_source_surface(context, image.get(), 0.0, 0.0);
+  // Dots at the page's edge would else fade into what is outside.
+  cairo_pattern_set_extend(cairo_get_source(context), CAIRO_EXTEND_PAD);
+  cairo_paint(context);
+  cairo_restore(context);
+}
+
 void draw_sheet(cairo_t* context, const Sheet& sheet) {
   cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
   cairo_paint(context);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
+  for (const Picture& picture : sheet.pictures) draw_picture(context, picture);
   for (const Fill& area : sheet.areas) draw_fill(context, area);
   for (const Stroke& stroke : sheet.strokes) draw_stroke(context, stroke);
   for (const Fill& patch : sheet.patches) draw_fill(context, patch);

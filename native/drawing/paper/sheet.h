@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,13 @@ struct Fill {
   std::vector<Eigen::Vector2d> points;
 };
 
+// A picture in dots, each 0xRRGGBB, row by row from above, on a part of the page.
+struct Picture {
+  Eigen::Vector2d corner, size;  // upper left; width and height, mm
+  int columns, rows;
+  std::vector<std::uint32_t> dots;
+};
+
 // One line of text, drawn to fill its box from the left; whose height is ascent and descent
 // (text_meter.h).
 struct Label {
@@ -67,10 +75,11 @@ struct Label {
 struct Sheet {
   std::string title;
   double width, height;
-  std::vector<Fill> areas;      // drawn first
+  std::vector<Fill> areas;      // drawn first, upon the pictures
   std::vector<Stroke> strokes;  // then these, in this order
   std::vector<Fill> patches;    // then these: dots, bars
   std::vector<Label> labels;    // drawn last
+  std::vector<Picture> pictures = {};
 };
 
 }  // namespace hull::drawing

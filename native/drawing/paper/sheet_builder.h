@@ -52,6 +52,9 @@ class SheetBuilder {
     sheet_.areas.push_back({colour, std::move(polygon)});
   }
 
+  // Below all else.
+  void show(Picture picture) { sheet_.pictures.push_back(std::move(picture)); }
+
   // A box that labels keep clear of, with nothing drawn.
   void occupy(const OrientedBox& box) { placer_.add_box(box); }
 

@@ -32,6 +32,15 @@ bool encloses(const Loop& loop, const Places& places, const Vector2d& p) {
   return inside;
 }
 
+// Whether the way from corner i of a loop to a place sets out strictly inside the loop. Where
+// several corners are at one point each has a part of the directions from there.
+bool sets_out_inside(const Loop& loop, std::size_t i, const Places& places, const Vector2d& to) {
+  const Vector2d& at = places[loop[i]];
+  const Vector2d next = places[loop[(i + 1) % loop.size()]] - at;
+  const Vector2d before = places[loop[(i + loop.size() - 1) % loop.size()]] - at;
+  return angle_between(next, to - at) < angle_between(next, before);
+}
+
 std::size_t rightmost(const Loop& loop, const Places& places) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
@@ -53,7 +62,9 @@ std::size_t seen_from(const Loop& outer, const Places& places, const Vector2d& m
   for (std::size_t i = 0; i < outer.size(); ++i) {
     const std::size_t j = (i + 1) % outer.size();
     const Vector2d &a = places[outer[i]], &b = places[outer[j]];
-    if ((a.y() > m.y()) == (b.y() > m.y())) continue;
+    // Sides have what is to be filled to their left; those to which holes were joined are there
+    // twice, and only one way is seen from here.
+    if (!(a.y() <= m.y() && m.y() < b.y())) continue;
     const double x = a.x() + (m.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y());
     if (x < m.x() || x >= nearest) continue;
     nearest = x;
@@ -69,16 +80,19 @@ std::size_t seen_from(const Loop& outer, const Places& places, const Vector2d& m
   }
   const Vector2d hit(nearest, m.y()), end = places[outer[found]];
   const bool upward = end.y() > m.y();
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), nearby = least;
   std::size_t best = found;
   for (std::size_t i = 0; i < outer.size(); ++i) {
     const Vector2d& q = places[outer[i]];
-    if (q == end || q.x() < m.x()) continue;
+    if (q == end || q.x() < m.x() || !sets_out_inside(outer, i, places, m)) continue;
     const Vector2d &p1 = upward ? hit : end, &p2 = upward ? end : hit;
     const bool inside = cross(p1 - m, q - m) >= 0.0 && cross(p2 - p1, q - p1) >= 0.0 &&
                         cross(m - p2, q - p2) >= 0.0;
     const double slope = std::abs(q.y() - m.y()) / std::max(q.x() - m.x(), 1e-300);
-    if (inside && slope < least) least = slope, best = i;
+    const double way = (q - m).squaredNorm();
+    if (inside && (slope < least || (slope == least && way < nearby))) {
+      least = slope, nearby = way, best = i;
+    }
   }
   return best;
 }
@@ -102,9 +116,9 @@ class EarCutter {
     std::size_t at = 0, failed = 0;
     while (loop_.size() > 3) {
       at %= loop_.size();
-      if (failed >= loop_.size()) {
+      if (failed >= 2 * loop_.size()) {
         at = flattest();
-      } else if (!is_ear(at)) {
+      } else if (!is_ear(at, failed >= loop_.size())) {
         ++at, ++failed;
         continue;
       }
@@ -120,9 +134,16 @@ class EarCutter {
   int before(std::size_t i) const { return loop_[(i + loop_.size() - 1) % loop_.size()]; }
   int after(std::size_t i) const { return loop_[(i + 1) % loop_.size()]; }
 
-  bool is_ear(std::size_t i) const {
+  // `touching`: the new side may lie on one that is there. Then that is one of four triangles,
+  // unless there is no other way.
+  bool is_ear(std::size_t i, bool touching) const {
     const int a = before(i), b = loop_[i], c = after(i);
     if (a == c || !(turn(places_, a, b, c) > 0.0)) return false;
+    const std::size_t n = loop_.size();
+    if (!touching && (!sets_out_inside(loop_, (i + n - 1) % n, places_, places_[c]) ||
+                      !sets_out_inside(loop_, (i + 1) % n, places_, places_[a]))) {
+      return false;
+    }
     for (const int corner : loop_) {
       const Vector2d& q = places_[corner];
       if (q == places_[a] || q == places_[b] || q == places_[c]) continue;

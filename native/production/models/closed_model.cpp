@@ -10,9 +10,13 @@
 
 #include "mesh/tolerances.h"
 #include "production/grid/hull_grid.h"
+#include "production/models/slivers.h"
 
 namespace hull::production {
 namespace {
+
+// Of triangles of closings, over their longest sides: less than single precision shows.
+constexpr double kNoClosingHeight = 1e-6;
 
 // How often a side is run through in either direction.
 struct SideUse {
@@ -86,6 +90,18 @@ void weld(ClosedModel& model, double near) {
   compress(model);
 }
 
+void flip_slivers_of_closings(ClosedModel& model) {
+  std::vector<std::array<int, 3>> closings;
+  for (std::size_t k = 0; k < model.triangles.size(); ++k) {
+    if (model.cells[k] < 0) closings.push_back(model.triangles[k]);
+  }
+  flip_slivers(model.points, closings, kNoClosingHeight);
+  auto next = closings.begin();
+  for (std::size_t k = 0; k < model.triangles.size(); ++k) {
+    if (model.cells[k] < 0) model.triangles[k] = *next++;
+  }
+}
+
 }  // namespace
 
 double ClosedModel::volume() const {
@@ -124,6 +140,7 @@ ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance,
   for (std::size_t quad = 0; quad < grid.quads.size(); ++quad) add_quad(grid, quad, model);
   model.points = std::move(grid.points);
   weld(model, kNoLength * surface.mesh().size());
+  flip_slivers_of_closings(model);
   return model;
 }
 

@@ -19,10 +19,10 @@ inline constexpr double kMostWallCells = 3e6;
 // everywhere, and what is nowhere thicker than twice that stays solid, so that the inner surface
 // never meets itself. It is where the distance from the triangles is `wall`, found on a grid of
 // cubes of side `cell` none of which it can miss, and made of triangles within tetrahedra of these
-// (marching tetrahedra, Freudenthal's division). Their corners are moved so that the distance is
-// `wall` there: exact to the square of what they are moved by, so that the wall is off by
-// the square of `cell` over the radius of the inner surface; along its knuckles, which are cut off
-// within a cube, by less than `cell`, on the thicker side.
+// (marching tetrahedra, Freudenthal's division). Their corners are where the distance is `wall` on
+// the tetrahedra's sides, so that triangles never cross one another: the wall is off by the square
+// of `cell` over the radius of the inner surface; along its knuckles, which are cut off within a
+// cube, by less than `cell`, on the thicker side.
 //
 // Throws std::invalid_argument unless both lengths are positive, for more than kMostWallCells
 // cubes, naming a side that would do, and where nothing is thicker than twice the wall.

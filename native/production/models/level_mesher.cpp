@@ -8,6 +8,10 @@
 namespace hull::production {
 namespace {
 
+// Of the distance: how exactly corners of triangles have it; after so many steps at most.
+constexpr double kOnLevel = 1e-9;
+constexpr int kMostSteps = 40;
+
 using Node = std::array<int, 3>;
 
 constexpr int kBits = 20;  // of a node's numbers
@@ -77,8 +81,8 @@ int LevelMesher::point_between(const Node& low, double low_value, int way, doubl
   const auto [found, is_new] = between_.emplace(node_key(low) << 3 | static_cast<unsigned>(way),
                                                 static_cast<int>(mesh_.points.size()));
   if (is_new) {
-    const Vector3d a = place(low), b = place(corner_of(low, way));
-    mesh_.points.push_back(a + low_value / (low_value - high_value) * (b - a));
+    ends_.push_back({place(low), place(corner_of(low, way)), low_value, high_value});
+    mesh_.points.push_back(ends_.back().between(low_value / (low_value - high_value)));
   }
   return found->second;
 }
@@ -146,6 +150,7 @@ void LevelMesher::keep_inner() {
   std::vector<std::array<int, 3>> kept;
   std::vector<int> number(mesh_.points.size(), -1);
   std::vector<Vector3d> points;
+  std::vector<Ends> ends;
   for (std::array<int, 3> triangle : mesh_.triangles) {
     const int part = find(triangle[0]);
     if (inside[part] < 0) {
@@ -157,24 +162,44 @@ void LevelMesher::keep_inner() {
       if (number[corner] < 0) {
         number[corner] = static_cast<int>(points.size());
         points.push_back(mesh_.points[corner]);
+        ends.push_back(ends_[corner]);
       }
       corner = number[corner];
     }
     kept.push_back(triangle);
   }
   mesh_.points = std::move(points);
+  ends_ = std::move(ends);
   mesh_.triangles = std::move(kept);
 }
 
+// Along their sides of tetrahedra, so that triangles stay within these and never meet: regula falsi
+// with halved values (Dowell and Jarratt 1971).
 void LevelMesher::move_onto_level(const surface::Progress& progress) {
   const double near = distance_ + 2.0 * cell_;
   for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
     if (i % 4096 == 0) {
       surface::tell(progress, static_cast<double>(i), static_cast<double>(mesh_.points.size()));
     }
-    Vector3d& p = mesh_.points[i];
-    const TriangleTree::Nearest found = tree_.nearest(p, near);
-    if (found.distance > 0.0) p += (distance_ / found.distance - 1.0) * (p - found.point);
+    const Ends& ends = ends_[i];
+    double low = 0.0, high = 1.0, low_value = ends.low_value, high_value = ends.high_value;
+    double at = low_value / (low_value - high_value);
+    int moved = 0;  // the end that was moved before: -1 the low one, 1 the high one
+    for (int step = 0; step < kMostSteps; ++step) {
+      const double value = tree_.nearest(ends.between(at), near).distance - distance_;
+      if (std::abs(value) <= kOnLevel * distance_) break;
+      if ((value <= 0.0) == (low_value <= 0.0)) {
+        low = at, low_value = value;
+        if (moved == -1) high_value *= 0.5;
+        moved = -1;
+      } else {
+        high = at, high_value = value;
+        if (moved == 1) low_value *= 0.5;
+        moved = 1;
+      }
+      at = (low * high_value - high * low_value) / (high_value - low_value);
+    }
+    mesh_.points[i] = ends.between(at);
   }
 }
 

@@ -36,6 +36,13 @@ class LevelMesher {
     double near;  // a distance within which the cell's corners have the surface
   };
 
+  // Of the side of a tetrahedron that has a point of the level: one end is on either side of it.
+  struct Ends {
+    Vector3d low, high;
+    double low_value, high_value;
+    Vector3d between(double share) const { return low + share * (high - low); }
+  };
+
   void descend(const std::array<int, 3>& at, int size, double near, double begin, double end,
                const surface::Progress& progress);
   Vector3d place(const std::array<int, 3>& at) const;
@@ -53,6 +60,7 @@ class LevelMesher {
   std::unordered_map<std::uint64_t, double> values_;  // by node
   std::unordered_map<std::uint64_t, int> between_;    // points, by lower node and direction
   LevelMesh mesh_;
+  std::vector<Ends> ends_;  // by point
 };
 
 }  // namespace hull::production

@@ -8,16 +8,17 @@
 #include <unordered_map>
 
 #include "production/models/cap_filling.h"
+#include "production/models/directed_side.h"
+#include "production/models/slivers.h"
 
 namespace hull::production {
 namespace {
 
+// Of triangles in the cut, over their longest sides.
+constexpr double kNoCapHeight = 1e-3;
+
 using Eigen::Vector2d;
 using Triangle = std::array<int, 3>;
-
-std::uint64_t directed_key(int from, int to) {
-  return static_cast<std::uint64_t>(from) << 32 | static_cast<unsigned>(to);
-}
 
 // Sides of triangles that none runs through the other way.
 std::vector<std::pair<int, int>> unmatched(const std::vector<Triangle>& triangles) {
@@ -52,7 +53,8 @@ void close_in_plane(ClosedModel& model, int axis, bool upward,
   const std::vector<Vector2d> places = seen_places(model.points, axis, upward);
   std::vector<Loop> loops = chained(sides, places);
   loops.insert(loops.end(), holes.begin(), holes.end());
-  const std::vector<Triangle> cap = filled(loops, places);
+  std::vector<Triangle> cap = filled(loops, places);
+  flip_slivers(model.points, cap, kNoCapHeight);
   model.triangles.insert(model.triangles.end(), cap.begin(), cap.end());
 }
 

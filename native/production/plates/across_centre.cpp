@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hull::production {
 
@@ -37,8 +38,9 @@ bool is_central_side(const Shell& shell, const PlateSide& side) {
          });
 }
 
-// Whether the surface is smooth across the centre plane, and faces where kMostAside lets it.
-bool may_be_joined(const Shell& shell, const Plate& plate, double largest_knuckle) {
+// Whether a plate faces where kMostAside lets it, and by what it and its mirror image are bent in
+// the centre plane, rad.
+std::pair<bool, double> bend_in_centre(const Shell& shell, const Plate& plate) {
   Vector3d sum = Vector3d::Zero();
   double aside = 0.0;
   for (const int t : plate.triangles) {
@@ -54,8 +56,7 @@ bool may_be_joined(const Shell& shell, const Plate& plate, double largest_knuckl
       aside = std::max(aside, std::abs(normal.y()));
     }
   }
-  return 2.0 * std::asin(std::min(aside, 1.0)) <= largest_knuckle &&
-         std::abs(sum.y()) <= kMostAside * sum.norm();
+  return {std::abs(sum.y()) <= kMostAside * sum.norm(), 2.0 * std::asin(std::min(aside, 1.0))};
 }
 
 }  // namespace
@@ -76,7 +77,10 @@ void join_across_centre(const Shell& shell, double largest_knuckle, Plate& plate
   }
   const auto is_middle = [&](const PlateSide& side) { return is_central_side(shell, side); };
   if (std::count_if(sides.begin(), sides.end(), is_middle) != 1 || sides.size() < 2) return;
-  if (!may_be_joined(shell, plate, largest_knuckle)) return;
+  const auto [faces_so, bend] = bend_in_centre(shell, plate);
+  if (!faces_so) return;
+  plate.centre_knuckle = bend;
+  if (bend > largest_knuckle) return;
   const auto middle = std::find_if(sides.begin(), sides.end(), is_middle);
   std::rotate(sides.begin(), middle + 1, sides.end());
   sides.pop_back();

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 
 #include "production/plates/shell_mesh.h"
 
@@ -33,6 +34,8 @@ struct Plate {
   // Whether the plate goes on across the centre plane: triangles are those of one side, all else is
   // of both.
   bool across = false;
+  // By how much it and its mirror image are bent in the centre plane, rad, where they could be one.
+  std::optional<double> centre_knuckle;
 };
 
 // The points of a side, m.

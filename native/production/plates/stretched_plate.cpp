@@ -130,7 +130,8 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
         std::max(std::abs(flat.least_stretch - least), std::abs(flat.largest_stretch - largest));
     flat.stretch_error = error_after(before, change);
     before = change;
-    if (flat.stretch_error <= kSmallError + kSmallPart * (largest - least)) break;
+    // One change alone does not tell: what neither of two coarse grids sees changes nothing.
+    if (k > 0 && flat.stretch_error <= kSmallError + kSmallPart * (largest - least)) break;
   }
   flat.converged = flat.converged && flat.stretch_error <= kLargeError;
   flat.area = 0.0;

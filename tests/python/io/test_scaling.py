@@ -43,6 +43,7 @@ def paths(cls, before=""):
         "developables": hull_io.Developable,
         "ties": hull_io.Tie, "groups": hull_io.PointGroup,
         "appendages": hull_io.Appendage,
+        "plating": hull_io.Plating, "rules": hull_io.SeamRule, "ranges": hull_io.FrameRange,
         "fields": hull_io.ShapeField, "end": hull_io.FieldEnd,
     }  # fmt: skip
     for field in dataclasses.fields(cls):

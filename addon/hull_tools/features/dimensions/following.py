@@ -53,6 +53,7 @@ FOLLOWING = {
     "transform.kept_aft": "x",
     "transform.kept_fore": "x",
     "transform.kept_fade": "x",
+    "plates.rules.value": "seam",
     "targets.rows.station": "at x",
     "area_target.base.x": "at x",
     "area_target.base.area": "section",
@@ -73,7 +74,7 @@ STAYING = frozenset(
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
     fairness.accepted.line fairness.accepted.mark
-    developables.warp developables.distance plates.rules.value plates.thickness
+    developables.warp developables.distance plates.thickness
     plates.ranges.spacing layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
@@ -93,6 +94,10 @@ STAYING = frozenset(
 # are no hulls, and families. A morph has factors of its own by
 # which it is scaled; one that is scaled otherwise is told to be of no family any longer.
 STAYING_GROUPS = frozenset(("variants", "morph", "curve", "appendage"))
+# What is in metres whatever the scene's unit is.
+_IN_METRES = frozenset(
+    """lines.stations lines.waterlines lines.buttocks lines.diagonals plates.rules.value""".split()
+)
 # Zero stands for something that follows by itself.
 _ZERO_IS_NONE = frozenset("""draft depth loading.kg table.draft_from table.draft_to""".split())
 
@@ -101,9 +106,7 @@ def follow(obj, scale, metric):
     """Gives a hull's settings what a hull_io.scaling.Scale in Blender's units makes of them;
     metric: the same Scale in metres."""
     for path, change in FOLLOWING.items():
-        is_in_metres = path in ("lines.stations", "lines.waterlines", "lines.buttocks",
-                                "lines.diagonals")  # fmt: skip
-        own = metric if is_in_metres else scale
+        own = metric if path in _IN_METRES else scale
         _follow(obj.hull, path.split("."), change, own, path in _ZERO_IS_NONE)
     for entry in obj.hull.flats:
         normal, offset = scale.plane(*_plane(entry))

@@ -3,6 +3,7 @@
 file_tasks are."""
 
 from dataclasses import dataclass
+from math import degrees, radians
 from pathlib import Path
 
 from ....hull_io.bytes_on_disk import write_bytes
@@ -13,15 +14,21 @@ from ..hull import hull_state
 from . import plate_rules
 
 
+# Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
+_SLIGHT = radians(10.0)
+
+
 @dataclass(frozen=True)
 class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
-    mass_t: of both sides; key: of the geometry that it is of."""
+    mass_t: of both sides; key: of the geometry that it is of; knuckles_deg: of keel plates that are
+    not one with their mirror images for being slightly bent in the centre plane."""
 
     rows: list
     unsettled: list
     mass_t: float
     key: object = None
+    knuckles_deg: tuple = ()
 
     @property
     def text(self):
@@ -29,6 +36,9 @@ class PlateReport:
         text = f"{len(self.rows)} plates of {pieces} pieces, {self.mass_t:.2f} t"
         if self.unsettled:
             text += f"; not settled: {', '.join(self.unsettled)}"
+        if self.knuckles_deg:
+            count, most = len(self.knuckles_deg), max(self.knuckles_deg)
+            text += f"; apart at a centre knuckle of up to {most:.1f}°: {count} keel plates"
         return text
 
 
@@ -89,6 +99,12 @@ class PlateTask(jobs.JobTask):
                 [one.name for one in listed if not one.flat.converged],
                 sum(one.mass_t * (2.0 if one.is_pair else 1.0) for one in listed),
                 self._key,
+                tuple(
+                    degrees(one.centre_knuckle)
+                    for one in plates
+                    if not one.across and one.centre_knuckle is not None
+                    if one.centre_knuckle < _SLIGHT
+                ),
             )
 
         self._job = jobs.Job(work)

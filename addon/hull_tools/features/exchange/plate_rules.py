@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Object.hull.plates as hull_native's seam rules and frame tables."""
 
-import numpy as np
-
 from ...bridge import native
 from ...bridge.blender import units
+from ..hull import plating_data
 
 # Seams of a new list of rules: so many strakes of the depth and the half-breadth, butts of the
 # length.
@@ -30,24 +29,9 @@ def seam_rules(obj, scene):
         if rule.kind == "projected":
             if rule.line is None:
                 raise ValueError(f"Rule {number} has no line: choose a mesh or curve object")
-            line = _points_of(rule.line, obj, units.metres_per_unit(scene))
+            line = plating_data.points_of(rule.line, obj) * units.metres_per_unit(scene)
         made.append(hull_native.SeamRule(rule.kind, round(rule.value, 6), line))
     return made
-
-
-def _points_of(line, hull, scale):
-    """(k, 3) m, in the hull's axes: the points of a mesh in their order, or of a curve's first
-    spline, as evaluated."""
-    mesh = line.to_mesh()
-    try:
-        points = np.empty(3 * len(mesh.vertices))
-        mesh.vertices.foreach_get("co", points)
-    finally:
-        line.to_mesh_clear()
-    if len(points) < 6:
-        raise ValueError(f"{line.name} has fewer than two points to be projected")
-    matrix = np.array(hull.matrix_world.inverted() @ line.matrix_world)
-    return (points.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]) * scale
 
 
 def frame_table(obj, scene):

@@ -12,7 +12,7 @@ from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
-from . import appendage_data, field_data, hull_state, tie_data, wanted_data
+from . import appendage_data, field_data, hull_state, plating_data, tie_data, wanted_data
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -46,6 +46,7 @@ def hull_object(hull, scene, collection):
     give_ship(obj, hull, scale)
     wanted_data.give_wanted(obj.hull, hull, scale)
     field_data.give_fields(obj, hull, scale)
+    plating_data.give_plating(obj, hull.plating, scale)
     make_hull(obj, scene, hull.half)
     if hull.appendages:
         appendage_data.give_appendages(obj, hull.appendages, scale, collection)

@@ -11,7 +11,7 @@ from ...bridge.objects import hull_objects
 from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
-from . import appendage_data, field_data, tie_data, wanted_data
+from . import appendage_data, field_data, plating_data, tie_data, wanted_data
 
 
 def hull_data(obj, scene):
@@ -28,6 +28,7 @@ def hull_data(obj, scene):
         setattr(made, name, value)
     made.fields = field_data.take_fields(obj, scale)
     made.appendages = appendage_data.take_appendages(obj, scale)
+    made.plating = plating_data.take_plating(obj, scale)
     return made
 
 

@@ -4,7 +4,7 @@ there is room; one for several lines that end at one place and have no room on t
 
 import numpy as np
 
-from . import paper
+from ._drawing import text_width
 
 # Over the letters' height: the room around a label, and how near lines may come to it.
 _ROOM, _NEAR = 0.35, 0.1
@@ -17,11 +17,11 @@ _TOGETHER = 1.0
 _ABOVE, _BESIDE = (0.45, 0.95), (0.7, -0.9)
 
 
-class Labels:
-    """Finds places for labels as they are added, and paints them."""
+class LineLabels:
+    """Finds places for labels as they are added, and draws them."""
 
-    def __init__(self, context, height):
-        self.context, self.height = context, height
+    def __init__(self, height):
+        self.height = height
         # Of `ends` first, in their order, then those of `on_lines`.
         self.boxes = []
         self.ends = []
@@ -40,7 +40,7 @@ class Labels:
 
     def _stands_on(self, label, points, others):
         """Whether there is room for a label on its line."""
-        width = paper.text_width_of(self.context, label, self.height)
+        width = text_width(label, self.height)
         for middle in self._along(points):
             box = self._box(middle, width)
             if self._is_free(box) and not _covers(self._box(middle, width, _NEAR), others):
@@ -70,7 +70,7 @@ class Labels:
 
     def _stands(self, names, side, ends, way, others, place=None):
         """Whether there is room for one label of these names on that way from the lines' ends."""
-        width = paper.text_width_of(self.context, _together(names, side), self.height)
+        width = text_width(_together(names, side), self.height)
         middle = self._start(side, ends, way) + [side * 0.5 * width, 0.0]
         box = self._box(middle, width)
         if not self._is_free(box) or _covers(self._box(middle, width, _NEAR), others):
@@ -99,19 +99,13 @@ class Labels:
         low, high = box
         return not any((low < top).all() and (bottom < high).all() for bottom, top in self.boxes)
 
-    def paint(self, colour):
+    def draw(self, sheet, colour):
         for label, middle in self.on_lines:
-            width = paper.text_width_of(self.context, label, self.height)
-            low, high = self._box(middle, width, _NEAR)
-            self.context.set_source_rgb(1.0, 1.0, 1.0)
-            self.context.rectangle(*low, *(high - low))
-            self.context.fill()
-            at = [middle[0], middle[1] + 0.36 * self.height]
-            paper.text(self.context, at, label, self.height, colour)
+            sheet.text(middle, label, self.height, colour, 0.5, blank=True)
         for names, side, ends, way in self.ends:
-            at = self._start(side, ends, way) + [0.0, 0.35 * self.height]
             align = 0.0 if side > 0.0 else 1.0
-            paper.text(self.context, at, _together(names, side), self.height, colour, align)
+            words = _together(names, side)
+            sheet.text(self._start(side, ends, way), words, self.height, colour, align)
 
 
 def _covers(box, points):
