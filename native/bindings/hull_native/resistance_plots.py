@@ -24,9 +24,8 @@ def resistance_plot(rows, *, title="Resistance", subtitles=(), others=()):
     """Total resistance and its parts over the speed in knots.
 
     rows: of michell_table(), holtrop_table(), savitsky_table() or delft_table(), one at least.
-    others: pairs
-    (name, rows) whose totals are drawn dashed beside it, such as another hull's or method's.
-    ValueError for no rows.
+    others: pairs (name, rows) whose totals are drawn dashed beside it, such as another hull's or
+    method's. ValueError for no rows.
     """
     rows = list(rows)
     if not rows:
