@@ -18,6 +18,8 @@ constexpr int kMostHalves = 26, kMostAreaHalves = 8;
 constexpr double kNoRange = 1e-13;  // of what lines cover
 // Of an interval: how near its ends a line looks for what changes before the first node.
 constexpr double kNearEnd = 1e-8;
+// Of an interval: where its ends are looked at. A line at the end itself may run along an edge.
+constexpr double kAtEnd = 1e-6;
 constexpr int kFoldSteps = 36;  // halves that find where a curve turns back
 
 // Of v, with what happens at its ends: where a curve turns back there, lines have the square root
@@ -71,11 +73,11 @@ class CarefulRule {
   // ends: the values at both. What happens between an end and the node next to it no node knows.
   double error(const std::array<double, kAlong>& values, const std::array<double, 2>& ends) const {
     std::array<double, kAlong> sizes{};
-    double begin = 0.0, end = 0.0;
+    double begin = 0.0, end = 0.0;  // there, of the polynomial through the nodes' values
     for (int degree = 0; degree < kAlong; ++degree) {
       for (int i = 0; i < kAlong; ++i) sizes[degree] += weights_[degree][i] * values[i];
-      begin += degree % 2 == 0 ? sizes[degree] : -sizes[degree];
-      end += sizes[degree];
+      begin += sizes[degree] * std::legendre(degree, 1.0 - 2.0 * kAtEnd) * (degree % 2 ? -1 : 1);
+      end += sizes[degree] * std::legendre(degree, 1.0 - 2.0 * kAtEnd);
     }
     const double low = std::abs(sizes[4]) + std::abs(sizes[5]),
                  top = std::abs(sizes[8]) + std::abs(sizes[9]);
@@ -145,7 +147,7 @@ class PieceIntegral {
     }
     std::array<std::array<double, 2>, 4> ends{};
     for (int j = 0; j < 2; ++j) {
-      const auto [v, dv] = interval.at(j);
+      const auto [v, dv] = interval.at(j == 0 ? kAtEnd : 1.0 - kAtEnd);
       const ShellMoments line = lines_.along(v);
       for (int k = 0; k < 3; ++k) ends[k][j] = dv * line.first(k, k);
       ends[3][j] = dv * line.area;
