@@ -99,7 +99,7 @@ def read_offsets(path):
 
 
 def test_offsets_in_feet_inches_and_eighths(coaster, tmp_path):
-    metric = table("offset_table", tmp_path / "metric.csv")
+    table("offset_table", tmp_path / "metric.csv")
     imperial()
     feet = table("offset_table", tmp_path / "feet.csv")
     assert feet[0][0] == "x from AP [ft]" and not any("mm" in title for title in feet[0])
