@@ -2,10 +2,13 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "analysis/appendages/appendage.h"
 #include "analysis/appendages/joined_shells.h"
@@ -60,6 +63,68 @@ py::array_t<bool> inside_of(const Appendage& appendage, const DoubleArray& point
 
 analysis::ShellMoments moments_of(const Appendage& appendage) {
   return analysis::moments_of(analysis::shell_of(appendage.shape));
+}
+
+// What of each shape a script asks for by one name.
+struct Form {
+  const char* shape;
+  std::array<Vector3d, 2> ends;
+  Vector3d chord_direction;
+  std::array<double, 2> chords, thicknesses;  // m; of the chord
+};
+
+Form form_of(const analysis::CylinderShape& c) {
+  return {"cylinder",
+          {c.start, c.end},
+          (c.end - c.start).unitOrthogonal(),
+          {2.0 * c.start_radius, 2.0 * c.end_radius},
+          {1.0, 1.0}};
+}
+
+Form form_of(const analysis::FoilShape& f) {
+  const double own = SectionForm(f.section).thickness();
+  const auto or_own = [own](double given) { return given > 0.0 ? given : own; };
+  return {"foil",
+          {f.root, f.tip},
+          f.chord_direction.normalized(),
+          {f.root_chord, f.tip_chord},
+          {or_own(f.root_thickness), or_own(f.tip_thickness)}};
+}
+
+Form form_of(const analysis::BulbShape& b) {
+  const double length = (b.tail - b.nose).norm();
+  return {"bulb",
+          {b.nose, b.tail},
+          (b.tail - b.nose) / length,
+          {length, length},
+          {b.diameter / length, b.diameter / length}};
+}
+
+Form form_of(const Appendage& appendage) {
+  return std::visit([](const auto& shape) { return form_of(shape); }, appendage.shape);
+}
+
+void bind_form(py::class_<Appendage>& appendage) {
+  appendage
+      .def_property_readonly(
+          "shape", [](const Appendage& a) { return form_of(a).shape; },
+          "\"cylinder\", \"foil\" or \"bulb\".")
+      .def_property_readonly(
+          "ends",
+          [](const Appendage& a) {
+            const Form form = form_of(a);
+            return to_array(std::vector<Vector3d>(form.ends.begin(), form.ends.end()));
+          },
+          "(2, 3), m: of a cylinder's axis, leading edges of root and tip, or nose and tail.")
+      .def_property_readonly(
+          "chord_direction", [](const Appendage& a) { return form_of(a).chord_direction; },
+          "(3,), of length 1: to the trailing edge; of a cylinder any across it.")
+      .def_property_readonly(
+          "chords", [](const Appendage& a) { return form_of(a).chords; },
+          "[at one end, at the other], m: of a bulb its length, of a cylinder its diameters.")
+      .def_property_readonly(
+          "thicknesses", [](const Appendage& a) { return form_of(a).thicknesses; },
+          "Likewise, of the chord.");
 }
 
 void bind_shapes(py::module_& module) {
@@ -162,10 +227,10 @@ void bind_appendages(py::module_& module) {
           },
           "A list of arrays (4, 2): Bézier points of the cubics that bodies are made of, from the "
           "trailing edge along the upper side, and back along the lower one.");
-  py::class_<Appendage>(module, "Appendage",
-                        "A body that HullBody.join() joins to a hull or cuts out of it: of "
-                        "cylinder(), foil() or bulb().")
-      .def_readonly("name", &Appendage::name)
+  py::class_<Appendage> appendage(module, "Appendage",
+                                  "A body that HullBody.join() joins to a hull or cuts out of it: "
+                                  "of cylinder(), foil() or bulb().");
+  appendage.def_readonly("name", &Appendage::name)
       .def_readonly("cut", &Appendage::is_cut)
       .def_readonly("mirrored", &Appendage::mirrored, "Its image is one, too.")
       .def_property_readonly(
@@ -185,6 +250,7 @@ void bind_appendages(py::module_& module) {
           "(points (n, 3), quadrilaterals (m, 4)) on its surface, to be shown. Points at the sides "
           "of patches are there more than once.")
       .def("inside", &inside_of, py::arg("points"), "(n,) of bool: which points are within.");
+  bind_form(appendage);
   bind_shapes(module);
 }
 

@@ -86,6 +86,17 @@ void bind_hull_body(py::module_& module) {
             return b.joined()->whole_change().first.trace() / 3.0;
           },
           "m³: by how much join() changes the whole body's volume; None without it.")
+      .def_property_readonly(
+          "appendages",
+          [](const analysis::HullBody& b) -> std::optional<std::vector<analysis::Appendage>> {
+            if (!b.joined()) return std::nullopt;
+            std::vector<analysis::Appendage> all;
+            for (const analysis::JoinedMember& member : b.joined()->members()) {
+              if (member.appendage) all.push_back(*member.appendage);
+            }
+            return all;
+          },
+          "A list of what join() was given; None without it.")
       .def_property_readonly("surface", &analysis::HullBody::surface,
                              py::return_value_policy::reference)
       .def_property_readonly("mirrored", &analysis::HullBody::mirrored)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a hull file tells of how the resistance is reckoned.
 
-    "resistance": {"method": "holtrop", "michell" or "savitsky", "speeds_kn": [first, last, step],
+    "resistance": {"method": one of RESISTANCE_METHODS, "speeds_kn": [first, last, step],
                    "form_factor": 1 + k, "stern": -25, -10, 0 or 10, "appendage_area": m2,
                    "appendage_factor": 1 + k2, "propeller_diameter": m, "twin_screw": false,
                    "deadrise_deg": degrees, "chine_beam": m, "shaft_angle_deg": degrees,
-                   "thrust_arm": m}
+                   "thrust_arm": m, "heel_deg": degrees}
 
 All may be left out; lengths and areas of 0 are not given.
 """
@@ -25,6 +25,7 @@ _NUMBERS = {
     "chine_beam": (0.0, LONGEST_DIMENSION),
     "shaft_angle_deg": (-45.0, 45.0),
     "thrust_arm": (-LONGEST_DIMENSION, LONGEST_DIMENSION),
+    "heel_deg": (0.0, 35.0),
 }
 
 

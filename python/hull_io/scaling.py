@@ -85,7 +85,7 @@ STAYING = frozenset(
     layers.thickness layers.density weights.thickness weights.density weights.items.name
     load_cases.with_weights resistance.method resistance.speeds_kn resistance.form_factor
     resistance.stern resistance.appendage_factor resistance.twin_screw resistance.deadrise_deg
-    resistance.shaft_angle_deg
+    resistance.shaft_angle_deg resistance.heel_deg
     particulars.water_density scheme deck_edge flats.faces flats.offset developables.faces
     developables.warp developables.distance developables.keep locked kept.stations
     kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name groups.points

@@ -121,7 +121,7 @@ class Appendage:
     mirrored: bool = False
 
 
-RESISTANCE_METHODS = ("holtrop", "michell", "savitsky")
+RESISTANCE_METHODS = ("holtrop", "michell", "savitsky", "delft")
 # Holtrop and Mennen's stern coefficients: pram, V, normal, U.
 STERNS = (-25, -10, 0, 10)
 
@@ -144,3 +144,4 @@ class Resistance:
     chine_beam: float = 0.0
     shaft_angle_deg: float = 0.0
     thrust_arm: float = 0.0
+    heel_deg: float = 0.0

@@ -3,7 +3,7 @@
 
 import bpy
 import pytest
-from addon_under_test import part, sample
+from addon_under_test import make_active, part, sample
 from test_panels import Drawn, context
 
 KNOT = 1852.0 / 3600.0
@@ -49,6 +49,46 @@ def test_rows_are_those_of_hull_native(method):
     for row, expected in zip(result.rows, wanted):
         for name, value in expected.items():
             assert row[name] == pytest.approx(value, rel=1e-5), name
+
+
+def test_delft_series_takes_the_appendages():
+    """Keel and rudder of the Add menu, at a heel; what counts as what is told. (The sample yacht has
+    a keel of her own.)"""
+    hull = sample("coaster")
+    own = hull.hull.resistance
+    own.speed_from, own.speed_to, own.speed_step = 7.0, 9.0, 1.0
+    own.method, own.heel, own.form_factor = "DELFT", 0.3, 1.1
+    (told,) = [text for text in result_of(hull).remarks() if "keel" in text]
+    assert told.startswith("No keel, no rudder")
+    for kind in ("FIN_KEEL", "RUDDER"):
+        make_active(hull)
+        assert bpy.ops.hull.add_appendage(kind=kind) == {"FINISHED"}
+    result = result_of(hull)
+    assert {"Keel: Fin Keel", "Rudder: Rudder"} <= set(result.remarks())
+    native = part("bridge.native").require()
+    body = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene).ship.body
+    where = result.given.where
+    position = {"draft": where.draft, "trim": where.trim, "draft_at": where.draft_at}
+    fins = native.delft_fins(body, **position)
+    wanted = native.delft_table(
+        native.delft_yacht(body, **position),
+        [7.0 * KNOT, 8.0 * KNOT, 9.0 * KNOT],
+        heel_deg=17.188734,
+        keel=fins.keels,
+        rudder=fins.rudders,
+        form_factor=1.1,
+        water_density=where.water_density,
+    )
+    for row, expected in zip(result.rows, wanted):
+        assert row["keel_kN"] > 0.0 and row["rudder_kN"] > 0.0
+        # Live bodies are exact to 1e-8 of the whole, of which a fin is a hundredth.
+        for name in ("friction_kN", "residuary_kN", "keel_kN", "rudder_kN", "heel_kN", "total_kN"):
+            assert row[name] == pytest.approx(expected[name], rel=5e-5), name
+    curves = part("features.resistance.resistance_curves")
+    assert "keel [kN]" in curves.header(result)
+    curves.plot(result, "yacht")
+    make_active(hull)
+    Drawn(part("panels.resistance").HULL_PT_resistance).draw(context())
 
 
 def planing():

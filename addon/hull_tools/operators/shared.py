@@ -6,7 +6,7 @@ from bpy.props import FloatProperty
 
 from ..bridge import native
 from ..bridge.blender import view_depth
-from ..bridge.objects import hull_objects
+from ..bridge.objects import appendages, hull_objects
 from ..properties.shared import length
 
 
@@ -21,7 +21,12 @@ def has_hull(cls, context):
     """Whether the active object is a hull, or shows one, that can be worked on."""
     hull = hull_objects.hull_of(context.object)
     if hull is None:
-        cls.poll_message_set("Select a hull first, or make this mesh one")
+        whose = appendages.hull_of(context.object)
+        cls.poll_message_set(
+            f"Select the hull first: {context.object.name} is an appendage of {whose.name}"
+            if whose
+            else "Select a hull first, or make this mesh one"
+        )
         return False
     reason = hull_objects.refusal(hull)
     if reason:

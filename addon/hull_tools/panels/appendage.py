@@ -61,7 +61,9 @@ class HULL_PT_appendages(HullTab, bpy.types.Panel):
             )
             select.name = obj.name
         if context.object != hull:
-            layout.operator("hull.select_appendage", text=hull.name, icon="MESH_DATA").name = ""
+            layout.operator(
+                "hull.select_appendage", text=f"Back to {hull.name}", icon="LOOP_BACK"
+            ).name = ""
         state = hull_state.state_of(hull)
         if state is not None and state.ship.not_joined:
             label_wrapped(layout, context, state.ship.not_joined, "ERROR")

@@ -25,8 +25,11 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         for name in ("speed_from", "speed_to", "speed_step"):
             column.prop(own, name)
-        if own.method == "MICHELL":
-            layout.prop(own, "form_factor")
+        if own.method in ("MICHELL", "DELFT"):
+            column = layout.column(align=True)
+            column.prop(own, "form_factor")
+            if own.method == "DELFT":
+                column.prop(own, "heel")
         elif own.method == "SAVITSKY":
             column = layout.column(align=True)
             for name in ("deadrise", "chine_beam", "shaft_angle", "thrust_arm"):

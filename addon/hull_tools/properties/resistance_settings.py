@@ -36,6 +36,8 @@ class HullResistance(bpy.types.PropertyGroup):
              "slender ships"),
             ("SAVITSKY", "Savitsky", "Savitsky 1964: planing boats with chines, at the trim at "
              "which they run"),
+            ("DELFT", "Delft series", "Keuning and Sonnenberg 1998: sailing yachts, with the keels "
+             "and rudders among the appendages, upright and heeled"),
         ),
         default="HOLTROP",
         update=changed,
@@ -78,6 +80,7 @@ class HullResistance(bpy.types.PropertyGroup):
     thrust_arm: length(
         "Thrust arm", "How far the shaft's line runs below the centre of gravity", minimum=None
     )
+    heel: angle("Heel", "At which the yacht sails, to either side", 0.0, 0.0, radians(35.0))
 
 
 CLASSES = (HullResistance,)

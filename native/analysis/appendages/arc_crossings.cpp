@@ -84,7 +84,10 @@ class ArcSearch {
       }
     }
     const Spread dt(steps), du(along_u), dv(along_v);
-    const double det = du.mean.cross(dv.mean).dot(dt.mean);
+    const Vector3d normal = du.mean.cross(dv.mean);
+    // Along its normal a part is thin, where an arc runs beside it for long.
+    if (normal.norm() > 0.0 && are_apart_along(arc, patch, normal.normalized())) return;
+    const double det = normal.dot(dt.mean);
     const double a = dt.mean.norm(), b = du.mean.norm(), c = dv.mean.norm();
     // No linear combination of derivatives within their bounds is singular.
     const double off = (a + dt.reach) * (b + du.reach) * (c + dv.reach) - a * b * c;
@@ -100,14 +103,17 @@ class ArcSearch {
 
  private:
   bool are_apart(const CubicArc& arc, const surface::BezierPatch& patch) const {
-    const double slack = 1e-13 * scale_;
     const Vector3d axes[] = {frame_.first, frame_.second, Vector3d::UnitX(), Vector3d::UnitY(),
                              Vector3d::UnitZ()};
-    for (const Vector3d& axis : axes) {
-      const Interval a = shadow(arc, axis), b = shadow(patch, axis);
-      if (a.low > b.high + slack || b.low > a.high + slack) return true;
-    }
-    return false;
+    return std::ranges::any_of(
+        axes, [&](const Vector3d& axis) { return are_apart_along(arc, patch, axis); });
+  }
+
+  bool are_apart_along(const CubicArc& arc, const surface::BezierPatch& patch,
+                       const Vector3d& axis) const {
+    const double slack = 1e-13 * scale_;
+    const Interval a = shadow(arc, axis), b = shadow(patch, axis);
+    return a.low > b.high + slack || b.low > a.high + slack;
   }
 
   // Newton's method from the middle. False where it says nothing.

@@ -75,7 +75,7 @@ std::shared_ptr<const JoinedShells> joined_shells(const HullBody& body,
     const MemberRole role = appendage.is_cut ? MemberRole::kCut : MemberRole::kAdded;
     ClosedShell shell = shell_of(appendage.shape);
     if (appendage.mirrored) members.push_back({mirror_image(shell), role, appendage.name});
-    members.push_back({std::move(shell), role, appendage.name});
+    members.push_back({std::move(shell), role, appendage.name, {}, appendage});
   }
   return std::make_shared<const JoinedShells>(std::move(members), body.centre(),
                                               std::max(kFinestJoint, body.tolerance()));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/appendages/appendage.h"
 #include "analysis/appendages/closed_shell.h"
 #include "analysis/immersion/shell_moments.h"
 #include "analysis/sections/plane_cut.h"
@@ -19,6 +21,8 @@ struct JoinedMember {
   MemberRole role;
   std::string name;                  // for messages
   std::vector<bool> without_area{};  // patches that are no wetted surface; none: all are
+  // What it was made of; none for the hull's bodies and for mirror images.
+  std::optional<Appendage> appendage{};
 };
 
 // A ship's hull with bodies joined to it and others cut out: the boundary of

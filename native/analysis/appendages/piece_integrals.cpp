@@ -1,94 +1,112 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/appendages/piece_integrals.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
-#include "analysis/arithmetic/bezier.h"
-#include "analysis/arithmetic/estimating_rule.h"
-#include "analysis/immersion/piece_moments.h"
+#include "analysis/appendages/piece_lines.h"
+#include "analysis/arithmetic/gauss.h"
 
 namespace hull::analysis {
 namespace {
 
-constexpr int kNodes = 8;  // exact up to degree 15, of which 11 is needed
+constexpr int kPatchLines = 8;  // exact up to degree 15, of which 11 is needed
 constexpr int kAlong = 10;
 constexpr int kMostHalves = 26, kMostAreaHalves = 8;
-// Lines of a piece that run along another surface; so many that touch it here and there are as one.
-constexpr int kMostTouching = 400, kMostIsolated = 50;
-constexpr double kShort = 1e-13;  // of a line, or of what lines cover
-constexpr double kApart = 1e-9;   // crossings nearer to each other tell nothing of the way
-// Of an interval: how near its ends a line looks for curves that turn back before the first node.
-constexpr double kNearEnd = 1e-6;
-constexpr int kTurningSteps = 40, kManyTouches = 16;
+constexpr double kNoRange = 1e-13;  // of what lines cover
+// Of an interval: how near its ends a line looks for what changes before the first node.
+constexpr double kNearEnd = 1e-8;
+// Of an interval: where its ends are looked at. A line at the end itself may run along an edge.
+constexpr double kAtEnd = 1e-6;
+constexpr int kFoldSteps = 36;  // halves that find where a curve turns back
 
-// The line u -> S(u, v), and S_v along it.
-struct PatchLine {
-  CubicArc arc, across;
+// Of v, with what happens at its ends: where a curve turns back there, lines have the square root
+// of the distance from it, and an integral by w, v = w², of what is analytic.
+struct LineRange {
+  double begin, width;
+  bool folds_at_begin = false, folds_at_end = false;
 
-  PatchLine(const surface::BezierPatch& patch, double v) {
-    for (int i = 0; i < 4; ++i) {
-      const Vector3d p[] = {patch.point(i), patch.point(4 + i), patch.point(8 + i),
-                            patch.point(12 + i)};
-      const double s = 1.0 - v;
-      arc[i] = s * s * (s * p[0] + 3.0 * v * p[1]) + v * v * (3.0 * s * p[2] + v * p[3]);
-      across[i] =
-          3.0 * (s * s * (p[1] - p[0]) + 2.0 * s * v * (p[2] - p[1]) + v * v * (p[3] - p[2]));
+  // v and dv at a share s of the interval.
+  std::array<double, 2> at(double s) const {
+    double share = s, slope = 1.0;
+    if (folds_at_begin && folds_at_end) {
+      share = s * s * (3.0 - 2.0 * s);
+      slope = 6.0 * s * (1.0 - s);
+    } else if (folds_at_begin) {
+      share = s * s;
+      slope = 2.0 * s;
+    } else if (folds_at_end) {
+      share = s * (2.0 - s);
+      slope = 2.0 * (1.0 - s);
     }
-  }
-
-  Vector3d point(double u) const { return arc_point(arc, u); }
-  Vector3d normal(double u) const {
-    const double s = 1.0 - u;
-    const Vector3d along = 3.0 * (s * s * (arc[1] - arc[0]) + 2.0 * s * u * (arc[2] - arc[1]) +
-                                  u * u * (arc[3] - arc[2]));
-    return along.cross(arc_point(across, u));
+    return {begin + width * share, width * slope};
   }
 };
 
-void add_stretch(const PatchLine& line, const Vector3d& origin, double begin, double size,
-                 double weight, ShellMoments& sum) {
-  static const GaussRule rule = gauss_rule(kNodes);
-  ShellNodes nodes;
-  for (int k = 0; k < kNodes; ++k) {
-    const double u = begin + size * rule.nodes[k];
-    nodes.add(line.point(u) - origin, weight * size * rule.weights[k] * line.normal(u));
-  }
-  add_nodes(nodes, sum);
-}
+// The lines at an interval's nodes.
+struct Sampled {
+  ShellMoments sum;
+  double volume_error = 0.0, area_error = 0.0;
+  std::vector<double> places;
+  std::vector<LineCounts> counts;
+};
 
-CubicArc side_arc(const surface::BezierPatch& patch, int first, int step) {
-  return {patch.point(first), patch.point(first + step), patch.point(first + 2 * step),
-          patch.point(first + 3 * step)};
-}
+int sum_of(const LineCounts& counts) { return std::accumulate(counts.begin(), counts.end(), 0); }
 
-surface::BezierPatch transposed(const surface::BezierPatch& patch) {
-  surface::BezierPatch other;
-  for (int k = 0; k < 3; ++k) {
-    for (int j = 0; j < 4; ++j) {
-      for (int i = 0; i < 4; ++i) other.x[k][4 * i + j] = patch.x[k][4 * j + i];
+// How much the rule may be off. Between the patches of the other surface the integrand's higher
+// derivatives jump, and its Legendre series falls like a power only. What EstimatingRule takes for
+// granted, that it falls geometrically, must show between degrees 4 and 8.
+class CarefulRule {
+ public:
+  CarefulRule() : rule_(gauss_rule(kAlong)) {
+    for (int i = 0; i < kAlong; ++i) {
+      for (int degree = 0; degree < kAlong; ++degree) {
+        const double x = 2.0 * rule_.nodes[i] - 1.0;
+        weights_[degree][i] = rule_.weights[i] * (2 * degree + 1) * std::legendre(degree, x);
+      }
     }
   }
-  return other;
-}
+  double node(int i) const { return rule_.nodes[i]; }
+  double weight(int i) const { return rule_.weights[i]; }
+  // ends: the values at both. What happens between an end and the node next to it no node knows.
+  double error(const std::array<double, kAlong>& values, const std::array<double, 2>& ends) const {
+    std::array<double, kAlong> sizes{};
+    double begin = 0.0, end = 0.0;  // there, of the polynomial through the nodes' values
+    for (int degree = 0; degree < kAlong; ++degree) {
+      for (int i = 0; i < kAlong; ++i) sizes[degree] += weights_[degree][i] * values[i];
+      begin += sizes[degree] * std::legendre(degree, 1.0 - 2.0 * kAtEnd) * (degree % 2 ? -1 : 1);
+      end += sizes[degree] * std::legendre(degree, 1.0 - 2.0 * kAtEnd);
+    }
+    const double low = std::abs(sizes[4]) + std::abs(sizes[5]),
+                 top = std::abs(sizes[8]) + std::abs(sizes[9]);
+    const double fall = low > 0.0 ? top / low : 1.0;
+    const double missed = std::abs(ends[0] - begin) + std::abs(ends[1] - end);
+    // To degree 20, of which the error is, it falls by 11 more.
+    return top * (fall > kPowerFall ? kPowerShare : std::pow(fall, 11.0 / 4.0)) +
+           0.5 * node(0) * missed;
+  }
+
+ private:
+  static constexpr double kPowerFall = 0.02, kPowerShare = 0.3;
+
+  GaussRule rule_;
+  std::array<std::array<double, kAlong>, kAlong> weights_{};
+};
 
 class PieceIntegral {
  public:
-  PieceIntegral(const surface::BezierPatch& patch, const std::vector<const ClosedShell*>& surfaces,
-                const Takes& takes, const Plane* water, const PieceRule& rule)
-      : patch_(patch), surfaces_(surfaces), takes_(takes), water_(water), rule_(rule) {
-    crossings_.resize(surfaces.size());
-  }
+  PieceIntegral(const PieceLines& lines, const PieceRule& rule) : lines_(lines), rule_(rule) {}
 
   ShellMoments compute() {
-    const std::vector<double> u0 = side_breaks(0, 4), u1 = side_breaks(3, 4),
-                              v0 = side_breaks(0, 1), v1 = side_breaks(12, 1);
+    const std::vector<double> u0 = lines_.side_breaks(0, 4), u1 = lines_.side_breaks(3, 4),
+                              v0 = lines_.side_breaks(0, 1), v1 = lines_.side_breaks(12, 1);
     // Where the curve comes in and goes out by the same side, lines along that side would meet it
     // twice or not at all. Else the direction with fewer breaks has lines at larger angles to it.
     const bool back_u = u0.size() > 1 || u1.size() > 1, back_v = v0.size() > 1 || v1.size() > 1;
     if (back_u == back_v ? u0.size() + u1.size() > v0.size() + v1.size() : back_v) {
-      patch_ = transposed(patch_);
+      lines_.transpose();
       ShellMoments sum = over(v0, v1);
       const double area = sum.area, area_error = sum.area_error, volume_error = sum.volume_error;
       sum *= -1.0;
@@ -108,164 +126,107 @@ class PieceIntegral {
     std::ranges::sort(breaks);
     ShellMoments sum;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      if (breaks[i + 1] - breaks[i] > kShort) add(breaks[i], breaks[i + 1] - breaks[i], 0, sum);
+      add({breaks[i], breaks[i + 1] - breaks[i]}, true, 0, sum);
     }
     return sum;
   }
 
-  void add_water(const CubicArc& arc, std::vector<double>& breaks) const {
-    if (!water_) return;
-    const BezierCubic heights{water_->height(arc[0]), water_->height(arc[1]),
-                              water_->height(arc[2]), water_->height(arc[3])};
-    for (double t : sign_changes(heights)) breaks.push_back(t);
-  }
-
-  std::vector<double> side_breaks(int first, int step) const {
-    const CubicArc arc = side_arc(patch_, first, step);
-    std::vector<double> breaks;
-    std::vector<ArcCrossing> crossings;
-    for (const ClosedShell* surface : surfaces_) surface->find_crossings(arc, crossings);
-    std::ranges::sort(crossings, {}, &ArcCrossing::t);
-    for (const ArcCrossing& crossing : crossings) {
-      if (crossing.t <= kApart || crossing.t >= 1.0 - kApart) continue;
-      if (breaks.empty() || crossing.t - breaks.back() > kApart) breaks.push_back(crossing.t);
+  Sampled sampled(const LineRange& interval) {
+    static const CarefulRule along;
+    std::array<std::array<double, kAlong>, 4> values{};
+    Sampled found;
+    for (int i = 0; i < kAlong; ++i) {
+      const auto [v, dv] = interval.at(along.node(i));
+      ShellMoments line = lines_.along(v);
+      found.places.push_back(v);
+      found.counts.push_back(lines_.counts());
+      for (int k = 0; k < 3; ++k) values[k][i] = dv * line.first(k, k);
+      values[3][i] = dv * line.area;
+      line *= dv * along.weight(i);
+      found.sum += line;
     }
-    add_water(arc, breaks);
-    return breaks;
-  }
-
-  // Of the middle of a stretch: the crossings at its ends tell, else a line to the outside.
-  bool is_inside(int surface, const PatchLine& line, double u) const {
-    const std::vector<ArcCrossing>& all = crossings_[surface];
-    const auto after = std::ranges::find_if(all, [&](const ArcCrossing& c) { return c.t > u; });
-    const auto alone = [&](auto at) {
-      return at->way != 0 && (at == all.begin() || at->t - (at - 1)->t > kApart) &&
-             (at + 1 == all.end() || (at + 1)->t - at->t > kApart);
-    };
-    if (after != all.begin() && alone(after - 1)) return (after - 1)->way < 0;
-    if (after != all.end() && alone(after)) return after->way > 0;
-    return surfaces_[surface]->is_inside(line.point(u));
-  }
-
-  // Where a line crosses surfaces and the water, unsorted; how often each of them is in counts_.
-  std::vector<double> line_breaks(const PatchLine& line) {
-    std::vector<double> breaks;
-    counts_.assign(surfaces_.size() + 1, 0);
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      crossings_[k].clear();
-      surfaces_[k]->find_crossings(line.arc, crossings_[k]);
-      std::ranges::sort(crossings_[k], {}, &ArcCrossing::t);
-      double before = -1.0;
-      for (const ArcCrossing& crossing : crossings_[k]) {
-        breaks.push_back(crossing.t);
-        counts_[k] += crossing.t - before > kApart;
-        before = crossing.t;
-      }
-      const auto touching = std::ranges::count(crossings_[k], 0, &ArcCrossing::way);
-      touched_ += touching >= kManyTouches ? kMostIsolated : touching > 0;
+    std::array<std::array<double, 2>, 4> ends{};
+    for (int j = 0; j < 2; ++j) {
+      const auto [v, dv] = interval.at(j == 0 ? kAtEnd : 1.0 - kAtEnd);
+      const ShellMoments line = lines_.along(v);
+      for (int k = 0; k < 3; ++k) ends[k][j] = dv * line.first(k, k);
+      ends[3][j] = dv * line.area;
     }
-    if (touched_ > kMostTouching * kMostIsolated) throw SurfacesInOneAnother();
-    const std::size_t dry = breaks.size();
-    add_water(line.arc, breaks);
-    counts_.back() = static_cast<int>(breaks.size() - dry);
-    return breaks;
+    for (int k = 0; k < 3; ++k) {
+      found.volume_error = std::max(found.volume_error, along.error(values[k], ends[k]));
+    }
+    found.area_error = along.error(values[3], ends[3]);
+    return found;
   }
 
-  std::vector<int> counts_at(double v) {
-    line_breaks(PatchLine(patch_, v));
-    return counts_;
-  }
-
-  // Between a line that crosses as often as told, and one that does not: where a curve turns back.
-  double turning(double same, double other, const std::vector<int>& counts) {
-    for (int step = 0; step < kTurningSteps; ++step) {
+  // Between a line that crosses surfaces as often as told, and one that does not: where that ends.
+  double turning(double same, double other, const LineCounts& counts) {
+    for (int step = 0; step < kFoldSteps; ++step) {
       const double middle = 0.5 * (same + other);
-      (counts_at(middle) == counts ? same : other) = middle;
+      (lines_.counts_at(middle) == counts ? same : other) = middle;
     }
-    return same;
+    return 0.5 * (same + other);
   }
 
-  ShellMoments along_line(double v) {
-    const PatchLine line(patch_, v);
-    std::vector<double> breaks = line_breaks(line);
-    breaks.push_back(0.0);
-    breaks.push_back(1.0);
-    std::ranges::sort(breaks);
-    ShellMoments sum;
-    std::vector<bool> inside(surfaces_.size());
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      const double size = breaks[i + 1] - breaks[i], middle = breaks[i] + 0.5 * size;
-      if (size < kShort) continue;
-      const Vector3d point = line.point(middle);
-      if (water_ && water_->height(point) >= 0.0) continue;
-      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-        inside[k] = is_inside(static_cast<int>(k), line, middle);
+  // The parts of an interval on which lines cross as often; one where all do. is_new: what is near
+  // its ends is not known: a curve that leaves the patch there may come from beyond, and turn back
+  // before the first node.
+  std::vector<LineRange> parts_of(const LineRange& interval, Sampled& found, bool is_new) {
+    std::vector<LineRange> parts{interval};
+    if (!is_new) return parts;
+    const double near = kNearEnd * interval.width, end = interval.begin + interval.width;
+    found.places.insert(found.places.begin(), interval.begin + near);
+    found.counts.insert(found.counts.begin(), lines_.counts_at(found.places.front()));
+    found.places.push_back(end - near);
+    found.counts.push_back(lines_.counts_at(end - near));
+    for (std::size_t i = 0; i + 1 < found.places.size(); ++i) {
+      const LineCounts &before = found.counts[i], &after = found.counts[i + 1];
+      if (before == after) continue;
+      // Between the two places, as along an edge that lines are all but parallel to, the counts may
+      // be others still.
+      const double at = turning(found.places[i], found.places[i + 1], before),
+                   beyond = std::max(at, turning(found.places[i + 1], found.places[i], after));
+      LineRange& last = parts.back();
+      const LineRange next{beyond, last.begin + last.width - beyond, sum_of(after) > sum_of(before),
+                           last.folds_at_end};
+      last.width = at - last.begin;
+      last.folds_at_end = sum_of(before) > sum_of(after);
+      parts.push_back({at, beyond - at});
+      parts.push_back(next);
+    }
+    return parts;
+  }
+
+  void add(const LineRange& interval, bool is_new, int depth, ShellMoments& sum) {
+    if (interval.width <= kNoRange) return;
+    Sampled found = sampled(interval);
+    if (depth < kMostHalves) {
+      const std::vector<LineRange> parts = parts_of(interval, found, is_new);
+      if (parts.size() > 1) {
+        for (const LineRange& part : parts) add(part, false, depth + 1, sum);
+        return;
       }
-      if (takes_(inside)) add_stretch(line, rule_.origin, breaks[i], size, 1.0, sum);
+      if (found.volume_error > rule_.volume || found.area_error > rule_.area) {
+        const double half = 0.5 * interval.width;
+        add({interval.begin, half, interval.folds_at_begin, false}, false, depth + 1, sum);
+        add({interval.begin + half, half, false, interval.folds_at_end}, false, depth + 1, sum);
+        return;
+      }
     }
-    return sum;
+    found.sum.volume_error = found.volume_error;
+    found.sum.area_error = found.area_error;
+    sum += found.sum;
   }
 
-  // A curve that goes out of the patch at an end of the interval may come from beyond it, and turn
-  // back before the nodes that are nearest: where it does so is an end, too.
-  bool add_by_turnings(double begin, double width, const std::vector<int>& first,
-                       const std::vector<int>& last, ShellMoments& sum) {
-    const EstimatingRule& along = EstimatingRule::of(kAlong);
-    std::vector<double> ends{begin};
-    const double low = begin + kNearEnd * width, high = begin + (1.0 - kNearEnd) * width;
-    const std::vector<int> lowest = counts_at(low), highest = counts_at(high);
-    if (lowest != first) ends.push_back(turning(low, begin + width * along.node(0), lowest));
-    if (highest != last) {
-      ends.push_back(turning(high, begin + width * along.node(along.count() - 1), highest));
-    }
-    if (ends.size() == 1) return false;
-    ends.push_back(begin + width);
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(ends[i], ends[i + 1] - ends[i], 1, sum);
-    return true;
-  }
-
-  void add(double begin, double width, int depth, ShellMoments& sum) {
-    const EstimatingRule& along = EstimatingRule::of(kAlong);
-    std::array<EstimatingRule::Values, 4> values{};
-    ShellMoments part;
-    std::vector<int> first;
-    for (int i = 0; i < along.count(); ++i) {
-      ShellMoments line = along_line(begin + width * along.node(i));
-      if (i == 0) first = counts_;
-      for (int k = 0; k < 3; ++k) values[k][i] = width * line.first(k, k);
-      values[3][i] = width * line.area;
-      line *= width * along.weight(i);
-      part += line;
-    }
-    if (depth == 0 && add_by_turnings(begin, width, first, std::vector<int>(counts_), sum)) return;
-    double volume_error = 0.0;
-    for (int k = 0; k < 3; ++k) volume_error = std::max(volume_error, along.error(values[k]));
-    const double area_error = along.error(values[3]);
-    if ((volume_error > rule_.volume || area_error > rule_.area) && depth < kMostHalves) {
-      add(begin, 0.5 * width, depth + 1, sum);
-      add(begin + 0.5 * width, 0.5 * width, depth + 1, sum);
-      return;
-    }
-    part.volume_error = volume_error;
-    part.area_error = area_error;
-    sum += part;
-  }
-
-  surface::BezierPatch patch_;
-  const std::vector<const ClosedShell*>& surfaces_;
-  const Takes& takes_;
-  const Plane* water_;
+  PieceLines lines_;
   const PieceRule& rule_;
-  std::vector<std::vector<ArcCrossing>> crossings_;
-  std::vector<int> counts_;
-  int touched_ = 0;
 };
 
 ShellMoments by_lines(const surface::BezierPatch& patch, const Vector3d& origin) {
-  static const GaussRule rule = gauss_rule(kNodes);
+  static const GaussRule rule = gauss_rule(kPatchLines);
   ShellMoments sum;
-  for (int k = 0; k < kNodes; ++k) {
-    add_stretch(PatchLine(patch, rule.nodes[k]), origin, 0.0, 1.0, rule.weights[k], sum);
+  for (int k = 0; k < kPatchLines; ++k) {
+    PatchLine(patch, rule.nodes[k]).add_stretch(origin, 0.0, 1.0, rule.weights[k], sum);
   }
   return sum;
 }
@@ -294,7 +255,7 @@ ShellMoments whole_patch_moments(const surface::BezierPatch& patch, const PieceR
 ShellMoments cut_patch_moments(const surface::BezierPatch& patch,
                                const std::vector<const ClosedShell*>& surfaces, const Takes& takes,
                                const Plane* water, const PieceRule& rule) {
-  return PieceIntegral(patch, surfaces, takes, water, rule).compute();
+  return PieceIntegral(PieceLines(patch, surfaces, takes, water, rule.origin), rule).compute();
 }
 
 }  // namespace hull::analysis

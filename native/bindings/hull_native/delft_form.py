@@ -27,7 +27,7 @@ class DelftYacht:
     lcf: float
 
     def __post_init__(self):
-        _check_positive(self, "The canoe body's")
+        _check_positive(self, "The canoe body's", [each.name for each in fields(self)])
         for name in ("lcb", "lcf"):
             if not getattr(self, name) < self.length:
                 raise ValueError(
@@ -43,9 +43,9 @@ class DelftYacht:
 
 @dataclass(frozen=True)
 class DelftFin:
-    """A keel or rudder. wetted_surface: of both sides, m². chord: its mean. thickness: of the
-    chord. A keel's residuary resistance needs its volume, m³, the yacht's draft with it, T, and
-    its centre of buoyancy below the canoe body, Zcbk."""
+    """A keel, its bulb, or a rudder. wetted_surface: of both sides, m². chord: its mean. thickness:
+    of the chord. A keel's residuary resistance needs its volume, m³, the yacht's draft with it, T,
+    and its centre of buoyancy below the canoe body, Zcbk, which may lie above it, as a skeg's."""
 
     wetted_surface: float
     chord: float
@@ -53,9 +53,13 @@ class DelftFin:
     volume: float | None = None
     total_draft: float | None = None
     centre: float | None = None
+    name: str = ""
 
     def __post_init__(self):
-        _check_positive(self, "The keel's or rudder's")
+        lengths = ("wetted_surface", "chord", "thickness", "volume", "total_draft")
+        _check_positive(self, "The keel's or rudder's", lengths)
+        if self.centre is not None and not math.isfinite(self.centre):
+            raise ValueError(f"The keel's centre must be a number, not {self.centre}.")
         given = [value is not None for value in (self.volume, self.total_draft, self.centre)]
         if any(given) and not all(given):
             raise ValueError("A keel needs volume, total_draft and centre together, or none.")
@@ -66,15 +70,24 @@ class DelftFin:
         return 1.0 + 2.0 * self.thickness + 60.0 * self.thickness**4
 
 
+def bare_body(body):
+    """The HullBody without what is joined to it."""
+    if body.appendages is None:
+        return body
+    return _core.HullBody(
+        body.surface, mirrored=body.mirrored, openings=body.openings, tolerance=body.tolerance
+    )
+
+
 def delft_yacht(body, *, draft, trim=0.0, draft_at=0.0, **given):
-    """DelftYacht of a HullBody of the canoe body alone, draft (m) at x = draft_at, trim in rad by
-    the stern; what is `given` by the name of its field replaces what was measured. ValueError for a
-    hull out of the water and names that are no fields."""
+    """DelftYacht of a HullBody, which is the canoe body: what is joined to it is left out. draft
+    (m) at x = draft_at, trim in rad by the stern; what is `given` by the name of its field replaces
+    what was measured. ValueError for a hull out of the water and names that are no fields."""
     names = {each.name for each in fields(DelftYacht)}
     for name in given:
         if name not in names:
             raise ValueError(f"{name!r} is no field of DelftYacht; these are: {sorted(names)}.")
-    water = _core.hydrostatics(body, draft=draft, trim=trim, draft_at=draft_at)
+    water = _core.hydrostatics(bare_body(body), draft=draft, trim=trim, draft_at=draft_at)
     length, beam = water.waterline_length, water.waterline_beam
     if not (water.displaced_volume > 0.0 and length > 0.0 and beam > 0.0):
         raise ValueError(f"The hull is out of the water at a draft of {draft:.4g} m: set it.")
@@ -94,8 +107,8 @@ def delft_yacht(body, *, draft, trim=0.0, draft_at=0.0, **given):
     return DelftYacht(**{**measured, **given})
 
 
-def _check_positive(thing, whose):
-    for each in fields(thing):
-        value = getattr(thing, each.name)
+def _check_positive(thing, whose, names):
+    for name in names:
+        value = getattr(thing, name)
         if value is not None and not (value > 0.0 and math.isfinite(value)):
-            raise ValueError(f"{whose} {each.name} must be above zero, not {value}.")
+            raise ValueError(f"{whose} {name} must be above zero, not {value}.")

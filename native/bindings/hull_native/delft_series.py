@@ -8,13 +8,14 @@ forces in kN, densities in t/m³.
 """
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
 from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
 from .delft_coefficients import HEELED, HEELED_KEEL, HULL, KEEL, WETTED
+from .delft_form import DelftFin
 from .holtrop_resistance import SEA_WATER_VISCOSITY
 
 _REYNOLDS_LENGTH = 0.7  # of the waterline
@@ -60,7 +61,8 @@ def delft(
 ):
     """A list of DelftResult, one for each speed in m/s.
 
-    yacht: DelftYacht. keel, rudder: DelftFin or None. form_factor: 1 + k of the canoe body. Between
+    yacht: DelftYacht. keel, rudder: DelftFin, several of them, or None; keels' waves are those of
+    one keel of their volume about their centre. form_factor: 1 + k of the canoe body. Between
     the Froude numbers of the tables values are interpolated by cubics through four neighbours'
     slopes; below the first they fall to zero at rest, above the last they are those of the last,
     and that is told. Side force and what it induces are left out. ValueError for what is no number
@@ -103,11 +105,30 @@ def _interpolated(places, values, at):
     )
 
 
+def _all_of(fins):
+    if fins is None:
+        return ()
+    return (fins,) if isinstance(fins, DelftFin) else tuple(fins)
+
+
+def _with_waves(keels):
+    """One DelftFin of all keels with a volume, None without any."""
+    keels = [keel for keel in keels if keel.volume is not None]
+    if not keels:
+        return None
+    volume = sum(keel.volume for keel in keels)
+    centre = sum(keel.volume * keel.centre for keel in keels) / volume
+    total_draft = max(keel.total_draft for keel in keels)
+    return replace(keels[0], volume=volume, centre=centre, total_draft=total_draft)
+
+
 class _Run:
     """A yacht at a heel in her water."""
 
     def __init__(self, yacht, heel_deg, keel, rudder, form_factor, density, viscosity, gravity):
-        self.yacht, self.heel_deg, self.keel, self.rudder = yacht, heel_deg, keel, rudder
+        self.yacht, self.heel_deg = yacht, heel_deg
+        self.keels, self.rudders = _all_of(keel), _all_of(rudder)
+        self.keel = _with_waves(self.keels)
         self.heel = math.radians(heel_deg)
         self.form_factor, self.density = form_factor, density
         self.viscosity, self.gravity = viscosity, gravity
@@ -115,12 +136,8 @@ class _Run:
         self.slender = yacht.length / yacht.volume ** (1.0 / 3.0)
         self.hull_places, self.hull_values = self._table(HULL, self._hull_terms())
         self.heel_places, self.heel_values = self._table(HEELED, self._heeled_terms())
-        if self._has_keel_waves:
+        if self.keel is not None:
             self.keel_places, self.keel_values = self._table(KEEL, self._keel_terms())
-
-    @property
-    def _has_keel_waves(self):
-        return self.keel is not None and self.keel.volume is not None
 
     @staticmethod
     def _table(rows, terms):
@@ -176,7 +193,7 @@ class _Run:
         return 0.01 * _interpolated(places, values, self.heel_deg)
 
     def _heeled_keel(self, froude):
-        if not self._has_keel_waves:
+        if self.keel is None:
             return 0.0
         y, k = self.yacht, self.keel
         terms = (y.draft / k.total_draft, y.beam / y.draft, y.beam / k.total_draft, self.slender)
@@ -192,13 +209,11 @@ class _Run:
             speed, _REYNOLDS_LENGTH * y.length, y.wetted_surface, self.form_factor
         )
         fins = [
-            0.0
-            if fin is None
-            else self._friction(speed, fin.chord, fin.wetted_surface, fin.form_factor)
-            for fin in (self.keel, self.rudder)
+            sum(self._friction(speed, f.chord, f.wetted_surface, f.form_factor) for f in group)
+            for group in (self.keels, self.rudders)
         ]
         keel_waves = 0.0
-        if self._has_keel_waves:
+        if self.keel is not None:
             weight = self.keel.volume * self.density * self.gravity
             keel_waves = weight * _interpolated(self.keel_places, self.keel_values, froude)
         heeled = 1e-3 * _interpolated(self.heel_places, self.heel_values, froude)

@@ -10,6 +10,10 @@ _PARTS = (
     ("Friction with form", ("friction_kN", "form_kN")),
     ("Pressure", ("pressure_kN",)),
     ("Waves", ("wave_kN",)),
+    ("Residuary", ("residuary_kN",)),
+    ("Keel", ("keel_kN",)),
+    ("Rudder", ("rudder_kN",)),
+    ("Heel", ("heel_kN",)),
     ("Appendages", ("appendages_kN",)),
     ("Bulb and transom", ("bulb_kN", "transom_kN")),
     ("Correlation", ("correlation_kN",)),
@@ -19,9 +23,9 @@ _PARTS = (
 def resistance_plot(rows, *, title="Resistance", subtitles=(), others=()):
     """Total resistance and its parts over the speed in knots.
 
-    rows: of michell_table(), holtrop_table() or savitsky_table(), one at least. others: pairs
-    (name, rows) whose totals are drawn dashed beside it, such as another hull's or method's.
-    ValueError for no rows.
+    rows: of michell_table(), holtrop_table(), savitsky_table() or delft_table(), one at least.
+    others: pairs (name, rows) whose totals are drawn dashed beside it, such as another hull's or
+    method's. ValueError for no rows.
     """
     rows = list(rows)
     if not rows:

@@ -83,10 +83,26 @@ def format_value(scene, value, unit):
 
 def in_unit(scene, value, unit):
     """(number, symbol) of a value in a unit of tables, in the scene's system."""
-    if scene.unit_settings.system == "IMPERIAL":
+    if is_imperial(scene):
         size, symbol = _IMPERIAL[unit]
         return value / size, symbol
     return value, _METRIC_SYMBOLS[unit]
+
+
+_SUPERSCRIPTS = str.maketrans("²³⁴·", "234 ")
+
+
+def imperial(unit):
+    """(size, name in plain letters) of the imperial unit that stands for one of the units of
+    tables, None for what is none: ("m2" → (0.0929…, "ft2"))."""
+    if unit not in _IMPERIAL:
+        return None
+    size, symbol = _IMPERIAL[unit]
+    return size, symbol.translate(_SUPERSCRIPTS)
+
+
+def is_imperial(scene):
+    return scene.unit_settings.system == "IMPERIAL"
 
 
 def metric_symbol(unit):

@@ -78,8 +78,9 @@ STAYING = frozenset(
     plates.ranges.spacing layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
-    resistance.appendage_factor resistance.deadrise resistance.shaft_angle table.trims plots.size
-    plan.width plan.height plan.scale plan.drawn plan.date plan.number export.tolerance
+    resistance.appendage_factor resistance.deadrise resistance.shaft_angle resistance.heel
+    table.trims plots.size plan.width plan.height plan.scale plan.drawn plan.date plan.number
+    export.tolerance
     model.scale model.tolerance model.wall model.machine_x model.machine_y model.machine_z
     model.dowel model.layer panel_mesh.grading panel_mesh.part_tolerance
     export.tolerance_mm export.seam_angle export.progress studio.topside studio.boot_top

@@ -12,7 +12,7 @@ from .. import analyses
 from ..conversion import conversions
 from ..hull import hull_state
 from ..lines import lines_plan
-from . import tables, title_block
+from . import table_units, tables, title_block
 
 
 class LinesDrawing(jobs.JobTask):
@@ -75,11 +75,20 @@ class AnalysisFile(jobs.JobTask):
 
 
 class Table(AnalysisFile):
-    """As CSV."""
+    """As CSV, in the scene's system of units; an analysis may have a table in feet of its own."""
+
+    def __init__(self, obj, scene, name, path):
+        self._is_imperial = units.is_imperial(scene)
+        super().__init__(obj, scene, name, path)
 
     def write(self, result, path):
         analysis = analyses.ANALYSES[self._name]
-        tables.write_table(path, analysis.header(result), analysis.rows(result))
+        if self._is_imperial and hasattr(analysis, "in_feet"):
+            return tables.write_table(path, *analysis.in_feet(result))
+        header, rows = analysis.header(result), analysis.rows(result)
+        if self._is_imperial:
+            header, rows = table_units.in_imperial(header, rows)
+        tables.write_table(path, header, rows)
 
 
 class Plot(AnalysisFile):

@@ -24,7 +24,7 @@ _MICHLET_STATIONS, _MICHLET_WATERLINES, _MICHLET_SPEEDS = 81, 41, 50
 
 def unit_of(scene):
     """The unit of length, "m" or "ft", of files that know both, as the scene has it."""
-    return "ft" if scene.unit_settings.system == "IMPERIAL" else "m"
+    return "ft" if units.is_imperial(scene) else "m"
 
 
 def export_freeship(obj, scene, path):

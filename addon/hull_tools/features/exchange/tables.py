@@ -3,10 +3,13 @@
 
 import csv
 import io
+import re
 from pathlib import Path
 
 from ....hull_io.bytes_on_disk import write_bytes
 
+# Feet, inches and eighths below the base line are no formula.
+_FEET = re.compile(r"-\d+-\d+-\d[+-]?")
 _FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -28,7 +31,8 @@ def write_table(path, header, rows):
 def _cell(value):
     if isinstance(value, str):
         # A spreadsheet would take a name that begins like this for a formula, and compute it.
-        return f"'{value}" if value[:1] in _FORMULA_BEGINS else value
+        is_formula = value[:1] in _FORMULA_BEGINS and not _FEET.fullmatch(value)
+        return f"'{value}" if is_formula else value
     if value is None:
         return None
     return f"{value:.10g}"

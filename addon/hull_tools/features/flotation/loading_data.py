@@ -73,6 +73,7 @@ def _give_resistance(settings, own, scale):
     settings.twin_screw = own.twin_screw
     settings.deadrise = radians(own.deadrise_deg)
     settings.shaft_angle = radians(own.shaft_angle_deg)
+    settings.heel = radians(own.heel_deg)
 
 
 def _taken_resistance(settings, metres):
@@ -83,6 +84,7 @@ def _taken_resistance(settings, metres):
         twin_screw=settings.twin_screw,
         deadrise_deg=as_typed(degrees(settings.deadrise)),
         shaft_angle_deg=as_typed(degrees(settings.shaft_angle)),
+        heel_deg=as_typed(degrees(settings.heel)),
         **{name: as_stored(getattr(settings, name)) for name in _RESISTANCE_NUMBERS},
         **{name: metres(getattr(settings, name)) for name in _RESISTANCE_LENGTHS},
     )

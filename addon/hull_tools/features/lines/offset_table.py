@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ...bridge import native
-from . import line_places
+from . import feet_offsets, line_places
 
 IS_LIVE = False
 
@@ -78,6 +78,11 @@ def rows(table):
         lengths = [*table.half_breadths[i], *table.heights[i], *features]
         beside = [cell for _, points in _ends(table) for cell in _point(points, i)]
         yield [x, *(_in_mm(value) for value in lengths), _marks(table, i), *beside]
+
+
+def in_feet(table):
+    """(header, rows) in feet: positions as decimal numbers, offsets in feet, inches and eighths."""
+    return feet_offsets.in_feet(header(table), rows(table))
 
 
 def _ends(table):

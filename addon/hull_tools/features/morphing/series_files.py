@@ -18,7 +18,7 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ..conversion import conversions, patches
 from ..curves_of_form import hydrostatic_table, sectional_areas
-from ..exchange import cad_files, tables
+from ..exchange import cad_files, table_units, tables
 from ..flotation import hydrostatics
 from ..flotation.ship import Ship
 from ..hull import hull_saving, hull_state
@@ -40,7 +40,10 @@ class SeriesTables(jobs.JobTask):
         found = series.of_hull(obj, scene, **asked)
         self.state = hull_state.state_of(obj)
         conversions.clear_way(obj)
-        self._job = jobs.Job(lambda progress: _write_tables(found, Path(path), progress))
+        is_imperial = units.is_imperial(scene)
+        self._job = jobs.Job(
+            lambda progress: _write_tables(found, Path(path), progress, is_imperial)
+        )
         conversions.watch(self)
 
 
@@ -49,7 +52,7 @@ def areas_path(path):
     return path.with_name(f"{path.stem}-areas{path.suffix}")
 
 
-def _write_tables(found, path, progress):
+def _write_tables(found, path, progress, is_imperial):
     rows, areas = [], []
     for number, step in enumerate(found.steps):
         progress(number / len(found.steps))
@@ -57,8 +60,14 @@ def _write_tables(found, path, progress):
         rows.append(row)
         areas += own
     # Both or none: only names that cannot be written could come between.
-    tables.write_table(path, _header(found), rows)
-    tables.write_table(areas_path(path), ["t", "x from AP [m]", "area [m2]"], areas)
+    areas_header = ["t", "x from AP [m]", "area [m2]"]
+    for where, header, table in (
+        (path, _header(found), rows),
+        (areas_path(path), areas_header, areas),
+    ):
+        if is_imperial:
+            header, table = table_units.in_imperial(header, table)
+        tables.write_table(where, header, table)
     return [path, areas_path(path)]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Resistance and power over speeds, by Holtrop and Mennen or by Michell's integral."""
+"""Resistance and power over speeds, by the methods of hull_native."""
 
 import math
 from dataclasses import dataclass
@@ -17,6 +17,7 @@ NAMES = {
     "HOLTROP": "Holtrop and Mennen 1984",
     "MICHELL": "ITTC 1957 and Michell",
     "SAVITSKY": "Savitsky 1964",
+    "DELFT": "Delft series 1998",
 }
 
 
@@ -30,15 +31,18 @@ class Inputs:
     appendages: tuple  # (area in m², 1 + k2), or none
     propeller: tuple  # (diameter in m, screws), or none
     planing: tuple  # pairs (argument of hull_native.planing_boat, value), with Savitsky alone
+    heel_deg: float  # with the Delft series alone
 
 
 @dataclass(frozen=True)
 class Result:
-    rows: list  # of hull_native.holtrop_table() or michell_table()
+    rows: list  # of hull_native.holtrop_table() or another method's
     given: Inputs
+    told: tuple = ()  # sentences about what was reckoned with
 
     def remarks(self):
         """Sentences about what the numbers rest on, each once."""
+        yield from self.told
         told = dict.fromkeys(row.get("outside", "") for row in self.rows)
         parts = dict.fromkeys(part for text in told for part in text.split("; ") if part)
         yield from (f"Out of the method's range: {part}" for part in _first_of_each(parts))
@@ -95,6 +99,7 @@ def inputs(settings, metres_per_unit):
         (area, factor) if area > 0.0 else (),
         (diameter, 2 if own.twin_screw else 1) if diameter > 0.0 else (),
         _planing(settings, metres_per_unit) if own.method == "SAVITSKY" else (),
+        math.degrees(afloat.as_typed_angle(own.heel)) if own.method == "DELFT" else 0.0,
     )
 
 
@@ -134,6 +139,8 @@ def compute(ship, given):
             ship.body, water_density=density, **position, **dict(given.planing)
         )
         return Result(hull_native.savitsky_table(boat, given.speeds, water_density=density), given)
+    if given.method == "DELFT":
+        return _of_a_yacht(ship, given, position)
     own = {"stern_coefficient": given.stern}
     if given.appendages:
         own["appendages"] = (given.appendages,)
@@ -145,6 +152,32 @@ def compute(ship, given):
         ship.body, given.speeds, given=own, propeller=propeller, water_density=density, **position
     )
     return Result(rows, given)
+
+
+def _of_a_yacht(ship, given, position):
+    hull_native = native.require()
+    fins = hull_native.delft_fins(ship.body, **position)
+    rows = hull_native.delft_table(
+        hull_native.delft_yacht(ship.body, **position),
+        given.speeds,
+        heel_deg=given.heel_deg,
+        keel=fins.keels,
+        rudder=fins.rudders,
+        form_factor=given.form_factor,
+        water_density=given.where.water_density,
+    )
+    return Result(rows, given, tuple(_told_of(fins)))
+
+
+def _told_of(fins):
+    """Which appendages count as what."""
+    for word, found in (("Keel", fins.keels), ("Rudder", fins.rudders)):
+        if found:
+            yield f"{word}: {', '.join(fin.name for fin in found)}"
+    if not fins.keels and not fins.rudders:
+        yield "No keel, no rudder: what is in the hull's own mesh counts as hull"
+    if fins.left_out:
+        yield f"Left out, as no fin in the water: {', '.join(fins.left_out)}"
 
 
 # What ends the names of hull_native's columns; others have no unit, but for texts.
