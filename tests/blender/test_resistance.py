@@ -52,8 +52,8 @@ def test_rows_are_those_of_hull_native(method):
 
 
 def test_delft_series_takes_the_appendages():
-    """Keel and rudder of the Add menu, at a heel; what counts as what is told. (The sample yacht has
-    a keel of her own.)"""
+    """Keel and rudder of the Add menu, at a heel; what counts as what is told. (The sample yacht
+    has a keel of her own.)"""
     hull = sample("coaster")
     own = hull.hull.resistance
     own.speed_from, own.speed_to, own.speed_step = 7.0, 9.0, 1.0
