@@ -13,7 +13,6 @@ from ..conversion import conversions
 from ..hull import hull_state
 from . import plate_rules
 
-
 # Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
 _SLIGHT = radians(10.0)
 
