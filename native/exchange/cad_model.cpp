@@ -110,8 +110,8 @@ void turn_long_sides_to_v(conversion::PatchSet& set) {
   for (std::size_t p = 0; p < set.patches.size(); ++p) {
     if (set.patches[p].count_u <= set.patches[p].count_v) continue;
     set.patches[p] = set.patches[p].turned();
-    std::ranges::rotate(set.corners[p], set.corners[p].begin() + 1);
-    std::ranges::rotate(set.sides[p], set.sides[p].begin() + 1);
+    std::rotate(set.corners[p].begin(), set.corners[p].begin() + 1, set.corners[p].end());
+    std::rotate(set.sides[p].begin(), set.sides[p].begin() + 1, set.sides[p].end());
   }
   set.blocks.clear();
 }

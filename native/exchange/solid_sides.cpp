@@ -39,7 +39,7 @@ TopoDS_Shape with_telling_first_face(const TopoDS_Shape& solid) {
     BRepClass3d_SolidClassifier classifier(turned);
     classifier.PerformInfinitePoint(kReadersTolerance);
     if (classifier.State() == TopAbs_OUT) return turned;
-    std::ranges::rotate(faces, faces.begin() + 1);
+    std::rotate(faces.begin(), faces.begin() + 1, faces.end());
   }
   return solid;
 }

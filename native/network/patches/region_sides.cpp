@@ -184,10 +184,10 @@ std::vector<RegionSide> with_short_sides_joined(const NetworkFrame& frame,
     const auto [least, most] = std::ranges::minmax_element(lengths);
     if (*least > kShortSide * *most) break;
     // The short side first, so that its neighbours are the next and the last.
-    std::ranges::rotate(sides, sides.begin() + (least - lengths.begin()));
+    std::rotate(sides.begin(), sides.begin() + (least - lengths.begin()), sides.end());
     const bool is_to_next =
         onwards(frame, sides[0], sides[1]) > onwards(frame, sides.back(), sides[0]);
-    if (!is_to_next) std::ranges::rotate(sides, sides.end() - 1);
+    if (!is_to_next) std::rotate(sides.begin(), sides.end() - 1, sides.end());
     sides[0].insert(sides[0].end(), sides[1].begin(), sides[1].end());
     sides.erase(sides.begin() + 1);
   }

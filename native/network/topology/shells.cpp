@@ -335,8 +335,8 @@ int Shells::genus_of(const std::vector<int>& faces) const {
     for (int loop : faces_[face].inner) count(loop);
   }
   std::ranges::sort(vertices);
-  const auto repeated = std::ranges::unique(vertices);
-  sum += static_cast<int>(repeated.begin() - vertices.begin()) - half_edges / 2;
+  const auto repeated = std::unique(vertices.begin(), vertices.end());
+  sum += static_cast<int>(repeated - vertices.begin()) - half_edges / 2;
   return 1 - sum / 2;
 }
 

@@ -23,7 +23,7 @@ struct PlaneGraph {
 using EndName = std::pair<int, bool>;
 
 std::vector<EndName> from_least(std::vector<EndName> ring) {
-  std::ranges::rotate(ring, std::ranges::min_element(ring));
+  std::rotate(ring.begin(), std::ranges::min_element(ring), ring.end());
   return ring;
 }
 
@@ -81,7 +81,7 @@ PlaneGraph random_graph(std::mt19937& random, int edge_count) {
       half = shells.clockwise(half);
     } while (half != first);
     std::ranges::reverse(ends);
-    std::ranges::rotate(ends, ends.begin() + static_cast<long>(random() % ends.size()));
+    std::rotate(ends.begin(), ends.begin() + static_cast<long>(random() % ends.size()), ends.end());
   }
   graph.faces = faces_of(shells, end_of_half);
   return graph;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <Eigen/Dense>
 
 #include "network/patches/patch_grid.h"
@@ -197,7 +198,7 @@ TEST(TransfinitePatch, GoesWithTheNumberingOfItsSides) {
   for (int count : {3, 4, 5, 6, 9}) {
     auto sides = random_sides(random, count);
     const TransfinitePatch patch(sides);
-    std::ranges::rotate(sides, sides.begin() + 1);
+    std::rotate(sides.begin(), sides.begin() + 1, sides.end());
     const TransfinitePatch turned(sides);
     for (int i = 0; i < 20; ++i) {
       // The same place by its corners' numbers: turned by one side.
