@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "network/patches/patch_grid.h"
 #include "random_sides.h"
