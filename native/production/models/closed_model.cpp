@@ -133,7 +133,7 @@ ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance,
   surface::tell(progress, 1.0, 3.0);
   GridOptions options;
   options.places = true;
-  options.progress = surface::part_of(progress, 0.33, 0.9);
+  options.progress = surface::part_of(progress, 1.0 / 3.0, 0.9);
   HullGrid grid = hull_grid(body, sides, options);
   ClosedModel model;
   model.triangles.reserve(2 * grid.quads.size());
