@@ -39,6 +39,7 @@ def offset_rows():
     for name in ("bare", "bare.bridge", "bare.features", "bare.features.lines"):
         sys.modules.setdefault(name, types.ModuleType(name)).__path__ = []
     sys.modules["bare.bridge"].native = sys.modules["bare.features.lines"].line_places = None
+    sys.modules["bare.features.lines"].__path__ = [str(_LINES)]
     path = _LINES / "offset_table.py"
     spec = importlib.util.spec_from_file_location("bare.features.lines.offset_table", path)
     module = importlib.util.module_from_spec(spec)

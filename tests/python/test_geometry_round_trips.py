@@ -50,6 +50,7 @@ def exporter():
     for name in ("bare", "bare.bridge", "bare.features", "bare.features.lines"):
         sys.modules.setdefault(name, types.ModuleType(name)).__path__ = []
     sys.modules["bare.bridge"].native = sys.modules["bare.features.lines"].line_places = None
+    sys.modules["bare.features.lines"].__path__ = [str(path.parent)]
     spec = importlib.util.spec_from_file_location("bare.features.lines.offset_table", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
