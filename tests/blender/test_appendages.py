@@ -223,6 +223,19 @@ def test_no_half_of_one_is_left(box):
     assert set(bpy.data.objects) == before and set(bpy.data.meshes) == meshes
 
 
+@pytest.mark.parametrize("values", [{"overlap": 1e30}, {"span": 1e30}, {"chord": 1e9}])
+def test_out_of_all_proportion(box, values):
+    before = volume(box)
+    make_active(box)
+    try:
+        bpy.ops.hull.add_appendage(kind="FIN_KEEL", x=6.0, **values)
+    except RuntimeError as refused:
+        assert "Traceback" not in str(refused)
+        return
+    assert "times the hull's size" in not_joined(box)
+    assert volume(box) == before
+
+
 def test_saved_and_read(box, tmp_path):
     add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
     name, before = box.name, volume(box)

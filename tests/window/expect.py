@@ -27,7 +27,8 @@ def assert_follows(hull):
     body = source.live_body(surface)
     bodies = part("bridge.objects.appendages").read(hull)
     if bodies and not state.ship.waits:
-        body.join(part("features.flotation.appendages").native_bodies(bodies, 1.0))
+        points = source.control.points
+        body.join(part("features.flotation.appendages").native_bodies(bodies, 1.0, points))
     fresh = part("features.flotation.hydrostatics").computed(body, where)
     volume = state.hydrostatics.values.displaced_volume
     assert abs(volume - fresh.displaced_volume) <= 1e-7 * fresh.displaced_volume

@@ -45,7 +45,7 @@ class Fresh:
         source = ship.ShipSource(control, settings.scheme, settings.half, openings, ())
         try:
             where = part("features.flotation.afloat").afloat(settings, scale)
-            body = _with_appendages(source.live_body(self.surface), hull, scale)
+            body = _with_appendages(source.live_body(self.surface), hull, scale, control.points)
             own = ship.Ship(body, ())
             self.hydrostatics = part("features.flotation.hydrostatics").at(own, where)
         except ValueError as error:
@@ -58,11 +58,11 @@ class Fresh:
             self.lines = str(error)
 
 
-def _with_appendages(body, hull, scale):
+def _with_appendages(body, hull, scale, points):
     """A HullBody with the hull's appendages joined to it, where they can be."""
     bodies = part("bridge.objects.appendages").read(hull)
     try:
-        joined = part("features.flotation.appendages").native_bodies(bodies, scale)
+        joined = part("features.flotation.appendages").native_bodies(bodies, scale, points)
         if joined:
             body.join(joined)
     except ValueError:

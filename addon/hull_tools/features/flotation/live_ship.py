@@ -78,17 +78,17 @@ class LiveShip:
         if mesh is None:
             return
         self.is_part = not is_whole
-        source = ship.source_of(found, control, self._bodies(bodies, scale))
+        source = ship.source_of(found, control, self._bodies(bodies, scale, control.points))
         has_others = self.appendages_key != bodies
         self._make_body(mesh, source, found.topology_key, geometry_key, has_others)
         self.appendages_key = bodies
         self._control_key = control_key if is_whole else None
 
-    def _bodies(self, bodies, scale):
+    def _bodies(self, bodies, scale, points):
         """hull_native.Appendage of AppendageBody, none where one of them is no body."""
         self.not_joined = ""
         try:
-            return native_bodies(bodies, scale)
+            return native_bodies(bodies, scale, points)
         except ValueError as error:
             self.not_joined = str(error)
             return []
