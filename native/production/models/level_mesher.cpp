@@ -174,7 +174,7 @@ void LevelMesher::keep_inner() {
 }
 
 // Along their sides of tetrahedra, so that triangles stay within these and never meet: regula falsi
-// with halved values (Dowell and Jarratt 1971).
+// with halved values (Dowell & Jarratt 1971).
 void LevelMesher::move_onto_level(const surface::Progress& progress) {
   const double near = distance_ + 2.0 * cell_;
   for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
