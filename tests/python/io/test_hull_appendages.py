@@ -28,16 +28,6 @@ KEEL = {
 }
 
 
-@pytest.fixture
-def read(tmp_path):
-    def read_content(value):
-        path = tmp_path / "box.hull.json"
-        path.write_text(json.dumps(value))
-        return hull_io.read_hull_file(path)
-
-    return read_content
-
-
 def test_appendages_are_written_and_read(read, tmp_path):
     data = read(content(appendages=[TUNNEL, KEEL]))
     tunnel, keel = data.appendages

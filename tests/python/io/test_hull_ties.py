@@ -18,16 +18,6 @@ TIES = [
 GROUPS = [{"name": "Side", "points": [5, 3, 3]}, {"name": "", "points": []}]
 
 
-@pytest.fixture
-def read(tmp_path):
-    def read_content(value):
-        path = tmp_path / "box.hull.json"
-        path.write_text(json.dumps(value))
-        return hull_io.read_hull_file(path)
-
-    return read_content
-
-
 def test_ties_and_groups_are_written_and_read(read, tmp_path):
     data = read(content(ties=TIES, groups=GROUPS))
     assert data.ties == [
