@@ -79,7 +79,9 @@ TEST(CurveFairness, SamplesOfRandomSectionsAreInTheirPlanes) {
       }
     }
   }
-  EXPECT_GT(curves, kFairnessMeshes);
+  // Every plane goes through its surface. What meshes there are depends on the compiler, which
+  // chooses the order in which a call's arguments are drawn.
+  EXPECT_GE(curves, kFairnessMeshes);
 }
 
 TEST(CurveFairness, RandomFeaturesHaveFiniteMarks) {
