@@ -108,8 +108,8 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
     }
   }
   if (best.along_side) {
-    best.along_side =
-        best_height.value_or(middle_height(best)) <= kOnCurve * surface_.mesh().size();
+    if (!best_height) best_height = middle_height(best);
+    best.along_side = *best_height <= kOnCurve * surface_.mesh().size();
   }
   return best;
 }
