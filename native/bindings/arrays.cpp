@@ -145,6 +145,25 @@ std::vector<std::array<int, 2>> pairs_from(const py::object& object, const char*
   return pairs;
 }
 
+std::vector<std::array<int, 3>> triangles_from(const py::object& array, std::size_t point_count) {
+  const auto rows = py::array::ensure(array);
+  if (!rows || rows.ndim() != 2 || rows.shape(1) != 3) {
+    throw std::invalid_argument("triangles must have shape (n, 3).");
+  }
+  const std::vector<int> corners = integers_from(rows.attr("ravel")(), "triangles");
+  std::vector<std::array<int, 3>> triangles;
+  triangles.reserve(corners.size() / 3);
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    for (const int corner : triangles.back()) {
+      if (corner >= 0 && corner < static_cast<int>(point_count)) continue;
+      throw std::invalid_argument("Triangle " + std::to_string(i / 3) + " has the corner " +
+                                  std::to_string(corner) + ", which is no point.");
+    }
+  }
+  return triangles;
+}
+
 py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points) {
   return rows_to_array<Eigen::Vector3d, double, 3>(points);
 }

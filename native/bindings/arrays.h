@@ -45,6 +45,8 @@ std::vector<Eigen::Vector2d> parameters_from(const DoubleArray& array, const cha
 std::vector<int> integers_from(const py::object& array, const char* name);
 // (n, 2) of whole numbers.
 std::vector<std::array<int, 2>> pairs_from(const py::object& array, const char* name);
+// (m, 3) of whole numbers, corners of triangles, each one of so many points.
+std::vector<std::array<int, 3>> triangles_from(const py::object& array, std::size_t point_count);
 
 py::array_t<double> to_array(const std::vector<Eigen::Vector3d>& points);
 py::array_t<double> to_array(const std::vector<Eigen::Vector2d>& pairs);

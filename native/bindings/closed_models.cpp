@@ -19,22 +19,10 @@ using production::ClosedModel;
 using production::ModelLayers;
 using production::ModelSlice;
 
-ClosedModel triangles_from(const DoubleArray& points, const py::object& triangles) {
+ClosedModel faces_from(const DoubleArray& points, const py::object& triangles) {
   ClosedModel model;
   model.points = points_from(points, "points");
-  const auto rows = py::array::ensure(triangles);
-  if (!rows || rows.ndim() != 2 || rows.shape(1) != 3) {
-    throw std::invalid_argument("triangles must have shape (n, 3).");
-  }
-  const std::vector<int> corners = integers_from(rows.attr("ravel")(), "triangles");
-  for (std::size_t i = 0; i < corners.size(); i += 3) {
-    for (std::size_t k = i; k < i + 3; ++k) {
-      if (corners[k] >= 0 && corners[k] < static_cast<int>(model.points.size())) continue;
-      throw std::invalid_argument("Triangle " + std::to_string(i / 3) + " has the corner " +
-                                  std::to_string(corners[k]) + ", which is no point.");
-    }
-    model.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
-  }
+  model.triangles = triangles_from(triangles, model.points.size());
   return model;
 }
 
@@ -49,7 +37,7 @@ py::array_t<bool> covered_by(const ClosedModel& model, const DoubleArray& points
 }
 
 ClosedModel model_from(const DoubleArray& points, const py::object& triangles) {
-  ClosedModel model = triangles_from(points, triangles);
+  ClosedModel model = faces_from(points, triangles);
   const int open = production::open_sides(model);
   if (open > 0 || model.triangles.empty()) {
     throw std::invalid_argument("The triangles do not enclose a body: " + std::to_string(open) +
@@ -139,7 +127,7 @@ void bind_closed_models(py::module_& module) {
   module.def(
       "places_covered",
       [](const DoubleArray& points, const py::object& triangles, const DoubleArray& places) {
-        const ClosedModel faces = triangles_from(points, triangles);
+        const ClosedModel faces = faces_from(points, triangles);
         return covered_by(faces, places);
       },
       py::arg("points"), py::arg("triangles"), py::arg("places"),

@@ -95,27 +95,15 @@ void put_text(SheetBuilder& sheet, const Vector2d& at, const std::string& words,
 
 using FloatArray = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-drawing::ValuedTriangles triangles_from(const DoubleArray& points, const FloatArray& values,
-                                        const py::object& triangles) {
+drawing::ValuedTriangles valued_from(const DoubleArray& points, const FloatArray& values,
+                                     const py::object& triangles) {
   drawing::ValuedTriangles given{points_from(points, "points"), {}, 0, {}};
-  const auto rows = py::array::ensure(triangles);
-  const auto count = static_cast<py::ssize_t>(given.points.size());
-  if (values.ndim() != 2 || values.shape(0) != count || !rows || rows.ndim() != 2 ||
-      rows.shape(1) != 3) {
-    throw std::invalid_argument("values must have shape (n, k), triangles (m, 3).");
+  if (values.ndim() != 2 || values.shape(0) != static_cast<py::ssize_t>(given.points.size())) {
+    throw std::invalid_argument("values must have shape (n, k), a row for each point.");
   }
   given.count = static_cast<int>(values.shape(1));
   given.values.assign(values.data(), values.data() + values.size());
-  const std::vector<int> corners = integers_from(rows.attr("ravel")(), "triangles");
-  for (std::size_t i = 0; i < corners.size(); i += 3) {
-    given.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
-    for (const int corner : given.triangles.back()) {
-      if (corner < 0 || corner >= count) {
-        throw std::invalid_argument("Triangle " + std::to_string(i / 3) + " has the corner " +
-                                    std::to_string(corner) + ", which is no point.");
-      }
-    }
-  }
+  given.triangles = triangles_from(triangles, given.points.size());
   return given;
 }
 
@@ -124,7 +112,7 @@ py::tuple seen(const DoubleArray& points, const FloatArray& values, const py::ob
   if (width < 1 || height < 1 || width > kMostDots || height > kMostDots) {
     throw std::invalid_argument("A picture has 1 to 20 000 dots along a side.");
   }
-  const drawing::ValuedTriangles given = triangles_from(points, values, triangles);
+  const drawing::ValuedTriangles given = valued_from(points, values, triangles);
   drawing::SeenValues found;
   {
     const py::gil_scoped_release release;
