@@ -6,16 +6,17 @@ set(HULL_COMMON_HEADERS
   <algorithm> <array> <cmath> <functional> <map> <memory> <numbers> <optional> <random> <sstream> <stdexcept> <string>
   <vector> <Eigen/Dense> <Eigen/SparseCore>)
 
-# hull_common_headers(NAME HEADERS...): a target NAME, of which others that are compiled with the same options take
-# the common headers and HEADERS by hull_use_headers(TARGET NAME). The target itself must have been added.
-function(hull_common_headers name)
-  if(CMAKE_UNITY_BUILD)
-    target_precompile_headers(${name} PRIVATE ${HULL_COMMON_HEADERS} ${ARGN})
+# hull_take_common_headers(TARGET KIND HEADERS...): the first target of a kind reads the common headers and HEADERS, and
+# the others take them from it, so that all of a kind must be compiled with the same options.
+function(hull_take_common_headers target kind)
+  if(NOT CMAKE_UNITY_BUILD)
+    return()
   endif()
-endfunction()
-
-function(hull_use_headers target name)
-  if(CMAKE_UNITY_BUILD)
-    target_precompile_headers(${target} REUSE_FROM ${name})
+  get_property(first GLOBAL PROPERTY hull_headers_of_${kind})
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    target_precompile_headers(${target} PRIVATE ${HULL_COMMON_HEADERS} ${ARGN})
+    set_property(GLOBAL PROPERTY hull_headers_of_${kind} ${target})
   endif()
 endfunction()
