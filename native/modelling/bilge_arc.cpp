@@ -11,6 +11,7 @@
 #include <string>
 
 #include "analysis/arithmetic/degree.h"
+#include "mesh/dense_solvers.h"
 #include "surface/pieces/bicubic.h"
 
 namespace hull::modelling {
@@ -180,7 +181,7 @@ Eigen::VectorXd minimax(const BilgeShape& shape, const RoundedCorner& wanted) {
     }
     const Eigen::VectorXd root = weight.cwiseSqrt();
     const Eigen::MatrixXd weighted = root.asDiagonal() * J;
-    x -= weighted.colPivHouseholderQr().solve(root.cwiseProduct(e));
+    x -= mesh::least_norm_solution(weighted, root.cwiseProduct(e));
   }
   return best;
 }

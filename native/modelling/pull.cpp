@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/pull.h"
 
-#include <Eigen/SVD>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/dense_solvers.h"
 #include "surface/pieces/point_weights.h"
 
 namespace hull::modelling {
@@ -59,14 +59,14 @@ Sparse weights_of(const WeightRows& rows, Eigen::Index columns) {
 // A⁺ r, where singular values below kLeastWeight count as zero.
 Eigen::VectorXd least_norm(const Eigen::MatrixXd& A, const Eigen::VectorXd& r) {
   if (A.cols() == 0) return Eigen::VectorXd::Zero(0);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const mesh::SingularValues svd = mesh::singular_values(A);
   const auto solve = [&svd](const Eigen::VectorXd& b) {
-    Eigen::VectorXd c = svd.matrixU().transpose() * b;
+    Eigen::VectorXd c = svd.u.transpose() * b;
     for (Eigen::Index i = 0; i < c.size(); ++i) {
-      const double s = svd.singularValues()[i];
+      const double s = svd.values[i];
       c[i] = s > kLeastWeight ? c[i] / s : 0.0;
     }
-    return Eigen::VectorXd(svd.matrixV() * c);
+    return Eigen::VectorXd(svd.v * c);
   };
   Eigen::VectorXd x = solve(r);
   x += solve(r - A * x);  // takes away what the division by small values left

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/fairness/plane_fit.h"
 
-#include <Eigen/SVD>
 #include <cmath>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::analysis {
 
@@ -21,12 +22,12 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points, const std::vector<double
     offsets.row(static_cast<Eigen::Index>(i)) =
         std::sqrt(weights[i]) * (points[i] - centre).transpose();
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  Vector3d normal = svd.matrixV().col(2);
+  const Eigen::MatrixXd v = mesh::singular_values(offsets).v;
+  Vector3d normal = v.col(2);
   Eigen::Index largest = 0;
   normal.cwiseAbs().maxCoeff(&largest);
   if (normal[largest] < 0.0) normal = -normal;
-  return {{normal, normal.dot(centre)}, svd.matrixV().col(0), svd.matrixV().col(1)};
+  return {{normal, normal.dot(centre)}, v.col(0), v.col(1)};
 }
 
 PlaneFit fit_plane(const std::vector<Vector3d>& points) {

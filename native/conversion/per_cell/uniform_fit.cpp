@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/per_cell/uniform_fit.h"
 
-#include <Eigen/QR>
 #include <cassert>
 #include <stdexcept>
 #include <string>
 
 #include "conversion/patches/bspline_patch.h"
+#include "mesh/dense_solvers.h"
 
 namespace hull::conversion {
 
@@ -26,7 +26,7 @@ UniformFit::UniformFit(int control_points, int intervals) {
     basis_.block(i, values.first, 1, 4) = values.rows.row(0);
   }
   const Eigen::MatrixXd inner = basis_.block(1, 1, intervals - 1, control_points - 2);
-  solver_ = inner.completeOrthogonalDecomposition().pseudoInverse();
+  solver_ = mesh::pseudo_inverse(inner);
 }
 
 std::vector<Vector3d> UniformFit::curve(const std::vector<Vector3d>& data) const {

@@ -2,10 +2,11 @@
 #include "modelling/fairing/bounded_minimum.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::modelling {
 namespace {
@@ -29,9 +30,7 @@ void check_independent(const Sparse& conditions) {
     const double norm = unit.row(i).norm();
     if (norm > 0.0) unit.row(i) /= norm;
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> independence(unit.transpose());
-  const auto diagonal = independence.matrixR().diagonal().cwiseAbs();
-  if (unit.rows() > unit.cols() || !(diagonal.minCoeff() > kDependent)) {
+  if (!mesh::are_independent(unit, kDependent)) {
     throw std::invalid_argument(
         "What is to be kept depends on one another, or on points that may not move: choose more "
         "points, or keep less.");

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/reshape/allowed_moves.h"
 
-#include <Eigen/QR>
 #include <map>
 #include <stdexcept>
 #include <string>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::modelling {
 namespace {
@@ -51,7 +52,7 @@ std::vector<Vector3d> allowed_moves(const MoveSpace& space, const std::vector<in
   for (std::size_t i = 0; i < moves.size(); ++i) {
     wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = moves[i];
   }
-  const Eigen::VectorXd found = rows * rows.completeOrthogonalDecomposition().solve(wanted);
+  const Eigen::VectorXd found = rows * mesh::least_norm_solution(rows, wanted);
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = found.segment<3>(3 * static_cast<Eigen::Index>(i));
   }

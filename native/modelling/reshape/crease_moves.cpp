@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/reshape/crease_moves.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
 
+#include "mesh/dense_solvers.h"
 #include "surface/pieces/point_weights.h"
 
 namespace hull::modelling {
@@ -85,7 +85,7 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
     free.col(i).setZero();
   }
   const Eigen::MatrixX3d left = wanted - rows * moves;
-  const Eigen::MatrixX3d rest = free.completeOrthogonalDecomposition().solve(left);
+  const Eigen::MatrixX3d rest = mesh::least_norm_solutions(free, left);
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
     if (!free.col(i).isZero(0.0)) moves.row(i) += rest.row(i);
   }

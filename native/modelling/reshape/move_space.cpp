@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/reshape/move_space.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "mesh/dense_solvers.h"
 #include "mesh/groups.h"
 #include "modelling/complement.h"
 
@@ -157,7 +157,7 @@ class MoveSpace::Builder {
       ++columns_;
     }
     if (std::ranges::all_of(told, [](int c) { return c < 0; })) return;
-    Eigen::MatrixXd inverse = matrix.completeOrthogonalDecomposition().pseudoInverse();
+    Eigen::MatrixXd inverse = mesh::pseudo_inverse(matrix);
     space_.told_groups_.push_back({coordinates, std::move(matrix), told, std::move(inverse)});
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/reshape/reshape.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/dense_solvers.h"
 #include "modelling/reshape/move_energy.h"
 
 namespace hull::modelling {
@@ -85,9 +85,7 @@ void Reshape::factor_conditions() {
   const Eigen::VectorXd full = Eigen::MatrixXd(conditions_).rowwise().norm();
   Eigen::MatrixXd unit = free;
   for (Eigen::Index i = 0; i < free.rows(); ++i) unit.row(i) /= full[i] > 0.0 ? full[i] : 1.0;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> independence(unit.transpose());
-  const auto diagonal = independence.matrixR().diagonal().cwiseAbs();
-  if (free.rows() > free.cols() || !(diagonal.minCoeff() > kDependent)) {
+  if (!mesh::are_independent(unit, kDependent)) {
     throw std::invalid_argument(
         "The conditions depend on one another, or on points that may not move: leave some out.");
   }

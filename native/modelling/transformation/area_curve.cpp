@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/transformation/area_curve.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::modelling {
 namespace {
@@ -57,7 +58,7 @@ AreaCurve::AreaCurve(const WorkingHull& hull)
     for (int k = 0; k < 4; ++k) rows(i, place.span + k) = weights[k];
     areas[i] = sections[i].area / largest_;
   }
-  coefficients_ = rows.colPivHouseholderQr().solve(areas);
+  coefficients_ = mesh::least_norm_solution(rows, areas);
   const double step = 1e-4 * length;
   slope_aft_ = (spline(aft_ + step) - spline(aft_)) / step;
   slope_forward_ = (spline(forward_) - spline(forward_ - step)) / step;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/transformation/fair_shifts.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::modelling {
 namespace {
@@ -58,11 +59,10 @@ FairShifts::FairShifts(const AreaCurve& areas, const HullRange& immersed,
   equations.row(size).head(size) = row(0.0, 0);
   equations.row(size + 1).head(size) = row(constraints.length_pp, 0);
   equations.rightCols(2) = equations.bottomRows(2).transpose().eval();
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(equations);
   const auto response = [&](const Row& change) -> Eigen::VectorXd {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size + 2);
     right.head(size) = change.transpose() / change.norm();
-    return factors.solve(right).head(size);
+    return mesh::least_norm_solution(equations, right).head(size);
   };
   coefficients_ = {response(volume), response(moment)};
   coefficients_[1] -=

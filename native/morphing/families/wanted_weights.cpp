@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "morphing/families/wanted_weights.h"
 
-#include <Eigen/QR>
 #include <stdexcept>
 #include <utility>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::morphing {
 namespace {
@@ -41,7 +42,7 @@ Eigen::VectorXd shares(const std::vector<MoveMode>& modes, const std::vector<Vec
   for (std::size_t k = 0; k < modes.size(); ++k) {
     columns.col(static_cast<Eigen::Index>(k)) = coordinates(modes[k]);
   }
-  return columns.completeOrthogonalDecomposition().solve(coordinates(moves));
+  return mesh::least_norm_solution(columns, coordinates(moves));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/dense_solvers.h"
+
 namespace hull::network {
 namespace {
 
@@ -112,9 +114,7 @@ bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
           one.normal.dot(other.normal) * weighted(patch, other, answers.back());
     }
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kIndependent);
-  const Eigen::VectorXd multipliers = solver.compute(form).solve(-excess);
+  const Eigen::VectorXd multipliers = mesh::least_norm_solution(form, -excess, kIndependent);
   std::vector<Vector3d> moves(patch.control_points.size(), Vector3d::Zero());
   for (int u = 0; u + 2 < patch.count_u; ++u) {
     for (int v = 0; v + 2 < patch.count_v; ++v) {

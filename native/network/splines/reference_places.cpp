@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mesh/dense_solvers.h"
 #include "network/splines/fitted_spline.h"
 #include "network/splines/side_parts.h"
 
@@ -87,7 +88,7 @@ void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
       }
     }
   }
-  const Eigen::MatrixXd found = form.completeOrthogonalDecomposition().solve(right);
+  const Eigen::MatrixXd found = mesh::least_norm_solutions(form, right);
   for (const auto& [node, number] : unknown) {
     places[node] = found.row(number).transpose().cwiseMax(0.0).cwiseMin(1.0);
   }

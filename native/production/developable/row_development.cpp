@@ -3,11 +3,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::production {
 
@@ -248,11 +249,10 @@ void Development::find_freedom(const surface::LimitSurface& surface) {
     for (const auto& [held, normal] : limits_.held) {
       if (held == p) normals += normal.normalized() * normal.normalized().transpose();
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeFullU);
+    const mesh::SingularValues svd = mesh::singular_values(normals);
     Eigen::Matrix3d free = Eigen::Matrix3d::Zero();
     for (int k = 0; k < 3; ++k) {
-      if (svd.singularValues()[k] < 1e-9)
-        free += svd.matrixU().col(k) * svd.matrixU().col(k).transpose();
+      if (svd.values[k] < 1e-9) free += svd.u.col(k) * svd.u.col(k).transpose();
     }
     Vector3d first = free * along[i];
     std::vector<std::pair<Vector3d, bool>> ways;
@@ -261,9 +261,9 @@ void Development::find_freedom(const surface::LimitSurface& surface) {
       ways.emplace_back(first, true);
       free -= first * first.transpose();
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> rest(free, Eigen::ComputeFullU);
+    const mesh::SingularValues rest = mesh::singular_values(free);
     for (int k = 0; k < 3; ++k) {
-      if (rest.singularValues()[k] > 0.5) ways.emplace_back(rest.matrixU().col(k), false);
+      if (rest.values[k] > 0.5) ways.emplace_back(rest.u.col(k), false);
     }
     for (const auto& [way, is_along] : ways) {
       freedom_.push_back({i, way, (is_along ? kAlong : kAcross) / limits_.distance});

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/plates/sheet_splines.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::production {
 
@@ -108,7 +109,7 @@ std::vector<Vector2d> SheetSplines::refined(const SheetSplines& finer,
     places.row(k) << 1.0, used_[k].x(), used_[k].y();
     values.row(k) = coefficients[k].transpose();
   }
-  const Eigen::Matrix<double, 3, 2> affine = places.colPivHouseholderQr().solve(values);
+  const Eigen::Matrix<double, 3, 2> affine = mesh::least_norm_solutions(places, values);
   const auto coefficient = [&](int i, int j) -> Vector2d {
     const int n = number(i, j);
     if (n >= 0) return coefficients[n];

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/eigenbasis/tangent_rule.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+
+#include "mesh/dense_solvers.h"
 
 namespace hull::surface {
 namespace {
@@ -22,11 +23,11 @@ Mode plain_mode(Eigen::Index m, int column) {
 bool jordan_mode(Eigen::Index m, const DominantBlock& block, Mode& mode) {
   const Eigen::MatrixXd nilpotent =
       block.action - block.eigenvalue * Eigen::MatrixXd::Identity(block.size, block.size);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(nilpotent, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (svd.singularValues()[1] > 1e-6 * svd.singularValues()[0]) return false;
+  const mesh::SingularValues svd = mesh::singular_values(nilpotent);
+  if (svd.values[1] > 1e-6 * svd.values[0]) return false;
   mode = {Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
-  mode.weights.segment(block.begin, block.size) = svd.matrixV().col(0);
-  mode.pattern.segment(block.begin, block.size) = svd.matrixU().col(0);
+  mode.weights.segment(block.begin, block.size) = svd.v.col(0);
+  mode.pattern.segment(block.begin, block.size) = svd.u.col(0);
   return true;
 }
 
