@@ -245,5 +245,10 @@ def test_the_surface_is_measured_and_written(tmp_path):
         report = hn.read_cad_report(path)
         assert report["valid"] and report["shells"] == 1
         assert report["faces"] == (8 if both else 4)
+    before = sorted(tmp_path.iterdir())
+    for nameless in ("", str(tmp_path) + "/"):
+        with pytest.raises(RuntimeError, match="The file has no name: give one"):
+            bpy.ops.hull.export_network(filepath=nameless, format=".igs")
+    assert sorted(tmp_path.iterdir()) == before
     move_point(network.objects["Station 5"], 4, (0.0, 0.1, 0.0))
     assert state_of(network).revision != measured.revision

@@ -69,6 +69,8 @@ class HULL_OT_export_network(bpy.types.Operator, NetworkTask, ExportHelper):
 
     def begin(self, network, scene):
         path = self.filepath
+        if not os.path.basename(path):
+            raise ValueError("The file has no name: give one")
         if not path.lower().endswith((".step", ".stp", ".igs", ".iges")):
             path += self.format
         return surface_tasks.Writing(network, scene, path, self.is_whole)
