@@ -17,9 +17,10 @@ namespace {
 constexpr int kFirstCells = 5, kMostHalvings = 3;
 // Finer ones have no more functions than this; where the error is large, than that.
 constexpr int kMostFunctions = 6000, kMostWhereLarge = 12000;
-// What is left after changes that become smaller at least like this is what a geometric series of
-// them has; otherwise as much as the last.
-constexpr double kSlowest = 0.5;
+// What is left after changes that become smaller at least like kSlowest is what a geometric series
+// of them has, of second order at best: once the whole is resolved, the ends of an arc are not yet,
+// and the change after next is larger than the last two foretell. Otherwise as much as the last.
+constexpr double kSlowest = 0.5, kFastest = 0.25;
 // An error of stretch that is small enough, alone or as a part of the stretch; and one with which
 // the plate does not count as settled.
 constexpr double kSmallError = 2e-5, kSmallPart = 0.01, kLargeError = 5e-4;
@@ -105,7 +106,8 @@ std::vector<PlatePoint> settle(FlatPlate& flat, const Plate& plate, double poiss
 
 double error_after(double before, double change) {
   if (change > kSlowest * before) return change;
-  return change * change / (before - change);
+  const double ratio = std::max(change / before, kFastest);
+  return change * ratio / (1.0 - ratio);
 }
 
 }  // namespace
