@@ -6,17 +6,19 @@ set(HULL_COMMON_HEADERS
   <algorithm> <array> <cmath> <functional> <map> <memory> <numbers> <optional> <random> <sstream> <stdexcept> <string>
   <vector> <Eigen/Dense> <Eigen/SparseCore>)
 
-# hull_take_common_headers(TARGET KIND HEADERS...): the first target of a kind reads the common headers and HEADERS, and
-# the others take them from it, so that all of a kind must be compiled with the same options.
+# hull_take_common_headers(TARGET KIND HEADERS...): the first target of a kind with the same options reads the common
+# headers and HEADERS, the others take them from it.
 function(hull_take_common_headers target kind)
   if(NOT CMAKE_UNITY_BUILD)
     return()
   endif()
-  get_property(first GLOBAL PROPERTY hull_headers_of_${kind})
+  get_target_property(options ${target} COMPILE_OPTIONS)
+  string(MD5 group "${kind} ${options}")
+  get_property(first GLOBAL PROPERTY hull_headers_${group})
   if(first)
     target_precompile_headers(${target} REUSE_FROM ${first})
   else()
     target_precompile_headers(${target} PRIVATE ${HULL_COMMON_HEADERS} ${ARGN})
-    set_property(GLOBAL PROPERTY hull_headers_of_${kind} ${target})
+    set_property(GLOBAL PROPERTY hull_headers_${group} ${target})
   endif()
 endfunction()
