@@ -6,6 +6,12 @@ import pytest
 from addon_under_test import SHARED
 
 
+def pytest_configure(config):
+    config.addinivalue_line(
+        "markers", "once: long, and in one Blender enough: what it tries is the module's computing"
+    )
+
+
 @pytest.fixture(autouse=True)
 def empty_file():
     bpy.ops.wm.read_homefile(use_empty=True)

@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 from addon_under_test import add_hull, make_active, module_name, part, state_of
 
+pytestmark = pytest.mark.once
+
 
 def outcome_of(hull):
     return part("features.conversion.conversions").last_outcome(hull)

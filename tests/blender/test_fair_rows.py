@@ -9,6 +9,8 @@ import pytest
 from addon_under_test import mesh_points, part, state_of
 from edited_hulls import at, edit, grid_hull, keys, select
 
+pytestmark = pytest.mark.once
+
 COLUMNS, ROWS = 9, 7
 SEED = 20261123
 

@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 from addon_under_test import part, sample, values
 
+pytestmark = pytest.mark.once
+
 # Points are kept in single precision.
 SINGLE = 1e-6
 

@@ -14,6 +14,8 @@ import pytest
 from addon_under_test import part, state_of
 from test_fields import points_of, sample
 
+pytestmark = pytest.mark.once
+
 SEED = int(os.environ.get("HULL_FIELD_SEED", 20261124))
 STEPS = int(os.environ.get("HULL_FIELD_STEPS", 25))
 HULLS = ("coaster", "barge", "sailing_yacht", "catamaran", "container_ship")

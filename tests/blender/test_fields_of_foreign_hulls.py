@@ -11,6 +11,8 @@ import pytest
 from addon_under_test import mesh_points, part
 from test_form_of_foreign_hulls import hull, works_or_refuses  # noqa: F401: hull is a fixture
 
+pytestmark = pytest.mark.once
+
 RECIPES = part("properties.field_settings").RECIPES
 
 

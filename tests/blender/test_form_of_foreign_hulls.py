@@ -15,6 +15,8 @@ import pytest
 from addon_under_test import SHARED, hull_io, make_active, mesh_points, part, state_of
 from test_hulls_of_others import hulls_of_others
 
+pytestmark = pytest.mark.once
+
 FOLDER = SHARED / "hulls" / "freeship"
 ALL = os.environ.get("HULL_ALL_COPIES") == "1"
 MOST_POINTS = 10**9 if ALL else 150

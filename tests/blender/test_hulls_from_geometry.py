@@ -7,6 +7,8 @@ import pytest
 from addon_under_test import add_hull, hull_io, make_active, part, sample
 from test_panels import texts
 
+pytestmark = pytest.mark.once
+
 BUDGET, PARTS = 90, 6
 
 

@@ -13,6 +13,8 @@ import bpy
 import pytest
 from addon_under_test import ROOT, SHARED, hull_io, make_active, part
 
+pytestmark = pytest.mark.once
+
 FOLDER = SHARED / "hulls" / "freeship"
 SEED = 1723
 ALL = os.environ.get("HULL_ALL_COPIES") == "1"

@@ -12,6 +12,8 @@ import bpy
 import pytest
 from addon_under_test import state_of
 
+pytestmark = pytest.mark.once
+
 VOLUME_TOLERANCE = 1e-6
 AREA_TOLERANCE = 1e-5
 

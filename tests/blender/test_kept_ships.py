@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from addon_under_test import add_hull, make_active, part, state_of
 
+pytestmark = pytest.mark.once
+
 SEED = 5
 
 

@@ -7,6 +7,8 @@ import pytest
 from addon_under_test import part, state_of
 from expect_morph import assert_is_member, select, set_weight, ships
 
+pytestmark = pytest.mark.once
+
 
 def imported(folder, *names):
     found = []

@@ -10,6 +10,8 @@ import pytest
 from addon_under_test import HALF_BREADTH, LENGTH, hull_io, mesh_points, part, state_of
 from expect_morph import boxes, morph_of, set_weight
 
+pytestmark = pytest.mark.once
+
 
 @pytest.fixture(autouse=True)
 def nothing_left():

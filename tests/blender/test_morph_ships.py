@@ -9,6 +9,8 @@ import pytest
 from addon_under_test import make_active, mesh_points, part, state_of
 from expect_morph import assert_is_member, boxes, exact_member, morph_of, select, set_weight, ships
 
+pytestmark = pytest.mark.once
+
 
 @pytest.fixture(scope="module")
 def paper_pair(tmp_path_factory):

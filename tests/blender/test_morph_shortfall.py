@@ -7,6 +7,8 @@ import pytest
 from addon_under_test import part
 from expect_morph import morph_of, ships
 
+pytestmark = pytest.mark.once
+
 
 def test_what_falls_short_is_told_with_a_remedy():
     """In the status of the making, and with the parent; in the hulls' names."""

@@ -8,6 +8,8 @@ from addon_under_test import DEPTH, HALF_BREADTH, LENGTH, mesh_points, part, sta
 from expect_morph import assert_is_member, boxes, morph_of, set_weight
 from test_targets import SINGLE, add, report_of
 
+pytestmark = pytest.mark.once
+
 
 @pytest.fixture(autouse=True)
 def nothing_left():

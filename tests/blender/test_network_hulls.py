@@ -8,6 +8,8 @@ from addon_under_test import make_active, part, sample
 from networks import add, grid_network, new_network
 from test_panels import texts
 
+pytestmark = pytest.mark.once
+
 BUDGET = 100
 
 

@@ -9,10 +9,12 @@ import bpy
 import pytest
 from addon_under_test import add_hull, part, sample
 
+pytestmark = pytest.mark.once
 
-@pytest.mark.parametrize("ending", ["pdf", "dxf"])
-def test_drawings_of_plates(tmp_path, ending):
-    sample("coaster")
+
+@pytest.mark.parametrize("ending, name", [("pdf", "coaster"), ("dxf", "planing_boat")])
+def test_drawings_of_plates(tmp_path, ending, name):
+    sample(name)
     path = tmp_path / f"plates.{ending}"
     arguments = {"plate_length": 20.0, "strake": 3.0, "frame_spacing": 2.4}
     assert bpy.ops.hull.export_plates(filepath=str(path), **arguments) == {"FINISHED"}

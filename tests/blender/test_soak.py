@@ -9,7 +9,10 @@ from collections import Counter
 import bmesh
 import bpy
 import numpy as np
+import pytest
 from addon_under_test import part, state_of
+
+pytestmark = pytest.mark.once
 
 SEED = 20261122
 STEPS = 1000

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from addon_under_test import hull_io, mesh_points, part, state_of
 
+pytestmark = pytest.mark.once
+
 KINDS = ("COASTER", "CONTAINER_SHIP", "BULK_CARRIER", "RORO", "RESEARCH_VESSEL", "NAVAL_VESSEL")
 COUNT = 100 if os.environ.get("HULL_LONG_TYPES") == "1" else 4
 SEED = 24
