@@ -12,11 +12,14 @@ from addon_under_test import add_hull, part, sample
 pytestmark = pytest.mark.once
 
 
-@pytest.mark.parametrize("ending, name", [("pdf", "coaster"), ("dxf", "planing_boat")])
-def test_drawings_of_plates(tmp_path, ending, name):
+@pytest.mark.parametrize(
+    "ending, name, length, strake",
+    [("pdf", "coaster", 20.0, 3.0), ("dxf", "planing_boat", 5.0, 1.0)],
+)
+def test_drawings_of_plates(tmp_path, ending, name, length, strake):
     sample(name)
     path = tmp_path / f"plates.{ending}"
-    arguments = {"plate_length": 20.0, "strake": 3.0, "frame_spacing": 2.4}
+    arguments = {"plate_length": length, "strake": strake, "frame_spacing": 2.4}
     assert bpy.ops.hull.export_plates(filepath=str(path), **arguments) == {"FINISHED"}
     assert path.stat().st_size > 10000
 
