@@ -59,12 +59,11 @@ FairShifts::FairShifts(const AreaCurve& areas, const HullRange& immersed,
   equations.row(size).head(size) = row(0.0, 0);
   equations.row(size + 1).head(size) = row(constraints.length_pp, 0);
   equations.rightCols(2) = equations.bottomRows(2).transpose().eval();
-  const auto response = [&](const Row& change) -> Eigen::VectorXd {
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(size + 2);
-    right.head(size) = change.transpose() / change.norm();
-    return mesh::least_norm_solution(equations, right).head(size);
-  };
-  coefficients_ = {response(volume), response(moment)};
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(size + 2, 2);
+  changes.col(0).head(size) = volume.transpose() / volume.norm();
+  changes.col(1).head(size) = moment.transpose() / moment.norm();
+  const Eigen::MatrixXd responses = mesh::least_norm_solutions(equations, changes);
+  coefficients_ = {responses.col(0).head(size), responses.col(1).head(size)};
   coefficients_[1] -=
       volume.dot(coefficients_[1]) / volume.dot(coefficients_[0]) * coefficients_[0];
   for (Eigen::VectorXd& own : coefficients_) {
