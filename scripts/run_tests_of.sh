@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Run a program of native tests and tell what it said where it failed, else its last lines.
+# Run a program of native tests and tell what it said where it failed, and how long it took.
 # usage: run_tests_of.sh PROGRAM
 log=$1.log
 begun=$(date +%s)

@@ -164,7 +164,7 @@ void bind_flat_plate(py::module_& module) {
           "cells were halved.")
       .def_property_readonly(
           "converged", [](const OneFlatPlate& one) { return one.flat.converged; },
-          "Whether the energy is the least to rounding, and stretch_error at most 0.001.")
+          "Whether the energy is the least to rounding, and stretch_error below 0.0005.")
       .def("marks", &marks_of, py::arg("curve"),
            "The parts of a SurfaceCurve on the plate: a list of pairs, points on the flat plate "
            "(k, 2) and the same on the hull (k, 3), m.")

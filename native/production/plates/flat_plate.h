@@ -58,7 +58,7 @@ struct FlatPlate {
   // Radius of that bend, m; infinite for a plane. Mean over the plate.
   double rolling_radius;
   int iterations;  // of the least energy
-  // Whether the energy is the least to rounding, and stretch_error at most 0.001.
+  // Whether the energy is the least to rounding, and stretch_error below 0.0005.
   bool converged;
 };
 

@@ -21,10 +21,9 @@ constexpr int kMostFunctions = 6000, kMostWhereLarge = 12000;
 // of them has, of second order at best: once the whole is resolved, the ends of an arc are not yet,
 // and the change after next is larger than the last two foretell. Otherwise as much as the last.
 constexpr double kSlowest = 0.5, kFastest = 0.25;
-// An error of stretch that is small enough, alone or as a part of the stretch; one for which a
-// finer grid is worth its time; and one with which the plate does not count as settled: a
-// millimetre a metre.
-constexpr double kSmallError = 2e-5, kSmallPart = 0.01, kLargeError = 5e-4, kUnsettled = 1e-3;
+// An error of stretch that is small enough, alone or as a part of the stretch; and one with which
+// the plate does not count as settled.
+constexpr double kSmallError = 2e-5, kSmallPart = 0.01, kLargeError = 5e-4;
 
 constexpr double kSixth = 1.0 / 6.0;
 // Of a triangle: corners, middles of sides, and its own, which is the last.
@@ -136,7 +135,7 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
     // One change alone does not tell: what neither of two coarse grids sees changes nothing.
     if (k > 0 && flat.stretch_error <= kSmallError + kSmallPart * (largest - least)) break;
   }
-  flat.converged = flat.converged && flat.stretch_error <= kUnsettled;
+  flat.converged = flat.converged && flat.stretch_error <= kLargeError;
   flat.area = 0.0;
   for (const PlatePoint& p : points) flat.area += p.area * flat.map->slopes(p).determinant();
   place_nodes(flat);
