@@ -29,8 +29,8 @@ in_root "$plain" sh -c 'wanted="blender python3-numpy python3-pytest"
     }'
 mkdir -p "$plain/house/checkout/build/package"
 cp "$root"/house/checkout/build/package/*-extension.zip "$plain/house/checkout/build/package"
-# The long random run is this system's, and what tries the module's computing: here a part of the one, and of the other
-# what no other system has tried.
+# The long random run is the other Blender's, here a part of it; and so are long tests of the module's computing, which
+# HULL_ALL_IN_BLENDER=1 does not leave out.
 if [ "${HULL_ALL_IN_BLENDER:-0}" = 1 ]; then tried=; else tried='not once'; fi
 # shellcheck disable=SC2016 # expanded in the chroot
 in_root "$plain" env HULL_FOREIGN_STEPS="${HULL_FOREIGN_STEPS:-500}" \
