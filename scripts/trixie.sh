@@ -16,8 +16,6 @@ copy_checkout "$root"
 mkdir -p "$root/house/checkout/build/wheels"
 cp build/wheels/*.whl "$root/house/checkout/build/wheels" 2>/dev/null || true
 in_root "$root" /house/checkout/hull wheel
-# shellcheck disable=SC2016 # expanded in the chroot
-in_root "$root" sh -c 'cd /house/checkout && blender --command extension validate build/package/*-extension.zip'
 
 make_root trixie "$plain"
 copy_checkout "$plain"
@@ -29,6 +27,8 @@ in_root "$plain" sh -c 'wanted="blender python3-numpy python3-pytest"
     }'
 mkdir -p "$plain/house/checkout/build/package"
 cp "$root"/house/checkout/build/package/*-extension.zip "$plain/house/checkout/build/package"
+# shellcheck disable=SC2016 # expanded in the chroot
+in_root "$plain" sh -c 'cd /house/checkout && blender --command extension validate build/package/*-extension.zip'
 # The long random run is the other Blender's, here a part of it; and so are long tests of the module's computing, which
 # HULL_ALL_IN_BLENDER=1 does not leave out.
 if [ "${HULL_ALL_IN_BLENDER:-0}" = 1 ]; then tried=; else tried='not once'; fi
