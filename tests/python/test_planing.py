@@ -58,6 +58,19 @@ def test_equilibrium_of_the_paper():
     assert abs(moment) < 1e-9 * BOAT.mass_t * hn.GRAVITY * BOAT.lcg
 
 
+def test_lift_and_centre_of_pressure_are_those_of_another_program():
+    """Without charts between: what the tests of ydeos_hydrodynamics have for the motor yacht of
+    Larsson & Eliasson's Principles of Yacht Design, page 204; that program solves to 1e-6."""
+    yacht = hn.PlaningBoat(9.75, 2.74, 17.9, 3.55, 1.145, thrust_angle_deg=3.0, thrust_arm=0.49)
+    trim = 4.168706856548404
+    result, _ = hn.planing_at_trims(yacht, 20.6, [trim], water_density=1.025)[0]
+    assert result.speed_coefficient == pytest.approx(3.9740342082443276, rel=1e-14)
+    assert result.lift_coefficient == pytest.approx(0.05855929710250599, rel=1e-14)
+    assert result.flat_lift_coefficient == pytest.approx(0.08508584811026254, rel=1e-8)
+    assert result.wetted_length_ratio == pytest.approx(1.8124177483423276, rel=1e-8)
+    assert result.pressure_arm == pytest.approx(0.006468009810514541, abs=1e-7)
+
+
 def test_formulas_hold():
     """Lift (15), (16) and Schoenherr's line are implicit: put back, they are met."""
     result = hn.savitsky(BOAT, [SPEED], **WATER)[0]
