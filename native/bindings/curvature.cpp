@@ -34,12 +34,13 @@ Curvatures curvatures(const surface::LimitSurface& surface, const py::object& ce
   const Places places = places_from(surface, cells, uv);
   const py::gil_scoped_release release;
   std::vector<surface::Curvature> each(places.cells.size());
-  constexpr int kAllProcessors = 0;
-  surface::parallel_for(each.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      each[i] = surface::curvature(surface, places.cells[i], places.uv[i].x(), places.uv[i].y());
-    }
-  });
+  surface::parallel_for(
+      each.size(), surface::kAllProcessors, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          each[i] =
+              surface::curvature(surface, places.cells[i], places.uv[i].x(), places.uv[i].y());
+        }
+      });
   Curvatures result;
   for (const surface::Curvature& c : each) result.add(c);
   return result;

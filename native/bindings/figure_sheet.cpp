@@ -19,7 +19,6 @@
 namespace hull::bindings {
 
 using drawing::SheetBuilder;
-using Eigen::Vector2d;
 
 namespace {
 

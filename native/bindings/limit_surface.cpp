@@ -34,8 +34,6 @@ Places places_from(const surface::LimitSurface& surface, const py::object& cells
 
 namespace {
 
-constexpr int kAllProcessors = 0;
-
 surface::Scheme scheme_from(const std::string& name) {
   if (name == "biermann") return surface::Scheme::kBiermann;
   if (name == "catmull_clark") return surface::Scheme::kCatmullClark;
@@ -55,11 +53,12 @@ py::array_t<double> at_places(const surface::LimitSurface& surface, const py::ob
   std::vector<Vector3d> values(places.cells.size());
   {
     const py::gil_scoped_release release;
-    surface::parallel_for(values.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        values[i] = function(places.cells[i], places.uv[i].x(), places.uv[i].y());
-      }
-    });
+    surface::parallel_for(
+        values.size(), surface::kAllProcessors, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            values[i] = function(places.cells[i], places.uv[i].x(), places.uv[i].y());
+          }
+        });
   }
   return to_array(values);
 }
@@ -79,7 +78,7 @@ py::tuple evaluate(const surface::LimitSurface& surface, const py::object& cells
   {
     const py::gil_scoped_release release;
     surface::parallel_for(
-        places.cells.size(), kAllProcessors, [&](std::size_t begin, std::size_t end) {
+        places.cells.size(), surface::kAllProcessors, [&](std::size_t begin, std::size_t end) {
           surface::SurfaceJet jet;
           const Vector3d* parts[] = {&jet.point, &jet.du, &jet.dv, &jet.duu, &jet.duv, &jet.dvv};
           for (std::size_t i = begin; i < end; ++i) {
@@ -97,7 +96,7 @@ py::tuple evaluate_on_grid(const surface::LimitSurface& surface, int n, int deri
   surface::GridSamples samples;
   {
     const py::gil_scoped_release release;
-    surface::evaluate_grid(surface, n, derivatives, samples, kAllProcessors);
+    surface::evaluate_grid(surface, n, derivatives, samples, surface::kAllProcessors);
   }
   std::vector<const std::vector<Vector3d>*> parts{&samples.points};
   if (derivatives > 0) parts.insert(parts.end(), {&samples.du, &samples.dv});

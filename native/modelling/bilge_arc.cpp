@@ -17,8 +17,6 @@
 namespace hull::modelling {
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr int kFitSamples = 64, kFinalSamples = 1024;  // of each span
 constexpr int kMostSteps = 4000;
 constexpr int kEvenSteps = 10;
@@ -195,7 +193,7 @@ BilgeArc measured(const std::vector<Vector2d>& points, const RoundedCorner& want
     const Vector2d q = spline(points, span, surface::cubic_basis(t));
     const Vector2d d1 = spline(points, span, surface::cubic_basis_d1(t));
     const Vector2d d2 = spline(points, span, surface::cubic_basis_d2(t));
-    const double curvature = (d1.x() * d2.y() - d1.y() * d2.x()) / std::pow(d1.norm(), 3);
+    const double curvature = cross(d1, d2) / std::pow(d1.norm(), 3);
     arc.deviation = std::max(arc.deviation, std::abs(wanted.distance(q)));
     arc.greatest_curvature = std::max(arc.greatest_curvature, curvature);
     if (std::abs(span + t - 0.5 * spans) <= 0.25 * spans) {

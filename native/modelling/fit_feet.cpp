@@ -94,7 +94,7 @@ Feet find_feet(const surface::LimitSurface& surface, const surface::SurfaceTree&
   feet.all.resize(target.points.size());
   const double on_surface = kOnSurface * tree.error_size();
   surface::parallel_for(
-      target.points.size(), 0,
+      target.points.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         const std::vector<Vector3d> some(target.points.begin() + static_cast<std::ptrdiff_t>(begin),
                                          target.points.begin() + static_cast<std::ptrdiff_t>(end));

@@ -57,7 +57,7 @@ PlacePulls find_place_pulls(const surface::LimitSurface& surface,
     pulls.rows[i] = row;
   };
   surface::parallel_for(
-      places.size(), 0,
+      places.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         std::vector<Vector3d> points;
         for (std::size_t i = begin; i < end; ++i) points.push_back(places[i].point);

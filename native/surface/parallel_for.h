@@ -6,8 +6,11 @@
 
 namespace hull::surface {
 
-// Calls work(begin, end) for ranges that together are [0, count), on up to `threads` threads (0:
-// one for each processor), the caller's among them. Which thread does which range is left to
+// As a number of threads: one for each processor.
+inline constexpr int kAllProcessors = 0;
+
+// Calls work(begin, end) for ranges that together are [0, count), on up to `threads` threads, the
+// caller's among them. Which thread does which range is left to
 // chance, so results are the same from run to run only if an index's results depend on the index
 // alone. Returns when all is done; throws what `work` has thrown first.
 //

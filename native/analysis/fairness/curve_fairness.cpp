@@ -118,10 +118,9 @@ std::vector<std::vector<CurveFairness>> section_fairness(
   assert(curves.size() == planes.size());
   const Rules rules = rules_from(surface, options);
   std::vector<std::vector<CurveFairness>> result(planes.size());
-  constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a plane's curves take some 100 microseconds
   surface::parallel_for(
-      planes.size(), kAllProcessors,
+      planes.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           for (const SectionCurve* curve : curves[i]) {

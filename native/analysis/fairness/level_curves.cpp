@@ -309,9 +309,8 @@ std::vector<LevelCurve> level_curves(const surface::LimitSurface& surface,
   }
   const Samples samples = take_samples(surface, function, options.divisions, period);
   std::vector<std::vector<LevelCurve>> found(levels.size());
-  constexpr int kAllProcessors = 0;
   surface::parallel_for(
-      levels.size(), kAllProcessors,
+      levels.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           found[i] = Tracer(surface, function, samples, options, period, levels[i]).curves();

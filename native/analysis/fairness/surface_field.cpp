@@ -12,7 +12,6 @@ namespace hull::analysis {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr int kAllProcessors = 0;
 constexpr std::size_t kGrain = 512;  // a place takes about a third of a microsecond
 
 // From the fundamental forms (do Carmo 1976, 3-3), without directions.
@@ -88,7 +87,7 @@ std::vector<double> surface_field(const surface::LimitSurface& surface,
                                   const Vector3d& direction) {
   std::vector<double> values(cells.size());
   surface::parallel_for(
-      cells.size(), kAllProcessors,
+      cells.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           values[i] = value_at(surface, cells[i], uv[i], kind, direction);

@@ -165,9 +165,8 @@ void take_geometry(const StationCutter& cutter, const Plane& water, double lengt
         if (length > 0.0) p.midship_section = immersed_station(cutter, 0.5 * length, water);
         take_profile(cutter, water, p);
       }};
-  constexpr int kAllProcessors = 0;
   surface::parallel_for(
-      parts.size(), kAllProcessors,
+      parts.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) parts[i]();
       },

@@ -173,10 +173,9 @@ std::vector<std::vector<SectionCurve>> sections(const surface::LimitSurface& sur
   check(planes, options);
   const CellBoxes boxes(surface);
   std::vector<std::vector<SectionCurve>> result(planes.size());
-  constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a section takes some 100 microseconds
   surface::parallel_for(
-      planes.size(), kAllProcessors,
+      planes.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         Cutter cutter(surface, options);
         for (std::size_t i = begin; i < end; ++i) result[i] = cutter.cut(boxes, planes[i]);

@@ -19,10 +19,9 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
   }
   const StationCutter cutter(body);
   std::vector<SectionArea> areas(positions.size());
-  constexpr int kAllProcessors = 0;
   constexpr std::size_t kGrain = 2;  // a station takes some 50 microseconds
   surface::parallel_for(
-      positions.size(), kAllProcessors,
+      positions.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           areas[i] = immersed_station(cutter, positions[i], water);

@@ -12,8 +12,6 @@
 namespace hull::conversion {
 namespace {
 
-using Eigen::Vector2d;
-
 struct Loop {
   EdgePath path;
   std::vector<Vector2d> polygon;  // as seen from outside
@@ -54,7 +52,7 @@ class Loops {
     }
     for (std::size_t i = 0; i < loop.polygon.size(); ++i) {
       const Vector2d &a = loop.polygon[i], &b = loop.polygon[(i + 1) % loop.polygon.size()];
-      loop.area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+      loop.area += 0.5 * cross(a, b);
     }
     return loop;
   }
@@ -82,7 +80,7 @@ class Loops {
     const Vector2d back = -direction(-last);
     const auto turn = [&](const DirectedEdge& edge) {
       const Vector2d ahead = direction(edge);
-      return std::atan2(back.x() * ahead.y() - back.y() * ahead.x(), back.dot(ahead));
+      return std::atan2(cross(back, ahead), back.dot(ahead));
     };
     const auto best = std::ranges::max_element(leaving, {}, turn);
     const DirectedEdge next = *best;

@@ -9,8 +9,6 @@
 
 namespace hull::drawing {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // Which half of the body plan: -1 the left, with the after sections, +1 the right.

@@ -9,8 +9,6 @@
 
 namespace hull::drawing {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr char kTextLayer[] = "TEXT";

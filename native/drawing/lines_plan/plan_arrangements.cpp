@@ -8,7 +8,6 @@
 namespace hull::drawing {
 
 using Eigen::AlignedBox2d;
-using Eigen::Vector2d;
 
 namespace {
 

@@ -11,8 +11,6 @@
 
 namespace hull::drawing {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr double kTickClearance = 0.4;  // mm

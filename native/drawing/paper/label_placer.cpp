@@ -6,7 +6,6 @@
 namespace hull::drawing {
 
 using Eigen::AlignedBox2d;
-using Eigen::Vector2d;
 
 namespace {
 

@@ -12,8 +12,6 @@
 
 namespace hull::drawing {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr double kAxisNameSize = 2.8;

@@ -12,7 +12,6 @@
 namespace hull::drawing {
 
 using Eigen::AlignedBox2d;
-using Eigen::Vector2d;
 
 namespace {
 

@@ -10,8 +10,6 @@
 
 namespace hull::drawing {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // Of the em, the capitals of the drawings' face are so high.

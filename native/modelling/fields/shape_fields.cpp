@@ -18,7 +18,6 @@ namespace {
 constexpr double kInPlane = 1e-9;
 // What varies along a base is looked at in so many places between two of its values.
 constexpr int kLooked = 32;
-constexpr int kAllProcessors = 0;
 // Feet are found up to so many extents, so that they need not be found anew when it grows a little.
 constexpr double kAhead = 1.5;
 
@@ -42,7 +41,7 @@ void check_all(const AlongBase<double>& along, const std::function<bool(double)>
 void for_ranges(std::size_t count,
                 const std::function<void(std::size_t begin, std::size_t end)>& work) {
   constexpr std::size_t kGrain = 256;
-  surface::parallel_for(count, kAllProcessors, work, kGrain);
+  surface::parallel_for(count, surface::kAllProcessors, work, kGrain);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@ namespace hull::network {
 namespace {
 
 using Eigen::Matrix2d;
-using Eigen::Vector2d;
 
 constexpr int kMostNewtonSteps = 100;
 constexpr double kLeastSlope = 1e-3;  // of the Hessian's larger eigenvalue: below it is raised

@@ -44,7 +44,7 @@ Vector2d centroid(const std::vector<Vector2d>& polygon) {
   double area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double twice = a.x() * b.y() - a.y() * b.x();
+    const double twice = cross(a, b);
     sum += twice / 3.0 * (a + b);
     area += twice;
   }

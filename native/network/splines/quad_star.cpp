@@ -33,7 +33,7 @@ bool QuadStar::is_regular() const {
         const double u = a * kStep, v = b * kStep;
         const Vector2d at = place(i, u, v), by_u = place(i, u + kStep, v) - at,
                        by_v = place(i, u, v + kStep) - at;
-        if (!(by_u.x() * by_v.y() - by_u.y() * by_v.x() > 0.0)) return false;
+        if (!(cross(by_u, by_v) > 0.0)) return false;
       }
     }
   }

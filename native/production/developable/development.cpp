@@ -8,8 +8,6 @@
 namespace hull::production {
 namespace {
 
-using Eigen::Vector2d;
-
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 double angle_of(const Vector2d& v) { return std::atan2(v.y(), v.x()); }

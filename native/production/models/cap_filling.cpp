@@ -9,10 +9,7 @@
 namespace hull::production {
 namespace {
 
-using Eigen::Vector2d;
 using Places = std::vector<Vector2d>;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double turn(const Places& p, int a, int b, int c) { return cross(p[b] - p[a], p[c] - p[a]); }
 

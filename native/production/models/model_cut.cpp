@@ -17,7 +17,6 @@ namespace {
 // Of triangles in the cut, over their longest sides.
 constexpr double kNoCapHeight = 1e-3;
 
-using Eigen::Vector2d;
 using Triangle = std::array<int, 3>;
 
 // Sides of triangles that none runs through the other way.

@@ -72,7 +72,7 @@ double ModelSlice::area() const {
     const Eigen::Vector2d& origin = contour[0];
     for (std::size_t i = 0; i + 1 < contour.size(); ++i) {
       const Eigen::Vector2d a = contour[i] - origin, b = contour[i + 1] - origin;
-      sum += a.x() * b.y() - a.y() * b.x();
+      sum += cross(a, b);
     }
   }
   return 0.5 * sum;

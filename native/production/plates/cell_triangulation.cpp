@@ -7,8 +7,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 CellTriangulation::CellTriangulation(const Vector2d& lengths)
     : lengths_(lengths / static_cast<double>(kParts)),
       points_{{0, 0}, {kParts, 0}, {kParts, kParts}, {0, kParts}},
@@ -71,7 +69,7 @@ bool CellTriangulation::wants_flip(const Side& side) const {
   const Vector2d a = at(v[side.edge]), b = at(v[(side.edge + 1) % 3]);
   const auto angle = [&](const Vector2d& p) {
     const Vector2d x = a - p, y = b - p;
-    return std::atan2(std::abs(x.x() * y.y() - x.y() * y.x()), x.dot(y));
+    return std::atan2(std::abs(cross(x, y)), x.dot(y));
   };
   const double sum = angle(at(v[(side.edge + 2) % 3])) +
                      angle(at(triangles_[other.triangle].v[(other.edge + 2) % 3]));

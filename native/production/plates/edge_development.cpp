@@ -9,8 +9,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr int kNodes = 8;

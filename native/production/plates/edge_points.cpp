@@ -7,7 +7,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
 using surface::on_square_side;
 
 namespace {

@@ -7,8 +7,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr double kInTriangle = 1e-9;  // of barycentric coordinates

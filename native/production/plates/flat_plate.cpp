@@ -14,8 +14,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr double kDevelopable = 1e-9;  // of the plate's size; rad of a turn

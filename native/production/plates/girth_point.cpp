@@ -10,8 +10,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // Of the cubic between two points with unit tangents whose parameter has the speed `scale`.

@@ -9,8 +9,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // Of the least and largest lengths in a chart: better ones are not looked for, worse ones fold.

@@ -9,8 +9,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // Six points, exact for polynomials of degree 4 (Dunavant 1985); weights sum to ½.

@@ -8,8 +8,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // A side of a triangle, from one corner.

@@ -6,15 +6,11 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // What counts as on a piece, of the cell's side: several of the whole numbers that triangles are
 // decided with.
 constexpr double kOnPart = 2e-8;
-
-double turn_of(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 struct Cut {
   double t;
@@ -80,10 +76,10 @@ std::vector<SeamPart> noded(const std::vector<SeamPart>& given) {
       add_end(j, a.to);
       if (cuts[i].size() + cuts[j].size() > before) continue;
       const Vector2d along = a.to - a.from, other = b.to - b.from;
-      const double turn = turn_of(along, other);
+      const double turn = cross(along, other);
       if (std::abs(turn) <= 1e-14 * along.norm() * other.norm()) continue;
-      const double t = turn_of(b.from - a.from, other) / turn;
-      const double s = turn_of(b.from - a.from, along) / turn;
+      const double t = cross(b.from - a.from, other) / turn;
+      const double s = cross(b.from - a.from, along) / turn;
       if (t <= 0.0 || t >= 1.0 || s <= 0.0 || s >= 1.0) continue;
       const Vector2d at = a.from + t * along;
       const auto near = [&](const Vector2d& p) { return (p - at).norm() <= kOnPart; };

@@ -8,7 +8,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
 using Eigen::Vector2i;
 
 namespace {

@@ -10,7 +10,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
 using mesh::Topology;
 using surface::on_square_side;
 using Grid = CellTriangulation::Grid;

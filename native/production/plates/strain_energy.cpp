@@ -8,8 +8,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr int kOnPoint = SheetSplines::kOnPoint;

@@ -9,8 +9,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 // Cells over the shorter side of the chart, before they are halved; and how often they may be.

@@ -11,7 +11,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
 using mesh::Topology;
 using surface::on_square_side;
 
@@ -104,8 +103,6 @@ class Joiner {
   const surface::SurfaceTree& tree_;
   SurfaceCurve& curve_;
 };
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Where step a passes step b, as a's parameter.
 std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {

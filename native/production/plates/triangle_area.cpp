@@ -8,8 +8,6 @@
 
 namespace hull::production {
 
-using Eigen::Vector2d;
-
 namespace {
 
 using Corners = std::array<Vector2d, 3>;
@@ -135,7 +133,7 @@ class Integrator {
   AreaMoments by_rule(const Corners& c) const {
     static const TriangleRule rule;
     const Vector2d along = c[1] - c[0], across = c[2] - c[0];
-    const double twice = along.x() * across.y() - along.y() * across.x();
+    const double twice = cross(along, across);
     AreaMoments sum;
     surface::SurfaceJet jet;
     for (std::size_t k = 0; k < rule.at.size(); ++k) {

@@ -13,15 +13,12 @@
 namespace hull::production {
 
 using Eigen::AlignedBox2d;
-using Eigen::Vector2d;
 
 namespace {
 
 constexpr int kPlacesAlong = 24;  // tried along a joint's longer side
 
 using Polygon = std::vector<Vector2d>;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double distance_to(const Polygon& polygon, const Vector2d& p) {
   double least = std::numeric_limits<double>::infinity();

@@ -14,8 +14,6 @@ constexpr double kMostTurning = 0.5;
 // Diagonals that are nearer to parallel than this have no plane.
 constexpr double kParallel = 1e-9;
 
-using Eigen::Vector2d;
-
 // Weights of four uniform B-spline points in the blossom's value at (x, y, z): de Boor's algorithm
 // for the span [0, 1], with another argument in each round.
 Basis blossom_weights(double x, double y, double z) {
@@ -79,8 +77,6 @@ struct Direction {
     return std::sqrt(std::max(0.0, v.squaredNorm() - along * along)) + std::abs(along) * turning;
   }
 };
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 template <class Point>
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
