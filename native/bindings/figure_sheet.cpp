@@ -19,6 +19,7 @@
 namespace hull::bindings {
 
 using drawing::SheetBuilder;
+using Eigen::Vector2d;
 
 namespace {
 

@@ -5,6 +5,8 @@
 
 namespace hull::morphing {
 
+using Eigen::Vector2d;
+
 // Twice the signed area of the triangle a, b, c: positive where it turns to the left. Its sign, and
 // whether it is zero, are exact (Shewchuk 1997); its value is within 1e-13 of itself.
 //

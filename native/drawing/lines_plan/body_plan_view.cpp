@@ -9,6 +9,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 // Which half of the body plan: -1 the left, with the after sections, +1 the right.

@@ -9,6 +9,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 constexpr char kTextLayer[] = "TEXT";

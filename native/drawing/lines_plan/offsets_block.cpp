@@ -13,6 +13,7 @@
 namespace hull::drawing {
 
 using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
 
 namespace {
 

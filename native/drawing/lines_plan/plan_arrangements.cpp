@@ -8,6 +8,7 @@
 namespace hull::drawing {
 
 using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
 
 namespace {
 

@@ -11,6 +11,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 constexpr double kTickClearance = 0.4;  // mm

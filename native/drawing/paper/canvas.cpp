@@ -18,6 +18,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;

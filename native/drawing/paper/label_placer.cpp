@@ -6,6 +6,7 @@
 namespace hull::drawing {
 
 using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
 
 namespace {
 

@@ -6,6 +6,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 Vector2d along(const OrientedBox& box) { return {std::cos(box.angle), std::sin(box.angle)}; }

@@ -12,6 +12,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 constexpr double kAxisNameSize = 2.8;

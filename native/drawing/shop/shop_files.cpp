@@ -10,6 +10,8 @@
 
 namespace hull::drawing {
 
+using Eigen::Vector2d;
+
 namespace {
 
 // Of the em, the capitals of the drawings' face are so high.

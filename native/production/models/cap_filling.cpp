@@ -6,6 +6,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "mesh/vectors.h"
+
 namespace hull::production {
 namespace {
 
