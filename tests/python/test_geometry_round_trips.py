@@ -21,6 +21,7 @@ SAMPLES = sorted(path.name.split(".")[0] for path in (ROOT / "samples").glob("*.
 
 class Sample:
     def __init__(self, name):
+        self.number = SAMPLES.index(name)
         self.data = hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json")
         shell = hull_io.shell_arrays(self.data)
         arrays = shell.arguments()
@@ -171,10 +172,12 @@ def test_axes_are_guessed_however_they_are_turned(sample, whole):
         triangles = np.concatenate([triangles, triangles[:, ::-1] + len(points)])
         points = np.concatenate([points, points * [1.0, -1.0, 1.0]])
     straight = guess_hull(mesh_geometry(points, triangles))
+    # Each of the 48 turns of one sample, half and whole of another.
+    own = list(turns())[(sample.number + 5 * whole) % 10 :: 10]
     assert straight.is_half == (not whole)
     assert straight.length == pytest.approx(np.ptp(points[:, 0]), rel=1e-9)
     assert straight.beam == pytest.approx(2.0 * points[:, 1].max(), rel=1e-9)
-    for turn in turns():
+    for turn in own:
         geometry = mesh_geometry(points @ turn.T, triangles)
         guess = guess_hull(geometry)
         back = guess.matrix() @ turn
