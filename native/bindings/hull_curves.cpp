@@ -74,6 +74,20 @@ void bind_hull_curves(py::module_& module) {
            "The curves in a plane (4,), its normal and offset, as plane_across() gives it: a list "
            "of SurfaceCurve, one a branch. ValueError for a plane that does not meet the hull.")
       .def(
+          "on_cylinder",
+          [](const HullCurves& curves, const DoubleArray& point, const DoubleArray& direction,
+             double radius, const std::string& name) {
+            return curves.on_cylinder(
+                {point_from(point, "point"), point_from(direction, "direction"), radius}, name);
+          },
+          py::arg("point"), py::kw_only(), py::arg("direction"), py::arg("radius"),
+          py::arg("name") = "",
+          "Where a circular cylinder cuts the hull, a bow thruster's tunnel or a stern tube: its "
+          "axis through a point (3,) along a direction (3,), without ends, its radius in m. A list "
+          "of SurfaceCurve, one a branch, closed where the hull has no border within: points are "
+          "on the hull, and off the cylinder by rounding, 1e-12 of the hull's size. ValueError for "
+          "a cylinder that does not meet the hull, or touches it without a certain course.")
+      .def(
           "at_girth",
           [](const HullCurves& curves, const SurfaceCurve& base, double girth,
              const DoubleArray& towards, const DoubleArray& across, const std::string& name) {

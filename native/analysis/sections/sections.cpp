@@ -9,6 +9,7 @@
 #include "analysis/sections/plane_sides.h"
 #include "analysis/sections/section_arcs.h"
 #include "analysis/sections/section_curves.h"
+#include "analysis/sections/section_spots.h"
 #include "mesh/tolerances.h"
 #include "surface/parallel_for.h"
 
@@ -116,16 +117,8 @@ bool Cutter::wants(const surface::CornerSquare& square, const Plane& plane, Plan
 }
 
 void Cutter::add_spot(const surface::CornerSquare& square, const Plane& plane, double radius) {
-  SectionPoint knot;
-  knot.point = square.ring.limit();
-  knot.cell = square.cell;
-  // The knot is the corner of the square that it shares with its node; the others are regular.
-  for (const double u : {square.u, square.u + square.size}) {
-    for (const double v : {square.v, square.v + square.size}) {
-      if (surface_.is_irregular_knot(square.cell, u, v)) knot.uv = {u, v};
-    }
-  }
-  parts_.spots.push_back({knot, 2.0 * radius, plane.height(knot.point)});
+  const auto height = [&plane](const Vector3d& p) { return plane.height(p); };
+  parts_.spots.push_back(spot_of(surface_, square, radius, height));
 }
 
 void Cutter::add_piece(const surface::SurfacePiece& piece, const Plane& plane, PlaneSides& sides) {

@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "analysis/arithmetic/bracketed_root.h"
+
 namespace hull::production {
 namespace {
 
@@ -10,6 +12,24 @@ double binomial(std::size_t n, std::size_t k) {
   double value = 1.0;
   for (std::size_t i = 1; i <= k; ++i) value = value * static_cast<double>(n - k + i) / i;
   return value;
+}
+
+constexpr int kDeepest = 40;  // halvings, at double roots
+
+void add_sign_changes(const Bernstein& p, const Bernstein& whole, double begin, double size,
+                      int deep, std::vector<double>& roots) {
+  int changes = 0;
+  for (std::size_t i = 1; i < p.size(); ++i) changes += (p[i] > 0.0) != (p[i - 1] > 0.0);
+  if (changes == 0 || deep > kDeepest) return;
+  const double low = p.front(), high = p.back();
+  if (changes == 1 && (low > 0.0) != (high > 0.0)) {
+    roots.push_back(analysis::bracketed_root([&](double t) { return value(whole, t); }, begin, low,
+                                             begin + size, high, 1e-16));
+    return;
+  }
+  const auto [left, right] = halves(p);
+  add_sign_changes(left, whole, begin, 0.5 * size, deep + 1, roots);
+  add_sign_changes(right, whole, begin + 0.5 * size, 0.5 * size, deep + 1, roots);
 }
 
 }  // namespace
@@ -59,6 +79,12 @@ std::array<Bernstein, 2> halves(const Bernstein& polynomial) {
     for (std::size_t i = 0; i + 1 < n; ++i) c[i] = 0.5 * (c[i] + c[i + 1]);
   }
   return {low, high};
+}
+
+std::vector<double> sign_changes(const Bernstein& polynomial) {
+  std::vector<double> roots;
+  add_sign_changes(polynomial, polynomial, 0.0, 1.0, 0, roots);
+  return roots;
 }
 
 }  // namespace hull::production

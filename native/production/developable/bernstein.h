@@ -22,6 +22,9 @@ BernsteinVector cross(const BernsteinVector& a, const BernsteinVector& b);
 double value(const Bernstein& polynomial, double t);
 // On [0, 1/2] and [1/2, 1] (de Casteljau).
 std::array<Bernstein, 2> halves(const Bernstein& polynomial);
+// Where it changes sign in [0, 1], zero counting as negative, in rising order, to rounding; pairs
+// closer than 1e-12 may be missed together.
+std::vector<double> sign_changes(const Bernstein& polynomial);
 
 inline double least(const Bernstein& p) { return *std::min_element(p.begin(), p.end()); }
 inline double most(const Bernstein& p) { return *std::max_element(p.begin(), p.end()); }

@@ -7,30 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/arithmetic/bracketed_root.h"
-
 namespace hull::production {
 namespace {
 
-constexpr int kDeepest = 40;         // halvings of a span, at double roots
 constexpr double kNoValue = 1e-13;   // of the coefficients: rounding
 constexpr double kSameRoot = 1e-11;  // of parameters, on both sides of a joint
-
-void add_roots(const Bernstein& p, const Bernstein& whole, double begin, double size, int deep,
-               std::vector<double>& roots) {
-  int changes = 0;
-  for (std::size_t i = 1; i < p.size(); ++i) changes += (p[i] > 0.0) != (p[i - 1] > 0.0);
-  if (changes == 0 || deep > kDeepest) return;
-  const double low = p.front(), high = p.back();
-  if (changes == 1 && (low > 0.0) != (high > 0.0)) {
-    roots.push_back(analysis::bracketed_root([&](double t) { return value(whole, t); }, begin, low,
-                                             begin + size, high, 1e-16));
-    return;
-  }
-  const auto [left, right] = halves(p);
-  add_roots(left, whole, begin, 0.5 * size, deep + 1, roots);
-  add_roots(right, whole, begin + 0.5 * size, 0.5 * size, deep + 1, roots);
-}
 
 // Both curves run on the same side of the line, so that the surface does not turn over on it.
 bool is_regular(const CurveJet& a, const CurveJet& b) {
@@ -93,7 +74,7 @@ std::vector<double> touching(const BezierChain& a, double s, const BezierChain& 
     // A root at an end may have no change of sign, or be beyond it by rounding.
     const double none = kNoValue * std::max(std::abs(least(f)), std::abs(most(f)));
     if (std::abs(f.front()) <= none) roots.push_back(0.0);
-    add_roots(f, f, 0.0, 1.0, 0, roots);
+    for (double t : sign_changes(f)) roots.push_back(t);
     if (std::abs(f.back()) <= none) roots.push_back(1.0);
     for (double t : roots) {
       if (all.empty() || k + t > all.back() + kSameRoot) all.push_back(k + t);
@@ -102,11 +83,15 @@ std::vector<double> touching(const BezierChain& a, double s, const BezierChain& 
   return all;
 }
 
-DevelopableStrip developable_strip(const BezierChain& a, const BezierChain& b, int count) {
+void check_interval_count(int count) {
   if (count < 1 || count > kMostRulings) {
     throw std::invalid_argument("A strip has 1 to " + std::to_string(kMostRulings) +
                                 " intervals, not " + std::to_string(count) + ".");
   }
+}
+
+DevelopableStrip developable_strip(const BezierChain& a, const BezierChain& b, int count) {
+  check_interval_count(count);
   const int spans = a.span_count(), per_span = (count + spans - 1) / spans;
   std::vector<Candidate> candidates;
   for (int i = 0; i <= spans * per_span; ++i) {

@@ -19,6 +19,8 @@ struct DevelopableStrip {
 };
 
 inline constexpr int kMostRulings = 5000;
+// Throws std::invalid_argument for counts below 1 and above kMostRulings.
+void check_interval_count(int count);
 
 // `count` intervals along the first curve, or some more, so that its joints are among their ends.
 // Where several lines fit, those are taken that rise with one another over the longest part of the
@@ -33,7 +35,7 @@ struct DevelopedStrip {
   std::vector<Eigen::Vector2d> a, b;
 };
 
-// REQUIRES: the strip is developable_strip(a, b, ...).
+// REQUIRES: the strip is developable_strip(a, b, ...), or of strip_makers.h.
 DevelopedStrip developed(const BezierChain& a, const BezierChain& b, const DevelopableStrip& strip);
 
 // All t at which a line from a(s) to b(t) has one tangent plane, rising.

@@ -103,18 +103,40 @@ HullCurves::HullCurves(const surface::LimitSurface& surface, double chord_tolera
   }
 }
 
-std::vector<SurfaceCurve> HullCurves::in_plane(const analysis::Plane& plane,
+std::vector<SurfaceCurve> HullCurves::followed(const std::vector<analysis::SectionCurve>& sections,
                                                const std::string& name) const {
   std::vector<SurfaceCurve> curves;
-  for (const auto& section : analysis::section(surface_, plane, chord_tolerance_)) {
+  for (const auto& section : sections) {
     std::vector<CellPlace> places;
     for (std::size_t i = 0; i < section.points.size(); ++i) {
       places.push_back({section.cells[i], section.uv[i].x(), section.uv[i].y()});
     }
     curves.push_back(joined(surface_, tree_, places, name));
   }
+  return curves;
+}
+
+std::vector<SurfaceCurve> HullCurves::in_plane(const analysis::Plane& plane,
+                                               const std::string& name) const {
+  auto curves = followed(analysis::section(surface_, plane, chord_tolerance_), name);
   if (curves.empty()) {
     throw std::invalid_argument("The plane of \"" + name + "\" does not meet the hull.");
+  }
+  return curves;
+}
+
+std::vector<SurfaceCurve> HullCurves::on_cylinder(const Cylinder& cylinder,
+                                                  const std::string& name) const {
+  if (!(cylinder.radius > 0.0 && std::isfinite(cylinder.radius))) {
+    throw std::invalid_argument("The radius of \"" + name + "\" must be a length above 0 m.");
+  }
+  if (!cylinder.point.allFinite()) {
+    throw std::invalid_argument("The point on the axis of \"" + name + "\" is not finite.");
+  }
+  const Cylinder whole{cylinder.point, unit(cylinder.direction, "direction"), cylinder.radius};
+  auto curves = followed(cylinder_curves(surface_, whole, chord_tolerance_, name), name);
+  if (curves.empty()) {
+    throw std::invalid_argument("The cylinder of \"" + name + "\" does not meet the hull.");
   }
   return curves;
 }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "analysis/sections/sections.h"
+#include "production/plates/cylinder_curves.h"
 #include "production/plates/surface_curve.h"
 
 namespace hull::production {
@@ -21,6 +21,12 @@ class HullCurves {
   // In a plane, branch by branch. Throws std::invalid_argument for a plane that misses the surface,
   // and as analysis::section().
   std::vector<SurfaceCurve> in_plane(const analysis::Plane& plane, const std::string& name) const;
+
+  // Where a cylinder cuts the surface, a bow thruster's tunnel or a stern tube: branch by branch as
+  // cylinder_curves(), points on the cylinder to rounding. The direction need not be of unit
+  // length. Throws std::invalid_argument for a cylinder that misses the surface, for one that
+  // touches it, for a radius that is not positive, and a direction without length.
+  std::vector<SurfaceCurve> on_cylinder(const Cylinder& cylinder, const std::string& name) const;
 
   // At a girth from a curve: `girth` metres along the surface, from each point of the base in the
   // plane through it across the direction `across`, towards the side of `towards`. One curve for
@@ -55,6 +61,8 @@ class HullCurves {
                                        const std::function<Vector3d(const Vector3d&)>& origin,
                                        const std::function<Vector3d(const Vector3d&)>& way) const;
 
+  std::vector<SurfaceCurve> followed(const std::vector<analysis::SectionCurve>& sections,
+                                     const std::string& name) const;
   SurfaceCurve along(const surface::CreaseCurve& crease, const std::string& name) const;
 
   const surface::LimitSurface& surface_;

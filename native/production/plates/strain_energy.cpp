@@ -23,7 +23,7 @@ constexpr double kGoingOn = 1e-7;
 
 using Functions = std::array<int, kOnPoint>;
 using Jacobian = Eigen::Matrix<double, 3, 2 * kOnPoint>;
-using Square = Eigen::Matrix<double, 2 * kOnPoint, 2 * kOnPoint>;
+using SquareOfPoint = Eigen::Matrix<double, 2 * kOnPoint, 2 * kOnPoint>;
 
 // A point at which the strain counts.
 struct StrainPoint {
@@ -175,7 +175,7 @@ std::vector<Vector2d> Sheet::step(const std::vector<Vector2d>& c, double damping
   const int n = 2 * splines_.count();
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  Square matrix = Square::Zero();
+  SquareOfPoint matrix = SquareOfPoint::Zero();
   Eigen::Matrix<double, 2 * kOnPoint, 1> slope = Eigen::Matrix<double, 2 * kOnPoint, 1>::Zero();
   const auto flush = [&](const Functions& numbers) {
     for (int i = 0; i < 2 * kOnPoint; ++i) {
