@@ -9,7 +9,6 @@ import subprocess
 from pathlib import Path
 
 import hull_native as hn
-import numpy as np
 import pytest
 from test_appendages import BEAM, DEPTH, LENGTH, RADIUS, TUNNEL, boxes, whole_volume
 from transformation_hulls import Sample
@@ -97,7 +96,9 @@ def test_coaster(tmp_path):
 
 @pytest.mark.skipif(FREECAD is None, reason="FreeCAD is not installed")
 def test_freecad_reads_solids(tmp_path):
-    """FreeCAD's own volumes are off by up to 2e-4 on B-spline faces; solids must be valid."""
+    """Box and keel to 1e-8 (1.8e-9 was found). Of the coaster FreeCAD integrates by one Gauss rule
+    over each face, whatever its spans, and is off by 4e-7 without and 1.2e-6 with both bodies; what
+    is in the file has the volume to 1e-8 by integrals of their own, as above."""
     sample = Sample("coaster")
     paths = {
         "box": (tmp_path / "box.step", LENGTH * BEAM * DEPTH - math.pi * RADIUS**2 * BEAM),
@@ -125,7 +126,8 @@ def test_freecad_reads_solids(tmp_path):
     )
     script = Path(__file__).parent / "freecad_report.py"
     subprocess.run([FREECAD, str(script)], env=environment, check=True, capture_output=True)
-    for path, exact in paths.values():
+    within = {"box": 1e-8, "keel": 1e-8, "coaster": 5e-6}
+    for name, (path, exact) in paths.items():
         report = json.loads(found.read_text())[str(path)]
         assert report["valid"] and report["solids"] == 1 and all(report["closed"])
-        assert np.isclose(report["volume"], exact, rtol=2e-4)
+        assert report["volume"] == pytest.approx(exact, rel=within[name]), name
