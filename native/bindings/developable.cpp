@@ -29,6 +29,14 @@ std::vector<BezierSpan> spans_from(const DoubleArray& points, const char* name) 
   return spans;
 }
 
+BezierSpan one_span(const DoubleArray& points, const char* name) {
+  const std::vector<BezierSpan> spans = spans_from(points, name);
+  if (spans.size() != 1) {
+    throw std::invalid_argument(std::string(name) + " must be one cubic span, four Bézier points.");
+  }
+  return spans.front();
+}
+
 py::array_t<double> ends(const BezierChain& curve, const DevelopableStrip& strip, bool on_a) {
   std::vector<Vector3d> points;
   for (const production::Ruling& r : strip.rulings) {
@@ -77,7 +85,7 @@ void bind_developable(py::module_& module) {
       "ruled_warp",
       [](const DoubleArray& a, const DoubleArray& b, double t) {
         if (!(t >= 0.0 && t <= 1.0)) throw std::invalid_argument("t must be in [0, 1].");
-        return production::warp_at(spans_from(a, "a").at(0), spans_from(b, "b").at(0), t);
+        return production::warp_at(one_span(a, "a"), one_span(b, "b"), t);
       },
       py::arg("a"), py::arg("b"), py::arg("t"),
       "rad/m: the angle between the normals at both ends of the ruling at t between the cubics of "
@@ -85,7 +93,7 @@ void bind_developable(py::module_& module) {
   module.def(
       "largest_warp",
       [](const DoubleArray& a, const DoubleArray& b) {
-        return production::largest_warp(spans_from(a, "a").at(0), spans_from(b, "b").at(0));
+        return production::largest_warp(one_span(a, "a"), one_span(b, "b"));
       },
       py::arg("a"), py::arg("b"),
       "LargestWarp of all rulings between the cubics of Bézier points a and b (4, 3), with a "

@@ -128,7 +128,7 @@ void bind_hull_curves(py::module_& module) {
            "\"border\".")
       .def("knuckles", &HullCurves::knuckles, py::arg("least_angle") = kLeastKnuckle,
            "The knuckles whose angle exceeds least_angle (rad; default 0.5°) anywhere, as a list "
-           "of SurfaceCurve named \"knuckle\".")
+           "of SurfaceCurve named \"knuckle\". ValueError for one below 0 or not finite.")
       .def(
           "pieces",
           [](const HullCurves& curves, const SurfaceCurve& curve,

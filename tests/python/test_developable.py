@@ -75,6 +75,15 @@ def test_warp_of_a_hyperbolic_paraboloid():
     assert worst.found == pytest.approx(math.pi / 4, rel=1e-3) and worst.at == 0.0
 
 
+def test_warp_of_more_than_a_span_is_refused():
+    spans = np.vstack([circle(1.0, 0.0)[:8], np.full((4, 3), math.nan)])
+    for call in (lambda a: hn.largest_warp(a, a), lambda a: hn.ruled_warp(a, a, 0.5)):
+        with pytest.raises(ValueError, match="[ab] must be one cubic span"):
+            call(spans[:8])
+        with pytest.raises(ValueError, match="finite"):
+            call(spans[8:])
+
+
 def test_warp_of_developable_ones_is_none():
     a = np.array([[0, 0, 0], [1, 0.4, 0.1], [2, 0.5, 0.3], [3, 0.2, 0.2]], dtype=float)
     for b in (a + [0.2, 1.0, 2.0], 0.4 * a + [1.0, 0.5, 2.0]):

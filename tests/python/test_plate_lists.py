@@ -107,6 +107,8 @@ def test_frames_inside_the_shell():
         hn.frame_lines(surface, 70.0)
     with pytest.raises(ValueError, match="0 m or more"):
         hn.frame_lines(surface, 2.0, thickness=-1.0)
+    with pytest.raises(ValueError, match="heights of waterlines .* finite"):
+        hn.frame_drawing(surface, 2.0, name="4", mirrored=True, waterlines=[1.0, math.nan])
 
 
 def test_lists_and_nesting():

@@ -131,6 +131,33 @@ def test_developable_plates_keep_areas(make):
     assert max(off[2:]) < 0.3 * max(off[:2]) < 3e-3
 
 
+def area_around(flat, cell, count=24):
+    """Of a cell on the flat plate: ∮ x dy along its sides."""
+    t = -np.cos(math.pi * (np.arange(count) + 0.5) / count)
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    corners, area = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]), 0.0
+    for k in range(4):
+        begin, end = corners[k], corners[(k + 1) % 4]
+        uv = begin + 0.5 * (t[:, None] + 1.0) * (end - begin)
+        places = flat.places(np.full(count, cell), uv)
+        x, y = (chebyshev.chebfit(t, column, count - 1) for column in places.T)
+        slope = chebyshev.chebval(nodes, chebyshev.chebder(y))
+        area += np.sum(weights * chebyshev.chebval(nodes, x) * slope)
+    return abs(area)
+
+
+@pytest.mark.parametrize("make", [cylinder, cone])
+def test_areas_of_developable_plates_by_their_borders(make):
+    """To 1e-8, of each cell and of all: the plane's by Green's theorem, the hull's by points."""
+    surface = make()
+    (plate,) = hn.plates(surface, [])
+    flat = plate.flat()
+    assert flat.developed
+    areas = np.array([area_around(flat, cell) for cell in range(surface.cell_count)])
+    np.testing.assert_allclose(areas, surface_areas(surface).areas, rtol=1e-8)
+    assert areas.sum() == pytest.approx(plate.area, rel=1e-8)
+
+
 def test_nearly_flat_plates_need_no_strain_of_their_own():
     """A developable plate by the least energy: ν and the start do not show."""
     surface = sphere(radius=1000.0, half=0.01, parts=8)
@@ -178,6 +205,9 @@ def test_bad_input_has_its_sentence():
         in_plane(curves, "x", 60.0, "far")
     with pytest.raises(ValueError, match="chord tolerance .* above 0"):
         hn.HullCurves(surface, 0.0)
+    for least in (math.nan, math.inf, -0.1):
+        with pytest.raises(ValueError, match="least angle of knuckles .* 0 or more"):
+            curves.knuckles(least)
     with pytest.raises(ValueError, match="above 0 m"):
         hn.plates(surface, [], size=0.0)
     whole = one(in_plane(curves, "x", 3.0, "half"))

@@ -72,7 +72,10 @@ def frame_drawing(
 
     waterlines: heights (m) that are drawn across. marks: curves (SurfaceCurve) such as seams,
     drawn where they cross the frame. tolerance: how far chords may be from the curves, m.
+    ValueError as frame_lines(), and for heights that are not finite.
     """
+    if not np.isfinite(np.asarray(waterlines, dtype=float)).all():
+        raise ValueError("The heights of waterlines on a frame's drawing must be finite numbers.")
     outer, inner = frame_lines(surface, x, thickness=thickness, tolerance=tolerance, tree=tree)
     sides = (1.0, -1.0) if mirrored else (1.0,)
     rows = [("x", f"{x:.3f} m")]

@@ -249,6 +249,9 @@ std::vector<SurfaceCurve> HullCurves::borders() const {
 }
 
 std::vector<SurfaceCurve> HullCurves::knuckles(double least_angle) const {
+  if (!(least_angle >= 0.0 && std::isfinite(least_angle))) {
+    throw std::invalid_argument("The least angle of knuckles must be an angle, 0 or more.");
+  }
   std::vector<SurfaceCurve> curves;
   for (const surface::CreaseCurve& crease : surface::crease_curves(surface_)) {
     if (crease.kind() == surface::CreaseKind::kBorder) continue;

@@ -49,7 +49,8 @@ class HullCurves {
   // The surface's borders, from corner to corner.
   std::vector<SurfaceCurve> borders() const;
 
-  // Knuckles whose angle exceeds `least_angle` (rad) anywhere, from corner to corner.
+  // Knuckles whose angle exceeds `least_angle` (rad) anywhere, from corner to corner. Throws
+  // std::invalid_argument for one that is negative or not finite.
   std::vector<SurfaceCurve> knuckles(double least_angle) const;
 
  private:
