@@ -18,7 +18,7 @@ import vessels
 
 NAME, STRAKE, PLATE_LENGTH, THICKNESS = "coaster", 2.4, 12.0, 0.012
 FRAMES = [(-5, 10, 0.6), (10, 140, 0.65)]
-STOCK = [(14.0, 3.2), (16.0, 5.0)]
+STOCK = [(14.0, 3.2), (20.0, 3.2)]
 MOST_S = 60.0  # of the clock, on two processors
 
 

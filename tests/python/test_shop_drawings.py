@@ -143,6 +143,38 @@ def test_nested_plates_lie_apart_on_their_sheet():
     assert area == pytest.approx(sum(p.plate.area for p in listed), rel=1e-9)
 
 
+def texts_of(path):
+    """{text: (place (2,), height)} of a DXF file, mm."""
+    rows, found = [row.strip() for row in path.read_text().splitlines()], {}
+    for k in range(rows.index("ENTITIES"), len(rows) - 1):
+        if rows[k] == "0" and rows[k + 1] in ("TEXT", "MTEXT"):
+            codes = dict(zip(rows[k + 2 : k + 40 : 2], rows[k + 3 : k + 41 : 2]))
+            place = np.array([float(codes["10"]), float(codes["20"])])
+            found[codes["1"]] = place, float(codes["40"])
+    return found
+
+
+def test_all_plates_in_one_file(tmp_path):
+    """In columns, none on another, with words that can be read with a plate on the screen."""
+    surface = cylinder()
+    curves = hn.HullCurves(surface, 1e-4)
+    listed = listed_of(
+        surface, [one(curves.in_plane(hn.plane_across("x", x), f"B{x:g}")) for x in (1, 2, 3, 4, 5)]
+    )
+    hn.write_plates(listed, tmp_path / "all.dxf")
+    found = texts_of(tmp_path / "all.dxf")
+    places = np.array([found[p.name][0] for p in listed])
+    columns = np.unique(np.round(places[:, 0] / 1000.0))
+    assert len(columns) >= 2
+    for k, (plate, place) in enumerate(zip(listed, places)):
+        apart = np.abs(places - place) / 1000.0 - np.array(plate.extents)
+        assert (np.delete(apart, k, axis=0).max(axis=1) > 0.3).all()
+        height = found[plate.name][1] / 1000.0
+        assert plate.extents[1] / 60.0 < height < plate.extents[1] / 8.0
+    with pytest.raises(ValueError, match="words must be above 0"):
+        hn.plate_drawing(listed[0], words=math.nan)
+
+
 def test_lines_of_equal_stretch_of_a_cap_are_circles():
     """About its middle, where the flat disc is as the sphere is symmetric."""
     surface = sphere(parts=16)

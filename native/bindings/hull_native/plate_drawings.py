@@ -10,6 +10,8 @@ from ._drawing import ShopDrawing, write_shop_booklet
 from .plate_lists import form_of
 
 _STRETCH_LINES = 6
+# Of DXF files: room between plates, mm; breadths by which words grow, m, and how far.
+_GAP, _WORDS_OF_BREADTH, _LARGEST_WORDS = 500.0, 0.5, 5.0
 
 
 def length_of(line):
@@ -22,23 +24,33 @@ def upright(angle):
     return angle - pi * round(angle / pi)
 
 
-def _middle(line):
-    """(point, direction angle) in the middle of a polyline."""
+def _middle(line, part=0.5):
+    """(point, direction angle) in the middle of a polyline, or at another part of its length."""
     steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
     along = np.concatenate([[0.0], np.cumsum(steps)])
-    k = min(int(np.searchsorted(along, 0.5 * along[-1])), len(line) - 1)
+    k = min(int(np.searchsorted(along, part * along[-1])), len(line) - 1)
     k = max(k, 1)
-    share = (0.5 * along[-1] - along[k - 1]) / max(steps[k - 1], 1e-300)
+    share = (part * along[-1] - along[k - 1]) / max(steps[k - 1], 1e-300)
     way = line[k] - line[k - 1]
     return line[k - 1] + share * way, atan2(way[1], way[0])
 
 
-def plate_drawing(one, *, marks=()):
+def _percent(stretch):
+    """Of a ratio, without a sign where nothing is left of it."""
+    text = f"{100.0 * (stretch - 1.0):+.3f} %"
+    return text[1:] if text[1:] == "0.000 %" else text
+
+
+def plate_drawing(one, *, marks=(), words=1.0):
     """The ShopDrawing of a ListedPlate: outline with the names of the curves there and the lengths
     of sides, marks, rolling line, seen from the water.
 
     marks: (layer, curve) pairs, a SurfaceCurve drawn on a layer such as "FRAMES" with its name.
+    words: how much larger words are than is usual on paper at true size. ValueError unless it is
+    above 0.
     """
+    if not (isfinite(words) and words > 0.0):
+        raise ValueError(f"The size of a drawing's words must be above 0, not {words:g}.")
     flat = one.flat
     length, breadth = one.extents
     least, largest = flat.stretch
@@ -50,8 +62,8 @@ def plate_drawing(one, *, marks=()):
         ("Mass", f"{1000.0 * one.mass_t:.0f} kg"),
         ("Rectangle", f"{1000.0 * length:.0f} × {1000.0 * breadth:.0f} mm"),
         ("Form", form_of(flat)),
-        ("Least stretch", f"{100.0 * (least - 1.0):+.3f} %"),
-        ("Largest stretch", f"{100.0 * (largest - 1.0):+.3f} %"),
+        ("Least stretch", _percent(least)),
+        ("Largest stretch", _percent(largest)),
         ("Rolling radius", f"{radius:.2f} m" if isfinite(radius) else "plane"),
         ("Roll from length", f"{degrees(flat.rolling_angle):.1f}°" if isfinite(radius) else "–"),
         ("Seen from", "outside"),
@@ -61,18 +73,20 @@ def plate_drawing(one, *, marks=()):
     inner = 0.5 * (flat.points.min(axis=0) + flat.points.max(axis=0))
     for name, line in flat.sides:
         drawing.add_line("OUTLINE", 1000.0 * line)
-        _put_side_words(drawing, name, line, inner)
+        _put_side_words(drawing, name, line, inner, words)
     for layer, curve in marks:
         for line, _ in flat.marks(curve):
             drawing.add_line(layer, 1000.0 * line)
-            _put_mark_words(drawing, curve.name, line)
+            # Long ones run through the plate's middle, where its own name is.
+            part = 0.25 if length_of(line) > 0.5 * length else 0.5
+            _put_mark_words(drawing, curve.name, line, part, words)
     if isfinite(radius):
-        _put_rolling_line(drawing, flat, inner)
-    drawing.add_text(one.name, 1000.0 * inner, size=16.0, lift=-20.0)
+        _put_rolling_line(drawing, flat, inner, words)
+    drawing.add_text(one.name, 1000.0 * inner, size=16.0 * words, lift=-20.0 * words)
     return drawing
 
 
-def _put_side_words(drawing, name, line, inner):
+def _put_side_words(drawing, name, line, inner, words):
     length = length_of(line)
     if length < 0.15:
         return
@@ -81,17 +95,18 @@ def _put_side_words(drawing, name, line, inner):
     inward = np.array([-sin(angle), cos(angle)]) @ (inner - at)
     text = f"{name}  {1000.0 * length:.0f}" if name else f"{1000.0 * length:.0f}"
     # Outside, so that marks inside stay whole.
-    drawing.add_text(text, 1000.0 * at, size=8.0, angle=angle, lift=-7.0 if inward > 0.0 else 7.0)
+    lift = -7.0 * words if inward > 0.0 else 7.0 * words
+    drawing.add_text(text, 1000.0 * at, size=8.0 * words, angle=angle, lift=lift)
 
 
-def _put_mark_words(drawing, name, line):
+def _put_mark_words(drawing, name, line, part, words):
     if not name or length_of(line) < 0.2:
         return
-    at, angle = _middle(line)
-    drawing.add_text(name, 1000.0 * at, size=7.0, angle=upright(angle))
+    at, angle = _middle(line, part)
+    drawing.add_text(name, 1000.0 * at, size=7.0 * words, angle=upright(angle))
 
 
-def _put_rolling_line(drawing, flat, middle):
+def _put_rolling_line(drawing, flat, middle, words):
     """Through the middle, as long as half the plate, with its words."""
     way = np.array([cos(flat.rolling_angle), sin(flat.rolling_angle)])
     sizes = flat.points.max(axis=0)
@@ -99,7 +114,8 @@ def _put_rolling_line(drawing, flat, middle):
     ends = middle + np.array([[-half], [half]]) * way
     drawing.add_line("ROLLING", 1000.0 * ends)
     at = middle + 0.6 * half * way
-    drawing.add_text("roll", 1000.0 * at, size=7.0, angle=upright(flat.rolling_angle), lift=6.0)
+    angle = upright(flat.rolling_angle)
+    drawing.add_text("roll", 1000.0 * at, size=7.0 * words, angle=angle, lift=6.0 * words)
 
 
 def stretch_drawing(one):
@@ -205,22 +221,38 @@ def frame_marks(curves, table, low, high):
 
 def write_plates(listed, path, *, marks=(), paper="A3", progress=None):
     """Writes ListedPlates: to .pdf, a page each at the largest usual scale at which it fits; to
-    .dxf, all of them side by side at true size, in mm. marks: as of plate_drawing(). progress:
+    .dxf, all of them in columns at true size, in mm. marks: as of plate_drawing(). progress:
     called with the share done. ValueError for another ending, OSError if the file can't be written.
     """
     ending = str(path).lower().rpartition(".")[2]
     if ending not in ("pdf", "dxf"):
         raise ValueError(f"Plates can't be written to {path}: the name must end in .pdf or .dxf.")
-    drawings = []
+    is_dxf, drawings = ending == "dxf", []
     for k, one in enumerate(listed):
         if progress:
             progress(k / len(listed))
-        drawings.append(plate_drawing(one, marks=marks))
-    if ending == "pdf":
+        words = _words_on_screen(one) if is_dxf else 1.0
+        drawings.append(plate_drawing(one, marks=marks, words=words))
+    if is_dxf:
+        _side_by_side(listed, drawings).write(path)
+    else:
         write_shop_booklet(drawings, path, paper=paper)
-        return
-    whole, at = ShopDrawing("Plates"), 0.0
-    for one, drawing in zip(listed, drawings):
-        whole.add(drawing, (0.0, at))
-        at += 1000.0 * one.extents[1] + 500.0
-    whole.write(path)
+
+
+def _words_on_screen(one):
+    """So that words can be read with the whole plate on the screen, and fit between its frames."""
+    return min(max(one.extents[1] / _WORDS_OF_BREADTH, 1.0), _LARGEST_WORDS)
+
+
+def _side_by_side(listed, drawings):
+    """All in one ShopDrawing, in columns, about as high as they are broad together."""
+    sizes = [(1000.0 * one.extents[0] + _GAP, 1000.0 * one.extents[1] + _GAP) for one in listed]
+    broadest, height = max(size[0] for size in sizes), sum(size[1] for size in sizes)
+    tallest = max(np.sqrt(broadest * height), max(size[1] for size in sizes))
+    whole, x, y = ShopDrawing("Plates"), 0.0, 0.0
+    for (_, high), drawing in zip(sizes, drawings):
+        if y > 0.0 and y + high > tallest:
+            x, y = x + broadest, 0.0
+        whole.add(drawing, (x, y))
+        y += high
+    return whole
