@@ -19,7 +19,7 @@ import vessels
 NAME, STRAKE, PLATE_LENGTH, THICKNESS = "coaster", 2.4, 12.0, 0.012
 FRAMES = [(-5, 10, 0.6), (10, 140, 0.65)]
 STOCK = [(14.0, 3.2), (20.0, 3.2)]
-MOST_S = 60.0  # of the clock, on two processors
+MOST_S = 60.0  # of the processor: the clock's depends on what else runs
 
 
 class Stages:
@@ -87,7 +87,7 @@ def main():
         print(f"{what:<50} {clock:9.2f} s {processor:9.2f} s of the processor")
     clock = sum(row[1] for row in stages.rows)
     processor = sum(row[2] for row in stages.rows)
-    missed = "  MISSED" if clock > MOST_S else ""
+    missed = "  MISSED" if processor > MOST_S else ""
     what = f"{count} plates of the {NAME} in all"
     print(f"{what:<50} {clock:9.2f} s {processor:9.2f} s   (at most {MOST_S:g} s){missed}")
 

@@ -7,7 +7,7 @@ import signal
 
 import bpy
 import pytest
-from addon_under_test import add_hull, part, sample
+from addon_under_test import add_hull, make_active, part, sample
 
 pytestmark = pytest.mark.once
 
@@ -22,6 +22,20 @@ def test_drawings_of_plates(tmp_path, ending, name, length, strake):
     arguments = {"plate_length": length, "strake": strake, "frame_spacing": 2.4}
     assert bpy.ops.hull.export_plates(filepath=str(path), **arguments) == {"FINISHED"}
     assert path.stat().st_size > 10000
+
+
+def test_a_tunnel_s_opening_is_drawn(tmp_path):
+    """By its name, on the plates that it goes through."""
+    hull = sample("coaster")
+    values = {"x": 78.0, "z": 2.0, "radius": 0.7}
+    assert bpy.ops.hull.add_appendage(kind="TUNNEL", **values) == {"FINISHED"}
+    tunnel = bpy.context.view_layer.objects.active
+    tunnel.name = "Thruster"
+    make_active(hull)
+    path = tmp_path / "plates.dxf"
+    arguments = {"plate_length": 20.0, "strake": 3.0, "frame_spacing": 0.0}
+    assert bpy.ops.hull.export_plates(filepath=str(path), **arguments) == {"FINISHED"}
+    assert path.read_text().count("Thruster") >= 1
 
 
 def test_the_list_has_the_hull_s_area(tmp_path):

@@ -240,6 +240,26 @@ def test_on_plates():
     assert hole.area == pytest.approx(hole.flat().area, rel=1e-9)
 
 
+def test_openings_of_appendages():
+    """Of cylinders alone, between their ends, on both sides where they are mirrored."""
+    surface = hn.LimitSurface(boxes(((0, -BEAM / 2, 0), (LENGTH, BEAM / 2, DEPTH))))
+    curves = hn.HullCurves(surface, 1e-4)
+    appendages = [
+        hn.cylinder((7.0, -3.0, 1.2), (7.0, 3.0, 1.2), RADIUS, name="thruster", cut=True),
+        hn.cylinder((-1.0, 1.0, 1.0), (2.0, 1.0, 1.0), 0.2, name="tube", mirrored=True),
+        hn.cylinder((3.0, 0.0, -1.0), (3.0, 0.0, 1.0), 0.3, end_radius=0.2, name="cone"),
+        hn.foil("0012", (6, 0, 0.5), (5.7, 0, -1.5), 2.0, tip_chord=1.2, name="keel"),
+        hn.cylinder((30.0, 0.0, 0.0), (31.0, 0.0, 0.0), 0.1, name="elsewhere"),
+    ]
+    marks = hn.opening_marks(curves, appendages)
+    assert {layer for layer, _ in marks} == {"OUTLINE"}
+    assert [curve.name for _, curve in marks] == ["thruster"] * 2 + ["tube"] * 2
+    middles = sorted(tuple(np.round(c.points[:-1].mean(axis=0), 1)) for _, c in marks[2:])
+    assert [m[:2] for m in middles] == [(0.0, -1.0), (0.0, 1.0)]
+    with pytest.raises(ValueError, match='"side" touches the hull'):
+        hn.opening_marks(curves, [hn.cylinder((1.0, 2.5, 1.0), (3.0, 2.5, 1.0), 0.5, name="side")])
+
+
 @pytest.mark.parametrize(
     "point, direction, radius, words",
     [

@@ -92,6 +92,7 @@ class PlateTask(jobs.JobTask):
             )
             progress(0.9)
             marks = _frames(hull_native, curves, plates, table, frame_spacing)
+            marks += hull_native.opening_marks(curves, source.appendages)
             self._finish(hull_native, listed, marks, lambda share: progress(0.9 + 0.1 * share))
             return PlateReport(
                 hull_native.plate_rows(listed),
