@@ -11,7 +11,7 @@ from .plate_lists import form_of
 
 _STRETCH_LINES = 6
 # Of DXF files: room between plates, mm; breadths by which words grow, m, and how far.
-_GAP, _WORDS_OF_BREADTH, _LARGEST_WORDS = 500.0, 0.5, 5.0
+_GAP, _WORDS_OF_BREADTH, _LARGEST_WORDS = 500.0, 0.25, 10.0
 
 
 def length_of(line):
