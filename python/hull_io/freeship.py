@@ -13,6 +13,7 @@ import numpy as np
 from .cursors import BinaryCursor, TextCursor
 from .errors import HullFileError
 from .freeship_meaning import hull_from_model
+from .freeship_model import Model, StoredLayer
 from .limits import FURTHEST_POINT, MAX_CURVE_POINTS, MAX_FACE_CORNERS
 
 SIGNATURE = b"FREE!ship"
@@ -24,42 +25,6 @@ VERSIONS = (
 )
 FINEST_PRECISION = 3
 NEW_COPY = "open it in FREE!ship, mend this, and save it again"
-
-
-@dataclass
-class StoredLayer:
-    """A layer as the file has it; colour is 0xBBGGRR."""
-
-    name: str
-    colour: int
-    symmetric: bool
-    in_hydrostatics: bool
-    developable: bool = False
-
-
-@dataclass
-class Model:
-    """The part of a file that makes a hull, in the file's own units, checked but not interpreted.
-
-    levels: how often FREE!ship subdivides the mesh. dimensions_set: whether somebody gave length,
-    beam and draft; the draft is from the lowest point of the layers in hydrostatics. points: (n, 3)
-    float64. corners: indices of points tagged as corners. edges: (a, b, crease).
-    """
-
-    name: str
-    levels: int
-    length: float
-    beam: float
-    draft: float
-    dimensions_set: bool
-    water_density: float
-    imperial: bool
-    layers: list
-    points: np.ndarray
-    corners: list
-    edges: list
-    faces: list
-    face_layers: list
 
 
 @dataclass
@@ -132,10 +97,9 @@ def _read_model(cursor, version):
     levels = _levels(cursor, version)
     settings = _project(cursor, version)
     layers = _layers(cursor, version)
-    points, corners = _points(cursor, version)
+    points, corners, locked = _points(cursor, version)
     edges = _edges(cursor, len(points))
-    if version >= 195:
-        _skip_control_curves(cursor)
+    curves = _control_curves(cursor, len(points)) if version >= 195 else []
     faces, face_layers = _faces(cursor, len(points), len(layers))
     return Model(
         **settings,
@@ -143,7 +107,9 @@ def _read_model(cursor, version):
         layers=layers,
         points=points,
         corners=corners,
+        locked=locked,
         edges=edges,
+        curves=curves,
         faces=faces,
         face_layers=face_layers,
     )
@@ -211,7 +177,10 @@ def _layers(cursor, version):
         name = cursor.text()
         _, colour, _, symmetric, developable, *rest = cursor.record(layout)
         in_hydrostatics = rest[1] if version >= 180 else True
-        layers.append(StoredLayer(name.strip(), colour, symmetric, in_hydrostatics, developable))
+        plating = rest[2:4] if version >= 191 else (0.0, 0.0)
+        layers.append(
+            StoredLayer(name.strip(), colour, symmetric, in_hydrostatics, developable, *plating)
+        )
     cursor.element = "the active layer"
     cursor.record("i")
     return layers
@@ -223,17 +192,19 @@ def _points(cursor, version):
     if count == 0:
         raise cursor.error("the model has no points", NEW_COPY)
     points = np.empty((count, 3))
-    corners = []
+    corners, locked = [], []
     for index in range(count):
         cursor.element = f"point {index}"
         x, y, z = cursor.record("fff")
         if not all(abs(value) <= FURTHEST_POINT for value in (x, y, z)):
             raise cursor.error(f"its position ({x:g}, {y:g}, {z:g}) can't be a ship's", NEW_COPY)
         points[index] = x, y, z
-        kind, *_ = cursor.record(tags)
+        kind, _, *is_locked = cursor.record(tags)
         if kind == 3:
             corners.append(index)
-    return points, corners
+        if any(is_locked):
+            locked.append(index)
+    return points, corners, locked
 
 
 def _edges(cursor, point_count):
@@ -253,12 +224,16 @@ def _check_points(cursor, indices, point_count):
             raise cursor.error(f"it uses point {point}, but the points are 0 to {point_count - 1}")
 
 
-def _skip_control_curves(cursor):
-    points_left = MAX_CURVE_POINTS
+def _control_curves(cursor, point_count):
+    curves, points_left = [], MAX_CURVE_POINTS
     for index in range(cursor.count("control curves", "i?")):
         size = cursor.count(f"points of control curve {index}", "i", points_left)
         points_left -= size
-        cursor.record("i" * size + "?")
+        cursor.element = f"control curve {index}"
+        *curve, _ = cursor.record("i" * size + "?")
+        _check_points(cursor, curve, point_count)
+        curves.append(curve)
+    return curves
 
 
 def _faces(cursor, point_count, layer_count):

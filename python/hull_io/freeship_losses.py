@@ -5,7 +5,7 @@ import numpy as np
 
 from .freeship_points import irregular_knuckles
 from .hull_data import Kept
-from .ship_data import Resistance, Weights
+from .ship_data import Afloat, Resistance
 from .wanted import Targets
 
 # Rounding of control points, in m, that is worth a word.
@@ -83,7 +83,9 @@ def _not_kept(data):
         ("tied points", data.ties),
         ("groups of points", data.groups),
         ("load cases", data.load_cases),
-        ("weights", data.weights != Weights()),
+        ("the load", _is_given(data.load)),
+        ("trim and heel", data.afloat != Afloat()),
+        ("weights beside the plating", data.weights.items),
         ("openings", data.openings),
         ("wind areas", data.wind),
         ("settings of the resistance", data.resistance != Resistance()),
@@ -91,11 +93,19 @@ def _not_kept(data):
         ("the wanted area curve", data.area_target),
         ("fields", data.fields),
         ("appendages", data.appendages),
+        ("seams of plates", data.plating),
+        ("diagonals", data.lines and data.lines.diagonals.strip()),
+        ("planes that the hull is cut by", data.lines and data.lines.planes),
         ("variants", data.variants),
     )
     names = [name for name, is_there in parts if is_there]
     if names:
         yield f"Not in FREE!ship's files: {', '.join(names)}. Keep a hull file beside it."
+
+
+def _is_given(load):
+    """Whether somebody gave it."""
+    return load.mass_t is not None or load.lcg is not None or (load.kg and not load.kg_is_guess)
 
 
 def _of_texts(replaced):

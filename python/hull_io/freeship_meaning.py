@@ -7,6 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from .cleanup import clean_faces, creases_of_faces, listed
+from .freeship_curves import row_edges
+from .freeship_plating import as_typed, give_plating
+from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT
 from .hull_data import HullData, Layer, Particulars, shell_face_indices
 from .hull_developables import between_knuckles
 from .limits import LONGEST_DIMENSION
@@ -14,10 +17,7 @@ from .mending import mend
 from .mirror import mirror_faces, put_on_centre_plane
 from .subdivision import subdivided
 
-FOOT = 0.3048
 LONG_TON_PER_CUBIC_FOOT = 2240 * 0.45359237e-3 / FOOT**3
-# FREE!ship's own: it takes a tonne for a long ton, so that 1.025 t/m3 are 65.016 there.
-POUND_PER_CUBIC_FOOT = 1.0 / (2240 * FOOT**3)
 
 # A keel nearer to the base line than this part of the hull's size is on it.
 ON_BASE = 1e-5
@@ -40,19 +40,22 @@ def water_density_in_t_per_m3(stored, imperial):
 
 
 def hull_from_model(model, source):
-    """The HullData of a `freeship.Model`."""
+    """The HullData of a `freeship_model.Model`."""
     scale = FOOT if model.imperial else 1.0
     layers = [
         Layer(_label(layer.name) or f"Layer {index}", layer.in_hydrostatics, _colour(layer.colour))
         for index, layer in enumerate(model.layers)
     ]
     faces, face_layers, notes = clean_faces(model.faces, model.face_layers, layers)
+    give_plating(layers, model, notes)
     data = HullData(
         name=_label(model.name),
         points=model.points * scale,
         faces=faces,
         creases=creases_of_faces((edge[:2] for edge in model.edges if edge[2]), faces),
         corners=model.corners,
+        locked=model.locked,
+        shown_rows=row_edges(model.curves, faces, notes),
         layers=layers,
         face_layers=face_layers,
         particulars=_particulars(model, scale, notes),
@@ -74,11 +77,6 @@ def _label(text):
     return " ".join("".join(c if c.isprintable() else " " for c in text[:200]).split())
 
 
-def _as_typed(value):
-    """A single-precision number as the decimal that was typed: 5.3, not 5.300000190734863."""
-    return float(str(np.float32(value)))
-
-
 def _colour(bgr):
     return tuple((bgr >> shift & 0xFF) / 255.0 for shift in (0, 8, 16))
 
@@ -98,10 +96,10 @@ def _particulars(model, scale, notes):
         ("draft", model.draft),
     ):
         sane = math.isfinite(value) and 0.0 <= value * scale <= LONGEST_DIMENSION
-        lengths[name] = _as_typed(value) * scale if sane else 0.0
+        lengths[name] = as_typed(value) * scale if sane else 0.0
         if not sane:
             notes.append(f"The file's {name} of {value:g} was taken as not given.")
-    density = water_density_in_t_per_m3(_as_typed(model.water_density), model.imperial)
+    density = water_density_in_t_per_m3(as_typed(model.water_density), model.imperial)
     if density == 0.0:
         notes.append(f"The file's water density of {model.water_density:g} was taken as not given.")
     return Particulars(**lengths, water_density=density)

@@ -14,10 +14,12 @@ from .bytes_on_disk import write_bytes
 from .errors import HullFileError
 from .freeship import SIGNATURE, VERSIONS
 from .freeship_bytes import FreeshipBytes
+from .freeship_curves import control_curves
 from .freeship_lines import line_positions
 from .freeship_losses import losses
-from .freeship_meaning import FOOT, POUND_PER_CUBIC_FOOT
+from .freeship_plating import plating
 from .freeship_points import border_edges, point_kinds
+from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT, plating_units
 from .hull_data import edge_key, face_edges, shell_face_indices
 from .limits import FURTHEST_POINT, MAX_COUNT
 from .subdivision import subdivided
@@ -56,7 +58,7 @@ def freeship_content(data, unit="m", file_name="hull.fbm"):
     _view(sink)
     lowest = _lowest(in_unit)
     _project(sink, in_unit, scale, lowest)
-    _layers(sink, data)
+    _layers(sink, data, plating_units(unit == "ft"))
     _mesh(sink, in_unit)
     for axis, positions in line_positions(data).items():
         _sections(sink, axis, positions / scale)
@@ -110,7 +112,9 @@ def _project(sink, data, scale, lowest):
     sink.text("Hull Tools")
 
 
-def _layers(sink, data):
+def _layers(sink, data, units):
+    """units: m of a unit of thickness, t/m3 of one of density."""
+    metre, density_unit = units
     sink.record("i", len(data.layers))
     for index, layer in enumerate(data.layers):
         red, green, blue = (round(255 * min(max(part, 0.0), 1.0)) for part in layer.colour)
@@ -119,7 +123,8 @@ def _layers(sink, data):
         # Visible, symmetric, developable; for intersections, in hydrostatics.
         sink.record("???", True, data.half, False)
         sink.record("??", layer.in_hydrostatics, layer.in_hydrostatics)
-        sink.record("ff", 0.0, 0.0)  # density, thickness
+        thickness, density = plating(layer, data)
+        sink.record("ff", density / density_unit, thickness / metre)
         sink.record("?", layer.in_hydrostatics)  # in the lines plan
     sink.record("i", 0)
 
@@ -134,7 +139,10 @@ def _mesh(sink, data):
     sink.record("i", len(edges))
     for edge in edges:
         sink.record("ii??", *edge, edge in creased, False)
-    sink.record("i", 0)  # control curves
+    curves = control_curves(data)
+    sink.record("i", len(curves))
+    for curve in curves:
+        sink.record("i" * (1 + len(curve)) + "?", len(curve), *curve, False)
     sink.record("i", len(data.faces))
     for face, layer in zip(data.faces, data.face_layers):
         sink.record("i" * (1 + len(face)) + "i?", len(face), *face, layer, False)

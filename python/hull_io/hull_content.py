@@ -29,6 +29,7 @@ OPTIONAL = (
     "face_layers",
     "scheme",
     "deck_edge",
+    "shown_rows",
     hull_flats.KEY,
     hull_developables.KEY,
     *hull_points.KEYS,
@@ -62,6 +63,7 @@ def parsed(check, content, name):
         particulars=_particulars(check, content.get("particulars", {})),
         scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
+        shown_rows=_edges(check, content, "shown_rows", faces, len(points)),
         flats=hull_flats.parsed(check, content, len(faces)),
         developables=hull_developables.parsed(check, content, len(faces)),
         **hull_points.parsed(check, content, len(points)),
@@ -195,6 +197,7 @@ def entries(data):
         "face_layers": [int(layer) for layer in data.face_layers],
         "scheme": data.scheme,
         "deck_edge": [[int(a), int(b)] for a, b in data.deck_edge],
+        **_rows_entry(data),
         **hull_flats.entries(data),
         **hull_developables.entries(data),
         **hull_points.entries(data),
@@ -204,6 +207,10 @@ def entries(data):
         **hull_weights.entries(data),
         **hull_resistance.entries(data),
     }
+
+
+def _rows_entry(data):
+    return {"shown_rows": [[int(a), int(b)] for a, b in data.shown_rows]} if data.shown_rows else {}
 
 
 def _layer_entry(layer):

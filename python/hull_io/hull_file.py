@@ -8,6 +8,7 @@
      "layers": [{"name": "...", "in_hydrostatics": true, "colour": [r, g, b]}, ...],
      "face_layers": [layer, ...],
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
+     "shown_rows": [[point, point], ...],
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
      "developables" as hull_developables,
      "locked" and "kept" as hull_points, "ties" and "groups" as hull_ties, "lines" as hull_lines
@@ -20,8 +21,9 @@
 
 format, version, units, half, points and faces are required. Without layers all faces are the shell;
 without face_layers all are in the first layer. A particular that is left out is 0: not given.
-Without a deck_edge it is the border; flats tells of the faces that are kept in a plane. Nothing is
-mended on reading: a mistake is refused with the key and index where it stands.
+Without a deck_edge it is the border; shown_rows are edges of rows of points that are shown with
+combs; flats tells of the faces that are kept in a plane. Nothing is mended on reading: a mistake is
+refused with the key and index where it stands.
 """
 
 import json

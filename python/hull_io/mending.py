@@ -36,6 +36,7 @@ def part_shell(data):
     data.faces = made.faces
     data.creases = made.carried_edges(data.creases)
     data.deck_edge = made.carried_edges(data.deck_edge)
+    data.shown_rows = made.carried_edges(data.shown_rows)
     data.corners = made.carried_points(data.corners)
     data.locked = made.carried_points(data.locked)
     for name in KEPT_IN:

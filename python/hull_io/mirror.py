@@ -48,13 +48,15 @@ def mirror_faces(data, face_indices):
         else:
             image[point] = len(data.points) + len(new_points)
             new_points.append((x, -y, z))
-    creases = set(data.creases)
+    creases, rows = set(data.creases), set(data.shown_rows)
     for face in faces:
         for a, b in face_edges(face):
             if image[a] == a and image[b] == b:
                 creases.add(edge_key(a, b))
             elif edge_key(a, b) in creases:
                 creases.add(edge_key(image[a], image[b]))
+            if edge_key(a, b) in rows:
+                rows.add(edge_key(image[a], image[b]))
     known = {frozenset(face) for face in data.faces}
     for index, face in zip(face_indices, faces):
         other_side = [image[point] for point in face][::-1]
@@ -68,7 +70,7 @@ def mirror_faces(data, face_indices):
         group.points = sorted({*group.points, *(image[p] for p in group.points if p in image)})
     of_other_side = [tie for tie in data.ties if image.get(tie.point, tie.point) != tie.point]
     data.ties += renumbered(of_other_side, image, reflect=True)
-    data.creases = sorted(creases)
+    data.creases, data.shown_rows = sorted(creases), sorted(rows)
     data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])
 
 
@@ -84,5 +86,6 @@ def _without(data, left_out, face_indices):
     data.face_layers = [data.face_layers[index] for index in kept]
     edges = {edge_key(a, b) for face in data.faces for a, b in face_edges(face)}
     data.creases = [pair for pair in data.creases if edge_key(*pair) in edges]
+    data.shown_rows = [pair for pair in data.shown_rows if edge_key(*pair) in edges]
     number = {old: new for new, old in enumerate(kept)}
     return [number[index] for index in face_indices if index in number]

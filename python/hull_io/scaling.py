@@ -86,10 +86,10 @@ STAYING = frozenset(
     load_cases.with_weights resistance.method resistance.speeds_kn resistance.form_factor
     resistance.stern resistance.appendage_factor resistance.twin_screw resistance.deadrise_deg
     resistance.shaft_angle_deg resistance.heel_deg
-    particulars.water_density scheme deck_edge flats.faces flats.offset developables.faces
-    developables.warp developables.distance developables.keep locked kept.stations
-    kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name groups.points
-    afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
+    particulars.water_density scheme deck_edge shown_rows flats.faces flats.offset
+    developables.faces developables.warp developables.distance developables.keep locked
+    kept.stations kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name
+    groups.points afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense

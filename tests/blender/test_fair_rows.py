@@ -17,7 +17,7 @@ SEED = 20261123
 
 def rows_of(hull, edges, are_whole=True):
     control = state_of(hull).ship.source.control
-    rows = part("features.fairness.control_rows")
+    rows = hull_io("control_rows")
     return rows.RowNet(control).rows_of(edges, are_whole)
 
 
@@ -61,7 +61,7 @@ def test_rows_have_knuckles_where_they_cross_creases():
 
 
 def test_rows_may_be_closed():
-    rows = part("features.fairness.control_rows")
+    rows = hull_io("control_rows")
     arrays = part("bridge.mesh.mesh_arrays").ControlArrays
     # A tube of six faces around and two along.
     faces = [(6 * r + i, 6 * r + (i + 1) % 6, 6 * r + 6 + (i + 1) % 6, 6 * r + 6 + i)
@@ -93,7 +93,7 @@ def test_bends_are_those_of_circles():
 
 def test_inflections_are_counted_in_plan_and_in_profile():
     combs = part("features.fairness.row_combs")
-    row = part("features.fairness.control_rows").Row(np.arange(41), False, ())
+    row = hull_io("control_rows").Row(np.arange(41), False, ())
     x = np.linspace(0.1, 4.0 * np.pi + 1.0, 41)
     plan = np.column_stack([x, np.sin(x), 0.05 * x**2])
     both = np.column_stack([x, np.sin(x), np.sin(x)])
@@ -174,14 +174,14 @@ def coaster_row():
     points = mesh_points_now(hull)
     control = state_of(hull).ship.source.control
     near = np.linalg.norm(points - (45.0, 6.6, 0.8), axis=1).argsort()
-    net = part("features.fairness.control_rows").RowNet(control)
+    net = hull_io("control_rows").RowNet(control)
     edges = [e for e in net.edges_at(near[0]) if np.ptp(points[list(e), 0]) > 1.0]
     row = net.row_through(edges[0])
     dented = points[row.points[[len(row.points) // 2]]] - (0.0, 0.06, 0.0)
     write = part("bridge.mesh.mesh_points").write
     write(hull.data, row.points[[len(row.points) // 2]], dented)
     part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
-    select(hull, "edge", part("features.fairness.control_rows").edges_of(row)[6:8])
+    select(hull, "edge", hull_io("control_rows").edges_of(row)[6:8])
     return hull, row
 
 
@@ -222,7 +222,7 @@ def test_what_holds_points_holds_in_rows():
     locked = row.points[len(row.points) // 2 - 1]
     select(hull, "vertex", [locked])
     bpy.ops.hull.lock_points()
-    select(hull, "edge", part("features.fairness.control_rows").edges_of(row))
+    select(hull, "edge", hull_io("control_rows").edges_of(row))
     points, scene = mesh_points_now(hull), bpy.context.scene
     fairing = part("features.fairing.row_fairing")
     fairing.fair_rows(hull, scene, fairing.Asked(5e-3, keep_ends=False, keep_stations=False))

@@ -45,6 +45,7 @@ def content(**changes):
         "face_layers": [0, 1],
         "scheme": "catmull_clark",
         "deck_edge": [[5, 4]],
+        "shown_rows": [[2, 5], [3, 2]],
         "afloat": {"trim": -0.25, "heel_deg": 5, "deck_closed": False},
         "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False},
         "load_cases": [{"name": "ballast", "mass_t": 8, "lcg": 5, "tcg": -0.1, "vcg": 1}],
@@ -120,10 +121,9 @@ def assert_same(first, second):
     assert first.layers == second.layers
     assert first.particulars == second.particulars
     assert first.source == second.source
-    for key in ("scheme", "deck_edge", "flats", "developables", "locked", "kept", "afloat", "load",
-                "load_cases",
-                "openings", "wind", "weights", "resistance", "lines", "targets", "area_target",
-                "fields"):  # fmt: skip
+    for key in ("scheme", "deck_edge", "shown_rows", "flats", "developables", "locked", "kept",
+                "afloat", "load", "load_cases", "openings", "wind", "weights", "resistance",
+                "lines", "targets", "area_target", "fields"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key
     assert len(first.variants) == len(second.variants)
     for one, other in zip(first.variants, second.variants):
@@ -144,6 +144,7 @@ def test_a_file_is_read(read):
     assert [layer.in_hydrostatics for layer in hull.layers] == [True, False]
     assert hull_io.shell_face_indices(hull) == [0]
     assert hull.scheme == "catmull_clark" and hull.deck_edge == [(4, 5)]
+    assert hull.shown_rows == [(2, 3), (2, 5)]
     assert hull.afloat == hull_io.Afloat(-0.25, 5.0, False)
     assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False)
     assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
@@ -313,6 +314,7 @@ MISTAKES = {
     "scheme": (content(scheme="loop"), 'scheme: "loop" is unknown; write "biermann"'),
     "scheme list": (content(scheme=[]), "scheme: list is unknown"),
     "deck edge": (content(deck_edge=[[0, 2]]), "deck_edge[0]: [0, 2] is no edge of a face"),
+    "row": (content(shown_rows=[[0, 2]]), "shown_rows[0]: [0, 2] is no edge of a face"),
     "deck edge index": (content(deck_edge=[[0, 9]]), "deck_edge[0][1]: 9 is no index"),
     "afloat": (content(afloat=[]), "afloat: list is no object"),
     "afloat key": (content(afloat={"heel": 1}), 'afloat: the key "heel" is unknown'),

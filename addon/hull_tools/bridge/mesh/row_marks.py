@@ -4,7 +4,7 @@
 import bmesh
 import numpy as np
 
-from . import edge_marks
+from . import edge_marks, mesh_arrays
 
 ATTRIBUTE = "hull_row"
 
@@ -15,15 +15,25 @@ def marked(mesh):
         marks = edge_marks.stored_marks(mesh, ATTRIBUTE)
         if not marks.any():
             return np.empty((0, 2), dtype=np.int64)
-        edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
-        mesh.edges.foreach_get("vertices", edges.reshape(-1))
-        return edges[marks].astype(np.int64)
+        return _edges(mesh)[marks].astype(np.int64)
     bm = bmesh.from_edit_mesh(mesh)
     marks = edge_marks.edited_marks(bm, ATTRIBUTE)
     if marks.any():
         bm.verts.index_update()
     pairs = [[v.index for v in edge.verts] for edge, mark in zip(bm.edges, marks) if mark]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
+
+
+def store(mesh, edges):
+    """Marks exactly the edges between pairs of points; `mesh` is not in edit mode."""
+    keys = mesh_arrays.edge_keys(_edges(mesh))
+    edge_marks.store_marks(mesh, ATTRIBUTE, np.isin(keys, mesh_arrays.edge_keys(edges)))
+
+
+def _edges(mesh):
+    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges.reshape(-1))
+    return edges
 
 
 def mark(mesh, edges):

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....hull_io import control_rows
 from ...bridge.mesh import mesh_points, row_marks, selection
-from ..fairness import control_rows
 from ..hull import hull_state
 
 

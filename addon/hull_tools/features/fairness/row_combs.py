@@ -14,9 +14,9 @@ import numpy as np
 
 from ....hull_fairness import inflections as seen
 from ....hull_fairness.lines import LEAST_DEPTH
+from ....hull_io import control_rows
 from ...bridge.mesh import row_marks
 from ..lines import lines
-from . import control_rows
 from .combs import HEIGHT, MARKS, STRAIGHT
 
 KIND = "row"

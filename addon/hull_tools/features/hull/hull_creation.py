@@ -6,7 +6,7 @@ import numpy as np
 
 from ....hull_io.hull_data import KEPT_IN
 from ...bridge.blender import preferences, units
-from ...bridge.mesh import mesh_arrays
+from ...bridge.mesh import mesh_arrays, row_marks
 from ...bridge.objects import hull_objects, migration, shown_objects
 from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
@@ -63,6 +63,9 @@ def give_ship(obj, hull, scale, known=()):
     corners = np.array([index for face in hull.faces for index in face], dtype=np.int32)
     mesh_arrays.write_faces(mesh, np.asarray(hull.points) / scale, sizes, corners)
     mesh_arrays.write_tags(mesh, hull.creases, hull.corners, hull.deck_edge)
+    if hull.shown_rows:
+        row_marks.store(mesh, hull.shown_rows)
+        obj.hull.fairness.comb_rows = True
     obj.hull.half = hull.half
     _add_layers(obj, hull, known, scale)
     _copy_particulars(obj.hull, hull, scale)

@@ -6,7 +6,7 @@ from mathutils import Color
 
 from ....hull_io.hull_data import KEPT_IN, Developable, Flat, HullData, Kept, Layer, Particulars
 from ...bridge.blender import units
-from ...bridge.mesh import mesh_arrays
+from ...bridge.mesh import mesh_arrays, row_marks
 from ...bridge.objects import hull_objects
 from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
@@ -54,6 +54,7 @@ def ship_data(obj, scale):
         particulars=_particulars(settings, scale),
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
+        shown_rows=_pairs(_within(row_marks.marked(obj.data), data.edges[of_faces])),
         flats=_flats(obj, scale),
         developables=_developables(obj, scale),
         locked=point_locks.locked_points(obj.data).tolist(),
@@ -68,6 +69,12 @@ def ship_data(obj, scale):
 
 def _pairs(edges):
     return sorted(map(tuple, np.sort(edges, axis=1).tolist()))
+
+
+def _within(pairs, edges):
+    """Those of pairs (k, 2) of points that are among edges (e, 2)."""
+    keys = mesh_arrays.edge_keys
+    return pairs[np.isin(keys(pairs), keys(edges))]
 
 
 def _flats(obj, scale):

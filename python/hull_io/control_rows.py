@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .hull_data import edge_key
+
 LEAST_POINTS = 3
 
 
@@ -38,8 +40,11 @@ class Row:
 
 
 class RowNet:
-    """The edges of a mesh_arrays.ControlArrays, and how rows go on along them. Edges are pairs of
-    control points, the lower one first."""
+    """The edges of a control mesh, and how rows go on along them; edges are pairs of its points,
+    the lower one first.
+
+    control: has face_sizes, face_vertices, creases (k, 2) and corners, as ShellArrays.
+    """
 
     def __init__(self, control):
         self._faces = _faces_of_edges(control)
@@ -116,10 +121,6 @@ def edges_of(row):
     points = row.points.tolist()
     following = points[1:] + (points[:1] if row.is_closed else [])
     return [edge_key(a, b) for a, b in zip(points, following)]
-
-
-def edge_key(a, b):
-    return (a, b) if a < b else (b, a)
 
 
 def _is_in(edge, within):
