@@ -7,6 +7,7 @@ from .bytes_on_disk import read_bytes
 from .chines import hull_of_chines, looks_like_chines, read_chines
 from .errors import HullFileError
 from .freeship import is_freeship, read_freeship, read_stored_sections
+from .geometry.reading import is_geometry
 from .hull_file import parse_hull_file
 from .limits import MAX_FILE_BYTES, MAX_HULL_FILE_BYTES
 
@@ -32,9 +33,15 @@ def read_hull(path):
         hull = hull_of_chines(read_chines(data, path.name))
         hull.name = hull.name or path.stem
         return hull
+    if is_geometry(data, path.suffix.lower()):
+        raise HullFileError(
+            f"{path.name}: it is a file of a surface, lines or points, not of a control mesh; "
+            "choose it with Hull from File, which lays a hull over them."
+        )
     raise HullFileError(
         f"{path.name}: it is neither a FREE!ship file nor a hull file, nor one of chines; choose a "
-        "file ending in .fbm, .ftm, .hull.json or .hul."
+        "file ending in .fbm, .ftm, .hull.json or .hul, or a surface or table of offsets with Hull "
+        "from File."
     )
 
 

@@ -6,7 +6,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import mesh_points, part, state_of
+from addon_under_test import hull_io, mesh_points, part, state_of
 from edited_hulls import at, edit, grid_hull, keys, select
 
 pytestmark = pytest.mark.once

@@ -6,7 +6,8 @@ import sys
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import LENGTH, ROOT, add_hull, hull_io, mesh_points, part, sample
+from addon_under_test import LENGTH, ROOT, add_hull, hull_io, mesh_points, part, sample, state_of
+from edited_hulls import edit, keys, select
 
 sys.path.append(str(ROOT / "tests" / "python" / "io"))
 
@@ -37,6 +38,43 @@ def test_freeship_files_read_back(tmp_path):
     assert again is not hull and np.array_equal(mesh_points(again), points)
     assert again.hull.draft == pytest.approx(draft, rel=1e-6)
     assert len(again.material_slots) == len(hull.material_slots)
+
+
+@pytest.mark.parametrize("ending", ["fbm", "hull.json"])
+def test_locks_plating_and_rows_come_back(tmp_path, ending):
+    """Set in the panels, written by the operators and read again; rows are shown with combs."""
+    hull = sample("coaster")
+    locks, rows = part("features.constraints.point_locks"), part("bridge.mesh.row_marks")
+    locks.write(hull.data, [3, 40, 41])
+    entry = hull.hull.layers[0]
+    entry.thickness, entry.density = 0.0125, 2.75
+    edit(hull, (False, True, False))
+    select(hull, "edge", [tuple(hull.data.edges[200].vertices)])
+    assert bpy.ops.hull.show_rows() == {"FINISHED"}
+    marked = keys(rows.marked(hull.data))
+    assert len(marked) > 3
+    combs = state_of(hull).fairness.combs["row"].rows
+    bpy.ops.object.mode_set(mode="OBJECT")
+    path = tmp_path / f"coaster.{ending}"
+    export = bpy.ops.hull.export_freeship if ending == "fbm" else bpy.ops.hull.export_hull
+    assert export(filepath=str(path)) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    again = bpy.context.object
+    assert again is not hull and locks.locked_points(again.data).tolist() == [3, 40, 41]
+    assert keys(rows.marked(again.data)) == marked and again.hull.fairness.comb_rows
+    found = state_of(again).fairness.combs["row"].rows
+    assert [row.points.tolist() for row in found] == [row.points.tolist() for row in combs]
+    own = again.hull.layers[0]
+    assert (own.thickness, own.density) == (pytest.approx(0.0125), pytest.approx(2.75))
+
+
+def test_control_curves_of_freeship_are_rows(freeship_folder):
+    assert bpy.ops.hull.import_hull(filepath=str(freeship_folder / "FREE!ship demo tug.fbm")) == {
+        "FINISHED"
+    }
+    hull = bpy.context.object
+    assert len(part("bridge.mesh.row_marks").marked(hull.data)) == 75
+    assert len(state_of(hull).fairness.combs["row"].rows) >= 12
 
 
 def test_an_imperial_scene_writes_feet(box, tmp_path):

@@ -51,6 +51,36 @@ def test_rows_are_those_of_hull_native(method):
             assert row[name] == pytest.approx(value, rel=1e-5), name
 
 
+@pytest.mark.parametrize("method", ["HOLTROP", "MICHELL", "DELFT", "SAVITSKY"])
+def test_fresh_water_has_its_own_viscosity(method):
+    """Of all four methods: friction of the panel's numbers is by the viscosity of fresh water."""
+    hull, own = planing() if method == "SAVITSKY" else yacht()
+    own.method, hull.hull.water_density = method, 1.0
+    result, native = result_of(hull), part("bridge.native").require()
+    state = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
+    where = result.given.where
+    position = {"draft": where.draft, "trim": where.trim, "draft_at": where.draft_at}
+    water = {"water_density": 1.0, "viscosity": 1.13902e-6}
+    body, speeds = state.ship.body, [row["speed_m_s"] for row in result.rows]
+    if method == "HOLTROP":
+        given = {"stern_coefficient": float(own.stern)}
+        wanted = native.holtrop_table(body, speeds, given=given, **position, **water)
+    elif method == "MICHELL":
+        factor = result.given.form_factor
+        wanted = native.michell_table(body, speeds, form_factor=factor, **position, **water)
+    elif method == "DELFT":
+        form = native.delft_yacht(body, **position)
+        wanted = native.delft_table(form, speeds, form_factor=result.given.form_factor, **water)
+    else:
+        given = {**dict(result.given.planing), **position, "water_density": 1.0}
+        wanted = native.savitsky_table(native.planing_boat(body, **given), speeds, **water)
+    assert len(wanted) == len(result.rows) > 1
+    for row, expected in zip(result.rows, wanted):
+        # By 4 % of the viscosity friction changes by some 0.6 %.
+        assert row["friction_kN"] == pytest.approx(expected["friction_kN"], rel=1e-5)
+        assert row["total_kN"] == pytest.approx(expected["total_kN"], rel=1e-5)
+
+
 def test_delft_series_takes_the_appendages():
     """Keel and rudder of the Add menu, at a heel; what counts as what is told. (The sample yacht
     has a keel of her own.)"""

@@ -31,6 +31,49 @@ def test_michell_table(hull):
         hn.michell_table(hull.body, SPEEDS, draft=draft, form_factor=-1.0)
 
 
+def test_viscosity_goes_with_the_density():
+    """Fresh and sea water of 15 °C by the ITTC's tables, and evenly between."""
+    assert hn.water_viscosity(hn.SEA_WATER_DENSITY) == hn.SEA_WATER_VISCOSITY == 1.18831e-6
+    assert hn.water_viscosity(1.0) == hn.FRESH_WATER_VISCOSITY == 1.13902e-6
+    assert hn.water_viscosity(0.9991) == 1.13902e-6 and hn.water_viscosity(1.03) == 1.18831e-6
+    half = 0.5 * (1.13902e-6 + 1.18831e-6)
+    assert hn.water_viscosity(1.0125) == pytest.approx(half, rel=1e-12)
+
+
+@pytest.mark.parametrize("density", [1.0, 1.005, 1.025])
+def test_all_methods_take_the_viscosity_of_the_density(hull, density):
+    """Without a viscosity each gives what it gives with that of the density, and friction is that
+    of its line at the Reynolds number of that water."""
+    draft, wet = hull.ship.draft, {"water_density": density}
+    known = {**wet, "viscosity": 1.13902e-6 + (density - 1.0) / 0.025 * (1.18831e-6 - 1.13902e-6)}
+    waves = {"draft": draft, "tolerance": 1e-2}
+    yacht = hn.DelftYacht(10.0, 3.0, 0.5, 7.5, 21.0, 25.0, 0.56, 0.75, 5.3, 5.5)
+    boat = hn.PlaningBoat(27.2, 4.27, 10.0, 8.84, 1.0)
+    methods = (
+        lambda water: hn.michell_table(hull.body, SPEEDS, **waves, **water),
+        lambda water: hn.holtrop_table(hull.body, SPEEDS, draft=draft, **water),
+        lambda water: hn.delft_table(yacht, [3.0], **water),
+        lambda water: hn.savitsky_table(boat, [20.0], **water),
+    )
+    for method in methods:
+        ours, theirs = method(wet), method(known)
+        other = method({**wet, "viscosity": 1.18831e-6})
+        for row, wanted, sea in zip(ours, theirs, other):
+            for name in ("friction_kN", "total_kN"):
+                assert row[name] == pytest.approx(wanted[name], rel=1e-12)
+                assert (row[name] == sea[name]) == (density == 1.025)
+    length = hn.hydrostatics(hull.body, draft=draft).waterline_length
+    line, sea = (
+        hn.ittc_1957(SPEEDS[0] * length / viscosity)
+        for viscosity in (known["viscosity"], hn.SEA_WATER_VISCOSITY)
+    )
+    fresh_row, sea_row = (
+        hn.michell_table(hull.body, SPEEDS[:1], **waves, **water)[0] for water in (wet, {})
+    )
+    ratio = fresh_row["friction_kN"] / sea_row["friction_kN"]
+    assert ratio == pytest.approx(density / 1.025 * line / sea, rel=1e-9)
+
+
 def test_holtrop_table_and_text(hull):
     propeller = hn.Propeller(5.0)
     draft = hull.ship.draft

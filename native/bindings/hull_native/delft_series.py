@@ -16,7 +16,7 @@ from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
 from .delft_coefficients import HEELED, HEELED_KEEL, HULL, KEEL, WETTED
 from .delft_form import DelftFin
-from .holtrop_resistance import SEA_WATER_VISCOSITY
+from .water import water_viscosity
 
 _REYNOLDS_LENGTH = 0.7  # of the waterline
 _LARGEST_HEEL = 35.0  # degrees, of the wetted surface's table
@@ -56,18 +56,21 @@ def delft(
     rudder=None,
     form_factor=1.0,
     water_density=SEA_WATER_DENSITY,
-    viscosity=SEA_WATER_VISCOSITY,
+    viscosity=None,
     gravity=GRAVITY,
 ):
     """A list of DelftResult, one for each speed in m/s.
 
     yacht: DelftYacht. keel, rudder: DelftFin, several of them, or None; keels' waves are those of
-    one keel of their volume about their centre. form_factor: 1 + k of the canoe body. Between
+    one keel of their volume about their centre. form_factor: 1 + k of the canoe body. viscosity:
+    kinematic, m²/s; None: that of water of the density. Between
     the Froude numbers of the tables values are interpolated by cubics through four neighbours'
     slopes; below the first they fall to zero at rest, above the last they are those of the last,
     and that is told. Side force and what it induces are left out. ValueError for what is no number
     above zero.
     """
+    if viscosity is None:
+        viscosity = water_viscosity(water_density)
     for name, value in (
         ("form_factor", form_factor),
         ("water_density", water_density),

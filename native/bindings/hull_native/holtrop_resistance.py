@@ -14,9 +14,7 @@ from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
 from .holtrop_form import HoltropShip
 from .propulsion import Propeller, propulsion_factors
-
-# m²/s, of sea water at 15 °C as in both papers' examples.
-SEA_WATER_VISCOSITY = 1.18831e-6
+from .water import water_viscosity
 
 _SPEED_EXPONENT = -0.9  # d
 
@@ -55,20 +53,22 @@ def holtrop(
     *,
     edition=1984,
     water_density=SEA_WATER_DENSITY,
-    viscosity=SEA_WATER_VISCOSITY,
+    viscosity=None,
     gravity=GRAVITY,
     roughness=150e-6,
     propeller=None,
 ):
     """A list of HoltropResult, one for each speed in m/s.
 
-    ship: HoltropShip. edition: 1984 or 1982. viscosity: kinematic, m²/s. roughness: of the hull, m;
-    150 µm is that of new ships, which the correlation allowance has. propeller: Propeller, for wake
-    and thrust deduction. ValueError for what is no number above zero, and for forms at which a
-    formula has no value.
+    ship: HoltropShip. edition: 1984 or 1982. viscosity: kinematic, m²/s; None: that of water of the
+    density. roughness: of the hull, m; 150 µm is that of new ships, which the correlation allowance
+    has. propeller: Propeller, for wake and thrust deduction. ValueError for what is no number above
+    zero, and for forms at which a formula has no value.
     """
     if edition not in _FORM_FACTORS:
         raise ValueError(f"edition must be 1984 or 1982, not {edition!r}.")
+    if viscosity is None:
+        viscosity = water_viscosity(water_density)
     for name, value in (
         ("water_density", water_density),
         ("viscosity", viscosity),
@@ -273,4 +273,4 @@ def _at_speed(ship, speed, edition, water, propeller):
     )
 
 
-__all__ = ["HoltropResult", "HoltropShip", "Propeller", "SEA_WATER_VISCOSITY", "holtrop"]
+__all__ = ["HoltropResult", "HoltropShip", "Propeller", "holtrop"]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from . import _core
 from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
-from .holtrop_resistance import SEA_WATER_VISCOSITY
+from .water import water_viscosity
 
 _TRIMS = (0.3, 15.0)  # degrees, between which an equilibrium is looked for
 _ROUGHNESS = 0.0004  # the ATTC's standard allowance
@@ -86,7 +86,7 @@ def savitsky(
     speeds,
     *,
     water_density=SEA_WATER_DENSITY,
-    viscosity=SEA_WATER_VISCOSITY,
+    viscosity=None,
     gravity=GRAVITY,
     friction_line="attc",
     roughness_allowance=_ROUGHNESS,
@@ -94,11 +94,14 @@ def savitsky(
     """A list of PlaningResult, one for each speed in m/s, each at the trim that is in equilibrium
     (35).
 
-    friction_line: "attc", Schoenherr's, as in the paper, or "ittc". ValueError for what is no
+    viscosity: kinematic, m²/s; None: that of water of the density. friction_line: "attc",
+    Schoenherr's, as in the paper, or "ittc". ValueError for what is no
     number above zero, and where no trim from 0.3° to 15° is in equilibrium.
     """
     if friction_line not in _LINES:
         raise ValueError(f'friction_line must be "attc" or "ittc", not {friction_line!r}.')
+    if viscosity is None:
+        viscosity = water_viscosity(water_density)
     for name, value in (
         ("water_density", water_density),
         ("viscosity", viscosity),
@@ -126,7 +129,7 @@ def planing_at_trims(boat, speed, trims_deg, **how):
     them, but for the friction line, which is Schoenherr's."""
     allowance = how.pop("roughness_allowance", _ROUGHNESS)
     density = how.pop("water_density", SEA_WATER_DENSITY)
-    viscosity = how.pop("viscosity", SEA_WATER_VISCOSITY)
+    viscosity = how.pop("viscosity", None) or water_viscosity(density)
     gravity = how.pop("gravity", GRAVITY)
     if how:
         raise TypeError(f"Unknown arguments: {sorted(how)}.")

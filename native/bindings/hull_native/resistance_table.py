@@ -8,8 +8,9 @@ from ._resistance import GRAVITY, MichellIntegral, ittc_1957
 from .csv_rows import csv_text
 from .delft_series import delft
 from .holtrop_form import holtrop_ship
-from .holtrop_resistance import SEA_WATER_VISCOSITY, HoltropResult, holtrop
+from .holtrop_resistance import HoltropResult, holtrop
 from .planing import savitsky
+from .water import water_viscosity
 
 KNOT = 1852.0 / 3600.0  # m/s
 
@@ -25,15 +26,18 @@ def michell_table(
     draft_at=0.0,
     form_factor=1.0,
     water_density=_core.SEA_WATER_DENSITY,
-    viscosity=SEA_WATER_VISCOSITY,
+    viscosity=None,
     tolerance=1e-3,
 ):
     """A list of dicts, one for each speed in m/s: friction by the ITTC 1957 line on the exact
-    wetted surface times form_factor, 1 + k, and wave resistance by Michell's integral.
+    wetted surface times form_factor, 1 + k, and wave resistance by Michell's integral. viscosity:
+    kinematic, m²/s; None: that of water of the density.
 
     Keys with units: speed_kn, speed_m_s, froude, friction_kN, form_kN, wave_kN, wave_error_kN,
     total_kN, effective_power_kW. ValueError as MichellIntegral, and for a form factor below zero.
     """
+    if viscosity is None:
+        viscosity = water_viscosity(water_density)
     if not (form_factor >= 0.0 and math.isfinite(form_factor)):
         raise ValueError(f"The form factor 1 + k must not be negative, as {form_factor} is.")
     where = {"draft": draft, "trim": trim, "draft_at": draft_at, "water_density": water_density}

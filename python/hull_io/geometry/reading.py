@@ -23,6 +23,10 @@ from .values import Geometry, GeometryMesh, polyline
 # Of the size, how far triangles of CAD faces may be from them.
 CHORD_SHARE = 2e-5
 _GZIP = b"\x1f\x8b\x08"
+_CAD_ENDINGS = (".step", ".stp", ".iges", ".igs")
+_ENDINGS = (*_CAD_ENDINGS, ".stl", ".obj", ".dxf", ".geo", ".csv", ".gz")
+_DXF = b"AutoCAD Binary DXF"
+_TOLD_IN = 65536  # bytes of a text
 
 
 def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
@@ -40,7 +44,7 @@ def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
         if is_cad(data):
             raise HullFileError(f"{path.name}: unpack it first; CAD files are not read packed.")
     ending = path.suffix.lower()
-    if is_cad(data) or ending in (".step", ".stp", ".iges", ".igs"):
+    if is_cad(data) or ending in _CAD_ENDINGS:
         return read_cad(path, chord_share, progress)
     if is_freeship(data) or ending in (".fbm", ".ftm"):
         return _stored_sections(data, path.name)
@@ -48,9 +52,20 @@ def read_geometry(path, chord_share=CHORD_SHARE, progress=None):
         return _stl(data, path.name)
     if ending == ".obj":
         return read_obj(data, path.name)
-    if ending == ".dxf" or data.startswith(b"AutoCAD Binary DXF"):
+    if ending == ".dxf" or data.startswith(_DXF):
         return read_dxf(data, path.name)
     return _text(path, data)
+
+
+def is_geometry(data, ending):
+    """Whether read_geometry would try a file's bytes, by what they begin with or by the ending, in
+    lower case. Hull files, FREE!ship's and chines, which are read as hulls too, do not count."""
+    if ending in _ENDINGS or data.startswith((_GZIP, _DXF)) or is_cad(data):
+        return True
+    if b"\0" in data[:4096]:
+        return False
+    text = decoded(data[:_TOLD_IN])
+    return is_polycad(text) or looks_like_offsets(text)
 
 
 def _unpacked(data, name):

@@ -15,8 +15,6 @@ from ..errors import HullFileError
 from .numbers_as_text import decimal, plain_name
 
 GRAVITY = 9.80665
-# m²/s, of sea and of fresh water of 15 °C (ITTC), and the density between the two.
-_SEA, _FRESH, _BETWEEN = 1.18831e-6, 1.13902e-6, 1.0125
 _DENSITIES = (0.995, 1.030)
 
 
@@ -29,13 +27,25 @@ class MichletSpeeds:
     count: int = 50
 
 
-def michlet_text(name, half_breadths, *, length, draft, volume, speeds, water_density=1.025):
+def michlet_text(
+    name,
+    half_breadths,
+    *,
+    length,
+    draft,
+    volume,
+    speeds,
+    water_density=1.025,
+    viscosity=1.18831e-6,
+):
     """The text. half_breadths: (s, w) in m, stations from aft forward, waterlines from the keel up,
     both odd, 5 to 81. length: of the waterline, draft in m; volume: displaced, m³; water_density in
-    t/m³. HullFileError for what Michlet does not take."""
+    t/m³ and its kinematic viscosity in m²/s, both of sea water unless given. HullFileError for what
+    Michlet does not take."""
     half_breadths = np.asarray(half_breadths, dtype=float)
     _check(half_breadths, speeds, water_density)
-    rows = [f"# {plain_name(name)}", *_general(speeds, water_density, half_breadths.shape)]
+    rows = [f"# {plain_name(name)}"]
+    rows += _general(speeds, (water_density, viscosity), half_breadths.shape)
     rows += [*_waves(length), "# First hull", "# Offsets"]
     rows += [",".join(decimal(y) for y in row) for row in half_breadths[::-1]]
     rows += _values(
@@ -73,8 +83,8 @@ def _check(half_breadths, speeds, water_density):
         )
 
 
-def _general(speeds, water_density, shape):
-    viscosity = _SEA if water_density > _BETWEEN else _FRESH
+def _general(speeds, water, shape):
+    water_density, viscosity = water
     return _values(
         ("Input file type", "0"),
         ("Input file subtype", "0"),

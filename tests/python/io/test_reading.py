@@ -32,7 +32,7 @@ def test_the_content_decides_whatever_the_name(tmp_path, hull_json, name):
         ("a.ftm", b"FREE!", "does not begin with 'FREE!ship'"),
         ("a.hull.json", b"", "it is not JSON"),
         ("a.json", b"[]", "is no object"),
-        ("a.stl", b"solid", "neither a FREE!ship file nor a hull file"),
+        ("a.doc", b"solid", "neither a FREE!ship file nor a hull file"),
         ("a", bytes(100), "neither a FREE!ship file nor a hull file"),
     ],
 )
@@ -42,6 +42,33 @@ def test_an_unknown_file_is_refused(tmp_path, name, content, problem):
         hull_io.read_hull(tmp_path / name)
     assert str(caught.value).startswith(f"{name}: ")
     assert problem in str(caught.value)
+
+
+OFFSETS = "station,0,1,2\nwaterline,,,\n0,1,2,3\n1,1,2,3\n"
+
+
+@pytest.mark.parametrize(
+    "name, content",
+    [
+        ("ship.geo", b"[TShipLines]\nOrderU=4\n"),
+        ("ship", b"Title\n[TBSplineSurface]\nOrderU=4\n"),
+        ("ship.STL", b"solid"),
+        ("ship.stl.gz", b"\x1f\x8b\x08"),
+        ("ship.obj", b"v 0 0 0\n"),
+        ("ship.dxf", b"0\nSECTION\n"),
+        ("ship.step", b"ISO-10303-21;"),
+        ("ship.bin", b"ISO-10303-21;"),
+        ("ship.igs", b"anything"),
+        ("ship.csv", OFFSETS.encode()),
+        ("ship.txt", OFFSETS.encode()),
+        ("ship.dat", OFFSETS.encode()),
+    ],
+)
+def test_files_of_geometry_are_sent_to_hull_from_file(tmp_path, name, content):
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(hull_io.HullFileError, match="Hull from File, which lays a hull") as caught:
+        hull_io.read_hull(tmp_path / name)
+    assert str(caught.value).startswith(f"{name}: it is a file of a surface, lines or points")
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path):

@@ -125,6 +125,7 @@ def _michlet(obj, scene, state, scale):
         volume=found.displaced_volume,
         speeds=_michlet_speeds(obj, scale),
         water_density=where.water_density,
+        viscosity=native.require().water_viscosity(where.water_density),
     )
 
 
