@@ -189,10 +189,13 @@ class Edits:
         self._tried(bpy.ops.hull.inflate_section, place=place, percent=percent, extent=extent)
 
     def area_curve(self):
+        """Fuller forward and finer aft, or the other way round."""
         bpy.ops.hull.take_area_curve()
-        volume = state_of(self.hull).hydrostatics.values.displaced_volume
-        bpy.ops.hull.scale_area_curve(volume=volume * (1.0 + 0.005 * self.random.normal()))
-        way = str(self.random.choice(("LEAST", "INFLATE", "LEAST", "SHIFT")))
+        points = self.hull.hull.area_target.area_points
+        by = self.random.choice((-1.0, 1.0)) * self.random.uniform(0.01, 0.02)
+        for point, share in zip(points, np.linspace(-by, by, len(points))):
+            point.area *= 1.0 + share
+        way = str(self.random.choice(("LEAST", "SHIFT", "INFLATE")))
         self._tried(bpy.ops.hull.transform_to_area_curve, by=way)
         bpy.ops.hull.clear_area_curve()
 

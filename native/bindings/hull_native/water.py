@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The viscosity that goes with a density of water, at 15 °C.
 
-ITTC (2006), Recommended procedure 7.5-02-01-03, Density and viscosity of water: of fresh water and
-of sea water of a salinity of 3.5 %. Density and viscosity both grow almost evenly with salinity, so
-that brackish water lies on the straight line between the two.
+ITTC 7.5-02-01-03, Density and viscosity of water, by its tables of 1963: of fresh water and of sea
+water of a salinity of 3.5 %. Density and viscosity both grow almost evenly with salinity, so that
+brackish water lies on the straight line between the two.
 """
 
 from ._core import SEA_WATER_DENSITY
