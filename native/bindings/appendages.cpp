@@ -21,6 +21,11 @@ namespace {
 using analysis::Appendage;
 using analysis::SectionForm;
 
+double on_chord(double x) {
+  if (!(x >= 0.0 && x <= 1.0)) throw std::invalid_argument("x must be from 0 to 1.");
+  return x;
+}
+
 // Points of a grid on each patch of the shell, and its quadrilaterals.
 py::tuple grid_of(const Appendage& appendage, int divisions) {
   if (divisions < 1 || divisions > 64) {
@@ -192,27 +197,30 @@ void bind_shapes(py::module_& module) {
 void bind_appendages(py::module_& module) {
   py::class_<SectionForm>(module, "SectionForm",
                           "A section of unit chord of NACA's families: four digits (\"0012\", "
-                          "\"2412\"), five (\"23012\", "
-                          "mean lines 210 to 250), \"63-012\", \"64-012\", \"65-012\" and other "
-                          "thicknesses of these in "
-                          "proportion. ValueError for other names.")
+                          "\"2412\"), five (\"23012\", mean lines 210 to 250, and reflexed ones, "
+                          "\"23112\", 221 to 251), both with another nose and place of the largest "
+                          "thickness (\"0012-64\"); series 63 to 65 and 63A to 65A (\"63-012\", "
+                          "\"63-412\", \"64A010\", \"65-215 a=0.5\"). ValueError for other names.")
       .def(py::init<const std::string&>(), py::arg("name"))
       .def_property_readonly("name", &SectionForm::name)
       .def_property_readonly("thickness", &SectionForm::thickness, "Of the chord, by its name.")
       .def_property_readonly("symmetric", &SectionForm::is_symmetric)
       .def(
           "half_thickness",
-          [](const SectionForm& form, double x) {
-            if (!(x >= 0.0 && x <= 1.0)) throw std::invalid_argument("x must be from 0 to 1.");
-            return form.half_thickness(x);
-          },
+          [](const SectionForm& form, double x) { return form.half_thickness(on_chord(x)); },
           py::arg("x"), "Perpendicular to the mean line at x of it, of the chord.")
-      .def("mean_line", &SectionForm::mean_line, py::arg("x"), "y at x, of the chord.")
+      .def(
+          "mean_line",
+          [](const SectionForm& form, double x) { return form.mean_line(on_chord(x)); },
+          py::arg("x"), "y at x, of the chord.")
+      .def(
+          "mean_slope",
+          [](const SectionForm& form, double x) { return form.mean_slope(on_chord(x)); },
+          py::arg("x"), "dy/dx of the mean line at x; where it is infinite, that 1e-4 beside it.")
       .def(
           "point",
           [](const SectionForm& form, double x, bool lower) {
-            if (!(x >= 0.0 && x <= 1.0)) throw std::invalid_argument("x must be from 0 to 1.");
-            return form.outline(std::sqrt(x), lower ? -1 : 1, 1.0, true).place;
+            return form.outline(std::sqrt(on_chord(x)), lower ? -1 : 1, 1.0, true).place;
           },
           py::arg("x"), py::kw_only(), py::arg("lower") = false,
           "(2,): the outline's point at x of the mean line, of the chord.")

@@ -218,13 +218,10 @@ ClosedShell bulb_shell(const BulbShape& bulb) {
 
 Outline outline_of(const SectionForm& form, double thickness, bool upper_only) {
   const double factor = thickness / form.thickness();
-  const std::vector<double> knots = form.knots();
+  const std::vector<double>& knots = form.knots();
   Outline outline;
   const auto add = [&](double from, double to, int side) {
-    const SectionForm::Point a = form.outline(from, side, factor, to > from),
-                             b = form.outline(to, side, factor, from > to);
-    const double third = (to - from) / 3.0;
-    outline.push_back({a.place, a.place + third * a.slope, b.place - third * b.slope, b.place});
+    outline.push_back(outline_part(form, from, to, side, factor));
   };
   for (std::size_t i = knots.size() - 1; i > 0; --i) add(knots[i], knots[i - 1], 1);
   for (std::size_t i = 0; i + 1 < knots.size() && !upper_only; ++i) {
