@@ -2,6 +2,7 @@
 """Points that stay when the surface is pulled."""
 
 import bpy
+from bpy.props import BoolProperty
 
 from ..bridge.counts import counted
 from ..bridge.mesh import selection
@@ -10,10 +11,13 @@ from .shared import EditModeOperator
 
 
 class SetLocks(EditModeOperator):
-    """Subclasses: is_locked, what the selected points are afterwards; done, the word for that."""
+    """Subclasses: is_locked, what the selected points are afterwards; done, the word for that;
+    everything: whether all points are meant."""
+
+    everything = False
 
     def run_on(self, hull, context):
-        count = point_locks.set_selected(hull, self.is_locked)
+        count = point_locks.set_selected(hull, self.is_locked, self.everything)
         self.report({"INFO"}, f"{counted(count, 'point')} {self.done}")
 
 
@@ -33,6 +37,10 @@ class HULL_OT_unlock_points(bpy.types.Operator, SetLocks):
     bl_label = "Unlock Points"
 
     is_locked, done = False, "unlocked"
+
+    everything: BoolProperty(
+        name="All points", description="All points of the hull, not the selected ones alone"
+    )
 
 
 class HULL_OT_select_locked(bpy.types.Operator, EditModeOperator):

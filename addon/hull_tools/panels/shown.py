@@ -36,6 +36,10 @@ class HULL_PT_surface(HullPanel, bpy.types.Panel):
                 row = column.row(align=True)
                 row.prop(layer, "in_hydrostatics", text="")
                 row.prop(layer.material, "name", text="")
+        if hull.mode == "EDIT":
+            layout.operator("hull.new_layer")
+        elif hull.hull.layers:
+            layout.operator("hull.remove_empty_layers")
 
 
 CLASSES = (HULL_PT_surface,)

@@ -39,15 +39,16 @@ def write(mesh, indices):
     attribute.data.foreach_set("value", values)
 
 
-def set_selected(obj, is_locked):
-    """Locks the points that are selected in edit mode, or frees them; returns how many changed.
+def set_selected(obj, is_locked, everything=False):
+    """Locks the points that are selected in edit mode, or frees them; everything: all points,
+    selected or not. Returns how many changed.
 
     ValueError when none is selected.
     """
     bm = bmesh.from_edit_mesh(obj.data)
     layers = bm.verts.layers.int
     layer = layers.get(ATTRIBUTE) or layers.new(ATTRIBUTE)
-    chosen = [vertex for vertex in bm.verts if vertex.select]
+    chosen = [vertex for vertex in bm.verts if everything or vertex.select]
     if not chosen:
         raise ValueError("Select the points first")
     changed = [vertex for vertex in chosen if bool(vertex[layer]) != is_locked]

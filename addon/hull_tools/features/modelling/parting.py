@@ -12,10 +12,9 @@ from ...bridge.mesh.mesh_editing import editing
 from ...bridge.mesh.valid_part import faces_of
 from ...bridge.objects import hull_objects
 from ..hull import hull_state
-from ..surface import materials
+from . import layering
 
 SET_ASIDE = "Set aside"
-_SHELL, _GREY = "Shell", (0.75, 0.75, 0.75)
 
 
 @dataclass(frozen=True)
@@ -115,14 +114,4 @@ def _slot_aside(obj):
             for index, slot in enumerate(obj.material_slots):
                 if slot.material is not None and slot.material == layer.material:
                     return index
-    if not obj.material_slots:
-        _add_layer(obj, _SHELL)  # faces are in the first slot
-    return _add_layer(obj, SET_ASIDE, in_hydrostatics=False)
-
-
-def _add_layer(obj, name, in_hydrostatics=True):
-    material = materials.layer_material(name, _GREY)
-    obj.data.materials.append(material)
-    layer = obj.hull.layers.add()
-    layer.name, layer.material, layer.in_hydrostatics = name, material, in_hydrostatics
-    return len(obj.data.materials) - 1
+    return layering.add_layer(obj, SET_ASIDE, in_hydrostatics=False)
