@@ -6,7 +6,7 @@ import math
 
 import hull_native as hn
 import pytest
-from transformation_hulls import Sample
+from transformation_hulls import SAMPLES, Sample
 
 KNOT = 1852.0 / 3600.0
 
@@ -154,6 +154,11 @@ def test_propellers():
     result = hn.holtrop(SHIP_1984, [12.0], propeller=propeller)[0]
     efficiency = 0.6 * 0.98 * result.propulsion["etaH"]
     assert result.delivered_power == pytest.approx(result.effective_power / efficiency)
+    assert result.shaft_power == result.delivered_power
+    geared = dataclasses.replace(propeller, shaft_efficiency=0.97)
+    result = hn.holtrop(SHIP_1984, [12.0], propeller=geared)[0]
+    assert 0.97 * result.shaft_power == pytest.approx(result.delivered_power, rel=1e-14)
+    assert (c.delivered_power, c.shaft_power) == (0.0, 0.0)
 
 
 def test_outside_is_told_by_name():
@@ -162,6 +167,16 @@ def test_outside_is_told_by_name():
     told = " ".join(hn.holtrop(broad, [50.0])[0].outside)
     for name in ("prismatic coefficient", "length to beam", "beam to draft", "Froude number"):
         assert name in told
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_hulls_beside_one_another_are_told(name):
+    hull = Sample(name)
+    ship = hn.holtrop_ship(hull.body, draft=hull.ship.draft)
+    assert ship.side_by_side == (name == "catamaran")
+    told = [text for text in hn.holtrop(ship, [5.0])[0].outside if "beside one another" in text]
+    assert len(told) == int(ship.side_by_side)
+    assert not hn.holtrop_ship(hull.body, draft=hull.ship.draft, side_by_side=False).side_by_side
 
 
 def test_from_the_exact_hull():
@@ -208,6 +223,9 @@ def test_bad_speeds_and_waters():
     for how in ({"diameter": 0.0}, {"diameter": 2.0, "screws": 3}):
         with pytest.raises(ValueError):
             hn.Propeller(**how)
+    for efficiency in (0.0, 1.1, math.nan):
+        with pytest.raises(ValueError, match="shaft efficiency must be above 0 and at most 1"):
+            hn.Propeller(2.0, shaft_efficiency=efficiency)
     hull = Sample("container_ship")
     with pytest.raises(ValueError, match="out of the water"):
         hn.holtrop_ship(hull.body, draft=-1.0)

@@ -175,8 +175,23 @@ def test_wave_pattern():
     assert np.diff(zeros).mean() == pytest.approx(math.pi / nu, rel=0.03)
     with pytest.raises(ValueError, match="shape"):
         hn.wave_heights(integral, speed, [1.0, 2.0], gravity=hn.GRAVITY)
+    with pytest.raises(ValueError, match="speed must be a number above zero"):
+        hn.wave_heights(integral, 0.0, points, gravity=hn.GRAVITY)
     with pytest.raises(ValueError, match="too far away"):
         hn.wave_heights(integral, speed, [[-1e6, 0.0]], gravity=hn.GRAVITY)
+
+
+def test_wave_field_is_wave_heights():
+    speed, how = speed_at(0.35), {"gravity": hn.GRAVITY, "steepest": math.radians(65.0)}
+    integral = hn.MichellIntegral(hn.HullBody(wigley(11, 7), mirrored=True), draft=0.0)
+    x, y = np.linspace(-40.0, -10.0, 7), np.array([-6.0, 0.0, 2.5])
+    field = hn.wave_field(integral, speed, x, y, **how)
+    points = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    heights = hn.wave_heights(integral, speed, points, **how).reshape(3, 7)
+    # Other nodes: their quadrature is told by the farthest point.
+    np.testing.assert_allclose(field, heights, rtol=0.0, atol=1e-12 * np.abs(heights).max())
+    with pytest.raises(ValueError, match="of one row each"):
+        hn.wave_field(integral, speed, points, y, **how)
 
 
 def test_ends_make_the_phase():

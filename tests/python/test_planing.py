@@ -5,6 +5,7 @@ import dataclasses
 import math
 
 import hull_native as hn
+import numpy as np
 import pytest
 from transformation_hulls import Sample
 
@@ -91,6 +92,74 @@ def test_from_a_hull():
     assert boat.mass_t == water.displacement_t
     assert boat.lcg == pytest.approx(water.lcb - water.waterline_aft)
     assert hn.planing_boat(hull.body, draft=draft, deadrise_deg=18.0, vcg=0.8, beam=2.0).beam == 2.0
+
+
+def v_bottom(deadrise, chine, mirrored=True, rail=0.0):
+    """HullBody of a prismatic V, 12 m long, with vertical sides from the chine on; rail: by so much
+    a level rail breaks the bottom's middle."""
+    slope = math.tan(deadrise)
+    half = 0.5 * chine
+    rows = [(half, half * slope + 2.0), (half, half * slope), (0.0, 0.0)]
+    if rail:
+        rows[2:2] = [(half / 2 + rail, half / 2 * slope), (half / 2, half / 2 * slope)]
+    if not mirrored:
+        rows += [(-y, z) for y, z in rows[-2::-1]]
+    x = np.linspace(0.0, 12.0, 4)
+    points = np.array([[(at, y, z) for at in x] for y, z in rows])
+    corners = np.arange(len(rows) * 4).reshape(len(rows), 4)
+    faces = np.stack(
+        [corners[:-1, :-1], corners[:-1, 1:], corners[1:, 1:], corners[1:, :-1]], axis=-1
+    ).reshape(-1, 4)
+    creases = [pair for row in corners[1:-1] for pair in zip(row, row[1:])]
+    mesh = hn.ControlMesh(points.reshape(-1, 3), np.full(len(faces), 4), faces.ravel(), creases)
+    return hn.HullBody(hn.LimitSurface(mesh), mirrored=mirrored)
+
+
+@pytest.mark.parametrize("mirrored", [True, False])
+@pytest.mark.parametrize("degrees", [0.0, 5.0, 17.0, 40.0])
+def test_deadrise_of_a_prismatic_bottom(degrees, mirrored):
+    """Whatever the draft, the trim and what lies above the chine."""
+    body = v_bottom(math.radians(degrees), 3.0, mirrored)
+    for draft, trim in ((0.3, 0.0), (1.6, 0.0), (1.6, 0.02)):
+        found = hn.bottom_deadrise(body, draft=draft, trim=trim, draft_at=6.0)
+        assert math.degrees(found) == pytest.approx(degrees, abs=1e-9)
+    boat = hn.planing_boat(body, draft=1.6, vcg=1.0)
+    assert boat.deadrise_deg == pytest.approx(degrees, abs=1e-9)
+    assert hn.planing_boat(body, draft=1.6, vcg=1.0, deadrise_deg=12.0).deadrise_deg == 12.0
+
+
+def test_deadrise_across_a_rail_is_that_of_the_chord():
+    """A level rail leaves keel and chine where they are."""
+    body = v_bottom(0.3, 3.0, rail=0.2)
+    found = hn.bottom_deadrise(body, draft=1.6)
+    assert math.tan(found) == pytest.approx(math.tan(0.3), abs=1e-9)
+    with pytest.raises(ValueError, match="no bottom flatter than 45°"):
+        hn.bottom_deadrise(v_bottom(math.radians(50.0), 3.0), draft=1.0)
+    with pytest.raises(ValueError, match="out of the water"):
+        hn.bottom_deadrise(body, draft=-1.0)
+
+
+def test_what_is_outside_has_its_name():
+    """One range after the other is left."""
+    slow = hn.planing_at_trims(BOAT, 3.0, [4.0], **WATER)[0][0]
+    assert slow.speed_coefficient == pytest.approx(3.0 / math.sqrt(hn.GRAVITY * BOAT.beam))
+    names = [[text.partition(" is outside ")[0] for text in result.outside] for result in (
+        slow,
+        hn.planing_at_trims(BOAT, SPEED, [1.5], **WATER)[0][0],
+        hn.planing_at_trims(BOAT, SPEED, [3.0], **WATER)[0][0],
+        hn.planing_at_trims(BOAT, 100.0, [16.0], **WATER)[0][0],
+    )]  # fmt: skip
+    value = f"speed coefficient Cv {slow.speed_coefficient:.3g}"
+    assert value in names[0] and f"{value} is outside 0.6 to 13.0" in slow.outside
+    assert [name.rpartition(" ")[0] for name in names[1]] == [
+        "trim in degrees", "wetted length to beam"
+    ]  # fmt: skip
+    assert names[2] == []
+    assert [name.rpartition(" ")[0] for name in names[3]] == [
+        "speed coefficient Cv", "trim in degrees"
+    ]  # fmt: skip
+    rows = hn.savitsky_table(BOAT, [SPEED, 9.0], **WATER)
+    assert rows[0]["outside"] == "" and "wetted length to beam" in rows[1]["outside"]
 
 
 @pytest.mark.parametrize("speed", [0.0, -1.0, math.nan])

@@ -82,6 +82,7 @@ def test_holtrop_table_and_text(hull):
     ship = hn.holtrop_ship(hull.body, draft=draft, **given)
     for row, result in zip(rows, hn.holtrop(ship, SPEEDS, propeller=propeller)):
         assert row["total_kN"] == result.total and row["wake_fraction"] == result.propulsion["w"]
+    assert "delivered_power_kW" not in rows[0]
     read = list(csv.DictReader(io.StringIO(hn.resistance_csv(rows))))
     assert list(read[0]) == list(rows[0])
     for line, row in zip(read, rows):
@@ -90,6 +91,19 @@ def test_holtrop_table_and_text(hull):
                 assert float(line[name]) == pytest.approx(value, rel=1e-5)
     with pytest.raises(ValueError, match="no speeds"):
         hn.resistance_csv([])
+
+
+def test_rows_of_a_given_ship_have_the_power(hull):
+    propeller = hn.Propeller(5.0, open_water_efficiency=0.6, shaft_efficiency=0.98)
+    draft = hull.ship.draft
+    rows = hn.holtrop_rows(
+        hn.holtrop_ship(hull.body, draft=draft), SPEEDS, propeller=propeller
+    )
+    assert rows == hn.holtrop_table(hull.body, SPEEDS, draft=draft, propeller=propeller)
+    for row in rows:
+        efficiency = row["hull_efficiency"] * row["rotative_efficiency"] * 0.6
+        assert row["delivered_power_kW"] * efficiency == pytest.approx(row["effective_power_kW"])
+        assert row["shaft_power_kW"] * 0.98 == pytest.approx(row["delivered_power_kW"])
 
 
 def test_plot(hull):

@@ -16,6 +16,10 @@ _RANGES = (
 )
 _MOST_FROUDE = {1982: 0.45, 1984: 0.8}
 
+# One hull's broadest of so many stations has the waterline's breadth but for 2 %, though a tunnel or
+# a well may lie at others; two hulls have not so much of it even where they nearly touch.
+_STATIONS, _ONE_HULL = 25, 0.9
+
 
 @dataclass(frozen=True)
 class HoltropShip:
@@ -29,6 +33,7 @@ class HoltropShip:
     bossings 2, shafts 2 to 4, stabilizer fins 2.8, dome 2.7, bilge keels 1.4. stern_coefficient:
     Cstern, -25 pram with gondola, -10 V-shaped, 0 normal, 10 U-shaped with Hogner stern.
     thruster_diameter: of a bow thruster's tunnel; its coefficient is from 0.003 to 0.012.
+    side_by_side: hulls beside one another, as a catamaran's, which the method does not know.
     """
 
     length: float
@@ -50,6 +55,7 @@ class HoltropShip:
     stern_coefficient: float = 0.0
     thruster_diameter: float = 0.0
     thruster_coefficient: float = 0.005
+    side_by_side: bool = False
 
     @property
     def draft(self):
@@ -97,6 +103,8 @@ class HoltropShip:
         most = _MOST_FROUDE[edition]
         if froude > most:
             said.append(f"Froude number {froude:.3g} is above {most}")
+        if self.side_by_side:
+            said.append("hulls beside one another, which the method takes for one ship")
         return tuple(said)
 
     def _check(self):
@@ -167,7 +175,8 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
     waterline, volume, centre of buoyancy, coefficients on these and the largest section, wetted
     surface, the entrance's chord angle over 5 % of the waterline, the section where the water meets
     the stem for the bulb, and the one at the waterline's after end for the transom. Drafts are to
-    z = 0. ValueError for a hull out of the water, names that are no fields, and as hydrostatics().
+    z = 0. Hulls lie side by side where no station has most of the waterline's breadth as water
+    within the ship. ValueError for a hull out of the water, names that are no fields, and as hydrostatics().
     """
     names = {each.name for each in fields(HoltropShip)}
     for name in given:
@@ -205,5 +214,13 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
         "transom_area": transom,
         "bulb_area": stem,
         "bulb_height": ends.centroids[1][2] if stem > 0.0 else 0.0,
+        "side_by_side": _is_side_by_side(body, water, draft, trim, draft_at),
     }
     return HoltropShip(**{**measured, **given})
+
+
+def _is_side_by_side(body, water, draft, trim, draft_at):
+    ends = water.waterline_aft, water.waterline_forward
+    stations = [ends[0] + (ends[1] - ends[0]) * (i + 0.5) / _STATIONS for i in range(_STATIONS)]
+    found = _core.section_areas(body, stations, draft=draft, trim=trim, draft_at=draft_at)
+    return max(found.breadths) < _ONE_HULL * water.waterline_beam

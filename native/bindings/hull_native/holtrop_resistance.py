@@ -38,7 +38,8 @@ class HoltropResult:
     effective_power: float  # kW
     coefficients: dict = field(repr=False)
     propulsion: dict = field(default_factory=dict)  # "w", "t", "etaR", "etaH"; without propeller {}
-    delivered_power: float = 0.0  # kW; 0 without an open water efficiency
+    delivered_power: float = 0.0  # PD at the propeller, kW; 0 without an open water efficiency
+    shaft_power: float = 0.0  # PS of the engine: PD by the shaft efficiency, kW
     outside: tuple = ()
 
     @property
@@ -255,12 +256,13 @@ def _at_speed(ship, speed, edition, water, propeller):
         "correlation": pressure * (ship.wetted_surface + ship.appendage_area) * c["CA"],
     }
     power = sum(parts.values()) * speed
-    factors, delivered = {}, 0.0
+    factors, delivered, shaft = {}, 0.0, 0.0
     if propeller is not None:
         factors = propulsion_factors(ship, propeller, c, edition)
         if propeller.open_water_efficiency > 0.0:
             efficiency = factors["etaH"] * factors["etaR"] * propeller.open_water_efficiency
             delivered = power / efficiency
+            shaft = delivered / propeller.shaft_efficiency
     return HoltropResult(
         speed=speed,
         froude=froude,
@@ -268,6 +270,7 @@ def _at_speed(ship, speed, edition, water, propeller):
         coefficients=c,
         propulsion=factors,
         delivered_power=delivered,
+        shaft_power=shaft,
         outside=ship.outside(froude, edition),
         **parts,
     )

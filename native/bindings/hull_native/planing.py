@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from . import _core
 from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
+from .deadrise import bottom_deadrise
 from .water import water_viscosity
 
 _TRIMS = (0.3, 15.0)  # degrees, between which an equilibrium is looked for
@@ -275,11 +276,12 @@ class _Run:
         )
 
 
-def planing_boat(body, *, draft, deadrise_deg, vcg, trim=0.0, draft_at=0.0, **given):
+def planing_boat(body, *, draft, vcg, trim=0.0, draft_at=0.0, **given):
     """PlaningBoat of a HullBody that floats at rest at a draft (m at x = draft_at, trim in rad by
     the stern): mass and centre of gravity those of the displaced water, the transom at the
-    waterline's after end, the beam that of the waterline. What is `given` by the name of its field
-    replaces what was measured. ValueError for a hull out of the water."""
+    waterline's after end, the beam that of the waterline, the deadrise that of bottom_deadrise().
+    What is `given` by the name of its field replaces what was measured. ValueError for a hull out
+    of the water, and as bottom_deadrise() where no deadrise is given."""
     density = given.pop("water_density", SEA_WATER_DENSITY)
     water = _core.hydrostatics(
         body, draft=draft, trim=trim, draft_at=draft_at, water_density=density
@@ -291,5 +293,7 @@ def planing_boat(body, *, draft, deadrise_deg, vcg, trim=0.0, draft_at=0.0, **gi
         "beam": water.waterline_beam,
         "lcg": water.lcb - water.waterline_aft,
     }
-    measured.update(deadrise_deg=deadrise_deg, vcg=vcg, **given)
-    return PlaningBoat(**measured)
+    if "deadrise_deg" not in given:
+        angle = bottom_deadrise(body, draft=draft, trim=trim, draft_at=draft_at)
+        measured["deadrise_deg"] = math.degrees(angle)
+    return PlaningBoat(**{**measured, "vcg": vcg, **given})

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 class Propeller:
     """diameter in m; area_ratio AE/AO; pitch_ratio P/D, for twin screws; screws 1 or 2; open_stern:
     a single screw behind shafts and brackets, as of fast ships. open_water_efficiency: 0 is
-    unknown."""
+    unknown. shaft_efficiency: what gears and bearings leave of the engine's power."""
 
     diameter: float
     area_ratio: float = 0.6
@@ -18,6 +18,7 @@ class Propeller:
     screws: int = 1
     open_stern: bool = False
     open_water_efficiency: float = 0.0
+    shaft_efficiency: float = 1.0
 
     def __post_init__(self):
         for name in ("diameter", "area_ratio", "pitch_ratio"):
@@ -30,6 +31,10 @@ class Propeller:
             raise ValueError(
                 "The open water efficiency must be from 0 (unknown) to below 1, not "
                 f"{self.open_water_efficiency}."
+            )
+        if not 0.0 < self.shaft_efficiency <= 1.0:
+            raise ValueError(
+                f"The shaft efficiency must be above 0 and at most 1, not {self.shaft_efficiency}."
             )
 
 

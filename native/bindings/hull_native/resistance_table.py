@@ -68,10 +68,16 @@ def holtrop_table(body, speeds, *, draft, trim=0.0, draft_at=0.0, given=None, **
 
     given: dict of what replaces measured fields of HoltropShip; other keywords as holtrop(). Keys
     with units as michell_table(): parts, total_kN, effective_power_kW, with a propeller
-    wake_fraction, thrust_deduction, rotative_efficiency, hull_efficiency and delivered_power_kW;
-    "outside" tells in words what is out of the method's range.
+    wake_fraction, thrust_deduction, rotative_efficiency, hull_efficiency, and where its open water
+    efficiency is known delivered_power_kW and shaft_power_kW; "outside" tells in words what is out
+    of the method's range.
     """
     ship = holtrop_ship(body, draft=draft, trim=trim, draft_at=draft_at, **(given or {}))
+    return holtrop_rows(ship, speeds, **how)
+
+
+def holtrop_rows(ship, speeds, **how):
+    """The rows of holtrop_table() for a HoltropShip; keywords as holtrop()."""
     return [_holtrop_row(result, ship.length) for result in holtrop(ship, speeds, **how)]
 
 
@@ -155,7 +161,9 @@ def _holtrop_row(result: HoltropResult, length):
         row["thrust_deduction"] = result.propulsion["t"]
         row["rotative_efficiency"] = result.propulsion["etaR"]
         row["hull_efficiency"] = result.propulsion["etaH"]
+    if result.delivered_power:
         row["delivered_power_kW"] = result.delivered_power
+        row["shaft_power_kW"] = result.shaft_power
     row["outside"] = "; ".join(result.outside)
     return row
 

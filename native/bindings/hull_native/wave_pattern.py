@@ -24,13 +24,45 @@ def wave_heights(integral, speed, points, *, gravity, steepest=math.radians(80.0
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
         raise ValueError(f"points must be finite, of shape (n, 2), not {points.shape}.")
+    reach = np.abs(points).max(axis=0, initial=0.0)
+    along, across, factors = _waves(integral, speed, reach, gravity, steepest)
+    heights = []
+    for batch in np.array_split(points, max(1, math.ceil(len(points) / _BATCH))):
+        waves = np.exp(-1j * np.outer(batch[:, 0], along))
+        sides = 2.0 * np.cos(np.outer(batch[:, 1], across))
+        heights.append(((waves * sides) @ factors).real)
+    return np.concatenate(heights)
+
+
+def wave_field(integral, speed, x, y, *, gravity, steepest=math.radians(80.0)):
+    """(m, n) heights of the water in m, as wave_heights() has them, at all x (n,) along cuts at
+    y (m,). Phases along and across the ship are parts of a product: so many points at once are
+    quick. ValueError as wave_heights()."""
+    x, y = (np.asarray(values, dtype=float) for values in (x, y))
+    if x.ndim != 1 or y.ndim != 1 or not (np.isfinite(x).all() and np.isfinite(y).all()):
+        raise ValueError(f"x and y must be finite, of one row each, not {x.shape} and {y.shape}.")
+    reach = [np.abs(values).max(initial=0.0) for values in (x, y)]
+    along, across, factors = _waves(integral, speed, reach, gravity, steepest)
+    heights = np.zeros((y.size, x.size))
+    for begin in range(0, factors.size, _BATCH):
+        part = slice(begin, begin + _BATCH)
+        sides = 2.0 * np.cos(np.outer(y, across[part])) * factors[part]
+        heights += (sides @ np.exp(-1j * np.outer(along[part], x))).real
+    return heights
+
+
+def _waves(integral, speed, reach, gravity, steepest):
+    """((k,) wave numbers along the ship, (k,) across, (k,) amplitudes by weight) of a quadrature
+    over directions to one side, for points as far away as reach (2,)."""
     if not 0.0 < steepest < _STEEPEST:
         raise ValueError("steepest must be above 0 and below 89° in rad.")
+    if not (speed > 0.0 and math.isfinite(speed)):
+        raise ValueError(f"The speed must be a number above zero, not {speed}.")
     nu = gravity / speed**2
     # By u = tan θ: the phase ν √(1 + u²) (x + u y) turns no faster than so much for each u.
     end = math.tan(steepest)
-    reach = np.abs(points).max(axis=0, initial=0.0) + [integral.length, 0.0]
-    turns = nu * end * math.hypot(1.0, end) * (reach[0] + 2.0 * end * reach[1]) + 1.0
+    ahead = reach[0] + integral.length
+    turns = nu * end * math.hypot(1.0, end) * (ahead + 2.0 * end * reach[1]) + 1.0
     parts = math.ceil(turns / _TURN)
     if parts * _NODES > _MOST_NODES:
         raise ValueError(
@@ -43,10 +75,5 @@ def wave_heights(integral, speed, points, *, gravity, steepest=math.radians(80.0
     amplitudes = np.asarray(integral.amplitudes(speed, np.arctan(u)))
     # dθ = du / (1 + u²); waves to both sides have one amplitude.
     factors = amplitudes * np.tile(weights * half, parts) / (1.0 + u**2)
-    k = nu * np.hypot(1.0, u)
-    heights = []
-    for batch in np.array_split(points, max(1, math.ceil(len(points) / _BATCH))):
-        along = np.exp(-1j * np.outer(batch[:, 0], k))
-        across = 2.0 * np.cos(np.outer(batch[:, 1], k * u))
-        heights.append(((along * across) @ factors).real)
-    return np.concatenate(heights)
+    along = nu * np.hypot(1.0, u)
+    return along, along * u, factors
